@@ -210,7 +210,7 @@ impl Prediction {
     }
 
     /// Returns the three predictions that differ most from each other in nature.
-    fn main(&self, kind: usize) -> [[i64; 3]; 3] {
+    fn main_candidates(&self, kind: usize) -> [[i64; 3]; 3] {
         let indices = match kind {
             0 | BASE_KIND => [AFFINE, GEOMETRIC, MIRRORED],
             1 => [AFFINE, WHOLE, SIBLING],
@@ -343,7 +343,9 @@ impl DirectionModel {
         let scales = [scale_of(prediction.spread), scale_of(prediction.conflict), lately];
         let [a, b, c] = scales;
         let others = if self.residuals.looks_at_others() {
-            prediction.main(kind).map(|other| self.grid.difference(self.grid.point(other), predicted))
+            prediction
+                .main_candidates(kind)
+                .map(|other| self.grid.difference(self.grid.point(other), predicted))
         } else {
             [[0; 2]; 3]
         };

@@ -85,7 +85,7 @@ impl Prediction {
         let limit = i32x4::splat((REACH << down) >> up);
         let to_local = |x: i32x4| ((x.max(-limit).min(limit) << up) >> down).to_array();
         let points = points.map(to_local);
-        let (axes, slopes) = face(to_local(d), to_local(e));
+        let (axes, slopes) = axes_and_slopes(to_local(d), to_local(e));
         let [base, middle] = [base, middle].map(|x| x.to_array()).map(|[x, y, z, _]| [x, y, z]);
         let size = (2 * (20 + scale) + (radius >> 9 & 1)).clamp(0, 63) as usize;
         let features = [0, 1, 2].map(|a| points.map(|point| point[a]));
@@ -101,7 +101,7 @@ impl Prediction {
 
     /// Returns a grid coordinate's distance from the center, in local units.
     #[inline]
-    pub(super) fn off_middle(&self, coordinate: i32, axis: usize) -> i32 {
+    pub(super) fn distance_from_center(&self, coordinate: i32, axis: usize) -> i32 {
         let off = coordinate.wrapping_sub(self.base[axis]).clamp(-1 << 26, 1 << 26);
         let limit = (REACH << self.down) >> self.up;
         (((off << 4) - self.middle[axis]).clamp(-limit, limit) << self.up) >> self.down
@@ -145,7 +145,7 @@ fn mean(sum: i32x4, base: i32x4) -> Option<[i32; 4]> {
 
 /// Returns the axes from the most tangential to the most normal, and the slopes, from two diagonals of
 /// the ring.
-fn face(d: [i32; 4], e: [i32; 4]) -> ([usize; 3], [i32; 2]) {
+fn axes_and_slopes(d: [i32; 4], e: [i32; 4]) -> ([usize; 3], [i32; 2]) {
     let normal = [[1, 2], [2, 0], [0, 1]].map(|[a, b]| d[a] * e[b] - d[b] * e[a]);
     let steep = normal.map(i32::unsigned_abs);
     // Sorts three values without unpredictable branches.
@@ -213,7 +213,7 @@ mod tests {
             assert_eq!(prediction.axes[2], 2);
             for off in [-150, -3, 0, 40, 199] {
                 let coords = (1000 + off) * factor;
-                let found = prediction.to_grid(prediction.off_middle(coords, 0), 0);
+                let found = prediction.to_grid(prediction.distance_from_center(coords, 0), 0);
                 // If rings are wide, local units are coarser than the grid.
                 assert!((found - coords).abs() <= factor / 4 + 1, "{found} for {coords}");
             }

@@ -42,7 +42,7 @@ pub(super) struct LocalRing {
 
 impl LocalRing {
     /// Gathers the surroundings of a vertex; `with_beyond` includes the second ring.
-    pub(super) fn look(&mut self, neighborhood: &Neighborhood<'_>, with_beyond: bool) {
+    pub(super) fn gather(&mut self, neighborhood: &Neighborhood<'_>, with_beyond: bool) {
         self.count = neighborhood.corners.len().min(LANES);
         let mut known = [[0; 3]; LANES];
         let mut known_count = 0;

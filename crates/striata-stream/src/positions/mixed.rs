@@ -50,7 +50,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         neighborhood: &Neighborhood<'_>,
         actual: [i32; 3],
     ) -> [i32; 3] {
-        self.density.look(neighborhood);
+        self.density.gather(neighborhood);
         let (normal, axes) = normal_order(&self.density.local);
         let ring_errors = self.ring_errors();
         let valence = self.density.local.count.clamp(4, 7) - 4;
@@ -58,7 +58,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         let mut errors = [0u32; 2];
         for (slot, &a) in axes.iter().enumerate() {
             let across = slot / 2;
-            self.density.aim(slot, (normal, axes), coords);
+            self.density.move_bumps(slot, (normal, axes), coords);
             let (base, features) = self.density.features(a);
             let blend = &mut self.blends[across][valence];
             let expected = base + blend.predict(&features);
@@ -74,7 +74,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
             blend.learn(&features, error);
             errors[across] = errors[across].max(error.unsigned_abs());
             if slot < 2 {
-                self.density.reweigh(slot, found);
+                self.density.reweight(slot, found);
             }
         }
         self.note(neighborhood.vertex, errors);

@@ -55,7 +55,7 @@ impl PlainAxis {
 ///
 /// Sums are in grid steps relative to a ring vertex. Only the results are converted to local units, in
 /// which the ring's radius has eleven bits.
-struct Around {
+struct PlainSurroundings {
     /// The ring vertex that other coordinates are relative to.
     base: [i32; 3],
     /// Center of the ring, in 1/16 grid steps.
@@ -79,9 +79,9 @@ type Known = [i32; 4];
 /// Limit of local coordinates.
 const LOCAL_REACH: i64 = 12_000;
 
-impl Around {
+impl PlainSurroundings {
     /// Gathers the surroundings of a vertex.
-    fn look(neighborhood: &Neighborhood<'_>) -> Self {
+    fn gather(neighborhood: &Neighborhood<'_>) -> Self {
         let corners = &neighborhood.corners[..neighborhood.corners.len().min(LANES)];
         let n = corners.len();
         let first = neighborhood.surface.virtual_count();
@@ -126,12 +126,12 @@ impl Around {
             Self { base, middle, scale, radius, normal: [0; 3], axes: [0, 1, 2], features: [[0; 3]; 3] };
         let points = [sum, ring[0], add(ring[1], ring[n - 1])].map(from_middle);
         around.features = [0, 1, 2].map(|a| points.map(|p| around.to_local(p[a].into())));
-        around.face(d, e);
+        around.set_normal(d, e);
         around
     }
 
     /// Computes the normal from two diagonals of the ring, and the order of the axes.
-    fn face(&mut self, d: [i32; 3], e: [i32; 3]) {
+    fn set_normal(&mut self, d: [i32; 3], e: [i32; 3]) {
         let [d, e] = [d, e].map(|x| x.map(|x| self.to_local(x.into())));
         self.normal = [[1, 2], [2, 0], [0, 1]].map(|[a, b]| d[a] * e[b] - d[b] * e[a]);
         let steep = self.normal.map(i32::unsigned_abs);
@@ -153,7 +153,7 @@ impl Around {
 
     /// Returns a grid coordinate's distance from the center, in local units.
     #[inline]
-    fn off_middle(&self, coordinate: i32, axis: usize) -> i32 {
+    fn distance_from_center(&self, coordinate: i32, axis: usize) -> i32 {
         let off = coordinate.wrapping_sub(self.base[axis]);
         self.to_local(16 * i64::from(off) - i64::from(self.middle[axis]))
     }
@@ -192,7 +192,7 @@ impl PlainModel {
         neighborhood: &Neighborhood<'_>,
         actual: [i32; 3],
     ) -> [i32; 3] {
-        let around = Around::look(neighborhood);
+        let around = PlainSurroundings::gather(neighborhood);
         let (normal, axes) = (around.normal, around.axes);
         let valence = neighborhood.corners.len().clamp(4, 7) - 4;
         let size = (2 * (20 + around.scale) + (around.radius >> 9 & 1)).clamp(0, SIZES as i32 - 1) as usize;
@@ -212,7 +212,7 @@ impl PlainModel {
             let context = ResidualContext { size, spread: spread as usize, noise };
             let residual = actual[a].wrapping_sub(center);
             coords[a] = center.wrapping_add(self.axes[slot].code(coder, context, residual));
-            let found = around.off_middle(coords[a], a);
+            let found = around.distance_from_center(coords[a], a);
             let error = (found - lifted).clamp(-around.radius, around.radius);
             blend.learn(features, error);
             if slot < 2 && normal[axes[2]] != 0 {

@@ -14,10 +14,10 @@ use crate::topology::neighborhood::Neighborhood;
 const NEAR: [[i32; 2]; 2] = [[45, 10], [130, 20]];
 /// Weight factor of a guess that was far off. One within the wide distance gains up to 12288, one within
 /// the narrow distance up to 16384 more.
-const FAR_WORTH: i16 = 2800;
+const FAR_FACTOR: i16 = 2800;
 /// Initial weights of guesses, and of plane heights when they are added.
-const FULL_WORTH: i16 = 1 << 9;
-const PLANE_WORTH: i16 = 400;
+const INITIAL_WEIGHT: i16 = 1 << 9;
+const INITIAL_PLANE_WEIGHT: i16 = 400;
 /// Number of features that a coordinate is blended from.
 pub(super) const FEATURES: usize = KINDS + 4;
 /// Reciprocals: 4096 divided by each number.
@@ -57,22 +57,27 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Gathers the surroundings of another vertex and makes its guesses.
-    pub(super) fn look(&mut self, neighborhood: &Neighborhood<'_>) {
-        self.local.look(neighborhood, Self::LOOKS_BEYOND);
+    pub(super) fn gather(&mut self, neighborhood: &Neighborhood<'_>) {
+        self.local.gather(neighborhood, Self::LOOKS_BEYOND);
         guess(&self.local, &mut self.guesses);
         self.kept = kept_points(&self.local);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
-            *weights = first_lanes(guesses.count) & i16x8::splat(FULL_WORTH);
+            *weights = first_lanes(guesses.count) & i16x8::splat(INITIAL_WEIGHT);
         }
     }
 
     /// Moves the bumps to the guesses along an axis, given the coordinates known so far.
-    pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), coords: [i32; 3]) {
+    pub(super) fn move_bumps(
+        &mut self,
+        slot: usize,
+        (normal, axes): ([i64; 3], [usize; 3]),
+        coords: [i32; 3],
+    ) {
         self.is_last = slot == 2;
         self.is_inward = normal[axes[2]] < 0;
         if slot == 2 {
-            self.move_along(normal, axes, coords);
-            self.raise_planes(axes, coords);
+            self.move_guesses_along_surface(normal, axes, coords);
+            self.add_plane_heights(axes, coords);
         } else {
             for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
                 bumps.at = guesses.at[axes[slot]];
@@ -88,17 +93,17 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Moves all guesses along the ring's plane to the known coordinates of the vertex.
-    fn move_along(&mut self, normal: [i64; 3], axes: [usize; 3], coords: [i32; 3]) {
+    fn move_guesses_along_surface(&mut self, normal: [i64; 3], axes: [usize; 3], coords: [i32; 3]) {
         let [a, b, c] = axes;
         let [x, y] = [a, b].map(|a| self.local.to_local_axis(coords[a], a));
-        let steep = if normal[c] == 0 { 1 } else { normal[c] };
+        let steepness = if normal[c] == 0 { 1 } else { normal[c] };
         for at in 0..4 {
             let rise =
                 normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
-            self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steep).clamp(-16_000, 16_000) as i32;
+            self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steepness).clamp(-16_000, 16_000) as i32;
         }
         // Slopes of at most 1, in 1/16384; differences of a few radii, times 4.
-        let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steep) as i16));
+        let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steepness) as i16));
         let known = [x, y].map(|x| i16x8::splat(x as i16));
         for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
             let [rise, more] = [(a, 0), (b, 1)].map(|(a, i)| {
@@ -112,7 +117,7 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Replaces the guesses of one kind by the heights of the planes across ring edges.
-    fn raise_planes(&mut self, [a, b, c]: [usize; 3], coords: [i32; 3]) {
+    fn add_plane_heights(&mut self, [a, b, c]: [usize; 3], coords: [i32; 3]) {
         let local = &self.local;
         let [x, y] = [a, b].map(|a| local.to_local_axis(coords[a], a));
         let mut count = 0;
@@ -130,7 +135,7 @@ impl<const USED: usize> PositionDensity<USED> {
             count += 1;
         }
         self.guesses[MOVED].count = count;
-        self.weights[MOVED] = first_lanes(count) & i16x8::splat(PLANE_WORTH);
+        self.weights[MOVED] = first_lanes(count) & i16x8::splat(INITIAL_PLANE_WEIGHT);
     }
 
     /// Returns the center of the ring, and the features from which a coordinate is blended, relative to
@@ -188,7 +193,7 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Reduces the weights of guesses that were far from the actual coordinate.
-    pub(super) fn reweigh(&mut self, slot: usize, found: i32) {
+    pub(super) fn reweight(&mut self, slot: usize, found: i32) {
         let found = i16x8::splat(found as i16);
         let reaches = NEAR[slot].map(|reach| {
             let reach = (self.local.radius * reach) >> 8;
@@ -204,8 +209,8 @@ impl<const USED: usize> PositionDensity<USED> {
                 let near: i16x8 = near.mul_keep_high(inverse) << 2u32;
                 near.mul_keep_high(near)
             });
-            let worth = i16x8::splat(FAR_WORTH) + wide + (wide << 1u32) + (narrow << 2u32);
-            *weights = weights.mul_keep_high(worth);
+            let factor = i16x8::splat(FAR_FACTOR) + wide + (wide << 1u32) + (narrow << 2u32);
+            *weights = weights.mul_keep_high(factor);
         }
     }
 }

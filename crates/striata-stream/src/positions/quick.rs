@@ -96,7 +96,7 @@ impl QuickPositions {
             let context = ResidualContext { size: prediction.size, spread, noise: prediction.noise(slot) };
             let residual = actual[a].wrapping_sub(center);
             coords[a] = center.wrapping_add(self.axes[slot].code(coder, context, residual));
-            let found = prediction.off_middle(coords[a], a);
+            let found = prediction.distance_from_center(coords[a], a);
             learn(weights, features, (found - lifted).clamp(-prediction.radius, prediction.radius));
             if slot < 2 {
                 rise -= ((found - expected) * prediction.slopes[slot]) >> 12;

@@ -102,7 +102,7 @@ impl Refiner {
             let split = SplitContext { surface, growth, corners, source: &*source, most_beyond };
             model.code(coder, &split, &mut stretch.shown);
             if let Some(follower) = source.follower() {
-                follower.name(&stretch.shown.named);
+                follower.name(&stretch.shown.source_vertices);
             }
         }
         let Some(attributes) = &mut models.attributes else { return };
@@ -118,7 +118,7 @@ impl Refiner {
         }
         attributes.begin_position(around, place);
         for (wedge, &target) in (0..).zip(&stretch.shown.targets) {
-            let actual = actual_layers(source.plan(), |_| stretch.shown.named[wedge as usize]);
+            let actual = actual_layers(source.plan(), |_| stretch.shown.source_vertices[wedge as usize]);
             attributes.vertex(coder, around, NewVertex { place, wedge, target }, actual);
         }
     }

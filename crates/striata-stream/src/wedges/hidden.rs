@@ -24,7 +24,7 @@ pub(crate) struct HiddenWedges {
 
 impl HiddenWedges {
     /// Records that one more corner refers to a vertex.
-    pub(crate) fn show(&mut self, vertex: u32) {
+    pub(crate) fn add_corner(&mut self, vertex: u32) {
         if vertex == NONE {
             return;
         }
@@ -35,7 +35,7 @@ impl HiddenWedges {
     }
 
     /// Records that one corner fewer refers to a vertex.
-    pub(crate) fn hide(&mut self, vertex: u32) {
+    pub(crate) fn remove_corner(&mut self, vertex: u32) {
         if let Some(count) = self.corner_counts.get_mut(vertex as usize) {
             *count = count.saturating_sub(1);
         }
@@ -60,7 +60,7 @@ impl HiddenWedges {
 
     /// Whether at most one corner refers to a vertex, as in meshes in which each corner has its own
     /// vertex.
-    pub(crate) fn is_lone(&self, vertex: u32) -> bool {
+    pub(crate) fn has_one_corner_at_most(&self, vertex: u32) -> bool {
         self.corner_counts.get(vertex as usize).is_none_or(|count| *count < 2)
     }
 
@@ -78,12 +78,16 @@ mod tests {
     fn hidden_vertices_come_nearest_first() {
         let mut hidden = HiddenWedges::default();
         assert_eq!(hidden.find(&(4..9), 6), [6, 7, 5, 8, 4]);
-        [5, 6, 6, 8].into_iter().for_each(|vertex| hidden.show(vertex));
+        [5, 6, 6, 8].into_iter().for_each(|vertex| hidden.add_corner(vertex));
         assert_eq!(hidden.find(&(4..9), 6), [7, 4]);
-        assert!(hidden.is_lone(5) && !hidden.is_lone(6) && hidden.is_lone(99));
-        hidden.hide(6);
-        hidden.hide(5);
-        hidden.hide(5);
+        assert!(
+            hidden.has_one_corner_at_most(5)
+                && !hidden.has_one_corner_at_most(6)
+                && hidden.has_one_corner_at_most(99)
+        );
+        hidden.remove_corner(6);
+        hidden.remove_corner(5);
+        hidden.remove_corner(5);
         assert_eq!(hidden.find(&(4..9), 6), [7, 5, 4]);
         // An expected vertex outside the range is ignored.
         assert_eq!(hidden.find(&(4..9), 60), [4, 5, 7]);

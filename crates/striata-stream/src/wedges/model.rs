@@ -50,7 +50,7 @@ pub(crate) struct WedgeModel {
     is_guess: [AdaptiveBit; GUESSES * OUTCOMES * HIDDEN * 2],
     /// Whether a hidden vertex is coded, and which.
     is_hidden: [AdaptiveBit; VALUE_KINDS * HIDDEN],
-    is_this: [AdaptiveBit; VALUE_KINDS * LIST_INDICES],
+    is_candidate: [AdaptiveBit; VALUE_KINDS * LIST_INDICES],
     /// Whether more wedges without corners follow, by the number of wedges with corners, whether each
     /// corner has its own wedge, how many have followed, and how many vertices of the kept position are
     /// hidden.
@@ -123,7 +123,7 @@ impl WedgeModel {
             joins_patch: [bit; OUTCOMES * 2],
             is_guess: [bit; GUESSES * OUTCOMES * HIDDEN * 2],
             is_hidden: [bit; VALUE_KINDS * HIDDEN],
-            is_this: [bit; VALUE_KINDS * LIST_INDICES],
+            is_candidate: [bit; VALUE_KINDS * LIST_INDICES],
             has_more: [bit; 8 * 2 * 4 * HIDDEN],
             hidden: HiddenWedges::default(),
             wedge_of: HashMap::new(),
@@ -143,10 +143,10 @@ impl WedgeModel {
     pub(crate) fn follow_general(&mut self, growth: &Growth, step: &CodedStep) {
         let first = growth.vertex_count();
         for &corner in &step.fan {
-            self.hidden.hide(growth.triangles[corner as usize / 3][corner as usize % 3]);
+            self.hidden.remove_corner(growth.triangles[corner as usize / 3][corner as usize % 3]);
         }
-        step.wedges.iter().for_each(|wedge| self.hidden.show(first + wedge));
-        step.others.as_flattened().iter().for_each(|&vertex| self.hidden.show(vertex));
+        step.wedges.iter().for_each(|wedge| self.hidden.add_corner(first + wedge));
+        step.others.as_flattened().iter().for_each(|&vertex| self.hidden.add_corner(vertex));
     }
 
     /// Codes a value of a range: one of the guesses, or any other. `outcome` is that of the previous
@@ -169,8 +169,8 @@ impl WedgeModel {
         let mut tried = NONE;
         for (index, guess) in guesses.into_iter().enumerate() {
             let Some(guess) = guess.filter(|guess| all.contains(guess) && *guess != tried) else { continue };
-            let is_lone = knows_corners && self.hidden.is_lone(guess);
-            let key = key + index + GUESSES * OUTCOMES * HIDDEN * usize::from(is_lone);
+            let has_one_corner_at_most = knows_corners && self.hidden.has_one_corner_at_most(guess);
+            let key = key + index + GUESSES * OUTCOMES * HIDDEN * usize::from(has_one_corner_at_most);
             if self.is_guess[key].code(coder, guess == actual) {
                 return guess;
             }
@@ -209,7 +209,7 @@ impl WedgeModel {
             return None;
         }
         for (index, &vertex) in offered.enumerate() {
-            let bit = &mut self.is_this[kind as usize * LIST_INDICES + index.min(LIST_INDICES - 1)];
+            let bit = &mut self.is_candidate[kind as usize * LIST_INDICES + index.min(LIST_INDICES - 1)];
             if vertex == last || bit.code(coder, vertex == actual) {
                 return Some(vertex);
             }
@@ -226,7 +226,7 @@ impl WedgeModel {
     ) {
         let corners = split.corners;
         out.targets.clear();
-        out.named.clear();
+        out.source_vertices.clear();
         out.wedges.clear();
         out.wedges.resize(corners.len(), NONE);
         self.wedge_of.clear();
@@ -276,7 +276,7 @@ impl WedgeModel {
             let guesses = [out.targets.last().copied(), None];
             let target = self.choose(coder, (ValueKind::Target, 0), (guesses, kept.clone()), target);
             out.targets.push(target);
-            out.named.push(more.unwrap_or(NONE));
+            out.source_vertices.push(more.unwrap_or(NONE));
         }
     }
 
@@ -288,13 +288,13 @@ impl WedgeModel {
             if wedge == NONE {
                 continue;
             }
-            self.hidden.show(first + wedge);
+            self.hidden.add_corner(first + wedge);
             let side = usize::from(at > 0);
             if at == 0 || at + 1 == corners.len() {
-                self.hidden.show(out.kept[side]);
-                self.hidden.show(out.ends[side]);
+                self.hidden.add_corner(out.kept[side]);
+                self.hidden.add_corner(out.ends[side]);
             } else if let Some(old) = growth.shown(surface, corner) {
-                self.hidden.hide(old);
+                self.hidden.remove_corner(old);
             }
         }
     }
@@ -321,7 +321,8 @@ impl WedgeModel {
                 Some(PatchCorner { wedge, old: old_before, ring: ring_before }) if old_before == old => {
                     let earlier = if self.is_first_version() { 0 } else { outcome };
                     let context = usize::from(ring != ring_before) + 2 * earlier;
-                    let continues = self.continues[context].code(coder, out.named[wedge as usize] == actual);
+                    let continues =
+                        self.continues[context].code(coder, out.source_vertices[wedge as usize] == actual);
                     outcome = 1 + usize::from(continues);
                     if continues { wedge } else { self.other_wedge(coder, (actual, old), Some(wedge), out) }
                 }
@@ -348,7 +349,7 @@ impl WedgeModel {
         };
         found.unwrap_or_else(|| {
             out.targets.push(target);
-            out.named.push(actual);
+            out.source_vertices.push(actual);
             let wedge = out.targets.len() as u32 - 1;
             if !C::READS {
                 self.wedge_of.insert(actual, wedge);
@@ -365,7 +366,7 @@ impl WedgeModel {
         excluded: Option<u32>,
         out: &SplitWedges,
     ) -> Option<u32> {
-        let wedges = (0..).zip(out.targets.iter().zip(&out.named));
+        let wedges = (0..).zip(out.targets.iter().zip(&out.source_vertices));
         let mut fits = wedges.filter(|(wedge, (of, _))| **of == target && excluded != Some(*wedge));
         fits.find(|(_, (_, name))| self.is_other[0].code(coder, **name == actual)).map(|(wedge, _)| wedge)
     }
@@ -384,7 +385,7 @@ impl WedgeModel {
             if out.targets[wedge] != target || excluded == Some(wedge as u32) {
                 continue;
             }
-            if self.is_other[index].code(coder, out.named[wedge] == actual) {
+            if self.is_other[index].code(coder, out.source_vertices[wedge] == actual) {
                 return Some(wedge as u32);
             }
             index = (index + 1).min(LIST_INDICES - 1);
@@ -454,9 +455,10 @@ impl WedgeModel {
         if adjacent == NONE || out.targets[adjacent as usize] != kept {
             return self.other_wedge(coder, (actual, kept), None, out);
         }
-        let is_adjacent = out.named[adjacent as usize] == actual;
-        let is_lone = self.hidden.is_lone(kept);
-        let context = if self.is_first_version() { 0 } else { 2 * of_end + usize::from(is_lone) };
+        let is_adjacent = out.source_vertices[adjacent as usize] == actual;
+        let has_one_corner_at_most = self.hidden.has_one_corner_at_most(kept);
+        let context =
+            if self.is_first_version() { 0 } else { 2 * of_end + usize::from(has_one_corner_at_most) };
         if self.joins_patch[context].code(coder, is_adjacent) {
             return adjacent;
         }
@@ -471,7 +473,7 @@ impl WedgeModel {
         actual: u32,
     ) -> u32 {
         let vertex = self.choose(coder, (ValueKind::BaseCorner, 0), ([last, None], wedges), actual);
-        self.hidden.show(vertex);
+        self.hidden.add_corner(vertex);
         vertex
     }
 

@@ -15,5 +15,5 @@ pub(crate) struct SplitWedges {
     /// Groups of A and B.
     pub(crate) groups: [u32; 2],
     /// The source mesh's vertex of each wedge; only meaningful in a writer.
-    pub(crate) named: Vec<u32>,
+    pub(crate) source_vertices: Vec<u32>,
 }
