@@ -1,17 +1,17 @@
-//! Writes small sound files for the fuzzer to start from, into `fuzz/corpus/TARGET/`.
+//! Writes small valid files for the fuzzer to start from to `fuzz/corpus/TARGET/`.
 
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_stream, file_model};
 use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
-use striata_lab::baseline::SequentialPatterns;
 use striata::model::{Fans, LodStrips, Mts, Patterns};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::strip::stripify;
 use striata_io::Format;
+use striata_lab::baseline::SequentialPatterns;
+use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_stream, file_model};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
@@ -19,11 +19,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let path = corpus.join(target);
         fs::create_dir_all(&path).map(|()| path)
     };
-    let sound: Vec<(&str, IndexedMesh)> = shapes::nasty()
+    let meshes: Vec<(&str, IndexedMesh)> = shapes::nasty()
         .into_iter()
         .filter(|(_, mesh)| mesh.check().is_ok() && mesh.triangle_count() < 100)
         .collect();
-    for (i, (_, mesh)) in sound.iter().enumerate() {
+    for (i, (_, mesh)) in meshes.iter().enumerate() {
         write_formats(i, mesh, &folder("read_bytes")?)?;
         let folder_of_files = folder("striata_file")?;
         for (name, bytes) in containers(mesh)? {
@@ -42,10 +42,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A file's name and its bytes.
+/// A file name and its contents.
 type NamedBytes = (&'static str, Vec<u8>);
 
-/// Progressive streams of each effort, an exact one, and one of the first version.
+/// Progressive streams of each effort, a lossless one, and one of version 1.
 fn streams(mesh: &IndexedMesh) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
     let all = BatchOptions::default().with_general_floor(0);
     let built = build_batches(mesh, &all)?;
@@ -73,7 +73,7 @@ fn patterns(mesh: &IndexedMesh) -> Result<Option<Vec<u8>>, Box<dyn Error>> {
     Ok(SequentialPatterns::encode(&fragmented).ok().map(|written| written.as_bytes().to_vec()))
 }
 
-/// The place of each format's extension in the list of `read_bytes`.
+/// The index of each format's extension in the list of `read_bytes`.
 const FORMATS: [(u8, Format); 6] = [
     (0, Format::Ply),
     (1, Format::Obj),
@@ -87,7 +87,7 @@ fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<
     for (place, format) in FORMATS {
         for ascii in [false, true] {
             let options = striata_io::WriteOptions::default().with_ascii(ascii);
-            // Some formats cannot hold an empty mesh.
+            // Some formats cannot represent an empty mesh.
             let Ok(bytes) = striata_io::to_bytes(format, mesh, &options) else { continue };
             let name = format!("{i}-{ascii}.{}", format.extension());
             fs::write(folder.join(name), [&[place], &bytes[..]].concat())?;
@@ -96,10 +96,11 @@ fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<
     Ok(())
 }
 
-/// A file by the name of what is in it.
+/// A file named for its contents.
 type Container = (&'static str, Vec<u8>);
 
-/// Files with models of strips, with fans alone, with patterns, beside collapses and without any, and with a stream alone.
+/// Files with strip models, with fans alone, with patterns (with and without collapses), and with a
+/// stream alone.
 fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
     let refinable = build_sequence(mesh, &SequenceOptions::default())?.refinable;
     let strips = stripify(&refinable.mesh)?;
@@ -128,7 +129,7 @@ fn stream_in_file(mesh: &IndexedMesh) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(to_striata(&stream.reorder(refinable), &models, &WriteOptions::default())?)
 }
 
-/// Options, shape, vertices on whole numbers, cuts, triangles: what `Bytes::mesh` takes apart.
+/// Options, shape, vertices on integer coordinates, cuts, triangles: the input that `Bytes::mesh` reads.
 fn as_fuzz_input(mesh: &IndexedMesh) -> Vec<u8> {
     let vertex_count = mesh.vertex_count().min(48);
     let mut out = vec![0, 0, vertex_count.saturating_sub(1) as u8];

@@ -1,11 +1,11 @@
-//! Damaged progressive streams: an error, or a sound mesh after every piece.
+//! Damaged progressive streams must give an error, or a valid mesh after every piece.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata_stream::{DecodeError, StreamDecoder, StreamDefect};
 use striata::mesh::replay;
+use striata_stream::{DecodeError, StreamDecoder, StreamDefect};
 
-/// Chunks whose checksums are set right.
+/// Maximum number of checksums that are corrected.
 const MOST_CHUNKS: usize = 6;
 
 fuzz_target!(|data: &[u8]| {
@@ -13,13 +13,13 @@ fuzz_target!(|data: &[u8]| {
     let mut bytes = data.to_vec();
     for _ in 0..MOST_CHUNKS {
         let Err(error) = read(&bytes) else { break };
-        if !set_right(&mut bytes, &error) {
+        if !correct_checksum(&mut bytes, &error) {
             break;
         }
     }
 });
 
-/// Reads the bytes in pieces; what is there after each must be a mesh.
+/// Decodes the bytes in pieces. After each piece, the decoded part must be a valid mesh.
 fn read(bytes: &[u8]) -> Result<(), DecodeError> {
     let mut decoder = StreamDecoder::new();
     let piece = 1 + bytes.len() / 3;
@@ -48,8 +48,9 @@ fn check(decoder: &StreamDecoder) {
     }
 }
 
-/// Writes the checksum that was found where another one was expected; false where the error is another.
-fn set_right(bytes: &mut [u8], error: &DecodeError) -> bool {
+/// Overwrites the expected checksum with the actual one. Returns false if the error is not about a
+/// checksum.
+fn correct_checksum(bytes: &mut [u8], error: &DecodeError) -> bool {
     let (found, expected) = match *error {
         DecodeError::HeaderChecksum { found, expected }
         | DecodeError::Stream(StreamDefect::Checksum { found, expected, .. }) => (found, expected),

@@ -1,4 +1,5 @@
-//! Any bytes to every reader: a mesh or an error, and a sound mesh survives every writer.
+//! Passes arbitrary bytes to every reader: the result is a mesh or an error, and a valid mesh survives
+//! every writer.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -18,7 +19,7 @@ fuzz_target!(|data: &[u8]| {
     }
 });
 
-/// A writer may refuse what its format cannot hold; what it writes must come back.
+/// A writer may reject what its format cannot represent, but whatever it writes must be readable.
 fn write_and_read(format: Format, mesh: &IndexedMesh) {
     let Ok(bytes) = to_bytes(format, mesh, &WriteOptions::default()) else { return };
     let name = format!("x.{}", format.extension());

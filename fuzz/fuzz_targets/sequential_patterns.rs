@@ -1,4 +1,5 @@
-//! Any bytes as patterns in sequential form: an error, or fragments that follow each other.
+//! Decodes arbitrary bytes as sequential patterns: the result is an error, or fragments that follow each
+//! other.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -13,8 +14,12 @@ fuzz_target!(|data: &[u8]| {
             Ok(None) => break true,
             Err(_) => break false,
         }
-        assert_eq!(decoder.triangles().len(), triangle_count, "triangles are lost");
+        assert_eq!(decoder.triangles().len(), triangle_count, "triangles must not be lost");
     };
-    // A step may put a triangle where an equal one is, which a surface allows and a sequence does not.
-    assert!(is_whole || decode_sequential(data).is_err(), "the whole is read where a part is not");
+    // A step may add a triangle that duplicates another one, which a surface allows and a sequence does
+    // not.
+    assert!(
+        is_whole || decode_sequential(data).is_err(),
+        "a whole that decodes must consist of parts that decode"
+    );
 });

@@ -1,4 +1,5 @@
-//! Small meshes of every shape and random options: sequence, models and file agree with the oracle.
+//! Simplifies small meshes of every shape with random options: sequence, models and file must agree with
+//! the oracle.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -7,9 +8,9 @@ use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::{Fans, LodModel, LodStrips, Mts};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
 use striata::strip::stripify;
+use striata_fuzz::Bytes;
 use striata_lab::MtsGraph;
 use striata_lab::baseline::{OriginalLodStrips, ProgressiveMeshes, SkipStrips};
-use striata_fuzz::Bytes;
 
 fuzz_target!(|data: &[u8]| {
     let mut bytes = Bytes(data);
@@ -49,7 +50,7 @@ fn check_levels(refinable: &RefinableMesh) {
         last_error = error;
         assert_eq!(replay(refinable, split_count).triangle_count(), sequence.triangle_count_at(split_count));
     }
-    let strips = stripify(&refinable.mesh).expect("full meshes are sound");
+    let strips = stripify(&refinable.mesh).expect("full meshes are valid");
     let what = "the strips are the mesh's";
     let lod_strips = LodStrips::build(refinable, &strips).expect(what);
     let mts = Mts::build(refinable, &strips).expect(what);
@@ -62,14 +63,15 @@ fn check_levels(refinable: &RefinableMesh) {
     let fans = Fans::build(refinable);
     check_model(refinable, &fans);
     let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts), FileModel::Fans(&fans)];
-    let bytes = to_striata(refinable, &models, &WriteOptions::default()).expect("sound meshes are written");
+    let bytes =
+        to_striata(refinable, &models, &WriteOptions::default()).expect("valid meshes can be written");
     let file = StriataFile::parse(&bytes).expect("written just now");
     assert_eq!(file.refinable_mesh().expect("written just now").sequence, refinable.sequence);
     assert_eq!(file.mts().map(|found| found.expect("written just now")), Some(mts));
     assert_eq!(file.fans().map(|found| found.expect("written just now")), Some(fans));
 }
 
-/// Down and up, then from either end to the middle.
+/// From full to base mesh and back, then from each end to the middle.
 fn check_model<M: LodModel>(refinable: &RefinableMesh, model: &M) {
     let mut state = model.new_state();
     let step_count = model.step_count();

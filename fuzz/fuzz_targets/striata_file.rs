@@ -1,20 +1,21 @@
-//! Damaged `.striata` files: an error, or levels that are sound meshes and patterns that follow the oracle.
+//! Damaged `.striata` files must give an error, or levels that are valid meshes and patterns that follow
+//! the oracle.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use striata::file::{DecodeError, StriataFile, Verify};
 use striata::mesh::{FragmentSequence, RefinableMesh, canonical_triangles, fragment_faces, replay};
 use striata::model::{
-    FanFront, FanScene, Fans, Overlap, PatternInstance, PatternScene, Patterns,
-    StoredModel, StripModel, Wanted,
+    FanFront, FanScene, Fans, Overlap, PatternInstance, PatternScene, Patterns, StoredModel, StripModel,
+    Wanted,
 };
 use striata::view::{Camera, DetailBox, ScreenError};
-use striata_fuzz::with_checksums_set_right;
+use striata_fuzz::with_correct_checksums;
 
 fuzz_target!(|data: &[u8]| {
     let _ = read_all(data, Verify::WhenRead);
-    let _ = read_all(&with_checksums_set_right(data), Verify::All);
-    // A file that is cut off has no more than its stream's beginning.
+    let _ = read_all(&with_correct_checksums(data), Verify::All);
+    // A truncated file contains only the beginning of its stream.
     if let Ok(mesh) = striata_stream::open_cut(&data[..data.len() * 7 / 8]).and_then(|file| file.mesh()) {
         assert_eq!(mesh.check(), Ok(()));
     }
@@ -32,26 +33,26 @@ fn read_all(bytes: &[u8], verify: Verify) -> Result<(), DecodeError> {
         }
     }
     if let Some(model) = file.lod_strips() {
-        walk_through(&file, &model?);
+        check_strip_levels(&file, &model?);
     }
     if let Some(model) = file.mts() {
-        walk_through(&file, &model?);
+        check_strip_levels(&file, &model?);
     }
     if let Some(model) = file.fans() {
         let fans = model?;
-        look_at_levels(&file, &fans);
+        check_levels(&file, &fans);
         if let Ok(refinable) = &refinable {
-            look_around(refinable, &fans);
+            check_front(refinable, &fans);
         }
     }
     if let Some(model) = file.patterns() {
         let patterns = model?;
-        look_at_levels(&file, &patterns);
+        check_levels(&file, &patterns);
         if let Ok(fragments) = patterns.unpack(vec![0.0; patterns.fragment_count()]) {
-            shows_any_set(&fragments, &patterns);
+            check_random_steps(&fragments, &patterns);
         }
         if let Ok(positions) = file.positions() {
-            look_into_boxes(PatternScene::new(&patterns, &positions));
+            check_detail_boxes(PatternScene::new(&patterns, &positions));
         }
         if let Ok(fragmented) = file.fragmented_mesh() {
             assert_eq!(fragmented.mesh.check(), Ok(()));
@@ -60,8 +61,8 @@ fn read_all(bytes: &[u8], verify: Verify) -> Result<(), DecodeError> {
     Ok(())
 }
 
-/// Levels that can be read are sound meshes.
-fn look_at_levels<M: StoredModel>(file: &StriataFile<'_>, model: &M) {
+/// Checks that all readable levels are valid meshes.
+fn check_levels<M: StoredModel>(file: &StriataFile<'_>, model: &M) {
     let mut state = model.new_state();
     let step_count = model.step_count();
     for split_count in [step_count, step_count / 2, 0] {
@@ -72,16 +73,16 @@ fn look_at_levels<M: StoredModel>(file: &StriataFile<'_>, model: &M) {
     }
 }
 
-/// An instance shows what the oracle shows, whatever was inserted and removed.
-fn shows_any_set(fragments: &FragmentSequence, patterns: &Patterns) {
+/// Checks that an instance shows the same triangles as the oracle after any insertions and removals.
+fn check_random_steps(fragments: &FragmentSequence, patterns: &Patterns) {
     let step_count = patterns.fragment_count() as u32;
     let mut instance = PatternInstance::base(patterns);
     for round in 0..6u32 {
-        let whim = |overlap: Overlap| {
+        let random_condition = |overlap: Overlap| {
             let name = overlap.upper ^ overlap.lower.map_or(77, |lower| lower.wrapping_mul(31));
             name.wrapping_mul(2_654_435_761).wrapping_add(round * 7919) >> 8 & 7 < round % 5
         };
-        instance.adapt(patterns, &whim);
+        instance.adapt(patterns, &random_condition);
         if step_count > 0 {
             instance.remove(patterns, round * 31 % step_count);
             instance.insert(patterns, round * 17 % step_count);
@@ -94,8 +95,8 @@ fn shows_any_set(fragments: &FragmentSequence, patterns: &Patterns) {
     }
 }
 
-/// What is wanted is the same from wherever it is looked for.
-fn look_into_boxes(scene: PatternScene<'_>) {
+/// Checks that adapting to a box gives the same result from the full mesh as from the base.
+fn check_detail_boxes(scene: PatternScene<'_>) {
     let patterns = scene.patterns();
     let mut instance = PatternInstance::full(patterns);
     for detail in [
@@ -110,8 +111,8 @@ fn look_into_boxes(scene: PatternScene<'_>) {
     }
 }
 
-/// A front over a few views: no triangle has a corner that is not there, and all of them are counted.
-fn look_around(refinable: &RefinableMesh, fans: &Fans) {
+/// Moves a front through a few views: every corner must be active, and every triangle counted.
+fn check_front(refinable: &RefinableMesh, fans: &Fans) {
     let scene = FanScene::new(fans, refinable);
     let sphere = scene.sphere();
     let [x, y, z] = sphere.center;
@@ -141,12 +142,12 @@ fn check_corners(refinable: &RefinableMesh, fans: &Fans, front: &FanFront<Screen
     let base = refinable.sequence.base_position_count() as u32;
     for &vertex in &indices {
         let step = positions.position_of(vertex).checked_sub(base);
-        assert!(step.is_none_or(|step| instance.is_refined(step)), "vertex {vertex} is not there");
+        assert!(step.is_none_or(|step| instance.is_refined(step)), "vertex {vertex} is not active");
     }
     assert_eq!(instance.level(fans, refinable).check(), Ok(()));
 }
 
-fn walk_through<M: StripModel>(file: &StriataFile<'_>, model: &M) {
+fn check_strip_levels<M: StripModel>(file: &StriataFile<'_>, model: &M) {
     let full = model.new_state();
     let mut state = model.new_state();
     let step_count = model.step_count();
@@ -157,6 +158,10 @@ fn walk_through<M: StripModel>(file: &StriataFile<'_>, model: &M) {
         }
     }
     for strip in 0..model.strip_count() {
-        assert_eq!(model.strip(&state, strip), model.strip(&full, strip), "down and up is not the same");
+        assert_eq!(
+            model.strip(&state, strip),
+            model.strip(&full, strip),
+            "coarsening and refining must restore the strip"
+        );
     }
 }

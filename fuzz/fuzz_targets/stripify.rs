@@ -1,13 +1,14 @@
-//! Small meshes of every shape: strips hold each triangle once, in every form of the buffer.
+//! Stripifies small meshes of every shape: strips must contain each triangle once, in every form of the
+//! index buffer.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::strip::{RESTART, StripIndices, restart_triangles_into};
-use striata_strip::{StripOptions, stripify};
 use striata_fuzz::Bytes;
+use striata_strip::{StripOptions, stripify};
 
-/// Every stripifier; the bytes choose.
+/// All stripifiers; the bytes select one.
 const SPECS: [&str; 7] =
     ["greedy", "stripe", "tunnel:1", "tunnel:9", "tunnel-static:9", "fewest", "cheapest"];
 
@@ -24,7 +25,11 @@ fuzz_target!(|data: &[u8]| {
     let Ok(strips) = strips else { return };
     let cost = strips.cost();
     let restart = strips.to_restart_indices();
-    assert_eq!(cost.index_count, restart.indices.len(), "the cost counts the restart buffer");
+    assert_eq!(
+        cost.index_count,
+        restart.indices.len(),
+        "the cost must equal the length of the restart buffer"
+    );
     check(&mesh, &restart);
     let stitched = strips.to_stitched_indices();
     assert!(!stitched.indices.contains(&RESTART));

@@ -1,8 +1,8 @@
-//! Small meshes out of bytes, so that a fuzzer's mutations are mutations of a mesh.
+//! Builds small meshes from bytes, so that a fuzzer's mutations become mutations of a mesh.
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGroup};
 
-/// Takes numbers from the front of the fuzzer's bytes; zeros once they are used up.
+/// Reads numbers from the front of the fuzzer's bytes; zeros once they are used up.
 pub struct Bytes<'a>(pub &'a [u8]);
 
 impl Bytes<'_> {
@@ -16,7 +16,8 @@ impl Bytes<'_> {
         self.0.is_empty()
     }
 
-    /// A coordinate: mostly small whole numbers, so that corners meet and lines are straight; some of any bits.
+    /// Returns a coordinate: usually a small integer, so that corners coincide and lines are straight,
+    /// sometimes a float of arbitrary bits.
     fn coordinate(&mut self) -> f32 {
         match self.byte() {
             255 => f32::from_bits(u32::from_le_bytes([self.byte(), self.byte(), self.byte(), self.byte()])),
@@ -24,7 +25,8 @@ impl Bytes<'_> {
         }
     }
 
-    /// A mesh of up to 48 vertices; the rest of the bytes are its triangles. Not always sound.
+    /// Returns a mesh with up to 48 vertices, whose triangles use up the remaining bytes. It may be
+    /// invalid.
     pub fn mesh(&mut self) -> IndexedMesh {
         let shape = self.byte();
         let vertex_count = usize::from(self.byte() % 48) + 1;
@@ -51,7 +53,7 @@ impl Bytes<'_> {
     }
 }
 
-/// Three runs of triangles, the first and the last with a material.
+/// Three runs of triangles. The first and the last have a material.
 fn groups(cuts: [u8; 2], triangle_count: u32) -> Vec<TriangleGroup> {
     let mut cuts = cuts.map(|cut| u32::from(cut).min(triangle_count));
     cuts.sort_unstable();
@@ -68,8 +70,8 @@ fn groups(cuts: [u8; 2], triangle_count: u32) -> Vec<TriangleGroup> {
         .collect()
 }
 
-/// Sets the checksums of a `.striata` file right, so that damage reaches the code behind them.
-pub fn with_checksums_set_right(bytes: &[u8]) -> Vec<u8> {
+/// Corrects the checksums of a `.striata` file, so that damage reaches the code behind them.
+pub fn with_correct_checksums(bytes: &[u8]) -> Vec<u8> {
     const HEADER: usize = 64;
     const ENTRY: usize = 32;
     let mut out = bytes.to_vec();

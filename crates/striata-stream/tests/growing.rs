@@ -1,4 +1,5 @@
-//! A hierarchy that grows step by step shows what replay and fans show, however its steps are handed over.
+//! A hierarchy that grows step by step shows the same triangles as replay and fans, regardless of how its
+//! steps arrive.
 
 use striata_testing::meshes;
 
@@ -19,7 +20,7 @@ use support::{
     with_seams_and_groups,
 };
 
-/// The arrays of a mesh whose triangles stand in the order in which steps add them.
+/// The arrays of a mesh whose triangles are listed in the order in which steps add them.
 struct Ordered {
     refinable: RefinableMesh,
     triangles: Vec<[u32; 3]>,
@@ -34,18 +35,18 @@ struct Prefix {
     added: Vec<u8>,
 }
 
-fn is_shown(&[a, b, c]: &[u32; 3]) -> bool {
+fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a
 }
 
 impl Ordered {
     fn new(refinable: RefinableMesh) -> Self {
-        let mut triangles: Vec<_> = refinable.mesh.triangles.iter().copied().filter(is_shown).collect();
+        let mut triangles: Vec<_> = refinable.mesh.triangles.iter().copied().filter(is_proper).collect();
         triangles.sort_by_key(|&corners| Self::adder(&refinable.sequence, corners));
         Self { refinable, triangles }
     }
 
-    /// One more than the step that adds a triangle, or 0 for one of the base.
+    /// Returns one more than the step that adds a triangle, or 0 for a triangle of the base.
     fn adder(sequence: &CollapseSequence, mut corners: [u32; 3]) -> usize {
         let base = sequence.base_position_count();
         loop {
@@ -54,7 +55,7 @@ impl Ordered {
             let Some(step) = youngest.checked_sub(base) else { return 0 };
             let vertices = sequence.step_vertices(step);
             corners = corners.map(|v| if vertices.contains(&v) { sequence.target(v) } else { v });
-            if !is_shown(&corners) {
+            if !is_proper(&corners) {
                 return step + 1;
             }
         }
@@ -93,7 +94,7 @@ impl Prefix {
         }
     }
 
-    /// The same as models take it.
+    /// Returns the mesh in the form that models are built from.
     fn refinable(&self) -> RefinableMesh {
         let step_count = self.added.len();
         let sequence = CollapseSequence::from_parts(SequenceParts {
@@ -110,7 +111,7 @@ impl Prefix {
         }
     }
 
-    /// Older triangles with other corners than before.
+    /// Older triangles whose corners have changed.
     fn changed_since(&self, before: &Self) -> Vec<u32> {
         let pairs = before.triangles.iter().zip(&self.triangles).enumerate();
         pairs.filter(|(_, (old, new))| old != new).map(|(t, _)| t as u32).collect()
@@ -118,14 +119,14 @@ impl Prefix {
 }
 
 fn shown(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    triangles.iter().copied().filter(is_shown).collect()
+    triangles.iter().copied().filter(is_proper).collect()
 }
 
 fn error(step: usize) -> f32 {
     4.0 / (step as f32 + 2.0)
 }
 
-/// Grows to prefixes of random lengths and hands each of them over.
+/// Grows to prefixes of random lengths and visits each of them.
 fn grow_randomly(ordered: &Ordered, seed: u64, mut visit: impl FnMut(&GrowingHierarchy, &Prefix)) {
     let mut random = Random::new(seed);
     let step_count = ordered.refinable.sequence.step_count();
@@ -154,7 +155,7 @@ fn triangles_of(cut: &HierarchyCut, hierarchy: &GrowingHierarchy, prefix: &Prefi
     canonical_triangles(&shown.into_iter().map(|(_, corners)| corners).collect::<Vec<_>>())
 }
 
-/// A camera somewhere around the mesh.
+/// A camera at a random position around the mesh.
 fn camera(prefix: &Prefix, random: &mut Random, pixels: f32) -> ScreenError {
     let bounds = IndexedMesh::new(prefix.positions.clone(), Vec::new()).bounds().unwrap();
     let mut point = |spread: f32| {
@@ -169,7 +170,7 @@ fn camera(prefix: &Prefix, random: &mut Random, pixels: f32) -> ScreenError {
 }
 
 #[test]
-fn every_level_is_that_of_replay_at_any_prefix() {
+fn every_level_of_any_prefix_equals_replay() {
     for (seed, ordered) in cases() {
         grow_randomly(&ordered, seed, |hierarchy, prefix| {
             let refinable = prefix.refinable();
@@ -186,7 +187,7 @@ fn every_level_is_that_of_replay_at_any_prefix() {
 }
 
 #[test]
-fn a_view_refines_what_it_wants_and_what_fans_need_for_that() {
+fn a_view_refines_the_same_steps_as_fans() {
     let mut refined_count = 0;
     for (seed, ordered) in cases() {
         let mut random = Random::new(seed);
@@ -219,7 +220,7 @@ fn a_view_refines_what_it_wants_and_what_fans_need_for_that() {
 }
 
 #[test]
-fn any_set_of_steps_is_completed_as_fans_complete_it() {
+fn requested_steps_include_the_same_dependencies_as_in_fans() {
     for (seed, ordered) in cases() {
         grow_randomly(&ordered, seed, |hierarchy, prefix| {
             let refinable = prefix.refinable();
@@ -253,7 +254,7 @@ fn steps_beyond_a_limit_stay_coarse() {
 }
 
 #[test]
-fn the_tree_does_not_depend_on_how_steps_are_handed_over() {
+fn the_tree_does_not_depend_on_how_steps_arrive() {
     for (seed, ordered) in cases() {
         let whole = ordered.prefix(ordered.refinable.sequence.step_count());
         let mut at_once = GrowingHierarchy::new();
@@ -267,9 +268,9 @@ fn the_tree_does_not_depend_on_how_steps_are_handed_over() {
     }
 }
 
-/// What a decoder hands over: seams, groups, hubs, open borders, edges of many triangles, and a chunk that is cut off.
+/// Covers seams, groups, hubs, open borders, edges of many triangles, and a truncated chunk.
 #[test]
-fn a_stream_grows_to_the_cuts_of_fans_of_its_mesh() {
+fn a_growing_stream_gives_the_same_cuts_as_fans() {
     let meshes = [
         shapes::uv_sphere(24, 24, 1.0),
         with_seams_and_groups(shapes::torus(24, 12, 1.0, 0.4)),
@@ -316,7 +317,7 @@ fn a_stream_grows_to_the_cuts_of_fans_of_its_mesh() {
 }
 
 #[test]
-fn a_budget_is_used_for_what_weighs_most() {
+fn a_budget_is_spent_on_the_largest_errors() {
     let mut bound = 0;
     for (seed, ordered) in surface_cases().chain(seam_cases()).map(|c| (c.seed, Ordered::new(c.refinable))) {
         let mut random = Random::new(seed);
@@ -327,7 +328,7 @@ fn a_budget_is_used_for_what_weighs_most() {
                 let limit = prefix.triangles.len() * share / 100;
                 let update = cut.refine(hierarchy, &criterion, limit);
                 assert!(update.triangle_count <= limit.max(hierarchy.base_triangle_count()));
-                // Around the eye weights are infinite: no threshold tells them apart.
+                // Around the eye weights are infinite, so no threshold can separate them.
                 if update.threshold.is_infinite() {
                     continue;
                 }
@@ -348,7 +349,7 @@ fn a_budget_is_used_for_what_weighs_most() {
 }
 
 #[test]
-fn views_show_few_more_triangles_than_with_bounds_built_from_the_leaves() {
+fn views_need_few_more_triangles_than_with_bounds_built_from_the_leaves() {
     let meshes = [shapes::uv_sphere(60, 60, 1.0), shapes::terrain(64, 3), shapes::torus(80, 40, 1.0, 0.4)];
     for mesh in meshes {
         let built = build_sequence(&mesh, &SequenceOptions::default());

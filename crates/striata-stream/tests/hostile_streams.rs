@@ -1,4 +1,4 @@
-//! Streams whose checksums hold and whose contents lie: an error or a mesh, in bounded time and memory.
+//! Hostile streams with valid checksums give an error or a mesh, in bounded time and memory.
 
 use striata_testing::meshes;
 
@@ -19,10 +19,10 @@ fn stream_of(mesh: &IndexedMesh, options: &StreamOptions) -> Vec<u8> {
     encode_stream(&built.built.refinable, &built.batches, options).unwrap().bytes
 }
 
-/// The level that a decoder has must be a mesh.
+/// Checks that the decoder's current level is a mesh.
 fn check(decoder: &StreamDecoder) {
     let Some(level) = decoder.refinable_mesh() else {
-        assert!(decoder.positions().is_empty(), "what has come is a mesh");
+        assert!(decoder.positions().is_empty(), "a decoder without a mesh has no positions");
         return;
     };
     level.mesh.check().unwrap();
@@ -32,21 +32,21 @@ fn check(decoder: &StreamDecoder) {
     assert_eq!(replay(&level, half).triangle_count(), level.sequence.triangle_count_at(half));
 }
 
-/// What fuzzing found worth keeping, faults that it found among them.
+/// Reads the inputs that fuzzing has collected, including those that revealed defects.
 #[test]
-fn what_fuzzing_kept_does_no_harm() {
+fn inputs_from_fuzzing_do_no_harm() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/kept/progressive_stream");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let mut bytes = std::fs::read(entry.unwrap().path()).unwrap();
-        let _ = read_set_right(&mut bytes);
+        let _ = read_with_correct_checksums(&mut bytes);
         count += 1;
     }
-    assert!(count > 50, "only {count} streams are kept");
+    assert!(count > 50, "only {count} streams are stored");
 }
 
-/// Reads bytes whose checksums are set right as they are met.
-fn read_set_right(bytes: &mut [u8]) -> Result<StreamDecoder, DecodeError> {
+/// Reads bytes after correcting each checksum that does not match.
+fn read_with_correct_checksums(bytes: &mut [u8]) -> Result<StreamDecoder, DecodeError> {
     loop {
         let mut decoder = StreamDecoder::new();
         let mut result = decoder.push(bytes);
@@ -77,22 +77,22 @@ fn put_varint(mut number: u32, out: &mut Vec<u8>) {
     out.push(number as u8);
 }
 
-/// Positions, vertices, triangles, steps and most triangles of a patch.
+/// Positions, vertices, triangles, steps, and maximum number of triangles of a patch.
 type Counts = [u32; 5];
 
-/// A chunk as a head lists it.
-struct Listed<'a> {
-    /// How many bytes it claims to have.
+/// A chunk as listed in a head.
+struct ListedChunk<'a> {
+    /// Number of bytes that the head claims.
     claimed: u32,
-    /// How many splits it claims to have.
+    /// Number of splits that the head claims.
     splits: u32,
     bytes: &'a [u8],
 }
 
 /// A head without names, layers and groups.
-fn head(effort: u8, counts: Counts, chunks: &[Listed<'_>]) -> Vec<u8> {
+fn head(effort: u8, counts: Counts, chunks: &[ListedChunk<'_>]) -> Vec<u8> {
     let mut out = b"\x89STR".to_vec();
-    // Efforts from 3 on: version 2, with general batches.
+    // Values from 3 on: version 2, with general batches.
     let (version, flags) = if effort < 3 { (1, 0) } else { (2, 2) };
     out.extend([version, effort % 3, flags, 0]);
     out.extend([0; 8]);
@@ -102,7 +102,7 @@ fn head(effort: u8, counts: Counts, chunks: &[Listed<'_>]) -> Vec<u8> {
     out.extend(1f64.to_le_bytes());
     out.extend([0, 0, 0, 0, 0, 0, 0]);
     put_varint(chunks.len() as u32, &mut out);
-    for &Listed { claimed, splits, bytes } in chunks {
+    for &ListedChunk { claimed, splits, bytes } in chunks {
         put_varint(claimed, &mut out);
         put_varint(splits, &mut out);
         out.extend([0; 2]);
@@ -127,12 +127,12 @@ fn base_of_a_triangle() -> Vec<u8> {
 }
 
 #[test]
-fn a_head_that_claims_billions_gets_no_memory_for_them() {
+fn a_head_that_claims_billions_does_not_allocate_them() {
     let base = base_of_a_triangle();
     let steps = 3_000_000_000;
     let chunks = [
-        Listed { claimed: base.len() as u32, splits: 0, bytes: &base },
-        Listed { claimed: steps / 256, splits: steps, bytes: &[] },
+        ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base },
+        ListedChunk { claimed: steps / 256, splits: steps, bytes: &[] },
     ];
     for effort in 0..6 {
         let mut bytes = head(effort, [3 + steps, 3 + steps, 1, steps, 7], &chunks);
@@ -145,11 +145,11 @@ fn a_head_that_claims_billions_gets_no_memory_for_them() {
     }
 }
 
-/// Vertices that a first chunk gives where the head promises billions; 0 where it is refused.
+/// Number of vertices that a first chunk gives if the head promises billions; 0 if it is rejected.
 fn vertices_of(chunk: &[u8]) -> usize {
     let chunks = [
-        Listed { claimed: chunk.len() as u32, splits: 0, bytes: chunk },
-        Listed { claimed: 16 << 20, splits: 0, bytes: &[] },
+        ListedChunk { claimed: chunk.len() as u32, splits: 0, bytes: chunk },
+        ListedChunk { claimed: 16 << 20, splits: 0, bytes: &[] },
     ];
     let mut bytes = head(1, [3, u32::MAX, 1, 0, 7], &chunks);
     bytes.extend(chunk);
@@ -160,8 +160,8 @@ fn vertices_of(chunk: &[u8]) -> usize {
 }
 
 #[test]
-fn vertices_are_no_more_than_the_bytes_can_tell() {
-    // Byte by byte what gives most vertices, behind the triangle.
+fn the_bytes_limit_the_vertices() {
+    // Chooses, byte by byte, the continuation that gives the most vertices.
     let base = base_of_a_triangle();
     let mut most = 0;
     for kept in base.len() - 2..=base.len() {
@@ -175,12 +175,12 @@ fn vertices_are_no_more_than_the_bytes_can_tell() {
             most = most.max(vertices);
         }
     }
-    assert!(most > 1000, "{most}: they claim many");
+    assert!(most > 1000, "{most}: the claimed counts must have an effect");
 }
 
-/// Anything may stand in chunks whose checksums hold.
+/// Random chunks with valid checksums.
 #[test]
-fn any_chunks_give_an_error_or_a_mesh() {
+fn random_chunks_give_an_error_or_a_mesh() {
     let mut random = Random::new(6);
     for round in 0..6000u32 {
         let position_count = 3 + random.below(4) as u32;
@@ -190,14 +190,14 @@ fn any_chunks_give_an_error_or_a_mesh() {
             [position_count + steps, position_count + steps + wedges, 9, steps, random.below(300) as u32];
         let [base, splits] = [30, 90].map(|length| {
             let bits = random.below(8);
-            // Runs of zeros decide the same thing again and again.
+            // Runs of zeros repeat the same decision many times.
             let count = random.below(length);
             let byte = |_| if random.below(8) < bits { 0 } else { random.below(256) as u8 };
             (0..count).map(byte).collect::<Vec<u8>>()
         });
         let chunks = [
-            Listed { claimed: base.len() as u32, splits: 0, bytes: &base },
-            Listed { claimed: splits.len() as u32, splits: steps, bytes: &splits },
+            ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base },
+            ListedChunk { claimed: splits.len() as u32, splits: steps, bytes: &splits },
         ];
         let mut bytes = head((round % 6) as u8, counts, &chunks);
         bytes.extend(&base);
@@ -207,14 +207,17 @@ fn any_chunks_give_an_error_or_a_mesh() {
         check(&decoder);
         if let Err(error) = result {
             assert!(matches!(error, DecodeError::Stream(_)), "{error}");
-            assert!(decoder.push(&[0]).is_err() && decoder.finish().is_err(), "an end is an end");
+            assert!(
+                decoder.push(&[0]).is_err() && decoder.finish().is_err(),
+                "the decoder must not accept more bytes"
+            );
             check(&decoder);
         }
     }
 }
 
 #[test]
-fn changed_bytes_behind_right_checksums_do_no_harm() {
+fn changed_bytes_with_valid_checksums_do_no_harm() {
     let mut random = Random::new(7);
     let soup = soup(20, 40, &mut Random::new(2));
     let surface = with_seams_and_groups(support::grid(12, true));
@@ -230,7 +233,7 @@ fn changed_bytes_behind_right_checksums_do_no_harm() {
                     for _ in 0..1 + random.below(3) {
                         damaged[range.start + random.below(range.len())] = random.below(256) as u8;
                     }
-                    let _ = read_set_right(&mut damaged);
+                    let _ = read_with_correct_checksums(&mut damaged);
                 }
             }
         }
@@ -260,7 +263,7 @@ fn every_truncation_of_a_small_stream_is_a_prefix() {
             assert!(decoder.error().is_some_and(|now| now <= error));
             error = decoder.error().unwrap();
             assert_eq!(decoder.positions(), &whole.positions()[..decoder.positions().len()]);
-            // Attributes of a part are that part of all.
+            // The attributes of a part equal that part of all attributes.
             let count = decoder.positions().len();
             let part = count / 3..count;
             for (found, all) in decoder.layers_of(part.clone()).iter().zip(whole.layers_of(0..count)) {
@@ -276,13 +279,13 @@ fn every_truncation_of_a_small_stream_is_a_prefix() {
 }
 
 #[test]
-fn odd_but_honest_meshes_come_back() {
+fn unusual_valid_meshes_are_decoded() {
     let mut scaled = shapes::torus(12, 8, 1.0, 0.4);
     scaled.positions.iter_mut().flatten().for_each(|x| *x *= 1e30);
     let mut wild = shapes::torus(12, 8, 1.0, 0.4);
     let numbers = (0..wild.vertex_count()).map(|v| [f32::NAN, f32::INFINITY, v as f32][v % 3]).collect();
     wild.layers.push(AttributeLayer::from_f32(Semantic::Generic("wild".into()), 1, numbers));
-    // A tip whose every corner is a vertex of its own.
+    // A tip at which each corner has its own vertex.
     let count = 5000u32;
     let mut tip = IndexedMesh::default();
     for i in 0..count {
@@ -311,14 +314,14 @@ fn odd_but_honest_meshes_come_back() {
 }
 
 #[test]
-fn unknown_flags_and_too_many_layers_are_refused() {
+fn rejects_unknown_flags_and_too_many_layers() {
     let base = base_of_a_triangle();
     let mut bytes =
-        head(1, [3, 3, 1, 0, 0], &[Listed { claimed: base.len() as u32, splits: 0, bytes: &base }]);
+        head(1, [3, 3, 1, 0, 0], &[ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base }]);
     bytes.extend(&base);
     StreamDecoder::new().push(&bytes).unwrap();
     bytes[6] = 2;
-    let error = read_set_right(&mut bytes).map(|_| ()).unwrap_err();
+    let error = read_with_correct_checksums(&mut bytes).map(|_| ()).unwrap_err();
     assert!(matches!(error, DecodeError::Malformed { .. }), "{error}");
     let mut mesh = triangle();
     for index in 0..17 {
@@ -327,5 +330,8 @@ fn unknown_flags_and_too_many_layers_are_refused() {
     }
     let built = build_batches(&mesh, &BatchOptions::default()).unwrap();
     let error = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap_err();
-    assert_eq!(error.to_string(), "a vertex has 4335 numbers in all layers, but streams have room for 4096");
+    assert_eq!(
+        error.to_string(),
+        "the attribute layers have 4335 components per vertex, but a stream can store at most 4096"
+    );
 }

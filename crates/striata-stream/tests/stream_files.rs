@@ -1,4 +1,4 @@
-//! Files with streams: alone and beside models, whole and cut off.
+//! Files with streams: alone and together with models, complete and truncated.
 
 use striata_testing::support;
 
@@ -10,32 +10,32 @@ use striata::strip::stripify;
 use striata_stream::{EncodedStream, StreamOptions, encode_stream, file_model, open, open_cut, open_stream};
 use support::with_seams_and_groups;
 
-struct Made {
-    /// In the order of the stream.
+struct Encoded {
+    /// The mesh in stream order.
     refinable: RefinableMesh,
     stream: EncodedStream,
 }
 
-fn make(mesh: &striata::mesh::IndexedMesh) -> Made {
+fn make(mesh: &striata::mesh::IndexedMesh) -> Encoded {
     let built = build_batches(mesh, &BatchOptions::default()).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap();
-    Made { refinable: stream.reorder(&built.built.refinable), stream }
+    Encoded { refinable: stream.reorder(&built.built.refinable), stream }
 }
 
-fn alone(made: &Made) -> Vec<u8> {
+fn file_with_stream(encoded: &Encoded) -> Vec<u8> {
     let options = WriteOptions::default().with_metadata("source", "torus");
-    to_striata(&made.refinable, &[file_model(&made.stream.bytes).unwrap()], &options).unwrap()
+    to_striata(&encoded.refinable, &[file_model(&encoded.stream.bytes).unwrap()], &options).unwrap()
 }
 
 #[test]
-fn a_mesh_in_the_order_of_its_stream_has_its_levels() {
+fn a_reordered_mesh_has_the_levels_of_its_stream() {
     let seamed = [shapes::torus(24, 12, 1.0, 0.4), support::grid(14, true)].map(with_seams_and_groups);
     let plain = [shapes::torus(40, 20, 1.0, 0.4), shapes::grid(21, 17), shapes::icosphere(3, 1.0)];
     for mesh in plain.into_iter().chain(seamed) {
-        let made = make(&mesh);
-        let bytes = alone(&made);
+        let encoded = make(&mesh);
+        let bytes = file_with_stream(&encoded);
         let decoded = open(&bytes).unwrap().refinable_mesh().unwrap();
-        let (ours, theirs) = (&made.refinable, &decoded);
+        let (ours, theirs) = (&encoded.refinable, &decoded);
         assert_eq!(ours.sequence.positions(), theirs.sequence.positions());
         assert_eq!(ours.sequence.targets(), theirs.sequence.targets());
         let groups = |m: &RefinableMesh| m.mesh.groups.iter().map(|g| g.count).collect::<Vec<_>>();
@@ -54,14 +54,14 @@ fn a_mesh_in_the_order_of_its_stream_has_its_levels() {
 }
 
 #[test]
-fn a_stream_alone_is_all_that_a_file_needs() {
-    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
-    let bytes = alone(&made);
+fn a_file_may_contain_only_a_stream() {
+    let encoded = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let bytes = file_with_stream(&encoded);
     let file = open(&bytes).unwrap();
     let kinds: Vec<_> = file.sections().iter().map(|s| s.kind).collect();
     assert_eq!(kinds, [SectionKind::SUMMARY, SectionKind::METADATA, SectionKind::STREAM]);
     assert!(file.is_stream_only() && !file.is_cut() && file.has_collapses());
-    assert_eq!(file.stream().unwrap().unwrap(), made.stream.bytes);
+    assert_eq!(file.stream().unwrap().unwrap(), encoded.stream.bytes);
     assert_eq!(file.metadata().unwrap(), [("source".to_owned(), "torus".to_owned())]);
     let refinable = file.refinable_mesh().unwrap();
     assert_eq!(file.mesh().unwrap(), refinable.mesh);
@@ -76,8 +76,8 @@ fn a_stream_alone_is_all_that_a_file_needs() {
     assert_eq!(file.level(step_count / 3).unwrap(), replay(&refinable, step_count / 3));
     assert!(matches!(file.level(step_count + 1), Err(DecodeError::SplitCount { .. })));
     assert!(file.lod_strips().is_none() && file.fans().is_none() && file.strips().is_none());
-    // The bare stream stands for the same.
-    let bare = open_stream(&made.stream.bytes).unwrap();
+    // The bare stream gives the same result.
+    let bare = open_stream(&encoded.stream.bytes).unwrap();
     assert_eq!(bare.refinable_mesh().unwrap(), refinable);
     let (mut a, b) = (file.summary(), bare.summary());
     assert!(a.bounds.take().is_some());
@@ -86,16 +86,16 @@ fn a_stream_alone_is_all_that_a_file_needs() {
 }
 
 #[test]
-fn models_and_stream_lie_in_one_file() {
-    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
-    let strips = stripify(&made.refinable.mesh).unwrap();
-    let model = LodStrips::build(&made.refinable, &strips).unwrap();
-    let models = [file_model(&made.stream.bytes).unwrap(), FileModel::LodStrips(&model)];
-    let bytes = to_striata(&made.refinable, &models, &WriteOptions::default()).unwrap();
+fn a_file_may_contain_models_and_a_stream() {
+    let encoded = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let strips = stripify(&encoded.refinable.mesh).unwrap();
+    let model = LodStrips::build(&encoded.refinable, &strips).unwrap();
+    let models = [file_model(&encoded.stream.bytes).unwrap(), FileModel::LodStrips(&model)];
+    let bytes = to_striata(&encoded.refinable, &models, &WriteOptions::default()).unwrap();
     let file = open(&bytes).unwrap();
     assert_eq!(file.sections().last().map(|s| s.kind), Some(SectionKind::STREAM));
     assert!(!file.is_stream_only());
-    assert_eq!(file.mesh().unwrap().positions, made.refinable.mesh.positions);
+    assert_eq!(file.mesh().unwrap().positions, encoded.refinable.mesh.positions);
     assert_eq!(file.lod_strips().unwrap().unwrap().step_count(), model.step_count());
     let decoded = open_stream(file.stream().unwrap().unwrap()).unwrap().refinable_mesh().unwrap();
     let split_count = model.step_count() / 2;
@@ -104,9 +104,9 @@ fn models_and_stream_lie_in_one_file() {
 }
 
 #[test]
-fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
-    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
-    let bytes = alone(&made);
+fn a_truncated_file_gives_the_beginning_of_its_stream() {
+    let encoded = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let bytes = file_with_stream(&encoded);
     let whole = open(&bytes).unwrap();
     let full = whole.refinable_mesh().unwrap();
     let stream = *whole.sections().last().unwrap();
@@ -127,7 +127,7 @@ fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
             }
         };
         assert!(file.is_cut() && length >= offset);
-        assert_eq!(file.stream().unwrap().unwrap(), &made.stream.bytes[..length - offset]);
+        assert_eq!(file.stream().unwrap().unwrap(), &encoded.stream.bytes[..length - offset]);
         if length % 23 != 0 {
             continue;
         }
@@ -145,27 +145,28 @@ fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
     }
     assert!(counts.len() > 20 && counts.is_sorted(), "{counts:?}");
     assert!(open_cut(&bytes).is_ok_and(|file| !file.is_cut()));
-    // No file is longer than it says, and none without a stream may be cut off.
+    // A file must not be longer than its header states, and a file without a stream must not be
+    // truncated.
     let longer = [&bytes[..], &[0]].concat();
     assert!(matches!(open_cut(&longer), Err(DecodeError::FileLength { .. })));
-    let plain = to_striata(&made.refinable, &[], &WriteOptions::default()).unwrap();
+    let plain = to_striata(&encoded.refinable, &[], &WriteOptions::default()).unwrap();
     assert!(matches!(open_cut(&plain[..plain.len() - 1]), Err(DecodeError::FileLength { .. })));
 }
 
 #[test]
 fn damaged_files_do_no_harm() {
-    let made = make(&shapes::torus(24, 12, 1.0, 0.4));
-    let bytes = alone(&made);
+    let encoded = make(&shapes::torus(24, 12, 1.0, 0.4));
+    let bytes = file_with_stream(&encoded);
     for at in (0..bytes.len()).step_by(3) {
         let mut hurt = bytes.clone();
         hurt[at] ^= 0x20;
         if let Ok(file) = open(&hurt) {
-            // What lies between sections is not looked at.
+            // Bytes between sections are ignored.
             if let Ok(mesh) = file.mesh() {
-                assert_eq!(mesh.triangle_count(), made.refinable.mesh.triangle_count());
+                assert_eq!(mesh.triangle_count(), encoded.refinable.mesh.triangle_count());
             }
         }
-        // The end of a file that is cut off is not checked: any sound mesh may come.
+        // The end of a truncated file is not checked, so any valid mesh is acceptable.
         let cut = open_cut(&hurt[..hurt.len() - 1]);
         if let Ok(mesh) = cut.and_then(|file| file.mesh()) {
             mesh.check().unwrap();
@@ -174,27 +175,27 @@ fn damaged_files_do_no_harm() {
 }
 
 #[test]
-fn streams_of_other_meshes_are_refused() {
-    let made = make(&shapes::torus(24, 12, 1.0, 0.4));
+fn rejects_streams_of_other_meshes() {
+    let encoded = make(&shapes::torus(24, 12, 1.0, 0.4));
     let other = make(&shapes::torus(24, 11, 1.0, 0.4));
     let refused = |stream: &[u8]| {
         let written = file_model(stream)
-            .and_then(|model| to_striata(&made.refinable, &[model], &WriteOptions::default()));
+            .and_then(|model| to_striata(&encoded.refinable, &[model], &WriteOptions::default()));
         written.unwrap_err()
     };
     assert_eq!(
         refused(&other.stream.bytes).to_string(),
         "the progressive model has 264 vertices, the mesh has 288"
     );
-    let whole = made.stream.bytes.len();
+    let whole = encoded.stream.bytes.len();
     assert_eq!(
-        refused(&made.stream.bytes[..whole - 1]).to_string(),
+        refused(&encoded.stream.bytes[..whole - 1]).to_string(),
         format!("the progressive model has {} bytes, the mesh has {whole}", whole - 1)
     );
-    assert!(refused(&made.stream.bytes[..100]).to_string().contains("bytes"));
+    assert!(refused(&encoded.stream.bytes[..100]).to_string().contains("bytes"));
     assert!(refused(b"no stream").to_string().contains("bytes"));
-    assert!(file_model(&[&made.stream.bytes[..], &[0]].concat()).is_err());
-    let twice = [file_model(&made.stream.bytes).unwrap(); 2];
-    let error = to_striata(&made.refinable, &twice, &WriteOptions::default()).unwrap_err();
+    assert!(file_model(&[&encoded.stream.bytes[..], &[0]].concat()).is_err());
+    let twice = [file_model(&encoded.stream.bytes).unwrap(); 2];
+    let error = to_striata(&encoded.refinable, &twice, &WriteOptions::default()).unwrap_err();
     assert!(error.to_string().contains("more than once"), "{error}");
 }

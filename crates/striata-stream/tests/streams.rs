@@ -1,4 +1,5 @@
-//! Progressive streams: what is read is what was written, from any prefix, and damaged bytes do no harm.
+//! Progressive streams: decoded meshes equal the encoded ones at any prefix, and damaged bytes do no
+//! harm.
 
 use striata_testing::meshes;
 use striata_testing::support;
@@ -31,7 +32,7 @@ struct Written {
 }
 
 fn write(mesh: &IndexedMesh, options: &StreamOptions) -> Written {
-    // As far as it goes, so that small meshes have general batches too.
+    // With as many levels as possible, so that small meshes have general batches too.
     let batches =
         BatchOptions::default().with_general(options.version != StreamVersion::One).with_general_floor(0);
     let built = build_batches(mesh, &batches).unwrap();
@@ -46,7 +47,7 @@ fn read(bytes: &[u8]) -> StreamDecoder {
     decoder
 }
 
-/// The triangles of each group, by the numbers of the mesh that was given.
+/// Returns the triangles of each group, in the vertex numbering of the source mesh.
 fn groups_of(mesh: &IndexedMesh, vertex: impl Fn(u32) -> u32) -> Vec<Vec<[u32; 3]>> {
     let triangles = |range: std::ops::Range<usize>| {
         let renamed: Vec<_> = mesh.triangles[range].iter().map(|t| t.map(&vertex)).collect();
@@ -93,7 +94,8 @@ fn check_layers(written: &Written, options: &StreamOptions, decoded: &RefinableM
             assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
             continue;
         }
-        // Components of one unit share their steps; directions are a thousandth of a circle apart.
+        // Components with a common unit share their grid step; directions may differ by a thousandth of a
+        // circle.
         let n = usize::from(layer.component_count);
         let number = |v: usize| expected.get(v / n, v % n);
         let range_of = |component: usize| {
@@ -103,7 +105,7 @@ fn check_layers(written: &Written, options: &StreamOptions, decoded: &RefinableM
         let range = (0..n).map(range_of).fold(2.0, f32::max);
         for v in 0..expected.data.len() {
             let off = (found.get(v / n, v % n) - number(v)).abs();
-            // A direction of no length may become any.
+            // A zero vector may become any direction.
             let is_nothing = (0..n).all(|component| expected.get(v / n, component) == 0.0);
             assert!(
                 off <= range / 200.0 || !number(v).is_finite() || is_nothing,
@@ -122,14 +124,14 @@ fn check_prefix(decoder: &StreamDecoder, whole: &RefinableMesh) {
     let expected = replay(whole, split_count);
     assert_eq!(level.mesh.positions, expected.positions);
     for (found, expected) in level.mesh.layers.iter().zip(&expected.layers) {
-        // As bytes: there may be NaN among them.
+        // Compared as bytes because there may be NaN among the values.
         assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
     }
     assert_eq!(groups_of(&level.mesh, |v| v), groups_of(&expected, |v| v), "level {split_count}");
     assert_eq!(level.sequence.targets(), &whole.sequence.targets()[..level.sequence.targets().len()]);
 }
 
-/// Reads in slices and from prefixes.
+/// Decodes in slices and from prefixes.
 fn check_parts(bytes: &[u8], whole: &RefinableMesh, random: &mut Random) {
     let mut decoder = StreamDecoder::new();
     let mut triangles: Vec<[u32; 3]> = Vec::new();
@@ -137,7 +139,7 @@ fn check_parts(bytes: &[u8], whole: &RefinableMesh, random: &mut Random) {
     while at < bytes.len() {
         let end = (at + 1 + random.below(bytes.len() / 7 + 2)).min(bytes.len());
         let update = decoder.push(&bytes[at..end]).unwrap();
-        // A viewer keeps its own copy and follows the updates.
+        // A viewer keeps its own copy and applies the updates.
         assert_eq!(update.triangles.start, triangles.len());
         for &t in &update.changed_triangles {
             triangles[t as usize] = decoder.triangles()[t as usize];
@@ -177,7 +179,7 @@ fn check(mesh: &IndexedMesh, options: &StreamOptions, seed: u64) {
 }
 
 #[test]
-fn streams_of_all_meshes_come_back_whole_and_in_parts() {
+fn decodes_all_meshes_completely_and_in_parts() {
     for (index, (name, mesh)) in meshes::all().into_iter().enumerate() {
         eprintln!("{name}");
         kinds().for_each(|options| check(&mesh, &options, index as u64));
@@ -185,13 +187,13 @@ fn streams_of_all_meshes_come_back_whole_and_in_parts() {
 }
 
 #[test]
-fn positions_are_as_exact_as_was_asked_for() {
+fn positions_have_the_requested_precision() {
     for (name, mesh) in meshes::all() {
         eprintln!("{name}");
         let options = StreamOptions::default().with_effort(Effort::Fast);
         check(&mesh, &options.clone().with_precision(Precision::Lossless), 1);
         let tolerance = (mesh.diagonal() * 1e-3).max(1e-30);
-        // Far from the origin floats themselves are coarser.
+        // Far from the origin, floats themselves are coarser.
         let size = mesh.positions.iter().flatten().fold(0.0f32, |size, x| size.max(x.abs()));
         if tolerance > f64::from(size) * 1e-6 {
             check(&mesh, &options.clone().with_precision(Precision::Tolerance(tolerance)), 2);
@@ -203,7 +205,7 @@ fn positions_are_as_exact_as_was_asked_for() {
 }
 
 #[test]
-fn seams_groups_and_layers_come_back() {
+fn decodes_seams_groups_and_layers() {
     for (name, mesh) in meshes::all() {
         eprintln!("{name}");
         let mesh = with_seams_and_groups(mesh);
@@ -212,15 +214,15 @@ fn seams_groups_and_layers_come_back() {
     }
 }
 
-/// Rings so large that runs are told by sums.
+/// Rings so large that the choice of a run is coded by sums.
 #[test]
-fn hubs_of_thousands_of_triangles_come_back() {
+fn decodes_hubs_of_thousands_of_triangles() {
     for mesh in [shapes::closed_fan(5000), shapes::uv_sphere(3, 3000, 1.0)] {
         kinds().for_each(|options| check(&mesh, &options, 9));
     }
 }
 
-/// A cone whose triangles share no vertices, so that its tip has as many as there are triangles.
+/// A cone whose triangles share no vertices, so that its tip has as many vertices as there are triangles.
 fn split_cone(n: u32) -> RefinableMesh {
     let rim = |i: u32| {
         let angle = f64::from(i) / f64::from(n) * std::f64::consts::TAU;
@@ -229,13 +231,13 @@ fn split_cone(n: u32) -> RefinableMesh {
     let normal = |i: u32| [0.6 * rim(i)[0], 0.6 * rim(i)[1], 0.8];
     let (mut positions, mut normals) = (Vec::new(), Vec::new());
     for i in 0..n {
-        // In the triangle that begins at this place of the rim, and in the one before.
+        // Vertex in the triangle that begins at this point of the rim, and in the previous one.
         positions.extend([rim(i); 2]);
         normals.extend([normal(i), normal((i + n - 1) % n)]);
     }
     positions.extend((0..n).map(|_| [0.0, 0.0, 1.0]));
     normals.extend((0..n).map(normal));
-    // The step takes the last two triangles away.
+    // The step removes the last two triangles.
     let order = (1..n - 1).chain([0, n - 1]);
     let triangles = order.map(|i| [2 * n + i, 2 * i, 2 * ((i + 1) % n) + 1]).collect();
     let mut mesh = IndexedMesh::new(positions, triangles);
@@ -253,7 +255,7 @@ fn split_cone(n: u32) -> RefinableMesh {
     RefinableMesh { mesh, sequence: sequence.unwrap() }
 }
 
-/// If each vertex of a hub were held against all others, this would take a minute.
+/// Comparing each vertex of a hub with all others would take a minute.
 #[test]
 fn hubs_of_thousands_of_vertices_take_linear_time() {
     let cone = split_cone(100_000);
@@ -271,11 +273,11 @@ fn hubs_of_thousands_of_vertices_take_linear_time() {
     }
 }
 
-/// Nothing is asked of the order of steps where each is a batch of its own.
+/// The order of steps is arbitrary if each is a separate batch.
 #[test]
-fn steps_one_at_a_time_are_batches_too() {
+fn single_steps_are_valid_batches() {
     for mesh in [shapes::torus(24, 12, 1.0, 0.4), shapes::icosphere(3, 1.0), support::grid(16, true)] {
-        // A coder has no words for steps that change the topology.
+        // Version 1 cannot encode steps that change the topology.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let built = build_sequence(&mesh, &options).unwrap();
         let batches: Vec<u32> = (0..=built.refinable.sequence.step_count() as u32).collect();
@@ -286,7 +288,7 @@ fn steps_one_at_a_time_are_batches_too() {
 }
 
 #[test]
-fn bytes_after_the_end_are_refused() {
+fn rejects_bytes_after_the_end() {
     let bytes = write(&shapes::torus(20, 10, 1.0, 0.4), &StreamOptions::default()).stream.bytes;
     let expected = bytes.len() as u64;
     let longer = [&bytes[..], &[1, 2, 3]].concat();
@@ -296,13 +298,13 @@ fn bytes_after_the_end_are_refused() {
     assert!(later.push(&[]).is_ok());
     assert_eq!(later.push(&[0]).unwrap_err(), DecodeError::FileLength { found: expected + 1, expected });
     for decoder in [at_once, later] {
-        assert!(decoder.is_complete(), "what came before stays");
+        assert!(decoder.is_complete(), "the decoded mesh must remain available");
         assert_eq!(decoder.triangles().len(), 400);
     }
 }
 
 #[test]
-fn damaged_bytes_are_refused_or_give_a_mesh() {
+fn damaged_bytes_are_rejected_or_give_a_mesh() {
     let mesh = with_seams_and_groups(support::grid(14, true));
     for options in kinds() {
         let bytes = write(&mesh, &options).stream.bytes;
@@ -310,9 +312,9 @@ fn damaged_bytes_are_refused_or_give_a_mesh() {
             let mut damaged = bytes.clone();
             damaged[at] ^= 1 << (at % 8);
             let mut decoder = StreamDecoder::new();
-            // A head that says that it is longer waits for bytes that never come.
+            // A head that claims to be longer waits for bytes that never arrive.
             let error = decoder.push(&damaged).and_then(|_| decoder.finish());
-            assert!(error.is_err(), "checksums cover every byte");
+            assert!(error.is_err(), "checksums must cover every byte");
             if let Some(level) = decoder.refinable_mesh() {
                 level.mesh.check().unwrap();
             }
@@ -320,9 +322,9 @@ fn damaged_bytes_are_refused_or_give_a_mesh() {
     }
 }
 
-/// A cut chunk is read without its checksum, so what is read may be anything.
+/// A truncated chunk is decoded without its checksum, so its contents may be arbitrary.
 #[test]
-fn nonsense_in_the_last_chunk_gives_a_mesh() {
+fn garbage_in_a_truncated_chunk_gives_a_mesh() {
     let mut random = Random::new(8);
     let mesh = with_seams_and_groups(support::grid(20, false));
     for options in kinds() {
@@ -349,22 +351,23 @@ fn nonsense_in_the_last_chunk_gives_a_mesh() {
     }
 }
 
-/// A mesh with a boundary, seams, groups and layers, of which streams of both versions are kept beside the tests.
-fn kept_surface() -> IndexedMesh {
+/// A mesh with a boundary, seams, groups and layers. Streams of it in both versions are stored next to
+/// the tests.
+fn stored_surface() -> IndexedMesh {
     meshes::with_patches(meshes::rough(shapes::terrain(24, 3), 0.01, 7), 140)
 }
 
 const KEPT: [&str; 4] = ["fast", "default", "small", "exact"];
 
-/// What a stream that is kept was made from.
-struct KeptStream {
+/// The source of a stored stream.
+struct StoredStream {
     name: &'static str,
     mesh: IndexedMesh,
     options: StreamOptions,
 }
 
-/// The streams that are kept of the present version; the last one has general batches.
-fn kept_streams() -> Vec<KeptStream> {
+/// The stored streams of the current version; the last one has general batches.
+fn stored_streams() -> Vec<StoredStream> {
     let options = StreamOptions::default().with_precision(Precision::Bits(12));
     let all = [
         options.clone().with_effort(Effort::Fast),
@@ -372,47 +375,51 @@ fn kept_streams() -> Vec<KeptStream> {
         options.clone().with_effort(Effort::Small),
         options.clone().with_precision(Precision::Lossless),
     ];
-    let surfaces =
-        KEPT.into_iter().zip(all).map(|(name, options)| KeptStream { name, mesh: kept_surface(), options });
-    surfaces.chain([KeptStream { name: "parts", mesh: meshes::asset(12, 5), options }]).collect()
+    let surfaces = KEPT.into_iter().zip(all).map(|(name, options)| StoredStream {
+        name,
+        mesh: stored_surface(),
+        options,
+    });
+    surfaces.chain([StoredStream { name: "parts", mesh: meshes::asset(12, 5), options }]).collect()
 }
 
-fn path_of_kept(version: StreamVersion, name: &str) -> std::path::PathBuf {
-    let folder = format!("tests/kept_streams/version{}", version.number());
+fn stored_path(version: StreamVersion, name: &str) -> std::path::PathBuf {
+    let folder = format!("tests/stored_streams/version{}", version.number());
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder).join(format!("{name}.stri"))
 }
 
-/// The files were written by another build, of other optimization and on another machine than most that run this.
+/// The stored files were written by another build, with other optimizations and on another machine than
+/// most that run this test.
 #[test]
 fn streams_have_the_same_bits_on_every_machine() {
-    for KeptStream { name, mesh, options } in kept_streams() {
-        let bytes = std::fs::read(path_of_kept(StreamVersion::Two, name)).expect("a stream that is kept");
+    for StoredStream { name, mesh, options } in stored_streams() {
+        let bytes = std::fs::read(stored_path(StreamVersion::Two, name)).expect("stored stream");
         let written = write(&mesh, &options);
-        assert!(written.stream.bytes == bytes, "{name}: this build writes another stream");
+        assert!(written.stream.bytes == bytes, "{name}: this build writes a different stream");
         check_whole(&written, &options);
         let decoded = read(&bytes).refinable_mesh().unwrap();
         assert_eq!(decoded.mesh.triangle_count(), written.source.mesh.triangle_count());
     }
 }
 
-/// The files were written when there was no other version, from batches that are chosen otherwise by now.
+/// The files were written before version 2 existed, from batches that are chosen differently now.
 #[test]
-fn streams_of_the_first_version_are_still_read() {
-    let mesh = kept_surface();
+fn decodes_streams_of_the_first_version() {
+    let mesh = stored_surface();
     let nearest = |place: [f32; 3]| {
         let off = |v: &usize| (0..3).map(|a| (mesh.positions[*v][a] - place[a]).powi(2)).sum::<f32>();
         let nearest = (0..mesh.positions.len()).min_by(|v, w| off(v).total_cmp(&off(w))).unwrap();
         (nearest, off(&nearest).sqrt())
     };
-    // Vertices of one position have the same nearest one.
+    // Vertices of one position have the same nearest vertex.
     let position: Vec<u32> = mesh.positions.iter().map(|&place| nearest(place).0 as u32).collect();
     for name in KEPT {
-        let bytes = std::fs::read(path_of_kept(StreamVersion::One, name)).expect("a stream that is kept");
+        let bytes = std::fs::read(stored_path(StreamVersion::One, name)).expect("stored stream");
         let decoder = read(&bytes);
         let decoded = decoder.refinable_mesh().unwrap();
         let found: Vec<(usize, f32)> = decoded.mesh.positions.iter().map(|&place| nearest(place)).collect();
         let most = if name == "exact" { 0.0 } else { mesh.diagonal() as f32 / 4096.0 };
-        assert!(found.iter().all(|&(_, off)| off <= most), "{name}: a vertex is elsewhere");
+        assert!(found.iter().all(|&(_, off)| off <= most), "{name}: a vertex has moved");
         assert_eq!(
             groups_of(&decoded.mesh, |v| found[v as usize].0 as u32),
             groups_of(&mesh, |v| position[v as usize])
@@ -421,18 +428,19 @@ fn streams_of_the_first_version_are_still_read() {
     }
 }
 
-/// Run by hand after a change of what streams mean: `cargo test --release --test streams -- --ignored`.
+/// Run by hand after a change of the bitstream format: `cargo test --release --test streams --
+/// --ignored`.
 #[test]
 #[ignore = "writes the streams that are kept"]
-fn streams_are_written_anew() {
-    for KeptStream { name, mesh, options } in kept_streams() {
-        let path = path_of_kept(StreamVersion::Two, name);
+fn rewrite_stored_streams() {
+    for StoredStream { name, mesh, options } in stored_streams() {
+        let path = stored_path(StreamVersion::Two, name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, write(&mesh, &options).stream.bytes).unwrap();
     }
 }
 
-/// Cuts the steps of a sequence into batches anywhere.
+/// Divides the steps of a sequence into random batches.
 fn random_batches(refinable: &RefinableMesh, random: &mut Random) -> Vec<u32> {
     let step_count = refinable.sequence.step_count() as u32;
     let mut batches = vec![0];
@@ -443,7 +451,7 @@ fn random_batches(refinable: &RefinableMesh, random: &mut Random) -> Vec<u32> {
     batches
 }
 
-/// Leaves the coarsest levels out until all positions of the base are in triangles.
+/// Removes the coarsest levels until all positions of the base are used by triangles.
 fn with_used_base(refinable: RefinableMesh) -> RefinableMesh {
     let is_used = |&split_count: &usize| {
         let level = replay(&refinable, split_count);
@@ -462,9 +470,9 @@ fn check_sequence(source: RefinableMesh, options: &StreamOptions, seed: u64) {
     check_parts(&written.stream.bytes, &whole, &mut random);
 }
 
-/// Parts that vanish, edges of many triangles, folds: nothing is left that a stream cannot tell.
+/// Parts that disappear, edges of many triangles, folds: a stream can encode all of them.
 #[test]
-fn assets_go_down_to_next_to_nothing() {
+fn assets_simplify_to_very_small_bases() {
     for seed in 0..6 {
         let mesh = meshes::asset(40, seed);
         let built = build_batches(&mesh, &BatchOptions::default().with_general_floor(60));
@@ -487,7 +495,12 @@ fn assets_go_down_to_next_to_nothing() {
 
 proptest! {
     #[test]
-    fn any_sequence_in_any_batches_comes_back(seed: u64, vertices in 3usize..40, triangles in 0usize..80, far in 0usize..60) {
+    fn decodes_any_sequence_in_any_batches(
+        seed: u64,
+        vertices in 3usize..40,
+        triangles in 0usize..80,
+        far in 0usize..60,
+    ) {
         let mut random = Random::new(seed);
         let mesh = soup(vertices, triangles, &mut random);
         let wildness = Wildness { far_percent: far, base_position_count: 1 };
@@ -497,7 +510,7 @@ proptest! {
     }
 
     #[test]
-    fn sequences_of_assets_in_any_batches_come_back(seed: u64, pieces in 1usize..12) {
+    fn decodes_sequences_of_assets_in_any_batches(seed: u64, pieces in 1usize..12) {
         let mesh = meshes::asset(pieces, seed);
         let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
         let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
@@ -505,7 +518,12 @@ proptest! {
     }
 
     #[test]
-    fn streams_of_soups_come_back(seed in any::<u64>(), vertices in 3usize..40, triangles in 0usize..80, has_seams: bool) {
+    fn decodes_streams_of_triangle_soups(
+        seed in any::<u64>(),
+        vertices in 3usize..40,
+        triangles in 0usize..80,
+        has_seams: bool,
+    ) {
         let mut mesh = soup(vertices, triangles, &mut Random::new(seed));
         if has_seams {
             mesh = with_seams_and_groups(mesh);

@@ -1,10 +1,10 @@
-//! Attributes of new vertices: whom to ask, and where the answers are kept.
+//! Attribute values of a stream, and the neighborhoods in which those of new vertices are coded.
 
 use crate::base::hoods::BaseHoods;
 use crate::entropy::Coder;
 use crate::format::form::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
-use crate::layers::hood::{LayerHood, LayerValues};
+use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
 use crate::layers::model::LayerModel;
 use crate::layers::ring_fit::RingFit;
 use crate::refine::growth::Growth;
@@ -12,23 +12,25 @@ use crate::refine::source::Plan;
 use crate::topology::surface::{NONE, Surface, next, previous};
 use crate::wedges::split::SplitWedges;
 
-/// The layers of a stream, as far as it has come.
+/// All attribute layers of a stream, as far as it has been coded.
 #[derive(Clone, Debug)]
 pub(crate) struct Attributes {
     model: LayerModel,
     /// Integers of the vertices, layer by layer.
     values: Vec<LayerValues>,
+    /// Ring of the current vertex.
     own: FittedRing,
-    /// Of all vertices of a position together.
+    /// Ring of all vertices of a position together.
     whole: FittedRing,
-    /// Which wedge each corner around the position shows, and its place among the corners: by wedge, if there are several.
+    /// Wedge of each corner around the position, and the index of the corner; sorted by wedge. Only used
+    /// if the position has several vertices.
     by_wedge: Vec<(u32, u32)>,
-    /// How much of that is done.
+    /// Number of its entries that have been used.
     wedge_end: usize,
     version: StreamVersion,
 }
 
-/// Vertices around, and the fit to their places.
+/// The vertices around a vertex, and the affine fit to their positions.
 #[derive(Clone, Debug, Default)]
 struct FittedRing {
     fit: RingFit,
@@ -36,33 +38,35 @@ struct FittedRing {
     places: Vec<[i32; 3]>,
 }
 
-/// Corners around a position that are looked at for all its vertices together.
+/// Maximum number of corners around a position that are used for all its vertices together.
 const MOST_CORNERS: usize = 24;
 
-/// What is around a new position.
+/// The surroundings of a new position.
 #[derive(Clone, Copy)]
-pub(crate) struct Around<'a> {
+pub(crate) struct AttributeContext<'a> {
+    /// The surface, including the split.
     pub(crate) surface: &'a Surface,
+    /// The mesh without the new position.
     pub(crate) growth: &'a Growth,
-    /// Grid coordinates by vertex of the surface.
+    /// Grid coordinates of each vertex of the surface.
     pub(crate) places: &'a [[i32; 3]],
-    /// Corners at the position, A's first and B's last.
+    /// Corners at the position, starting with the one in A and ending with the one in B.
     pub(crate) corners: &'a [u32],
-    /// What they show, where that is not one vertex for each position.
-    pub(crate) told: Option<&'a SplitWedges>,
+    /// Wedges that the corners refer to, unless each position has exactly one vertex.
+    pub(crate) split_wedges: Option<&'a SplitWedges>,
 }
 
-/// A vertex next to one that is coded, and its place on the grid.
+/// A vertex next to the current one, with its grid coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RingVertex {
     pub(crate) vertex: u32,
     pub(crate) place: [i32; 3],
 }
 
-/// A vertex that a general step brings.
+/// A vertex that a general step adds.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GeneralVertex {
-    /// Vertices that it shares triangles with.
+    /// Vertices that share triangles with it.
     pub(crate) ring: Vec<RingVertex>,
     /// The vertex that it collapses to.
     pub(crate) target: u32,
@@ -71,48 +75,49 @@ pub(crate) struct GeneralVertex {
 /// A vertex of a new position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NewVertex {
-    /// Where the position is on the grid.
+    /// Grid coordinates of the position.
     pub(crate) place: [i32; 3],
-    /// Which of its vertices it is.
+    /// Index of the vertex within the position.
     pub(crate) wedge: u32,
     /// The vertex that it collapses to.
     pub(crate) target: u32,
 }
 
-/// What a writer knows: all layers, and the vertex there.
+/// A writer's data: all layers, and the index of the current vertex in them.
 pub(crate) type Actual<'a> = Option<(&'a [LayerValues], u32)>;
 
-/// A writer's layers and the vertex there, of those that the mesh that is given has.
+/// Returns a writer's layers and the index of the current vertex in the source mesh.
 pub(crate) fn actual_layers(plan: Option<&dyn Plan>, vertex: impl FnOnce(&dyn Plan) -> u32) -> Actual<'_> {
     plan.map(|plan| (plan.layers(), vertex(plan)))
 }
 
 impl Attributes {
-    /// No vertices yet; nothing at all where there are no layers.
-    pub(crate) fn new(forms: &[LayerForm], terms: (Effort, StreamVersion)) -> Option<Self> {
+    /// Creates layers without vertices, or `None` if there are no layers.
+    pub(crate) fn new(forms: &[LayerForm], parameters: (Effort, StreamVersion)) -> Option<Self> {
         (!forms.is_empty()).then(|| Self {
-            model: LayerModel::new(forms, terms),
+            model: LayerModel::new(forms, parameters),
             values: forms.iter().map(|form| LayerValues::new(form.integer_count())).collect(),
             own: FittedRing::default(),
             whole: FittedRing::default(),
             by_wedge: Vec::new(),
             wedge_end: 0,
-            version: terms.1,
+            version: parameters.1,
         })
     }
 
-    /// The integers of a layer.
+    /// Returns the integers of a layer.
     pub(crate) fn integers(&self, layer: usize) -> &[i32] {
         self.values[layer].integers()
     }
 
-    /// Forgets all but the first vertices.
+    /// Removes all but the first vertices.
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
         self.values.iter_mut().for_each(|values| values.truncate(vertex_count));
         self.model.truncate(vertex_count);
     }
 
-    /// Codes vertex `wedge` of a position of the base. Version 1 knows nothing but the vertex before it.
+    /// Codes vertex `wedge` of a position of the base mesh. Version 1 predicts it only from the preceding
+    /// vertex.
     pub(crate) fn base_vertex<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -127,23 +132,28 @@ impl Attributes {
             fit.measure(place, places, false);
             fit.normal = normal;
         }
-        let mut hood = LayerHood::new(ring.first().copied().or(before), ring, fit);
-        hood.sibling_count = wedge;
-        hood.is_base = true;
-        self.model.code(coder, &mut self.values, &hood, actual);
+        let mut neighborhood = LayerNeighborhood::new(ring.first().copied().or(before), ring, fit);
+        neighborhood.sibling_count = wedge;
+        neighborhood.is_base = true;
+        self.model.code(coder, &mut self.values, &neighborhood, actual);
     }
 
-    /// Makes ready for the vertices of a new position, to be coded in order.
-    pub(crate) fn begin_position(&mut self, around: Around<'_>, place: [i32; 3]) {
+    /// Prepares for coding the vertices of a new position in order.
+    pub(crate) fn begin_position(&mut self, around: AttributeContext<'_>, place: [i32; 3]) {
         self.by_wedge.clear();
         self.wedge_end = 0;
-        let Some(told) = around.told.filter(|told| told.targets.len() > 1) else { return };
-        let shown = told.wedges.iter().zip(0..).filter(|(wedge, _)| **wedge != NONE);
+        let Some(split_wedges) = around.split_wedges.filter(|split_wedges| split_wedges.targets.len() > 1)
+        else {
+            return;
+        };
+        let shown = split_wedges.wedges.iter().zip(0..).filter(|(wedge, _)| **wedge != NONE);
         self.by_wedge.extend(shown.map(|(&wedge, at)| (wedge, at)));
         self.by_wedge.sort_unstable();
         if self.version > StreamVersion::One {
-            let last = told.wedges.len() - 1;
-            let corners = (0..told.wedges.len()).filter(|at| told.wedges[*at] != NONE).take(MOST_CORNERS);
+            let last = split_wedges.wedges.len() - 1;
+            let corners = (0..split_wedges.wedges.len())
+                .filter(|at| split_wedges.wedges[*at] != NONE)
+                .take(MOST_CORNERS);
             let is_closed = self.whole.gather(around, corners, last);
             self.whole.fit.measure(place, &self.whole.places, is_closed);
         }
@@ -153,12 +163,12 @@ impl Attributes {
     pub(crate) fn vertex<C: Coder>(
         &mut self,
         coder: &mut C,
-        around: Around<'_>,
+        around: AttributeContext<'_>,
         NewVertex { place, wedge, target }: NewVertex,
         actual: Actual<'_>,
     ) {
         let last = around.corners.len() - 1;
-        let has_several = around.told.is_some_and(|told| told.targets.len() > 1);
+        let has_several = around.split_wedges.is_some_and(|split_wedges| split_wedges.targets.len() > 1);
         let is_closed = if has_several {
             let rest = &self.by_wedge[self.wedge_end..];
             let own = &rest[..rest.iter().take_while(|(of, _)| *of == wedge).count()];
@@ -168,25 +178,25 @@ impl Attributes {
             self.own.gather(around, 0..=last, last)
         };
         let is_hidden = has_several && self.version > StreamVersion::One && self.own.ring.is_empty();
-        let hood = if is_hidden {
-            LayerHood { is_hidden, ..self.whole.hood(target) }
+        let neighborhood = if is_hidden {
+            LayerNeighborhood { is_hidden, ..self.whole.neighborhood(target) }
         } else {
             self.own.fit.measure(place, &self.own.places, is_closed);
-            self.own.hood(target)
+            self.own.neighborhood(target)
         };
-        let hood = match around.told {
-            Some(told) if has_several && self.version > StreamVersion::One => LayerHood {
+        let neighborhood = match around.split_wedges {
+            Some(split_wedges) if has_several && self.version > StreamVersion::One => LayerNeighborhood {
                 sibling_count: wedge,
-                sibling_target: wedge.checked_sub(1).map(|before| told.targets[before as usize]),
+                sibling_target: wedge.checked_sub(1).map(|before| split_wedges.targets[before as usize]),
                 whole: Some((&self.whole.ring, &self.whole.fit)),
-                ..hood
+                ..neighborhood
             },
-            _ => hood,
+            _ => neighborhood,
         };
-        self.model.code(coder, &mut self.values, &hood, actual);
+        self.model.code(coder, &mut self.values, &neighborhood, actual);
     }
 
-    /// Codes vertices that a general step brings: of each, what it shares triangles with, its target and what is meant.
+    /// Codes the vertices that a general step adds. `actual` returns a writer's data for each of them.
     pub(crate) fn general_position<'a, C: Coder>(
         &mut self,
         coder: &mut C,
@@ -202,24 +212,24 @@ impl Attributes {
         for (wedge, vertex) in vertices.iter().enumerate() {
             let is_hidden = has_several && vertex.ring.is_empty();
             self.own.set(vertex.ring.iter().copied(), place);
-            let hood = if is_hidden {
-                LayerHood { is_hidden, ..self.whole.hood(vertex.target) }
+            let neighborhood = if is_hidden {
+                LayerNeighborhood { is_hidden, ..self.whole.neighborhood(vertex.target) }
             } else {
-                self.own.hood(vertex.target)
+                self.own.neighborhood(vertex.target)
             };
-            let hood = LayerHood {
+            let neighborhood = LayerNeighborhood {
                 sibling_count: wedge as u32,
                 sibling_target: wedge.checked_sub(1).map(|before| vertices[before].target),
                 whole: has_several.then_some((&self.whole.ring, &self.whole.fit)),
-                ..hood
+                ..neighborhood
             };
-            self.model.code(coder, &mut self.values, &hood, actual(wedge));
+            self.model.code(coder, &mut self.values, &neighborhood, actual(wedge));
         }
     }
 }
 
 impl FittedRing {
-    /// These vertices, in no order.
+    /// Replaces the ring by these vertices, in no particular order.
     fn set(&mut self, vertices: impl Iterator<Item = RingVertex>, place: [i32; 3]) {
         self.ring.clear();
         self.places.clear();
@@ -232,17 +242,23 @@ impl FittedRing {
         self.fit.measure(place, &self.places, false);
     }
 
-    fn hood(&self, target: u32) -> LayerHood<'_> {
-        LayerHood::new(Some(target), &self.ring, &self.fit)
+    /// Returns the neighborhood of a vertex with this ring.
+    fn neighborhood(&self, target: u32) -> LayerNeighborhood<'_> {
+        LayerNeighborhood::new(Some(target), &self.ring, &self.fit)
     }
 
-    /// Finds the vertices in the triangles of some of the corners around a position, in ring order; true if they close at
-    /// the last corner of all.
-    fn gather(&mut self, around: Around<'_>, corners: impl Iterator<Item = usize>, last: usize) -> bool {
+    /// Collects the vertices in the triangles of some of the corners around a position, in ring order.
+    /// Returns whether they form a closed ring, which requires that `last` is among the corners.
+    fn gather(
+        &mut self,
+        around: AttributeContext<'_>,
+        corners: impl Iterator<Item = usize>,
+        last: usize,
+    ) -> bool {
         self.ring.clear();
         self.places.clear();
         for at in corners {
-            let Some(shown) = shown_beside(around, at) else { continue };
+            let Some(shown) = other_vertices(around, at) else { continue };
             let corner = around.corners[at];
             let surface_vertices = [next(corner), previous(corner)].map(|c| around.surface.vertex(c));
             for (vertex, surface_vertex) in shown.into_iter().zip(surface_vertices) {
@@ -260,23 +276,23 @@ impl FittedRing {
     }
 }
 
-/// What the two other corners of a triangle show, if it is there.
-fn shown_beside(around: Around<'_>, at: usize) -> Option<[u32; 2]> {
-    let Around { surface, growth, corners, told, .. } = around;
+/// Returns the vertices that the other two corners of a triangle refer to, if the triangle exists.
+fn other_vertices(around: AttributeContext<'_>, at: usize) -> Option<[u32; 2]> {
+    let AttributeContext { surface, growth, corners, split_wedges, .. } = around;
     let corner = corners[at];
-    let Some(told) = told else {
+    let Some(split_wedges) = split_wedges else {
         let vertices = [next(corner), previous(corner)].map(|c| surface.vertex(c));
         let is_there = vertices.iter().all(|&v| !surface.is_virtual(v));
         return is_there.then(|| vertices.map(|v| growth.wedges(v).start));
     };
-    if told.wedges[at] == NONE {
+    if split_wedges.wedges[at] == NONE {
         return None;
     }
     if at == 0 {
-        return Some([told.kept[0], told.ends[0]]);
+        return Some([split_wedges.kept[0], split_wedges.ends[0]]);
     }
     if at + 1 == corners.len() {
-        return Some([told.ends[1], told.kept[1]]);
+        return Some([split_wedges.ends[1], split_wedges.kept[1]]);
     }
     Some([growth.shown(surface, next(corner))?, growth.shown(surface, previous(corner))?])
 }

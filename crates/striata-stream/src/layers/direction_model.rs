@@ -1,36 +1,38 @@
 //! Codes unit vectors: normals, and tangents with their sign.
 //!
-//! A direction is predicted from those around and from the geometry: their mean and affine fit, the normal of the triangles
-//! around, and the directions of neighbors **mirrored** at the plane across the edge to them. On a circle's arc the
-//! last is exact, wherever on the arc the vertex lies. Which of these, or which sum of them, did best lately is asked for
-//! each degree of conflict between geometry and neighbors: where they agree geometry is best, where not the mean.
+//! A direction is predicted from the directions around it and from the geometry: their mean, their affine
+//! fit, the normal of the surrounding triangles, and the neighbors' directions **mirrored** at the plane
+//! perpendicular to the edge to them. On a circular arc the mirrored direction is exact, regardless of where
+//! on the arc the vertex lies. For each degree of conflict between geometry and neighbors, the model uses
+//! the prediction, or learned sum of predictions, that did best recently. If they agree, geometry is
+//! usually best; if not, the mean is.
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::format::form::{Effort, StreamVersion};
 use crate::layers::directions::{Octahedron, scaled};
 use crate::layers::history::LayerHistory;
-use crate::layers::hood::{BASE_KIND, KINDS, LayerHood, LayerValues};
+use crate::layers::layer_neighborhood::{BASE_KIND, KINDS, LayerNeighborhood, LayerValues};
 use crate::layers::least_squares::LeastSquares;
-use crate::layers::residuals::{Contest, Expected, Residuals, SCALES, scale_of};
+use crate::layers::residuals::{Expected, PredictorSelector, Residuals, SCALES, scale_of};
 
-/// Bits of the length that directions have where they are added.
+/// Bits of the length to which directions are scaled before they are added.
 pub(crate) const UNIT_BITS: u32 = 15;
 
-/// Bits of a reciprocal.
+/// Fraction bits of a reciprocal.
 const RECIPROCAL_BITS: u32 = 44;
 
-/// Predictions that compete at the only vertex of a position.
+/// Number of predictions that compete if the position has one vertex.
 const CANDIDATES: usize = 10;
-/// The same from version 2 on, where a learned sum is among them.
+/// Number of predictions from version 2 on, which adds a learned sum.
 const SUMMED_CANDIDATES: usize = CANDIDATES + 1;
-/// Predictions that compete at one of several vertices of a position.
+/// Maximum number of predictions, reached if the position has several vertices.
 const MOST_CANDIDATES: usize = SUMMED_CANDIDATES + 4;
-/// Predictions that are added up, besides the first.
+/// Number of terms in the learned sum, in addition to the first prediction.
 const TERMS: usize = 4;
-/// Their weights at first, in 1/65536, at the only vertex of a position: of the affine fit, the mean, near neighbors and all
-/// of them.
+/// Initial weights of these terms, in 1/65536, if the position has one vertex: affine fit, mean, near
+/// neighbors, all mirrored neighbors.
 const FIRST_WEIGHTS: [i64; TERMS] = [26_000, -20_000, 10_000, 8_000];
-/// Places among the predictions.
+/// Indices of the predictions.
 const AFFINE: usize = 0;
 const MEAN: usize = 1;
 const GEOMETRIC: usize = 2;
@@ -39,64 +41,76 @@ const MIRRORED: usize = 5;
 const TARGET: usize = 7;
 const SUM: usize = CANDIDATES;
 const WHOLE: usize = SUMMED_CANDIDATES;
-const BESIDE: usize = SUMMED_CANDIDATES + 3;
-/// Vertices of the same position that a hidden one is predicted from.
+const SIBLING: usize = SUMMED_CANDIDATES + 3;
+/// Maximum number of vertices of the same position from which a hidden vertex is predicted.
 const MOST_SIBLINGS: u32 = 6;
-/// Classes of conflicts.
+/// Number of conflict classes.
 const CONFLICTS: usize = SCALES.div_ceil(4);
 
-/// Vertices after which only every fourth tells which prediction did best.
+/// Number of vertices after which the selectors learn only from every fourth vertex.
 const LEARNING: u32 = 2048;
 
-/// Unit vectors.
+/// Model of a layer of unit vectors.
 #[derive(Clone, Debug)]
 pub(crate) struct DirectionModel {
     grid: Octahedron,
-    /// By kind of vertex and scale of the conflict, two octaves each.
-    contests: Vec<Contest<MOST_CANDIDATES>>,
+    /// By kind of vertex and conflict class of two octaves.
+    selectors: Vec<PredictorSelector<MOST_CANDIDATES>>,
     residuals: Residuals,
-    /// What was off lately, in 1/16, for version 1.
+    /// Running average of recent residuals, in 1/16; only for version 1.
     recent: u64,
-    /// What is known of earlier vertices, from version 2 on.
+    /// Residuals and copies of earlier vertices; from version 2 on.
     history: Option<LayerHistory>,
-    /// Weights of sums of predictions, for each contest.
+    /// Weights of the learned sums, one set for each selector.
     sums: Vec<LeastSquares<TERMS>>,
     coded_count: u32,
-    /// Whether the sign of a fourth component is as the target's.
+    /// Whether the sign of the fourth component equals the target's.
     is_same_sign: Option<AdaptiveBit>,
 }
 
-/// What is known of a direction before it is coded; all vectors are of one length, or zero.
-struct Outlook {
+/// Estimates of a direction from the geometry and the surrounding directions. All vectors have the same
+/// length, or are zero.
+struct Estimates {
+    /// Direction of the vertex that it collapses to.
     target: [i64; 3],
+    /// Mean of the ring.
     mean: [i64; 3],
+    /// Affine fit to the ring.
     affine: [i64; 3],
+    /// Estimate from the geometry.
     geometric: [i64; 3],
-    /// The sum of the mirrored neighbors, and the same with near ones counting more.
+    /// Sum of the mirrored neighbors, and the sum in which near neighbors have more weight.
     mirrored: [i64; 3],
     near: [i64; 3],
-    /// How far the ring is from its mean, in 1/16 of the grid.
+    /// Mean distance of the ring's directions from their mean, in 1/16 grid steps.
     spread: u64,
 }
 
-impl Outlook {
-    /// Knows nothing but the geometry.
-    fn alone(geometric: [i64; 3]) -> Self {
+impl Estimates {
+    /// Uses the geometry alone, because no other direction is known.
+    fn from_geometry(geometric: [i64; 3]) -> Self {
         let g = geometric;
         let (target, mean, affine, mirrored, near) = (g, g, g, g, g);
         Self { target, mean, affine, geometric, mirrored, near, spread: u64::from(u32::MAX) }
     }
 
-    fn of(grid: Octahedron, values: &LayerValues, (hood, geometric): (&LayerHood<'_>, [i64; 3])) -> Self {
+    /// Estimates the direction of the next vertex.
+    fn of(
+        grid: Octahedron,
+        values: &LayerValues,
+        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
+    ) -> Self {
         let unit = unit_of(grid);
         let direction = |vertex: u32| {
             let integers = values.of(vertex);
             grid.direction([integers[0], integers[1]]).map(|x| x * (unit / grid.side()))
         };
         let geometric = scaled(geometric, unit);
-        let Some(target) = hood.target.map(direction) else { return Self::alone(geometric) };
+        let Some(target) = neighborhood.target.map(direction) else { return Self::from_geometry(geometric) };
         let [mut mean, mut affine, mut mirrored, mut near] = [[0i64; 3]; 4];
-        for ((&vertex, &arm), &weight) in hood.ring.iter().zip(&hood.fit.arms).zip(&hood.fit.weights) {
+        for ((&vertex, &arm), &weight) in
+            neighborhood.ring.iter().zip(&neighborhood.fit.arms).zip(&neighborhood.fit.weights)
+        {
             let d = direction(vertex);
             let dot = |a: [i64; 3], b: [i64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
             let reciprocal = (1 << RECIPROCAL_BITS) / dot(arm, arm).max(1);
@@ -106,17 +120,18 @@ impl Outlook {
                 mean[axis] += d[axis];
                 affine[axis] += d[axis] * i64::from(weight);
                 mirrored[axis] += mirror;
-                // Thousands of neighbors at the very place are too many for the sum.
+                // The sum saturates if thousands of neighbors share the vertex's own position.
                 near[axis] = near[axis].saturating_add(mirror * (reciprocal >> 12));
             }
         }
         let mean = scaled(if mean == [0; 3] { target } else { mean }, unit);
         let [affine, mirrored, near] = [affine, mirrored, near].map(|d| scaled(d, unit));
-        let off: u64 = hood.ring.iter().map(|&v| distance(direction(v), mean)).sum();
-        let spread = grid.side() as u64 * 16 * off / (unit as u64 * hood.ring.len().max(1) as u64);
+        let off: u64 = neighborhood.ring.iter().map(|&v| distance(direction(v), mean)).sum();
+        let spread = grid.side() as u64 * 16 * off / (unit as u64 * neighborhood.ring.len().max(1) as u64);
         Self { target, mean, affine, geometric, mirrored, near, spread }
     }
 
+    /// Returns the predictions of version 1 in the order of their indices.
     fn candidates(&self) -> [[i64; 3]; CANDIDATES] {
         let sum = |geometric: i64, mirrored: i64, mean: i64| -> [i64; 3] {
             std::array::from_fn(|a| {
@@ -129,7 +144,7 @@ impl Outlook {
     }
 }
 
-/// The length of directions on a grid where they are added: a multiple of its side.
+/// Length to which the directions of a grid are scaled before they are added: a multiple of its side.
 fn unit_of(grid: Octahedron) -> i64 {
     grid.side() * (1 << UNIT_BITS >> (grid.side() + 1).ilog2()).max(1)
 }
@@ -142,76 +157,79 @@ fn distance(a: [i64; 3], b: [i64; 3]) -> u64 {
     (0..3).map(|axis| (a[axis] - b[axis]).unsigned_abs()).sum()
 }
 
-/// Predictions of a direction, and how sure they are.
-struct Forecast {
-    /// As many as `count`, then repetitions.
+/// Candidate predictions of a direction, and measures of their reliability.
+struct Prediction {
+    /// Contains `count` candidates, followed by repetitions.
     candidates: [[i64; 3]; MOST_CANDIDATES],
     count: usize,
-    /// What is added up: a first prediction, and differences of others from it.
+    /// The first term of the learned sum, and the differences of the others from it.
     first: [i64; 3],
     terms: [[i64; 3]; TERMS],
-    /// How far the ring is from its mean, and neighbors from the geometry, in 1/16 of the grid.
+    /// Mean distance of the ring's directions from their mean, and distance between mirrored neighbors
+    /// and geometry, both in 1/16 grid steps.
     spread: u64,
     conflict: u64,
 }
 
-impl Forecast {
-    /// What version 1 predicts.
+impl Prediction {
+    /// Returns the predictions of version 1.
     fn of(
         grid: Octahedron,
         values: &LayerValues,
-        (hood, geometric): (&LayerHood<'_>, [i64; 3]),
-    ) -> (Self, Outlook) {
-        let outlook = Outlook::of(grid, values, (hood, geometric));
+        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
+    ) -> (Self, Estimates) {
+        let estimates = Estimates::of(grid, values, (neighborhood, geometric));
         let in_grid = |off: u64| off * 16 * grid.side() as u64 / unit_of(grid) as u64;
-        let conflict = in_grid(distance(outlook.geometric, outlook.mirrored));
-        let own = outlook.candidates();
+        let conflict = in_grid(distance(estimates.geometric, estimates.mirrored));
+        let own = estimates.candidates();
         let mut candidates = [own[CANDIDATES - 1]; MOST_CANDIDATES];
         candidates[..CANDIDATES].copy_from_slice(&own);
         let (first, terms) = ([0; 3], [[0; 3]; TERMS]);
-        let forecast = Self { candidates, count: CANDIDATES, first, terms, spread: outlook.spread, conflict };
-        (forecast, outlook)
+        let prediction =
+            Self { candidates, count: CANDIDATES, first, terms, spread: estimates.spread, conflict };
+        (prediction, estimates)
     }
 
-    /// Adds the sum whose weights were learned. What is added up is of one length as it is.
+    /// Adds the learned sum. All its terms already have the same length.
     fn add_sum(&mut self, kind: usize, sums: &[LeastSquares<TERMS>]) {
         let (first, others) = match kind {
             0 => (GEOMETRIC, [AFFINE, MEAN, NEAR, MIRRORED]),
-            1 => (MEAN, [AFFINE, GEOMETRIC, WHOLE, BESIDE]),
-            _ => (TARGET, [MEAN, WHOLE, WHOLE + 1, BESIDE]),
+            1 => (MEAN, [AFFINE, GEOMETRIC, WHOLE, SIBLING]),
+            _ => (TARGET, [MEAN, WHOLE, WHOLE + 1, SIBLING]),
         };
         self.first = self.candidates[first];
-        self.terms = others.map(|place| difference(self.candidates[place], self.first));
-        let sum = sums[self.contest(kind)].predict(&self.terms);
+        self.terms = others.map(|index| difference(self.candidates[index], self.first));
+        let sum = sums[self.selector(kind)].predict(&self.terms);
         self.candidates[SUM] = std::array::from_fn(|axis| self.first[axis] + sum[axis]);
         self.count = self.count.max(SUMMED_CANDIDATES);
     }
 
-    /// Which contest its predictions are in.
-    fn contest(&self, kind: usize) -> usize {
+    /// Returns the index of the selector for these predictions.
+    fn selector(&self, kind: usize) -> usize {
         kind * CONFLICTS + scale_of(self.conflict) / 4
     }
 
-    /// The predictions that differ most in kind.
-    fn main(&self, kind: usize) -> [[i64; 3]; 3] {
-        let places = match kind {
+    /// Returns the three predictions that differ most from each other in nature.
+    fn main_candidates(&self, kind: usize) -> [[i64; 3]; 3] {
+        let indices = match kind {
             0 | BASE_KIND => [AFFINE, GEOMETRIC, MIRRORED],
-            1 => [AFFINE, WHOLE, BESIDE],
-            _ => [TARGET, WHOLE, BESIDE],
+            1 => [AFFINE, WHOLE, SIBLING],
+            _ => [TARGET, WHOLE, SIBLING],
         };
-        places.map(|place| self.candidates[place])
+        indices.map(|index| self.candidates[index])
     }
 
-    /// What the whole position says of one of its vertices: seams of texture coordinates are none of normals.
+    /// Adds predictions from the whole position to those of one of its vertices: a seam in the texture
+    /// coordinates is often no seam in the normals.
     fn add_position(
         &mut self,
         grid: Octahedron,
         values: &LayerValues,
-        (hood, own): (&LayerHood<'_>, &Outlook),
+        (neighborhood, own): (&LayerNeighborhood<'_>, &Estimates),
     ) {
-        let whole = hood.whole.filter(|_| !hood.is_hidden).map(|(ring, fit)| {
-            let hood = LayerHood { ring, fit, ..*hood };
-            Outlook::of(grid, values, (&hood, fit.normal))
+        let whole = neighborhood.whole.filter(|_| !neighborhood.is_hidden).map(|(ring, fit)| {
+            let neighborhood = LayerNeighborhood { ring, fit, ..*neighborhood };
+            Estimates::of(grid, values, (&neighborhood, fit.normal))
         });
         let whole = whole.as_ref().unwrap_or(own);
         let sum = |a: [i64; 3], b: [i64; 3]| -> [i64; 3] { std::array::from_fn(|i| a[i] + b[i]) };
@@ -220,20 +238,20 @@ impl Forecast {
             let of = values.of(vertex);
             grid.direction([of[0], of[1]]).map(|x| x * (unit / grid.side()))
         };
-        // As far from the target as the vertex before it is from its own.
-        let beside = hood.sibling_target.map_or(own.target, |other| {
+        // Same offset from the target as the previous vertex of the position has from its own target.
+        let sibling = neighborhood.sibling_target.map_or(own.target, |other| {
             let change = sum(direction(values.vertex_count() as u32 - 1), direction(other).map(|x| -x));
             sum(own.target, change)
         });
-        let more = if hood.is_hidden && hood.sibling_count > 0 {
-            // The geometry of the whole position is among the predictions already.
+        let more = if neighborhood.is_hidden && neighborhood.sibling_count > 0 {
+            // The predictions already include the geometry of the whole position.
             let last = values.vertex_count() as u32 - 1;
-            let latest = hood.sibling_count.min(MOST_SIBLINGS);
+            let latest = neighborhood.sibling_count.min(MOST_SIBLINGS);
             let mean = (0..latest).fold([0; 3], |mean, back| sum(mean, direction(last - back)));
             let mean = scaled(mean, unit);
-            [direction(last), mean, sum(own.target, mean), beside]
+            [direction(last), mean, sum(own.target, mean), sibling]
         } else {
-            [whole.geometric, whole.mirrored, sum(whole.geometric, whole.mirrored), beside]
+            [whole.geometric, whole.mirrored, sum(whole.geometric, whole.mirrored), sibling]
         };
         self.candidates[WHOLE..].copy_from_slice(&more);
         self.count = MOST_CANDIDATES;
@@ -241,17 +259,17 @@ impl Forecast {
 }
 
 impl DirectionModel {
-    /// Nothing learned, for integers of so many bits.
-    pub(crate) fn new(bits: u32, has_sign: bool, terms: (Effort, StreamVersion)) -> Self {
+    /// Creates an untrained model for integers with this number of bits.
+    pub(crate) fn new(bits: u32, has_sign: bool, parameters: (Effort, StreamVersion)) -> Self {
         Self {
             grid: Octahedron::new(bits),
-            contests: vec![Contest::new(terms.1); KINDS * CONFLICTS],
-            residuals: Residuals::new(terms, 2),
+            selectors: vec![PredictorSelector::new(parameters.1); KINDS * CONFLICTS],
+            residuals: Residuals::new(parameters, 2),
             recent: 0,
-            history: (terms.1 > StreamVersion::One).then(LayerHistory::new),
+            history: (parameters.1 > StreamVersion::One).then(LayerHistory::new),
             sums: (0..KINDS * CONFLICTS)
-                .map(|contest| {
-                    LeastSquares::new(if contest < CONFLICTS { FIRST_WEIGHTS } else { [0; TERMS] })
+                .map(|selector| {
+                    LeastSquares::new(if selector < CONFLICTS { FIRST_WEIGHTS } else { [0; TERMS] })
                 })
                 .collect(),
             coded_count: 0,
@@ -259,72 +277,75 @@ impl DirectionModel {
         }
     }
 
-    /// Codes the direction of the next vertex, `meant` by a writer; the geometry tells of a direction of any length.
+    /// Codes the direction of the next vertex; a writer passes it as `actual`. `geometric` is the
+    /// direction estimated from the geometry, of any length.
     pub(crate) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         values: &mut LayerValues,
-        (hood, geometric): (&LayerHood<'_>, [i64; 3]),
-        meant: Option<&[i32]>,
+        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
+        actual: Option<&[i32]>,
     ) {
         if let Some(history) = &mut self.history
-            && let Some(vertex) = history.copied(coder, values, hood, meant)
+            && let Some(vertex) = history.code_copy(coder, values, neighborhood, actual)
         {
             values.copy(vertex);
-            history.note_copy();
+            history.record_copy();
             return;
         }
-        let kind = if self.history.is_some() { hood.kind() } else { 0 };
-        let forecast = self.forecast(values, (hood, geometric), kind);
-        let best = self.contests[forecast.contest(kind)].best(forecast.count);
-        let predicted = self.grid.point(forecast.candidates[best]);
-        let off = meant.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
-        let off = self.residual(coder, (hood, kind), (&forecast, predicted), off);
+        let kind = if self.history.is_some() { neighborhood.kind() } else { 0 };
+        let prediction = self.prediction(values, (neighborhood, geometric), kind);
+        let best = self.selectors[prediction.selector(kind)].best(prediction.count);
+        let predicted = self.grid.point(prediction.candidates[best]);
+        let off = actual.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
+        let off = self.residual(coder, (neighborhood, kind), (&prediction, predicted), off);
         let point = self.grid.moved(predicted, off);
-        self.learn(point, &forecast, kind);
-        let target_sign = hood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
+        self.learn(point, &prediction, kind);
+        let target_sign = neighborhood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
         values.push(&point);
         if let Some(is_same) = &mut self.is_same_sign {
-            let is_same = is_same.code(coder, meant.is_none_or(|m| m[2] == target_sign));
+            let is_same = is_same.code(coder, actual.is_none_or(|m| m[2] == target_sign));
             values.push(&[if is_same { target_sign } else { -target_sign }]);
         }
     }
 
-    /// All predictions of the next vertex.
-    fn forecast(
+    /// Returns all predictions of the next vertex.
+    fn prediction(
         &self,
         values: &LayerValues,
-        (hood, geometric): (&LayerHood<'_>, [i64; 3]),
+        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
         kind: usize,
-    ) -> Forecast {
-        let (mut forecast, outlook) = Forecast::of(self.grid, values, (hood, geometric));
+    ) -> Prediction {
+        let (mut prediction, estimates) = Prediction::of(self.grid, values, (neighborhood, geometric));
         if kind > 0 && kind != BASE_KIND {
-            forecast.add_position(self.grid, values, (hood, &outlook));
+            prediction.add_position(self.grid, values, (neighborhood, &estimates));
         }
-        // Around a vertex of the base little is known, and that is as nothing elsewhere.
+        // Too little is known around vertices of the base mesh to learn a sum.
         if self.history.is_some() && kind != BASE_KIND {
-            forecast.add_sum(kind, &self.sums);
+            prediction.add_sum(kind, &self.sums);
         }
-        forecast
+        prediction
     }
 
-    /// Codes what a prediction was off.
+    /// Codes the difference between the direction and its prediction.
     fn residual<C: Coder>(
         &mut self,
         coder: &mut C,
-        (hood, kind): (&LayerHood<'_>, usize),
-        (forecast, predicted): (&Forecast, [i32; 2]),
+        (neighborhood, kind): (&LayerNeighborhood<'_>, usize),
+        (prediction, predicted): (&Prediction, [i32; 2]),
         off: [i32; 2],
     ) -> [i32; 2] {
         let lately = match &self.history {
-            Some(history) => history.scale_around(hood),
+            Some(history) => history.scale_around(neighborhood),
             None => scale_of(self.recent),
         };
-        let ring = scale_of(1 << (hood.ring.len() / 2).min(16));
-        let scales = [scale_of(forecast.spread), scale_of(forecast.conflict), lately];
+        let ring = scale_of(1 << (neighborhood.ring.len() / 2).min(16));
+        let scales = [scale_of(prediction.spread), scale_of(prediction.conflict), lately];
         let [a, b, c] = scales;
         let others = if self.residuals.looks_at_others() {
-            forecast.main(kind).map(|other| self.grid.difference(self.grid.point(other), predicted))
+            prediction
+                .main_candidates(kind)
+                .map(|other| self.grid.difference(self.grid.point(other), predicted))
         } else {
             [[0; 2]; 3]
         };
@@ -337,33 +358,34 @@ impl DirectionModel {
         let size = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
         self.recent = (7 * self.recent + 8 * size) / 8;
         if let Some(history) = &mut self.history {
-            history.note(size);
+            history.record_residual(size);
         }
         [x, y]
     }
 
-    fn learn(&mut self, point: [i32; 2], forecast: &Forecast, kind: usize) {
-        let contest = forecast.contest(kind);
+    /// Updates the learned sums and selectors.
+    fn learn(&mut self, point: [i32; 2], prediction: &Prediction, kind: usize) {
+        let selector = prediction.selector(kind);
         self.coded_count = self.coded_count.wrapping_add(1);
         let is_early = self.coded_count < LEARNING;
-        if forecast.count > CANDIDATES && (is_early || self.coded_count.is_multiple_of(2)) {
+        if prediction.count > CANDIDATES && (is_early || self.coded_count.is_multiple_of(2)) {
             let unit = unit_of(self.grid) / self.grid.side();
-            let meant = self.grid.direction(point).map(|x| x * unit);
-            // Errors of two steps are as good as none.
-            self.sums[contest].learn(&forecast.terms, difference(meant, forecast.first), 2 * unit);
+            let actual = self.grid.direction(point).map(|x| x * unit);
+            // Errors below two grid steps all count alike.
+            self.sums[selector].learn(&prediction.terms, difference(actual, prediction.first), 2 * unit);
         }
         if self.coded_count > LEARNING && !self.coded_count.is_multiple_of(4) {
             return;
         }
         let mut off = [0; MOST_CANDIDATES];
-        for (off, &candidate) in off.iter_mut().zip(&forecast.candidates[..forecast.count]) {
+        for (off, &candidate) in off.iter_mut().zip(&prediction.candidates[..prediction.count]) {
             let [x, y] = self.grid.difference(point, self.grid.point(candidate));
             *off = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
         }
-        self.contests[contest].learn(off);
+        self.selectors[selector].learn(off);
     }
 
-    /// Forgets what is known of all but the first vertices.
+    /// Removes the history of all but the first vertices.
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
         if let Some(history) = &mut self.history {
             history.truncate(vertex_count);
@@ -377,27 +399,27 @@ mod tests {
     use crate::layers::ring_fit::RingFit;
 
     #[test]
-    fn on_a_sphere_mirrored_neighbors_are_exact() {
+    fn mirrored_neighbors_are_exact_on_a_sphere() {
         let grid = Octahedron::new(12);
         let place = |d: [f64; 3]| -> [i32; 3] { d.map(|x| (x * 2000.0) as i32) };
         let unit = |x: f64, y: f64| {
             let length = (x * x + y * y + 1.0).sqrt();
             [x / length, y / length, 1.0 / length]
         };
-        // A ring that is all on one side.
+        // A ring whose vertices are all on one side.
         let ring = [unit(0.4, 0.1), unit(0.5, 0.4), unit(0.1, 0.5), unit(0.3, 0.3)];
         let here = unit(0.1, 0.0);
         let point = |d: [f64; 3]| grid.point(d.map(|x| (x * 1e6) as i64));
         let values = LayerValues::from_integers(ring.iter().flat_map(|&d| point(d)).collect(), 2);
         let mut fit = RingFit::default();
         fit.measure(place(here), &ring.map(place), true);
-        let hood = LayerHood::new(Some(0), &[0, 1, 2, 3], &fit);
-        let outlook = Outlook::of(grid, &values, (&hood, fit.normal));
+        let neighborhood = LayerNeighborhood::new(Some(0), &[0, 1, 2, 3], &fit);
+        let estimates = Estimates::of(grid, &values, (&neighborhood, fit.normal));
         let off = |d: [i64; 3]| {
             let difference = grid.difference(point(here), grid.point(d));
             difference[0].abs().max(difference[1].abs())
         };
-        assert!(off(outlook.mirrored) < 5 && off(outlook.near) < 5, "{}", off(outlook.mirrored));
-        assert!(off(outlook.mean) > 200);
+        assert!(off(estimates.mirrored) < 5 && off(estimates.near) < 5, "{}", off(estimates.mirrored));
+        assert!(off(estimates.mean) > 200);
     }
 }

@@ -1,9 +1,10 @@
-//! Directions on the unfolded octahedron, in integers: prediction, and differences across its folds.
+//! Directions on the unfolded octahedron, in integers: conversion, and differences across its folds.
 //!
-//! The grid is that of [`octahedral`](striata::mesh::octahedral). A point of the square is a direction whose absolute
-//! coordinates sum to the half side; sums of such directions, brought back to the grid, serve as means. Where a
-//! prediction lies in the lower half, both it and what is coded are seen from below, so that the seam of the square is
-//! always far from where differences are small.
+//! The grid is the one of [`octahedral`](striata::mesh::octahedral). A point of the square represents a
+//! direction whose absolute coordinates sum to the half side. Sums of such directions, projected back to
+//! the grid, serve as means. If a prediction lies in the lower half, both it and the coded point are
+//! flipped to the upper half, so that the seams of the square are always far from the points between
+//! which differences are small.
 
 /// A grid of directions.
 #[derive(Clone, Copy, Debug)]
@@ -13,42 +14,45 @@ pub(crate) struct Octahedron {
 }
 
 impl Octahedron {
-    /// The grid of so many bits.
+    /// Creates the grid with this number of bits per coordinate.
     pub(crate) fn new(bits: u32) -> Self {
         Self { side: (1 << (bits - 1)) - 1 }
     }
 
-    /// Largest coordinate on the square.
+    /// Returns the largest coordinate on the square.
     pub(crate) fn side(self) -> i64 {
         i64::from(self.side)
     }
 
+    /// Mirrors a point between the upper half of the octahedron (the inner diamond) and the lower half.
     fn fold(self, [x, y]: [i32; 2]) -> [i32; 2] {
         let sign = |v: i32| if v < 0 { -1 } else { 1 };
         [(self.side - y.abs()) * sign(x), (self.side - x.abs()) * sign(y)]
     }
 
+    /// Whether a point lies in the lower half.
     fn is_below(self, [x, y]: [i32; 2]) -> bool {
         x.abs() + y.abs() > self.side
     }
 
-    /// The direction of a point of the square: its absolute coordinates sum to the side.
+    /// Returns the direction of a point of the square. Its absolute coordinates sum to the side.
     pub(crate) fn direction(self, point: [i32; 2]) -> [i64; 3] {
         let z = self.side - point[0].abs() - point[1].abs();
         let [x, y] = if z < 0 { self.fold(point) } else { point };
         [i64::from(x), i64::from(y), i64::from(z)]
     }
 
-    /// The point nearest to a direction of any length, in coordinates; the top for none.
+    /// Returns the grid point nearest to a direction of any length; the top for a zero vector.
     pub(crate) fn point(self, direction: [i64; 3]) -> [i32; 2] {
         let [x, y, z] = scaled(direction, self.side());
-        // Rounding must not lead into the other half.
+        // Rounding must not cross into the other half.
         let (x, y) = (x as i32, y as i32);
         let y = y.clamp(x.abs() - self.side, self.side - x.abs());
         if z < 0 || (z == 0 && direction[2] < 0) { self.fold([x, y]) } else { [x, y] }
     }
 
-    /// What leads from a prediction to a point: small where they are near each other as directions.
+    /// Returns the difference between a point and its prediction, which is small if they represent
+    /// similar directions.
     pub(crate) fn difference(self, point: [i32; 2], predicted: [i32; 2]) -> [i32; 2] {
         let (point, predicted) = if self.is_below(predicted) {
             (self.fold(point), self.fold(predicted))
@@ -58,7 +62,7 @@ impl Octahedron {
         [0, 1].map(|a| self.wrap(point[a] - predicted[a]))
     }
 
-    /// The point that a difference leads to.
+    /// Applies a difference to a prediction.
     pub(crate) fn moved(self, predicted: [i32; 2], difference: [i32; 2]) -> [i32; 2] {
         let is_below = self.is_below(predicted);
         let from = if is_below { self.fold(predicted) } else { predicted };
@@ -66,12 +70,14 @@ impl Octahedron {
         if is_below { self.fold(to) } else { to }
     }
 
+    /// Wraps a difference around to the range of -side to side.
     fn wrap(self, x: i32) -> i32 {
         (i64::from(x) + self.side()).rem_euclid(2 * self.side() + 1) as i32 - self.side
     }
 }
 
-/// A direction scaled so that its absolute coordinates sum to `length` or nearly; zeros stay zeros.
+/// Scales a direction so that its absolute coordinates sum approximately to `length`. A zero vector
+/// remains zero.
 pub(crate) fn scaled(direction: [i64; 3], length: i64) -> [i64; 3] {
     let spare = direction.iter().fold(0u64, |m, x| m.max(x.unsigned_abs())).max(1).ilog2().saturating_sub(40);
     let direction = [direction[0] >> spare, direction[1] >> spare, direction[2] >> spare];
@@ -90,7 +96,7 @@ mod tests {
 
     use super::*;
 
-    /// Points that mean a direction, each direction once.
+    /// One point for each direction of the grid.
     fn points(bits: u32) -> Vec<[i32; 2]> {
         let side = (1 << (bits - 1)) - 1;
         let all = (-side..=side).flat_map(|x: i32| (-side..=side).map(move |y: i32| [x, y]));
@@ -98,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn differences_lead_back() {
+    fn differences_restore_the_point() {
         let grid = Octahedron::new(4);
         for point in points(4) {
             for x in -7..=7 {
@@ -112,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn near_directions_have_small_differences() {
+    fn similar_directions_have_small_differences() {
         let mut random = Random::new(1);
         let grid = Octahedron::new(10);
         for _ in 0..3000 {
@@ -128,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn points_come_back_from_their_directions() {
+    fn points_survive_conversion_to_directions() {
         for bits in [2, 3, 5, 8] {
             let grid = Octahedron::new(bits);
             for point in points(bits) {
@@ -143,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn hostile_numbers_stay_on_the_square() {
+    fn hostile_values_stay_on_the_square() {
         let mut random = Random::new(7);
         for bits in 2..=16 {
             let grid = Octahedron::new(bits);

@@ -1,16 +1,17 @@
-//! What a stream stores of each attribute layer: whole numbers, and how they become the layer's numbers again.
+//! How a stream stores an attribute layer: conversion between the layer's numbers and integers.
 //!
-//! Unit normals become a point of the unfolded octahedron, tangents the same and a sign, other floats points of a
-//! uniform grid, integers stay what they are. Floats that no grid can hold without harm (infinite ones, or all of
-//! them where the caller wants every bit) are stored as the integers that order them. Numbers made of a layer's integers
-//! give the same integers again, so a stream can be written again without further loss.
+//! A unit normal becomes a point on the unfolded octahedron, a tangent such a point and a sign, and other
+//! floats points of a uniform grid. Integers stay as they are. Floats that a grid cannot represent
+//! (infinities, or all floats if the caller requests lossless storage) are mapped to integers in the same
+//! order. Decoded numbers convert to the same integers again, so a stream can be encoded again without
+//! further loss.
 
 use striata::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
 
 use super::options::LayerOptions;
 use crate::format::grid::{Axis, from_ordered, ordered};
 
-/// The type of a layer's numbers.
+/// Data type of a layer's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NumberType {
     F32,
@@ -20,7 +21,7 @@ pub(crate) enum NumberType {
 }
 
 impl NumberType {
-    /// All of them, in the order of their codes.
+    /// All types, in the order of their codes.
     pub(super) const ALL: [Self; 4] = [Self::F32, Self::U8, Self::U16, Self::U32];
 
     fn of(data: &LayerData) -> Self {
@@ -42,37 +43,41 @@ impl NumberType {
     }
 }
 
-/// How the numbers of a vertex become integers.
+/// How the numbers of a vertex are converted to integers.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Transform {
-    /// A unit vector of 3 floats as 2 integers; of 4, the last of them 1 or -1, as 3.
+    /// A unit vector: 3 floats become 2 integers; 4 floats, the last of which is 1 or -1, become 3.
     Octahedral {
-        /// Of each of the first two integers.
+        /// Bits of each of the first two integers.
         bits: u32,
     },
-    /// Each float on a grid of its own.
+    /// Each component is quantized to a uniform grid.
     Uniform {
-        /// One for each component.
+        /// Grid of each component.
         axes: Vec<Axis>,
-        /// Of each integer.
+        /// Bits of each integer.
         bits: u32,
     },
-    /// Integers as they are, floats by their order.
+    /// Integers are kept; floats are mapped to integers in the same order.
     Exact,
 }
 
-/// The form of a layer without its numbers: the header of what a stream says of it.
+/// Description of a layer without its numbers, as stored in the head of a stream.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LayerForm {
+    /// Meaning of the layer.
     pub(crate) semantic: Semantic,
+    /// Number of components per vertex.
     pub(crate) component_count: u8,
     pub(crate) normalized: bool,
+    /// Data type of the numbers.
     pub(crate) number_type: NumberType,
+    /// Conversion between numbers and integers.
     pub(crate) transform: Transform,
 }
 
 impl LayerForm {
-    /// How a layer is stored.
+    /// Chooses how to store a layer.
     pub(crate) fn of(layer: &AttributeLayer, options: &LayerOptions) -> Self {
         let transform = match &layer.data {
             LayerData::F32(numbers) if !options.lossless => {
@@ -89,7 +94,7 @@ impl LayerForm {
         }
     }
 
-    /// Integers that a vertex has.
+    /// Number of integers per vertex.
     pub(crate) fn integer_count(&self) -> usize {
         match self.transform {
             Transform::Octahedral { .. } => self.component_count as usize - 1,
@@ -97,7 +102,7 @@ impl LayerForm {
         }
     }
 
-    /// The integers of all vertices of a layer that has this form.
+    /// Converts all numbers of a layer of this form to integers.
     pub(crate) fn integers(&self, layer: &AttributeLayer) -> Vec<i32> {
         let n = self.component_count as usize;
         match (&self.transform, &layer.data) {
@@ -118,7 +123,7 @@ impl LayerForm {
         }
     }
 
-    /// A layer of this form without vertices.
+    /// Returns a layer of this form without vertices.
     pub(crate) fn empty_layer(&self) -> AttributeLayer {
         AttributeLayer {
             semantic: self.semantic.clone(),
@@ -128,7 +133,8 @@ impl LayerForm {
         }
     }
 
-    /// Appends the numbers of further vertices to a layer of this form; integers that no layer gives become the nearest number.
+    /// Converts integers to numbers and appends them to a layer of this form. Integers that no number
+    /// maps to are replaced by the nearest valid number.
     pub(crate) fn append(&self, integers: &[i32], out: &mut LayerData) {
         match (&self.transform, out) {
             (Transform::Octahedral { bits }, LayerData::F32(out)) => {
@@ -153,8 +159,8 @@ fn clamped_i16(x: i32) -> i16 {
     x.clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16
 }
 
-/// The point of the octahedron for a unit vector, of the two that mean the same on the square's sides the first, and the
-/// sign of a fourth component.
+/// Returns the octahedral coordinates of a unit vector, and the sign of its fourth component. Of the two
+/// equivalent points on the square's border, the first one is chosen.
 fn octahedral_integers(vector: &[f32], bits: u32) -> impl Iterator<Item = i32> + use<> {
     let [x, y] = octahedral::encode([vector[0], vector[1], vector[2]], bits).map(i32::from);
     let side = (1i32 << (bits - 1)) - 1;
@@ -162,6 +168,7 @@ fn octahedral_integers(vector: &[f32], bits: u32) -> impl Iterator<Item = i32> +
     point.into_iter().chain(vector.get(3).map(|&w| if w < 0.0 { -1 } else { 1 }))
 }
 
+/// Chooses the transform of a layer of floats.
 fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerOptions) -> Transform {
     if numbers.iter().any(|x| !x.is_finite()) {
         return Transform::Exact;
@@ -172,7 +179,7 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
         _ => false,
     };
     let bits = options.bits_of(semantic);
-    if is_direction && numbers.chunks_exact(n).all(|v| is_unit([v[0], v[1], v[2]]) || is_none(v)) {
+    if is_direction && numbers.chunks_exact(n).all(|v| is_unit([v[0], v[1], v[2]]) || has_no_direction(v)) {
         return Transform::Octahedral { bits };
     }
     let mut ranges = vec![(f32::INFINITY, f32::NEG_INFINITY); n];
@@ -184,8 +191,8 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
     if numbers.is_empty() {
         ranges.fill((0.0, 0.0));
     }
-    // Components that are measured in one unit get one step; of others nothing is known.
-    if !has_one_unit(semantic) {
+    // Components with a common unit get a common step; other components are independent.
+    if !has_common_unit(semantic) {
         let one_by_one = ranges.iter().map(|&range| Axis::over(&[range], 0.0, bits));
         let (axes, bits): (Vec<_>, Vec<_>) = one_by_one.map(|(axes, bits)| (axes[0], bits)).unzip();
         return Transform::Uniform { axes, bits: bits.into_iter().max().unwrap_or(1) };
@@ -194,18 +201,19 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
     Transform::Uniform { axes, bits }
 }
 
-/// True where a vector is of length 1 as nearly as anyone writes it.
+/// Whether a vector has unit length within the usual rounding.
 fn is_unit(v: [f32; 3]) -> bool {
     let squared: f64 = v.iter().map(|&x| f64::from(x) * f64::from(x)).sum();
     (squared - 1.0).abs() < 0.01
 }
 
-/// True where a vector is too short to have a direction: normals of triangles without area.
-fn is_none(v: &[f32]) -> bool {
+/// Whether a vector is too short to have a direction, such as the normal of a degenerate triangle.
+fn has_no_direction(v: &[f32]) -> bool {
     v[..3].iter().all(|x| x.abs() < 1e-6)
 }
 
-fn has_one_unit(semantic: &Semantic) -> bool {
+/// Whether all components are measured in the same unit.
+fn has_common_unit(semantic: &Semantic) -> bool {
     !matches!(semantic, Semantic::Tangent | Semantic::Generic(_))
 }
 
@@ -290,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn integers_come_back_from_their_numbers() {
+    fn integers_survive_conversion_to_numbers() {
         for layer in layers() {
             for options in [
                 LayerOptions::default(),
@@ -311,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_get_the_form_that_fits_them() {
+    fn layers_get_a_suitable_form() {
         use Transform::*;
         let options = LayerOptions::default();
         let forms: Vec<_> = layers().iter().map(|layer| LayerForm::of(layer, &options)).collect();
@@ -327,7 +335,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_off_by_half_a_step_at_most() {
+    fn quantization_errors_are_at_most_half_a_step() {
         for layer in layers() {
             let form = LayerForm::of(&layer, &LayerOptions::default());
             let again = decoded(&form, &form.integers(&layer));
@@ -347,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn forms_are_read_as_written_and_truncations_refused() {
+    fn reads_written_forms_and_rejects_truncated_ones() {
         for layer in layers() {
             let form = LayerForm::of(&layer, &LayerOptions::default());
             let mut bytes = Vec::new();
@@ -362,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_forms_are_refused_or_harmless() {
+    fn damaged_forms_are_rejected_or_harmless() {
         let mut random = Random::new(2);
         for layer in layers() {
             let form = LayerForm::of(&layer, &LayerOptions::default());
@@ -390,7 +398,7 @@ mod tests {
     }
 
     #[test]
-    fn bits_beyond_the_limits_are_refused() {
+    fn rejects_bits_beyond_the_limits() {
         assert_eq!(LayerOptions::default().check(), Ok(()));
         for bad in [
             LayerOptions::default().with_normal_bits(1),

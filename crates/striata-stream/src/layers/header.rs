@@ -1,4 +1,4 @@
-//! The header of a layer: five bytes, two numbers, a name, and the axes of a grid.
+//! Binary layout of a layer's form: six bytes, two numbers, a name, and the axes of a grid.
 
 use striata::file::{SemanticCode, semantic_code, semantic_of};
 
@@ -8,7 +8,7 @@ use crate::format::error::DecodeError;
 use crate::format::grid::{Axis, MAX_BITS};
 
 impl LayerForm {
-    /// Appends the form's bytes.
+    /// Appends the bytes of the form.
     pub(crate) fn write(&self, out: &mut Vec<u8>) {
         let SemanticCode { kind, set, name } = semantic_code(&self.semantic);
         let number_type = NumberType::ALL.iter().position(|&t| t == self.number_type).unwrap_or(0) as u8;
@@ -36,10 +36,10 @@ impl LayerForm {
         }
     }
 
-    /// Takes a form off the bytes.
+    /// Reads a form.
     ///
     /// # Errors
-    /// [`DecodeError`] where they end too early or mean nothing.
+    /// [`DecodeError`] if the bytes end too early or are invalid.
     pub(crate) fn read(reader: &mut ByteReader<'_>) -> Result<Self, DecodeError> {
         let [code, number_type, component_count, normalized] =
             [reader.u8()?, reader.u8()?, reader.u8()?, reader.u8()?];
@@ -47,13 +47,15 @@ impl LayerForm {
         let set = reader.u32()?;
         let name = reader.text()?;
         let Some(semantic) = semantic_of(code, set, &name) else {
-            return Err(reader.malformed("unknown meaning of a layer"));
+            return Err(reader.malformed("unknown semantic of a layer"));
         };
         if component_count == 0 || normalized > 1 {
-            return Err(reader.malformed("a layer has 1 to 255 components, normalized or not"));
+            return Err(
+                reader.malformed("a layer must have 1 to 255 components and a normalized flag of 0 or 1")
+            );
         }
         let Some(&number_type) = NumberType::ALL.get(number_type as usize) else {
-            return Err(reader.malformed("unknown type of numbers"));
+            return Err(reader.malformed("unknown number type of a layer"));
         };
         let is_float = number_type == NumberType::F32;
         let bits = u32::from(bits);
@@ -66,15 +68,16 @@ impl LayerForm {
                 let axes = (0..component_count).map(|_| read_axis(reader)).collect::<Result<_, _>>()?;
                 Transform::Uniform { axes, bits }
             }
-            _ => return Err(reader.malformed("unknown way to store a layer")),
+            _ => return Err(reader.malformed("unknown or invalid transform of a layer")),
         };
         Ok(Self { semantic, component_count, normalized: normalized == 1, number_type, transform })
     }
 }
 
+/// Reads the origin and step of an axis.
 fn read_axis(reader: &mut ByteReader<'_>) -> Result<Axis, DecodeError> {
     let origin = reader.f32()?;
     let step = [u64::from(reader.u32()?), u64::from(reader.u32()?)];
     let axis = Axis { origin, step: f64::from_bits(step[0] | step[1] << 32) };
-    axis.check().map_err(|_| reader.malformed("a grid of a layer has no sound origin or step"))
+    axis.check().map_err(|_| reader.malformed("the grid of a layer has an invalid origin or step"))
 }

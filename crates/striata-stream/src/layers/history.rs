@@ -1,52 +1,56 @@
-//! What is known of earlier vertices besides their values: which copied others, and how far the rest was from predictions.
+//! History of a layer: which vertices copied others, and how well the others could be predicted.
 //!
-//! Flat parts, hard edges and seams repeat values exactly: vertices of one position that differ in texture coordinates
-//! often share a normal, and so do all corners of a flat part. Whether a vertex copies another one is asked first, in the
-//! context of how many vertices around it did. If none did, the answer costs next to nothing.
+//! Flat parts, hard edges and seams repeat values exactly: vertices of one position that differ in
+//! texture coordinates often share a normal, and so do all vertices of a flat part. The model first codes
+//! whether a vertex copies another one, in the context of how many surrounding vertices did. If none did,
+//! this flag costs almost nothing.
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::layers::hood::{KINDS, LayerHood, LayerValues};
+use crate::layers::layer_neighborhood::{KINDS, LayerNeighborhood, LayerValues};
 use crate::layers::residuals::{SCALES, scale_of};
 
-/// Vertices around that are looked at.
+/// Maximum number of surrounding vertices that are examined.
 const MOST_AROUND: usize = 8;
-/// Distinct values that can be copied.
+/// Maximum number of distinct values that can be copied.
 const MOST_SOURCES: usize = 6;
-/// Vertices of the same position whose values can be copied.
+/// Maximum number of vertices of the same position whose values can be copied.
 const MOST_SIBLINGS: u32 = 3;
 
-/// Classes of how many of the vertices around are copies.
+/// Number of classes for the share of surrounding vertices that are copies.
 const SHARES: usize = 5;
-/// Ways in which the vertex before it at the same position resembles a vertex.
+/// Number of classes for how the previous vertex of the position resembles the next one.
 const RESEMBLANCES: usize = 4;
-/// Kinds of vertices that are copied.
+/// Number of kinds of vertices that are copied.
 const SOURCES: usize = 6;
-/// Classes of how many distinct values are around: not counted, one, two, more.
+/// Number of classes for how many distinct values there are: not counted, one, two, more.
 const VARIETIES: usize = 4;
 
-/// The kind of a vertex of the ring; those above it are had by several.
+/// Kind of a ring vertex. The next kinds are values that two, or more, ring vertices share.
 const RING: usize = 2;
 
 /// A value that can be copied.
 #[derive(Clone, Copy, Debug)]
 struct CopySource {
     vertex: u32,
-    /// Who has it, below [`SOURCES`].
+    /// Kind of vertex that has this value, below [`SOURCES`].
     kind: usize,
 }
 
-/// The history of one layer.
+/// History of one layer.
 #[derive(Clone, Debug)]
 pub(crate) struct LayerHistory {
-    /// For each vertex 0 if it is a copy, or one more than the scale of what its prediction was off.
+    /// For each vertex, 0 if it is a copy, otherwise 1 plus the scale of its residual.
     sizes: Vec<u8>,
+    /// Whether a vertex is a copy.
     is_copy: Vec<AdaptiveBit>,
+    /// Whether a copied value is this source, by its kind and whether it is the first one.
     is_source: [AdaptiveBit; 2 * SOURCES],
+    /// Values that the current vertex can copy.
     sources: Vec<CopySource>,
 }
 
 impl LayerHistory {
-    /// No vertices.
+    /// Creates the history of an empty layer.
     pub(crate) fn new() -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
@@ -57,57 +61,59 @@ impl LayerHistory {
         }
     }
 
-    /// Codes whether the next vertex is a copy, and of which vertex.
-    pub(crate) fn copied<C: Coder>(
+    /// Codes whether the next vertex is a copy; if so, returns the vertex that it copies.
+    pub(crate) fn code_copy<C: Coder>(
         &mut self,
         coder: &mut C,
         values: &LayerValues,
-        hood: &LayerHood<'_>,
-        meant: Option<&[i32]>,
+        neighborhood: &LayerNeighborhood<'_>,
+        actual: Option<&[i32]>,
     ) -> Option<u32> {
-        let share = self.share(hood);
-        // Counting pays where copies are common.
+        let share = self.share(neighborhood);
+        // Counting is only worthwhile if copies are common.
         let counts = share > 1;
         if counts || !C::READS {
-            self.find_sources(values, hood);
+            self.find_sources(values, neighborhood);
         }
-        let is_meant = |source: &CopySource| meant.is_some_and(|m| m == values.of(source.vertex));
-        let place = if C::READS { None } else { self.sources.iter().position(is_meant) };
+        let is_equal = |source: &CopySource| actual.is_some_and(|m| m == values.of(source.vertex));
+        let index = if C::READS { None } else { self.sources.iter().position(is_equal) };
         let variety = if counts { self.variety() } else { 0 };
-        let context = (hood.kind() * SHARES + share) * RESEMBLANCES + resemblance(values, hood);
+        let context =
+            (neighborhood.kind() * SHARES + share) * RESEMBLANCES + resemblance(values, neighborhood);
         let context = context * VARIETIES + variety;
-        if !self.is_copy[context].code(coder, place.is_some()) {
+        if !self.is_copy[context].code(coder, index.is_some()) {
             return None;
         }
         if C::READS && !counts {
-            self.find_sources(values, hood);
+            self.find_sources(values, neighborhood);
         }
         let (last, others) = self.sources.split_last()?;
         for (at, source) in others.iter().enumerate() {
             let bit = &mut self.is_source[2 * source.kind + usize::from(at > 0)];
-            if bit.code(coder, place == Some(at)) {
+            if bit.code(coder, index == Some(at)) {
                 return Some(source.vertex);
             }
         }
         Some(last.vertex)
     }
 
-    /// The distinct values around: those of the same position, latest first, then those of the ring and of the target.
-    fn find_sources(&mut self, values: &LayerValues, hood: &LayerHood<'_>) {
+    /// Collects the distinct values around the next vertex: first those of the same position, latest
+    /// first, then those of the ring and of the target.
+    fn find_sources(&mut self, values: &LayerValues, neighborhood: &LayerNeighborhood<'_>) {
         self.sources.clear();
         let next = values.vertex_count() as u32;
-        for back in 1..=hood.sibling_count.min(MOST_SIBLINGS) {
+        for back in 1..=neighborhood.sibling_count.min(MOST_SIBLINGS) {
             self.add_source(values, next - back, if back == 1 { 0 } else { 1 });
         }
-        for &vertex in hood.ring.iter().take(MOST_AROUND) {
+        for &vertex in neighborhood.ring.iter().take(MOST_AROUND) {
             self.add_source(values, vertex, RING);
         }
-        if let Some(target) = hood.target {
+        if let Some(target) = neighborhood.target {
             self.add_source(values, target, SOURCES - 1);
         }
     }
 
-    /// Adds a value, or notes that a vertex of the ring has it as well.
+    /// Adds a value, or records that another ring vertex has it as well.
     fn add_source(&mut self, values: &LayerValues, vertex: u32, kind: usize) {
         let value = values.of(vertex);
         let is_full = self.sources.len() == MOST_SOURCES;
@@ -119,14 +125,14 @@ impl LayerHistory {
         }
     }
 
-    /// How many distinct values the ring and the target have.
+    /// Returns the class of how many distinct values the ring and the target have.
     fn variety(&self) -> usize {
         self.sources.iter().filter(|source| source.kind >= RING).count().min(VARIETIES - 1)
     }
 
-    /// Which share of the vertices around are copies.
-    fn share(&self, hood: &LayerHood<'_>) -> usize {
-        let around = hood.target.iter().chain(hood.ring.iter().take(MOST_AROUND));
+    /// Returns the class of the share of surrounding vertices that are copies.
+    fn share(&self, neighborhood: &LayerNeighborhood<'_>) -> usize {
+        let around = neighborhood.target.iter().chain(neighborhood.ring.iter().take(MOST_AROUND));
         let (mut count, mut copies) = (0, 0);
         for &vertex in around {
             count += 1;
@@ -139,9 +145,10 @@ impl LayerHistory {
         }
     }
 
-    /// The mean scale of what predictions of the vertices around were off; the largest if there are none.
-    pub(crate) fn scale_around(&self, hood: &LayerHood<'_>) -> usize {
-        let around = hood.target.iter().chain(hood.ring.iter().take(MOST_AROUND));
+    /// Returns the mean residual scale of the surrounding vertices, or the largest scale if there are
+    /// none.
+    pub(crate) fn scale_around(&self, neighborhood: &LayerNeighborhood<'_>) -> usize {
+        let around = neighborhood.target.iter().chain(neighborhood.ring.iter().take(MOST_AROUND));
         let (mut count, mut sum) = (0usize, 0);
         for &vertex in around {
             count += 1;
@@ -150,25 +157,26 @@ impl LayerHistory {
         usize::checked_div(sum, count).map_or(SCALES - 1, |mean| mean.min(SCALES - 1))
     }
 
-    /// The next vertex is a copy.
-    pub(crate) fn note_copy(&mut self) {
+    /// Records that the next vertex is a copy.
+    pub(crate) fn record_copy(&mut self) {
         self.sizes.push(0);
     }
 
-    /// The prediction of the next vertex was off by this.
-    pub(crate) fn note(&mut self, off: u64) {
+    /// Records the residual of the next vertex.
+    pub(crate) fn record_residual(&mut self, off: u64) {
         self.sizes.push(1 + scale_of(16 * off) as u8);
     }
 
-    /// Forgets all but the first vertices.
+    /// Removes all but the first vertices.
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
         self.sizes.truncate(vertex_count);
     }
 }
 
-/// How the targets of a vertex and of the one before it at the same position resemble each other: 0 if there is none before.
-fn resemblance(values: &LayerValues, hood: &LayerHood<'_>) -> usize {
-    match (hood.target, hood.sibling_target) {
+/// Classifies how similar the targets of the next vertex and of the previous one of the same position
+/// are; 0 if there is no previous one.
+fn resemblance(values: &LayerValues, neighborhood: &LayerNeighborhood<'_>) -> usize {
+    match (neighborhood.target, neighborhood.sibling_target) {
         (Some(target), Some(other)) if target == other => 1,
         (Some(target), Some(other)) if values.of(target) == values.of(other) => 2,
         (Some(_), Some(_)) => 3,
@@ -182,20 +190,21 @@ mod tests {
     use crate::entropy::{RangeReader, RangeWriter};
     use crate::layers::ring_fit::RingFit;
 
-    /// Vertices in a row; every second has the value of the one before it, or of the one before that.
-    fn code<C: Coder>(coder: &mut C, meant: &[i32]) -> Vec<Option<u32>> {
+    /// Codes a row of vertices. Every second one has the value of the vertex before it, or of the one
+    /// before that.
+    fn code<C: Coder>(coder: &mut C, actual: &[i32]) -> Vec<Option<u32>> {
         let mut history = LayerHistory::new();
         let mut values = LayerValues::new(1);
         let fit = RingFit::default();
         let mut copied = Vec::new();
-        for (vertex, value) in meant.iter().enumerate() {
+        for (vertex, value) in actual.iter().enumerate() {
             let ring: Vec<u32> = (vertex.saturating_sub(2) as u32..vertex as u32).collect();
-            let hood = LayerHood::new(ring.last().copied(), &ring, &fit);
+            let neighborhood = LayerNeighborhood::new(ring.last().copied(), &ring, &fit);
             let known = (!C::READS).then_some(std::slice::from_ref(value));
-            let from = history.copied(coder, &values, &hood, known);
+            let from = history.code_copy(coder, &values, &neighborhood, known);
             match from {
-                Some(_) => history.note_copy(),
-                None => history.note(4),
+                Some(_) => history.record_copy(),
+                None => history.record_residual(4),
             }
             values.push(&[*value]);
             copied.push(from);
@@ -204,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn copies_are_found_again_by_a_reader() {
+    fn a_reader_decodes_the_same_copies() {
         let values: Vec<i32> = (0..900).map(|i| if i % 2 == 1 { i - 1 - (i % 3) % 2 } else { i }).collect();
         let mut writer = RangeWriter::new();
         let written = code(&mut writer, &values);
@@ -222,11 +231,11 @@ mod tests {
     }
 
     #[test]
-    fn where_nothing_repeats_asking_costs_next_to_nothing() {
+    fn copy_flags_cost_almost_nothing_if_nothing_repeats() {
         let values: Vec<i32> = (0..4000).collect();
         let mut writer = RangeWriter::new();
         assert!(code(&mut writer, &values).iter().all(Option::is_none));
         let bytes = writer.finish().0.len();
-        assert!(bytes < 12, "{bytes} bytes for 4000 answers");
+        assert!(bytes < 12, "{bytes} bytes for 4000 flags");
     }
 }

@@ -1,17 +1,17 @@
-//! Attributes: normals, texture coordinates, colors and everything else that vertices have.
+//! Attribute layers: normals, texture coordinates, colors and any other vertex data.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `form.rs` | how the numbers of a layer become integers, and back |
-//! | `options.rs` | how many bits they get |
-//! | `header.rs` | what a stream says of a layer before its numbers |
-//! | `attributes.rs` | all layers of a stream |
-//! | `model.rs` | one layer: which predictions there are, and which fit |
-//! | `history.rs` | how well predictions have fit so far |
-//! | `hood.rs` | what is known around a vertex |
-//! | `ring_fit.rs`, `least_squares.rs` | planes through what is around a vertex |
+//! | `form.rs` | conversion between a layer's numbers and integers |
+//! | `options.rs` | number of bits of each kind of layer |
+//! | `header.rs` | binary layout of a layer's description |
+//! | `attributes.rs` | all layers of a stream, and the neighborhoods they are coded in |
+//! | `model.rs` | the models of all layers |
+//! | `history.rs` | which vertices were copies, and how well others were predicted |
+//! | `layer_neighborhood.rs` | integers of a layer, and the neighborhood of a vertex |
+//! | `ring_fit.rs`, `least_squares.rs` | affine fits and learned sums of predictions |
 //! | `directions.rs`, `direction_model.rs`, `tangents.rs` | normals and tangents |
-//! | `residuals.rs`, `number_model.rs` | what predictions leave |
+//! | `residuals.rs`, `number_model.rs` | numbers, and the residuals of predictions |
 
 pub(crate) mod attributes;
 pub(crate) mod direction_model;
@@ -19,7 +19,7 @@ pub(crate) mod directions;
 pub(crate) mod form;
 mod header;
 pub(crate) mod history;
-pub(crate) mod hood;
+pub(crate) mod layer_neighborhood;
 pub(crate) mod least_squares;
 pub(crate) mod model;
 pub(crate) mod number_model;

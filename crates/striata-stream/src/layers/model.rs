@@ -1,11 +1,12 @@
-//! Codes the integers of attribute layers, vertex by vertex, relative to the vertices around.
+//! Codes the integers of all attribute layers, vertex by vertex, relative to the surrounding vertices.
 //!
-//! For each layer there are a few predictions (the target's value, the ring's mean, its affine fit, for normals the
-//! geometry too), and the one that did best lately is taken. The rest is a number whose context is how far the ring spreads
-//! around the prediction. From version 2 on, exact copies are coded first ([`LayerHistory`](crate::layers::history::LayerHistory)).
-//! Joints are labels: mostly the same as a neighbor's; weights follow the joints that they belong to.
+//! For each layer there are a few predictions (the target's value, the ring's mean, its affine fit, and
+//! for normals also the geometry), and the model uses the one that did best recently. The residual is
+//! coded in the context of how far the ring's values spread around the prediction. From version 2 on,
+//! exact copies are coded first ([`LayerHistory`](crate::layers::history::LayerHistory)). Joints are
+//! labels, which mostly equal a neighbor's; weights follow the joints that they belong to.
 //!
-//! Integers only; all that is looked at is what a reader has.
+//! All arithmetic is on integers and uses only data that a reader has.
 
 use striata::mesh::Semantic;
 
@@ -13,37 +14,39 @@ use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
 use crate::format::form::{Effort, StreamVersion};
 use crate::layers::direction_model::DirectionModel;
 use crate::layers::form::{LayerForm, NumberType, Transform};
-use crate::layers::hood::{LayerHood, LayerValues};
-use crate::layers::number_model::{NumberModel, plain_hints, weight_hints};
+use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
+use crate::layers::number_model::{NumberModel, predict_number, predict_weight};
 use crate::layers::tangents::TangentSources;
 
-/// All layers of a stream.
+/// Models of all layers of a stream.
 #[derive(Clone, Debug)]
 pub(crate) struct LayerModel {
     layers: Vec<OneLayer>,
-    /// The order in which layers are coded, what others are predicted from first; and whose the bits are.
+    /// Layers in coding order, those that others are predicted from first, and the part of the stream to
+    /// which their bits are attributed.
     order: Vec<(usize, Part)>,
 }
 
+/// The model of one layer.
 #[derive(Clone, Debug)]
 enum OneLayer {
-    /// Normals, and other directions of which the geometry tells nothing.
+    /// Normals, and other directions that cannot be derived from the geometry.
     Directions(DirectionModel),
     Tangents(DirectionModel, Option<TangentSources>),
     Numbers(NumberModel),
     Labels(LabelModel),
-    /// Weights of the joints of another layer.
+    /// Weights of the joints in another layer.
     Weights(NumberModel, usize),
 }
 
 impl LayerModel {
-    /// Nothing learned.
-    pub(crate) fn new(forms: &[LayerForm], terms: (Effort, StreamVersion)) -> Self {
+    /// Creates untrained models.
+    pub(crate) fn new(forms: &[LayerForm], parameters: (Effort, StreamVersion)) -> Self {
         let layers: Vec<_> = forms
             .iter()
             .map(|form| match form.transform {
                 Transform::Octahedral { bits } => {
-                    let model = DirectionModel::new(bits, form.integer_count() > 2, terms);
+                    let model = DirectionModel::new(bits, form.integer_count() > 2, parameters);
                     match form.semantic {
                         Semantic::Tangent => OneLayer::Tangents(model, TangentSources::of(forms)),
                         _ => OneLayer::Directions(model),
@@ -51,8 +54,8 @@ impl LayerModel {
                 }
                 _ if is_label(form) => OneLayer::Labels(LabelModel::new(form)),
                 _ => match joints_of(forms, form) {
-                    Some(joints) => OneLayer::Weights(NumberModel::new(form, terms), joints),
-                    None => OneLayer::Numbers(NumberModel::new(form, terms)),
+                    Some(joints) => OneLayer::Weights(NumberModel::new(form, parameters), joints),
+                    None => OneLayer::Numbers(NumberModel::new(form, parameters)),
                 },
             })
             .collect();
@@ -63,44 +66,49 @@ impl LayerModel {
         Self { layers, order }
     }
 
-    /// Codes the integers of the next vertex in all layers; `actual` are all layers of the writer and the vertex there.
+    /// Codes the integers of the next vertex in all layers. A writer passes all its layers and the index
+    /// of the vertex in them.
     ///
-    /// Where the coder overran, the caller truncates what was appended.
+    /// If the coder overruns, the caller must truncate what was appended.
     pub(crate) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         values: &mut [LayerValues],
-        hood: &LayerHood<'_>,
+        neighborhood: &LayerNeighborhood<'_>,
         actual: Option<(&[LayerValues], u32)>,
     ) {
         for &(index, part) in &self.order {
             coder.part(part);
-            let meant = actual.map(|(layers, vertex)| layers[index].of(vertex));
+            let own_actual = actual.map(|(layers, vertex)| layers[index].of(vertex));
             let mut own = std::mem::take(&mut values[index]);
             match &mut self.layers[index] {
-                OneLayer::Directions(model) => model.code(coder, &mut own, (hood, hood.fit.normal), meant),
+                OneLayer::Directions(model) => {
+                    model.code(coder, &mut own, (neighborhood, neighborhood.fit.normal), own_actual)
+                }
                 OneLayer::Tangents(model, sources) => {
                     let vertex = own.vertex_count() as u32;
-                    let tangent = sources.as_ref().map(|sources| sources.tangent(values, hood, vertex));
-                    model.code(coder, &mut own, (hood, tangent.unwrap_or_default()), meant);
+                    let tangent =
+                        sources.as_ref().map(|sources| sources.tangent(values, neighborhood, vertex));
+                    model.code(coder, &mut own, (neighborhood, tangent.unwrap_or_default()), own_actual);
                 }
-                OneLayer::Labels(model) => model.code(coder, &mut own, hood, meant),
+                OneLayer::Labels(model) => model.code(coder, &mut own, neighborhood, own_actual),
                 OneLayer::Numbers(model) => {
-                    model.code(coder, &mut own, (hood, meant), |own, coded| {
-                        plain_hints(own, hood, coded.len())
+                    model.code(coder, &mut own, (neighborhood, own_actual), |own, coded| {
+                        predict_number(own, neighborhood, coded.len())
                     });
                 }
                 OneLayer::Weights(model, joints) => {
                     let joints = &values[*joints];
-                    let hints = |own: &LayerValues, coded: &[i32]| weight_hints(own, joints, hood, coded);
-                    model.code(coder, &mut own, (hood, meant), hints);
+                    let predict =
+                        |own: &LayerValues, coded: &[i32]| predict_weight(own, joints, neighborhood, coded);
+                    model.code(coder, &mut own, (neighborhood, own_actual), predict);
                 }
             }
             values[index] = own;
         }
     }
 
-    /// Forgets what is known of all but the first vertices.
+    /// Removes the history of all but the first vertices.
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
         for layer in &mut self.layers {
             match layer {
@@ -112,6 +120,7 @@ impl LayerModel {
     }
 }
 
+/// Returns the part of the stream to which a layer's bits are attributed.
 fn part_of(form: &LayerForm) -> Part {
     match form.semantic {
         Semantic::Normal => Part::Normals,
@@ -120,13 +129,13 @@ fn part_of(form: &LayerForm) -> Part {
     }
 }
 
-/// True for integers that name something: nothing lies between two of them.
+/// Whether a layer's integers are identifiers, between which no interpolation makes sense.
 fn is_label(form: &LayerForm) -> bool {
     let is_name = matches!(form.semantic, Semantic::Joints(_) | Semantic::Generic(_));
     is_name && form.number_type != NumberType::F32 && !form.normalized
 }
 
-/// The layer with the joints that weights belong to.
+/// Returns the layer with the joints that a layer of weights belongs to.
 fn joints_of(forms: &[LayerForm], form: &LayerForm) -> Option<usize> {
     let Semantic::Weights(set) = form.semantic else { return None };
     let matches =
@@ -134,13 +143,14 @@ fn joints_of(forms: &[LayerForm], form: &LayerForm) -> Option<usize> {
     forms.iter().position(|f| is_label(f) && matches(f))
 }
 
-/// Kinds of labels around a vertex that are asked for.
+/// Maximum number of distinct surrounding labels that are tried.
 const MOST_KNOWN: usize = 32;
 
-/// Integers that name something.
+/// Model of a layer of identifiers.
 #[derive(Clone, Debug)]
 struct LabelModel {
-    /// Whether all is as at a vertex around: the target, then each other kind in the order of the ring.
+    /// Whether all components equal those of a surrounding vertex: first the target, then each other
+    /// distinct value in ring order.
     is_known: [AdaptiveBit; 4],
     numbers: AdaptiveNumber,
     known: Vec<u32>,
@@ -159,11 +169,11 @@ impl LabelModel {
         &mut self,
         coder: &mut C,
         values: &mut LayerValues,
-        hood: &LayerHood<'_>,
-        meant: Option<&[i32]>,
+        neighborhood: &LayerNeighborhood<'_>,
+        actual: Option<&[i32]>,
     ) {
         self.known.clear();
-        for vertex in hood.target.into_iter().chain(hood.ring.iter().copied()) {
+        for vertex in neighborhood.target.into_iter().chain(neighborhood.ring.iter().copied()) {
             if self.known.len() == MOST_KNOWN {
                 break;
             }
@@ -173,14 +183,14 @@ impl LabelModel {
         }
         for (at, &vertex) in self.known.iter().enumerate() {
             let bit = &mut self.is_known[at.min(3)];
-            if bit.code(coder, meant.is_some_and(|m| m == values.of(vertex))) {
+            if bit.code(coder, actual.is_some_and(|m| m == values.of(vertex))) {
                 values.copy(vertex);
                 return;
             }
         }
         for component in 0..values.integer_count() {
-            let near = hood.target.map_or(0, |v| values.of(v)[component]);
-            let off = meant.map_or(0, |m| m[component].wrapping_sub(near));
+            let near = neighborhood.target.map_or(0, |v| values.of(v)[component]);
+            let off = actual.map_or(0, |m| m[component].wrapping_sub(near));
             let value = near.wrapping_add(self.numbers.signed(coder, component, off));
             values.push(&[value]);
         }
@@ -196,14 +206,14 @@ mod tests {
     use crate::layers::options::LayerOptions;
     use crate::layers::ring_fit::RingFit;
 
-    /// A vertex of a made-up refinement: what is around it, and where it is.
+    /// A vertex of a synthetic refinement: its position and neighborhood.
     struct Site {
         target: Option<u32>,
         ring: Vec<u32>,
         place: [i32; 3],
     }
 
-    /// Points of a grid in random order, each with the nearest earlier ones around it.
+    /// Points of a grid in random order, each surrounded by the nearest earlier ones.
     fn sites(side: u32, seed: u64) -> Vec<Site> {
         let mut random = Random::new(seed);
         let mut order: Vec<u32> = (0..side * side).collect();
@@ -235,8 +245,8 @@ mod tests {
         AttributeLayer { semantic, component_count: count, normalized: false, data }
     }
 
-    /// Layers that go evenly over the places.
-    fn even_layers(sites: &[Site]) -> Vec<AttributeLayer> {
+    /// Layers that vary smoothly with the position.
+    fn smooth_layers(sites: &[Site]) -> Vec<AttributeLayer> {
         let of = |f: &dyn Fn(f32, f32) -> Vec<f32>| -> Vec<f32> {
             sites.iter().flat_map(|s| f(s.place[0] as f32 / 1000.0, s.place[1] as f32 / 1000.0)).collect()
         };
@@ -281,8 +291,8 @@ mod tests {
         ]
     }
 
-    /// The same without any order in them.
-    fn wild_layers(count: usize) -> Vec<AttributeLayer> {
+    /// Layers of random numbers.
+    fn random_layers(count: usize) -> Vec<AttributeLayer> {
         let mut random = Random::new(77);
         let mut floats: Vec<f32> = (0..3 * count).map(|_| f32::from_bits(random.next_u64() as u32)).collect();
         floats[0] = f32::NAN;
@@ -315,13 +325,14 @@ mod tests {
         for (vertex, site) in sites.iter().enumerate() {
             let places: Vec<_> = site.ring.iter().map(|&v| sites[v as usize].place).collect();
             fit.measure(site.place, &places, true);
-            let hood = LayerHood::new(site.target, &site.ring, &fit);
-            model.code(coder, &mut values, &hood, actual.map(|layers| (layers, vertex as u32)));
+            let neighborhood = LayerNeighborhood::new(site.target, &site.ring, &fit);
+            model.code(coder, &mut values, &neighborhood, actual.map(|layers| (layers, vertex as u32)));
         }
         values
     }
 
-    /// Bits a vertex of each layer by itself, weights with their joints; what is read must be what was written.
+    /// Bits per vertex of each layer on its own, and of weights together with their joints. Also checks
+    /// that the decoded layers equal the encoded ones.
     fn bits(sites: &[Site], layers: &[AttributeLayer], options: &LayerOptions, effort: Effort) -> Vec<f64> {
         let each: Vec<f64> = (0..layers.len())
             .map(|i| {
@@ -332,13 +343,13 @@ mod tests {
                 }
             })
             .collect();
-        // Together they may only gain.
+        // Coding them together must not cost more.
         let all = bits_together(sites, layers, options, effort);
         assert!(all < each.iter().sum::<f64>() + 0.5, "{all} for {each:?}");
         each
     }
 
-    /// Bits a vertex of all layers; what is read must be what was written.
+    /// Bits per vertex of all layers. Also checks that the decoded layers equal the encoded ones.
     fn bits_together(
         sites: &[Site],
         layers: &[AttributeLayer],
@@ -360,9 +371,9 @@ mod tests {
     }
 
     #[test]
-    fn even_layers_take_few_bits() {
+    fn smooth_layers_take_few_bits() {
         let sites = sites(30, 1);
-        let layers = even_layers(&sites);
+        let layers = smooth_layers(&sites);
         let most = [5.8, 6.0, 10.5, 2.6, 0.3, 5.0, 0.3];
         for effort in [Effort::Fast, Effort::Default, Effort::Small] {
             let found = bits(&sites, &layers, &LayerOptions::default(), effort);
@@ -371,26 +382,26 @@ mod tests {
     }
 
     #[test]
-    fn layers_may_come_in_any_order() {
+    fn order_of_layers_does_not_matter() {
         let sites = sites(20, 4);
-        let mut layers = even_layers(&sites);
+        let mut layers = smooth_layers(&sites);
         let options = LayerOptions::default();
         let before = bits_together(&sites, &layers, &options, Effort::Default);
         layers.reverse();
-        // Weights are before their joints now, tangents before what they are told from.
+        // Weights now precede their joints, and tangents the layers they are predicted from.
         let after = bits_together(&sites, &layers, &options, Effort::Default);
         assert!((before - after).abs() < 0.05, "{before} became {after}");
     }
 
     #[test]
-    fn layers_without_order_come_back_too() {
+    fn random_layers_are_decoded_exactly() {
         let sites = sites(16, 2);
         let options = LayerOptions::default();
         for effort in [Effort::Fast, Effort::Small] {
-            let found = bits(&sites, &wild_layers(sites.len()), &options, effort);
+            let found = bits(&sites, &random_layers(sites.len()), &options, effort);
             let least = [17.0, 88.0, 60.0, 60.0, 30.0];
             assert!(found.iter().zip(least).all(|(found, least)| *found < 1.2 * least + 8.0), "{found:?}");
-            let even = even_layers(&sites);
+            let even = smooth_layers(&sites);
             bits(&sites, &even, &options.clone().with_lossless(true), effort);
             bits(&sites, &even, &options.clone().with_normal_bits(16).with_texcoord_bits(24), effort);
             bits(&sites, &even, &options.clone().with_normal_bits(2).with_texcoord_bits(1), effort);
@@ -398,11 +409,11 @@ mod tests {
     }
 
     #[test]
-    fn any_bytes_give_integers_within_their_form() {
+    fn random_bytes_give_valid_integers() {
         let sites = sites(10, 3);
         let mut random = Random::new(5);
-        let mut layers = even_layers(&sites);
-        layers.extend(wild_layers(sites.len()));
+        let mut layers = smooth_layers(&sites);
+        layers.extend(random_layers(sites.len()));
         let forms: Vec<_> =
             layers.iter().map(|layer| LayerForm::of(layer, &LayerOptions::default())).collect();
         for length in [0, 1, 10, 100, 1000, 5000] {
@@ -418,7 +429,7 @@ mod tests {
     }
 
     #[test]
-    fn vertices_that_are_not_whole_can_be_forgotten() {
+    fn truncation_removes_incomplete_vertices() {
         let mut values = LayerValues::from_integers((0..12).collect(), 3);
         values.truncate(2);
         assert_eq!((values.vertex_count(), values.of(1)), (2, &[3, 4, 5][..]));

@@ -1,24 +1,24 @@
-//! How many bits attributes get.
+//! Number of bits for each kind of attribute.
 
 use striata::mesh::Semantic;
 
 use crate::format::grid::MAX_BITS;
 
-/// How many bits attributes get.
+/// Number of bits that each kind of attribute is quantized to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LayerOptions {
-    /// For each of the two numbers that a unit normal or tangent becomes, 2 to 16; 10 by default.
+    /// Bits for each of the two coordinates that encode a unit normal or tangent, 2 to 16; 10 by default.
     pub normal_bits: u32,
-    /// For texture coordinates, 1 to 24, over their range; 12 by default.
+    /// Bits for texture coordinates over their range, 1 to 24; 12 by default.
     pub texcoord_bits: u32,
-    /// For colors given as floats, 1 to 24; 8 by default.
+    /// Bits for colors that are stored as floats, 1 to 24; 8 by default.
     pub color_bits: u32,
-    /// For weights of joints given as floats, 1 to 24; 10 by default.
+    /// Bits for joint weights that are stored as floats, 1 to 24; 10 by default.
     pub weight_bits: u32,
-    /// For morph targets and everything else that is floats, 1 to 24; 12 by default.
+    /// Bits for morph targets and all other float layers, 1 to 24; 12 by default.
     pub generic_bits: u32,
-    /// Keep every bit of all layers; false by default.
+    /// Whether to keep every bit of all layers; false by default.
     pub lossless: bool,
 }
 
@@ -36,46 +36,46 @@ impl Default for LayerOptions {
 }
 
 impl LayerOptions {
-    /// Other bits for normals and tangents.
+    /// Sets [`Self::normal_bits`].
     pub fn with_normal_bits(mut self, bits: u32) -> Self {
         self.normal_bits = bits;
         self
     }
 
-    /// Other bits for texture coordinates.
+    /// Sets [`Self::texcoord_bits`].
     pub fn with_texcoord_bits(mut self, bits: u32) -> Self {
         self.texcoord_bits = bits;
         self
     }
 
-    /// Other bits for colors.
+    /// Sets [`Self::color_bits`].
     pub fn with_color_bits(mut self, bits: u32) -> Self {
         self.color_bits = bits;
         self
     }
 
-    /// Other bits for weights.
+    /// Sets [`Self::weight_bits`].
     pub fn with_weight_bits(mut self, bits: u32) -> Self {
         self.weight_bits = bits;
         self
     }
 
-    /// Other bits for everything else.
+    /// Sets [`Self::generic_bits`].
     pub fn with_generic_bits(mut self, bits: u32) -> Self {
         self.generic_bits = bits;
         self
     }
 
-    /// Whether every bit is kept.
+    /// Sets [`Self::lossless`].
     pub fn with_lossless(mut self, lossless: bool) -> Self {
         self.lossless = lossless;
         self
     }
 
-    /// Checks that all bits are within their limits.
+    /// Checks that every number of bits is within its limits.
     ///
     /// # Errors
-    /// [`LayerBitsError`] naming the first that is not.
+    /// [`LayerBitsError`] describing the first one that is not.
     pub fn check(&self) -> Result<(), LayerBitsError> {
         let check = |what, bits, least, most| {
             if (least..=most).contains(&bits) {
@@ -91,7 +91,7 @@ impl LayerOptions {
         check("other layers", self.generic_bits, 1, MAX_BITS)
     }
 
-    /// The bits of the numbers of a layer.
+    /// Returns the number of bits for a layer with this semantic.
     pub(super) fn bits_of(&self, semantic: &Semantic) -> u32 {
         match semantic {
             Semantic::Normal | Semantic::Tangent => self.normal_bits,
@@ -103,16 +103,16 @@ impl LayerOptions {
     }
 }
 
-/// A number of bits that a kind of layer cannot have.
+/// The requested number of bits is not allowed for this kind of layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{bits} bits asked for {what}, but it must be {least} to {most}")]
+#[error("{what} cannot have {bits} bits: the number must be {least} to {most}")]
 pub struct LayerBitsError {
-    /// The kind of layer.
+    /// Kind of layer, in words.
     pub what: &'static str,
-    /// Bits asked for.
+    /// Requested number of bits.
     pub bits: u32,
-    /// Fewest that it can have.
+    /// Smallest number of bits allowed.
     pub least: u32,
-    /// Most that it can have.
+    /// Largest number of bits allowed.
     pub most: u32,
 }

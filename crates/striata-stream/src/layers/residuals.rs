@@ -1,48 +1,50 @@
-//! What predictions were off, under what is expected of them; and which of several predictions to trust.
+//! Coding of prediction residuals, and selection of the best of several predictors.
 
 use crate::entropy::MixedNumber;
 use crate::entropy::{AdaptiveNumber, Coder, Rate, log2_q8};
 use crate::format::form::{Effort, StreamVersion};
-use crate::layers::hood::KINDS;
+use crate::layers::layer_neighborhood::KINDS;
 
-/// Buckets of half octaves for what is expected.
+/// Number of half-octave buckets for expected sizes.
 pub(crate) const SCALES: usize = 36;
 
-/// The bucket of an expected size in 1/16.
+/// Returns the bucket of an expected size, given in 1/16.
 pub(crate) fn scale_of(sixteenths: u64) -> usize {
     let bounded = sixteenths.min(u64::from(u32::MAX)) as u32;
     (log2_q8(bounded) / 128).clamp(0, SCALES as i32 - 1) as usize
 }
 
-/// Buckets of one and a half octaves for two sizes together.
+/// Number of buckets for a pair of sizes, of one and a half octaves each.
 const PAIRS: usize = SCALES.div_ceil(3) * SCALES.div_ceil(3);
 
-/// Buckets of half octaves on either side of zero, up to 2^11.
-const SIDE: usize = 23;
-const TURNS: usize = 1 + 2 * SIDE;
+/// Number of half-octave buckets for each sign, up to 2^11.
+const BUCKETS_PER_SIGN: usize = 23;
+const SIGNED_BUCKETS: usize = 1 + 2 * BUCKETS_PER_SIGN;
 
-/// What is expected of a residual.
+/// The context of a residual.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Expected {
-    /// How far the values around spread, predictions conflict, predictions were off around, and anything else.
+    /// Scales of the spread of surrounding values, of the conflict between predictions, of the
+    /// surrounding residuals, and of one more quantity.
     pub(crate) scales: [usize; 4],
-    /// Where other predictions are, as seen from the one that was taken.
+    /// Differences of other predictions from the one in use.
     pub(crate) others: [i64; 3],
 }
 
-/// Codes what predictions were off.
+/// Codes the residuals of predictions.
 #[derive(Clone, Debug)]
 pub(crate) enum Residuals {
-    /// Under one context for each scale.
+    /// Uses one context, the average scale.
     Quick(AdaptiveNumber),
-    /// Under the four scales.
+    /// Mixes contexts of the four scales.
     Mixed(MixedNumber<4>),
-    /// Under scales and where other predictions are: what was off often leads to one of them.
+    /// Mixes contexts of the scales and of the other predictions, since the actual value is often close
+    /// to one of them.
     Directed(MixedNumber<6>),
 }
 
 impl Residuals {
-    /// Nothing learned; version 1 does not tell kinds of vertices apart.
+    /// Creates an untrained model. Version 1 does not distinguish kinds of vertices.
     pub(crate) fn new((effort, version): (Effort, StreamVersion), component_count: usize) -> Self {
         let sets = if version == StreamVersion::One { component_count } else { KINDS * component_count };
         let count = sets * SCALES;
@@ -50,18 +52,18 @@ impl Residuals {
             (Effort::Fast, _) => Self::Quick(AdaptiveNumber::new(count, Rate::Steady)),
             (_, StreamVersion::One) => Self::Mixed(MixedNumber::new([count; 4], 1)),
             _ => {
-                let [turns, pairs] = [TURNS, PAIRS].map(|each| sets * each);
-                Self::Directed(MixedNumber::new([count, turns, turns, turns, pairs, count], sets))
+                let [signed, pairs] = [SIGNED_BUCKETS, PAIRS].map(|each| sets * each);
+                Self::Directed(MixedNumber::new([count, signed, signed, signed, pairs, count], sets))
             }
         }
     }
 
-    /// True if it matters where other predictions are.
+    /// Whether the differences of other predictions are used.
     pub(crate) fn looks_at_others(&self) -> bool {
         matches!(self, Self::Directed(_))
     }
 
-    /// Codes what a prediction was off; `set` is a component of a kind of vertex.
+    /// Codes a residual. `set` identifies the component and, from version 2 on, the kind of vertex.
     pub(crate) fn signed<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -77,7 +79,7 @@ impl Residuals {
             Self::Mixed(numbers) => numbers.signed(coder, (scales.map(|scale| set * SCALES + scale), 0), off),
             Self::Directed(numbers) => {
                 let [spread, conflict, around, last] = scales;
-                let [a, b, c] = others.map(|other| set * TURNS + turn_of(other));
+                let [a, b, c] = others.map(|other| set * SIGNED_BUCKETS + signed_bucket(other));
                 let pair = set * PAIRS + around / 3 * SCALES.div_ceil(3) + conflict / 3;
                 let [spread, last] = [spread, last].map(|scale| set * SCALES + scale);
                 numbers.signed(coder, ([spread, a, b, c, pair, last], set), off)
@@ -86,36 +88,37 @@ impl Residuals {
     }
 }
 
-/// The bucket of a number of either sign.
-fn turn_of(number: i64) -> usize {
-    let size = scale_of(number.unsigned_abs()).min(SIDE - 1);
+/// Returns the bucket of a signed number.
+fn signed_bucket(number: i64) -> usize {
+    let size = scale_of(number.unsigned_abs()).min(BUCKETS_PER_SIGN - 1);
     match number.signum() {
         0 => 0,
         1 => 1 + size,
-        _ => 1 + SIDE + size,
+        _ => 1 + BUCKETS_PER_SIGN + size,
     }
 }
 
-/// Which of several predictions did best lately.
+/// Selects the predictor that did best recently.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Contest<const N: usize> {
-    /// Fading sums of the logarithms of what each was off.
+pub(crate) struct PredictorSelector<const N: usize> {
+    /// Decaying sums of the logarithms of each predictor's errors.
     losses: [i32; N],
-    /// How fast: by one part in 2 to this each time.
+    /// Decay rate: each update reduces the sums by one part in 2 to this power.
     fade: u32,
 }
 
-impl<const N: usize> Contest<N> {
-    /// Nothing learned; version 1 forgets faster.
+impl<const N: usize> PredictorSelector<N> {
+    /// Creates an untrained selector. Version 1 forgets faster.
     pub(crate) fn new(version: StreamVersion) -> Self {
         Self { losses: [0; N], fade: if version == StreamVersion::One { 5 } else { 6 } }
     }
 
-    /// The best of the first `count`.
+    /// Returns the best of the first `count` predictors.
     pub(crate) fn best(&self, count: usize) -> usize {
         (0..count).min_by_key(|&i| self.losses[i]).unwrap_or(0)
     }
 
+    /// Updates the sums with the error of each predictor.
     pub(crate) fn learn(&mut self, off: [u64; N]) {
         for (loss, off) in self.losses.iter_mut().zip(off) {
             let bits = log2_q8(off.saturating_add(1).min(u64::from(u32::MAX)) as u32) << 8;
@@ -136,13 +139,13 @@ mod tests {
     }
 
     #[test]
-    fn the_better_prediction_wins_and_loses_again() {
-        let mut contest = Contest::<3>::new(StreamVersion::One);
-        (0..50).for_each(|_| contest.learn([9, 2, 7]));
-        assert_eq!(contest.best(3), 1);
-        (0..100).for_each(|_| contest.learn([9, 20, 7]));
-        assert_eq!(contest.best(3), 2);
-        (0..500).for_each(|_| contest.learn([0, u64::MAX, u64::MAX]));
-        assert_eq!(contest.best(3), 0);
+    fn selects_the_recently_better_prediction() {
+        let mut selector = PredictorSelector::<3>::new(StreamVersion::One);
+        (0..50).for_each(|_| selector.learn([9, 2, 7]));
+        assert_eq!(selector.best(3), 1);
+        (0..100).for_each(|_| selector.learn([9, 20, 7]));
+        assert_eq!(selector.best(3), 2);
+        (0..500).for_each(|_| selector.learn([0, u64::MAX, u64::MAX]));
+        assert_eq!(selector.best(3), 0);
     }
 }

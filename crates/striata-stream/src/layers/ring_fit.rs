@@ -1,38 +1,39 @@
-//! What the places around a new vertex tell of its attributes: weights of an affine fit, and the normal of its triangles.
+//! Affine fit to the ring of a vertex, and the normal of its triangles.
 //!
-//! Attributes such as texture coordinates change evenly over a surface, so that the value at a place is a weighted sum of the
-//! values around it: the plane of least squares through the ring, evaluated at the new vertex. Its weights depend on
-//! places alone and serve all layers. Integers throughout; the fit leans to the mean where the ring does not
-//! determine it.
+//! Attributes such as texture coordinates vary smoothly over a surface, so the value at a position is
+//! approximately a weighted sum of the surrounding values: a least-squares plane through the ring,
+//! evaluated at the new vertex. The weights depend only on positions and are the same for all layers. All
+//! arithmetic is on integers. If the ring does not determine the fit, it tends to the mean.
 
-/// Bits below the point of a weight.
+/// Fraction bits of a weight.
 pub(crate) const WEIGHT_BITS: u32 = 16;
 
-/// Bits that differences within a ring are brought down to, so that products of six of them fit.
+/// Bits to which differences within a ring are reduced, so that products of six of them fit.
 const DIFFERENCE_BITS: u32 = 7;
 
-/// Bits that the distances from the center are brought down to, so that products of theirs fit.
+/// Bits to which distances from the center are reduced, so that their products fit.
 const ARM_BITS: u32 = 12;
 
-/// Ring vertices that take part in a fit.
+/// Maximum number of ring vertices for a fit.
 const MOST: usize = 24;
 
-/// What the places of a ring say about its center.
+/// Affine fit to a ring of positions around a center.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct RingFit {
-    /// For each ring vertex, in 1/65536; all of them sum to about one.
+    /// Weight of each ring vertex, in 1/65536; they sum to approximately one.
     pub(crate) weights: Vec<i32>,
-    /// The sum of the normals of the triangles between the center and the ring, by area; zeros where there are none.
+    /// Area-weighted sum of the normals of the triangles between center and ring; zero if there are none.
     pub(crate) normal: [i64; 3],
-    /// From the center to each ring vertex; all are halved until they fit 12 bits.
+    /// Vector from the center to each ring vertex; all are halved until they fit in 12 bits.
     pub(crate) arms: Vec<[i64; 3]>,
-    /// True where the last and the first vertex of the ring share a triangle.
+    /// Whether the last and the first vertex of the ring share a triangle.
     pub(crate) is_closed: bool,
     differences: Vec<[i64; 3]>,
 }
 
 impl RingFit {
-    /// Fits a ring of places around a center; `is_closed` where its last and first vertex share a triangle.
+    /// Fits a ring of positions around a center. `is_closed` states whether its last and first vertex
+    /// share a triangle.
     pub(crate) fn measure(&mut self, center: [i32; 3], ring: &[[i32; 3]], is_closed: bool) {
         let arm =
             |p: &[i32; 3]| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(center[a])) };
@@ -55,13 +56,13 @@ impl RingFit {
         };
         self.weights.extend(self.differences.iter().map(|d| {
             let share = (0..3).map(|a| d[a] * slope[a].clamp(-1 << 50, 1 << 50)).sum::<i64>();
-            // Nothing sound is farther out than this.
+            // Larger weights are never useful.
             (even + (share >> shift)).clamp(-4 << WEIGHT_BITS, 4 << WEIGHT_BITS) as i32
         }));
     }
 
-    /// What a difference from the ring's mean has to be multiplied with to give its share of the weight, and the bits
-    /// to shift the sum by.
+    /// Returns the vector whose product with a vertex's difference from the ring's mean is the vertex's
+    /// share of the weight, and the number of bits to shift the product right by.
     fn slope(&mut self, center: [i32; 3], ring: &[[i32; 3]]) -> Option<([i64; 3], u32)> {
         let n = ring.len() as i64;
         let sum: [i64; 3] = std::array::from_fn(|a| ring.iter().map(|p| i64::from(p[a])).sum());
@@ -75,7 +76,7 @@ impl RingFit {
         let limit = 2 << DIFFERENCE_BITS;
         let to_center = rounded(from_mean(center)).map(|x| x.clamp(-limit, limit));
         let (solved, determinant) = solve(&self.differences, to_center)?;
-        // The quotient with 16 bits more than a weight has, from a divisor of at most 30 bits.
+        // The quotient has 16 bits more than a weight, and the divisor at most 30 bits.
         let spare = (determinant.ilog2() + 1).saturating_sub(30);
         let divisor = (determinant >> spare).max(1);
         let limit = 1 << 36;
@@ -83,7 +84,8 @@ impl RingFit {
     }
 }
 
-/// The product of the adjugate of the ring's scatter and a vector, and the scatter's determinant.
+/// Returns the product of the adjugate of the ring's scatter matrix with a vector, and the matrix's
+/// determinant.
 fn solve(differences: &[[i64; 3]], v: [i64; 3]) -> Option<([i64; 3], i64)> {
     let mut s = [[0i64; 3]; 3];
     for d in differences {
@@ -91,7 +93,7 @@ fn solve(differences: &[[i64; 3]], v: [i64; 3]) -> Option<([i64; 3], i64)> {
             row.iter_mut().zip(d).for_each(|(entry, y)| *entry += x * y);
         }
     }
-    // A flat ring says nothing of the direction across it.
+    // A flat ring does not determine the slope perpendicular to it.
     let ridge = (s[0][0] + s[1][1] + s[2][2]) / 128 + 1;
     (0..3).for_each(|a| s[a][a] += ridge);
     let minor = |a: usize, b: usize| {
@@ -105,6 +107,7 @@ fn solve(differences: &[[i64; 3]], v: [i64; 3]) -> Option<([i64; 3], i64)> {
     (determinant > 0).then(|| ([dot(x), dot(y), dot(z)], determinant))
 }
 
+/// Sums the normals of the triangles between the center and the ring.
 fn normal(arms: &[[i64; 3]], is_closed: bool) -> [i64; 3] {
     let mut sum = [0i64; 3];
     let mut add = |p: [i64; 3], q: [i64; 3]| {
@@ -133,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn affine_values_are_found_within_the_ring() {
+    fn predicts_affine_values_within_the_ring() {
         let mut random = Random::new(8);
         for scale in [20, 1000, 1 << 20] {
             for count in 4..9 {
@@ -160,13 +163,13 @@ mod tests {
         let fit = fitted([0, 0, 3], &ring);
         assert!(fit.weights.iter().all(|w| (w - 16384).abs() < 20), "{:?}", fit.weights);
         assert_eq!(fit.normal, [0, 0, 400]);
-        // Moving the center moves the weights with it.
+        // Moving the center changes the weights accordingly.
         let fit = fitted([5, 0, 0], &ring);
         assert!(fit.weights[0] > 28000 && fit.weights[2] < 5000, "{:?}", fit.weights);
     }
 
     #[test]
-    fn no_ring_is_too_odd() {
+    fn any_ring_gives_a_fit() {
         let mut random = Random::new(3);
         for count in 0..40 {
             for _ in 0..50 {

@@ -1,63 +1,67 @@
-//! Predictions for a whole stretch before any of its places is read.
+//! Predictions for the positions of a whole stretch of vertices before any of them is coded.
 //!
-//! What is around a new vertex is almost all older than the stretch: no two vertices of a batch are neighbors, so its ring is,
-//! and of the vertices beyond the ring those are taken that lie there before the stretch's splits are done. So all looking around
-//! and all arithmetic of many vertices is done in one go, without waiting for a decision in between, and the decisions
-//! then follow each other without waiting for memory.
+//! Almost everything around a new vertex is older than the stretch. Vertices of one batch are never
+//! neighbors, so the whole ring is older; beyond the ring, we use the vertices that lie there before the
+//! splits of the stretch are applied. All lookups and arithmetic for many vertices can therefore be done
+//! in one go, without waiting for decisions in between, and the decisions can then be decoded without
+//! waiting for memory.
 
 use wide::i32x4;
 
 use super::local::LANES;
-use super::sight::INVERSES;
+use super::position_density::INVERSES;
 
-/// Three grid coordinates, and whether they are known: all zeros if not, which is so of virtual vertices.
-pub(crate) type Spot = [i32; 4];
+/// Three grid coordinates and a flag of 1, or all zeros for unknown and virtual vertices.
+pub(crate) type KnownCoords = [i32; 4];
 
-/// What is around a new vertex: its ring from the vertex that split on, and what lies across each edge from there
-/// to the next ring vertex.
+/// The surroundings of a new vertex: its ring, starting at the vertex that split, and the vertex across
+/// the edge from each ring vertex to the next one.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Surroundings {
     /// Length of both lists.
     pub(crate) count: usize,
-    pub(crate) ring: [Spot; LANES],
-    pub(crate) across: [Spot; LANES],
+    /// Ring vertices.
+    pub(crate) ring: [KnownCoords; LANES],
+    /// Vertices across the ring edges.
+    pub(crate) across: [KnownCoords; LANES],
 }
 
-/// Three predictions of a place: the mean of parallelograms across ring edges, the vertex that split, and the middle of its
-/// neighbors in the ring.
+/// Number of points that a prediction blends: the mean of parallelograms across ring edges, the vertex
+/// that split, and the midpoint of its neighbors in the ring.
 pub(super) const POINTS: usize = 3;
 
-/// What is foretold of a new vertex. Local units are such that the ring's radius has eleven bits.
+/// Everything needed to predict a new vertex. Local units are chosen so that the ring's radius has eleven
+/// bits.
 #[derive(Clone, Debug)]
-pub(super) struct Outlook {
-    /// The vertex that split: all is counted from it.
+pub(super) struct Prediction {
+    /// The vertex that split; other coordinates are relative to it.
     base: [i32; 3],
-    /// The middle of the ring, in 1/16 grid steps.
+    /// Center of the ring, in 1/16 grid steps.
     middle: [i32; 3],
-    /// Local units are 1/16 grid steps shifted up and then down by this.
+    /// Local units are 1/16 grid steps, shifted left by `up` and then right by `down`.
     up: u32,
     down: u32,
-    /// A class of the ring's radius: two for each doubling.
+    /// Size class of the ring's radius, two for each doubling.
     pub(super) size: usize,
-    /// The radius, in local units.
+    /// Radius of the ring, in local units.
     pub(super) radius: i32,
-    /// Length of the ring.
+    /// Number of ring vertices.
     pub(super) count: usize,
-    /// Axes from the most tangential to the most normal, and how the surface rises along the last one over the others, in
-    /// 1/4096.
+    /// Axes from the most tangential to the most normal, and how the surface rises along the last one
+    /// over each of the others, in 1/4096.
     pub(super) axes: [usize; 3],
     pub(super) slopes: [i32; 2],
-    /// By axis, how far from the middle of the ring points lie, in local units.
+    /// For each axis, the distances of the blended points from the center of the ring, in local units.
     pub(super) features: [[i32; POINTS]; 3],
 }
 
-/// Local coordinates stay within this.
+/// Limit of local coordinates.
 const REACH: i32 = 4095;
-/// Radii, in 1/16 grid steps, are below 2 to this.
+/// Radii, in 1/16 grid steps, have at most this many bits.
 const RADIUS_BITS: u32 = 28;
 
-impl Outlook {
-    /// Looks ahead from what is around a vertex.
+impl Prediction {
+    /// Computes the prediction data from a vertex's surroundings.
     #[inline]
     pub(super) fn new(around: &Surroundings) -> Self {
         let n = around.count.min(LANES);
@@ -65,52 +69,54 @@ impl Outlook {
         let rings = around.ring[..n].iter().fold(i32x4::ZERO, |sum, &spot| sum + i32x4::new(spot));
         let middle = mean(rings, base).map(i32x4::new).unwrap_or_default();
         let off = |sum: Option<[i32; 4]>| sum.map_or(i32x4::ZERO, |mean| i32x4::new(mean) - middle);
-        let of_one = |spot: Spot| off(mean(i32x4::new(spot), base));
+        let of_one = |spot: KnownCoords| off(mean(i32x4::new(spot), base));
         let quarter = (n / 4).max(1);
         let [d, e] = [[0, n / 2], [quarter, (quarter + n / 2) % n.max(1)]]
             .map(|[i, j]| of_one(around.ring[i]) - of_one(around.ring[j]));
         let reach = (d.abs() >> 2u32) + (e.abs() >> 2u32);
         let [x, y, z, _] = reach.to_array();
-        // Ways along axes are longer than straight ones by a half.
+        // Manhattan distances exceed Euclidean ones by about half.
         let radius = ((x + y + z).clamp(12, 1 << (RADIUS_BITS - 1)) as u32 / 3) * 2;
         let scale = 10 - radius.ilog2() as i32;
         let (up, down) = (scale.max(0) as u32, (-scale).max(0) as u32);
         let radius = ((radius << up) >> down) as i32;
-        let beside = i32x4::new(around.ring[1]) + i32x4::new(around.ring[n.max(1) - 1]);
-        let points = [off(mean(parallelograms(around, n, rings), base)), -middle, off(mean(beside, base))];
+        let adjacent = i32x4::new(around.ring[1]) + i32x4::new(around.ring[n.max(1) - 1]);
+        let points = [off(mean(parallelograms(around, n, rings), base)), -middle, off(mean(adjacent, base))];
         let limit = i32x4::splat((REACH << down) >> up);
-        let localise = |x: i32x4| ((x.max(-limit).min(limit) << up) >> down).to_array();
-        let points = points.map(localise);
-        let (axes, slopes) = face(localise(d), localise(e));
+        let to_local = |x: i32x4| ((x.max(-limit).min(limit) << up) >> down).to_array();
+        let points = points.map(to_local);
+        let (axes, slopes) = axes_and_slopes(to_local(d), to_local(e));
         let [base, middle] = [base, middle].map(|x| x.to_array()).map(|[x, y, z, _]| [x, y, z]);
         let size = (2 * (20 + scale) + (radius >> 9 & 1)).clamp(0, 63) as usize;
         let features = [0, 1, 2].map(|a| points.map(|point| point[a]));
         Self { base, middle, up, down, size, radius, count: n, axes, slopes, features }
     }
 
-    /// The grid coordinate nearest to one that lies so far from the middle, in local units.
+    /// Returns the grid coordinate nearest to a distance from the center, given in local units.
     #[inline]
     pub(super) fn to_grid(&self, local: i32, axis: usize) -> i32 {
         let off = (local << self.down) >> self.up;
         self.base[axis].wrapping_add((self.middle[axis] + off + 8) >> 4)
     }
 
-    /// How far a grid coordinate lies from the middle, in local units.
+    /// Returns a grid coordinate's distance from the center, in local units.
     #[inline]
-    pub(super) fn off_middle(&self, coordinate: i32, axis: usize) -> i32 {
+    pub(super) fn distance_from_center(&self, coordinate: i32, axis: usize) -> i32 {
         let off = coordinate.wrapping_sub(self.base[axis]).clamp(-1 << 26, 1 << 26);
         let limit = (REACH << self.down) >> self.up;
         (((off << 4) - self.middle[axis]).clamp(-limit, limit) << self.up) >> self.down
     }
 
-    /// How many of the lowest bits of what is left along an axis, by its rank, tell nothing: where rings are wide.
+    /// Number of lowest bits of the residual that are noise, by the rank of the axis; not 0 only if rings
+    /// are wide.
     #[inline]
     pub(super) fn noise(&self, slot: usize) -> u32 {
         (self.down + 1).saturating_sub(self.up + slot as u32 / 2)
     }
 }
 
-/// The sum of what is opposite across each ring edge, mirrored at its middle.
+/// Sums the parallelogram predictions: the opposite vertices, mirrored at the midpoints of their ring
+/// edges.
 fn parallelograms(around: &Surroundings, n: usize, rings: i32x4) -> i32x4 {
     let across = around.across[..n].iter().fold(i32x4::ZERO, |sum, &spot| sum + i32x4::new(spot));
     if rings.to_array()[3] + across.to_array()[3] == 2 * n as i32 {
@@ -127,7 +133,7 @@ fn parallelograms(around: &Surroundings, n: usize, rings: i32x4) -> i32x4 {
     sum
 }
 
-/// The mean of as many points as a sum has, as steps of 1/16 from the base.
+/// Divides a sum of points by their number. The result is relative to `base`, in 1/16 grid steps.
 #[inline]
 fn mean(sum: i32x4, base: i32x4) -> Option<[i32; 4]> {
     let [x, y, z, count] = sum.to_array();
@@ -137,11 +143,12 @@ fn mean(sum: i32x4, base: i32x4) -> Option<[i32; 4]> {
     (count > 0).then(|| [part(x, a), part(y, b), part(z, c), 0])
 }
 
-/// The axes from the most tangential to the most normal, and slopes, from two diagonals of the ring.
-fn face(d: [i32; 4], e: [i32; 4]) -> ([usize; 3], [i32; 2]) {
+/// Returns the axes from the most tangential to the most normal, and the slopes, from two diagonals of
+/// the ring.
+fn axes_and_slopes(d: [i32; 4], e: [i32; 4]) -> ([usize; 3], [i32; 2]) {
     let normal = [[1, 2], [2, 0], [0, 1]].map(|[a, b]| d[a] * e[b] - d[b] * e[a]);
     let steep = normal.map(i32::unsigned_abs);
-    // The order of three, without branches that nobody can foretell.
+    // Sorts three values without unpredictable branches.
     let [xy, xz, yz] = [steep[0] > steep[1], steep[0] > steep[2], steep[1] > steep[2]].map(usize::from);
     let mut axes = [0; 3];
     for (axis, rank) in [xy + xz, 1 - xy + yz, 2 - xz - yz].into_iter().enumerate() {
@@ -156,7 +163,7 @@ fn face(d: [i32; 4], e: [i32; 4]) -> ([usize; 3], [i32; 2]) {
 mod tests {
     use super::*;
 
-    /// A hexagon around the vertex that is looked for, at (1000, 2000, 300), and what lies across its edges.
+    /// A hexagon around a vertex at (1000, 2000, 300), and the vertices across its edges.
     fn hexagon() -> Surroundings {
         let mut around = Surroundings { count: 6, ..Surroundings::default() };
         let corners = [[200, 0], [100, 173], [-100, 173], [-200, 0], [-100, -173], [100, -173]];
@@ -170,45 +177,45 @@ mod tests {
     }
 
     #[test]
-    fn all_points_of_a_regular_ring_agree() {
-        let outlook = Outlook::new(&hexagon());
-        let place = [0, 1, 2].map(|a| outlook.to_grid(0, a));
-        assert_eq!(place, [1000, 2000, 300]);
-        assert_eq!((outlook.axes[2], outlook.slopes), (2, [0, 0]));
-        assert!((1024..2048).contains(&outlook.radius), "{}", outlook.radius);
-        for feature in outlook.features {
-            assert!(feature[0].abs() < 12, "{:?}", outlook.features);
+    fn all_predictions_of_a_regular_ring_agree() {
+        let prediction = Prediction::new(&hexagon());
+        let coords = [0, 1, 2].map(|a| prediction.to_grid(0, a));
+        assert_eq!(coords, [1000, 2000, 300]);
+        assert_eq!((prediction.axes[2], prediction.slopes), (2, [0, 0]));
+        assert!((1024..2048).contains(&prediction.radius), "{}", prediction.radius);
+        for feature in prediction.features {
+            assert!(feature[0].abs() < 12, "{:?}", prediction.features);
         }
-        // The vertex that split lies a radius away.
-        assert!((900..2048).contains(&outlook.features[0][1]), "{:?}", outlook.features);
+        // The vertex that split is one radius away.
+        assert!((900..2048).contains(&prediction.features[0][1]), "{:?}", prediction.features);
     }
 
     #[test]
-    fn what_is_not_known_does_not_count() {
-        let whole = Outlook::new(&hexagon());
+    fn unknown_points_are_ignored() {
+        let whole = Prediction::new(&hexagon());
         let mut around = hexagon();
         around.across[2] = [0; 4];
-        assert!(Outlook::new(&around).features[0][0].abs() < 12);
+        assert!(Prediction::new(&around).features[0][0].abs() < 12);
         around.ring[3] = [0; 4];
-        let part = Outlook::new(&around);
-        // The middle of five moves away from the one that is missing, by a fifth of the radius.
+        let part = Prediction::new(&around);
+        // The center of the remaining five moves away from the missing one by a fifth of the radius.
         assert_eq!(whole.to_grid(0, 0) + 40, part.to_grid(0, 0));
     }
 
     #[test]
-    fn places_are_the_same_in_local_units() {
+    fn coordinates_survive_conversion_to_local_units() {
         for factor in [1, 7, 1000, 40_000] {
             let mut around = hexagon();
-            let scaled = |spot: Spot| [spot[0] * factor, spot[1] * factor, spot[2] * factor, spot[3]];
+            let scaled = |spot: KnownCoords| [spot[0] * factor, spot[1] * factor, spot[2] * factor, spot[3]];
             around.ring = around.ring.map(scaled);
             around.across = around.across.map(scaled);
-            let outlook = Outlook::new(&around);
-            assert_eq!(outlook.axes[2], 2);
+            let prediction = Prediction::new(&around);
+            assert_eq!(prediction.axes[2], 2);
             for off in [-150, -3, 0, 40, 199] {
-                let place = (1000 + off) * factor;
-                let found = outlook.to_grid(outlook.off_middle(place, 0), 0);
-                // Local units are coarser than the grid where rings are wide.
-                assert!((found - place).abs() <= factor / 4 + 1, "{found} for {place}");
+                let coords = (1000 + off) * factor;
+                let found = prediction.to_grid(prediction.distance_from_center(coords, 0), 0);
+                // If rings are wide, local units are coarser than the grid.
+                assert!((found - coords).abs() <= factor / 4 + 1, "{found} for {coords}");
             }
         }
     }

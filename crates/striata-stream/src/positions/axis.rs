@@ -1,49 +1,51 @@
-//! What an axis of a new vertex is coded with.
+//! Input of the models that code one coordinate of a new vertex.
 
 use super::bumps::{Bumps, Width, below};
-use super::local::Local;
+use super::local::LocalRing;
 use crate::entropy::Coder;
 
-/// Kinds of sizes.
+/// Number of size classes.
 pub(super) const SIZES: usize = 64;
-/// Kinds of circumstances.
-pub(super) const PLACES: usize = 16;
-/// Kinds of distances.
+/// Number of context classes.
+pub(super) const CONTEXTS: usize = 16;
+/// Number of distance classes.
 pub(super) const DISTANCES: usize = 32;
-/// Kinds of disagreement.
+/// Number of spread classes.
 pub(super) const SPREADS: usize = 32;
 
-/// What an axis is coded with.
+/// Everything that a coordinate's model may use.
 pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
-    /// The surroundings.
-    pub(super) local: &'a Local,
-    /// Which axis.
+    /// The surroundings of the vertex.
+    pub(super) local: &'a LocalRing,
+    /// Index of the axis.
     pub(super) axis: usize,
-    /// The density of each kind of guess.
+    /// Density of each kind of guess.
     pub(super) bumps: &'a [Bumps],
-    /// How far bumps reach.
+    /// Widths of the bumps.
     pub(super) widths: [Width; WIDTHS],
-    /// The grid coordinate that is expected.
+    /// The expected grid coordinate.
     pub(super) center: i32,
-    /// True where counters see the axis from its other end: the vertex that split, or the outside, is upwards for them.
+    /// Whether adaptive counters see the axis reversed. They always see the vertex that split, or on the
+    /// last axis the outside, in the upward direction.
     pub(super) is_mirrored: bool,
-    /// True for the axis along the normal, where little is left open.
+    /// Whether this is the axis along the normal, on which little uncertainty remains.
     pub(super) is_last: bool,
-    /// Which size the surroundings have, below [`SIZES`].
+    /// Size class of the surroundings, below [`SIZES`].
     pub(super) size: usize,
-    /// What they are like, below [`PLACES`].
-    pub(super) place: usize,
-    /// How far the vertex that split is from what is expected, below [`DISTANCES`].
+    /// Class of valence and recent errors, below [`CONTEXTS`].
+    pub(super) context: usize,
+    /// Class of the distance between the vertex that split and the expected position, below
+    /// [`DISTANCES`].
     pub(super) distance: usize,
-    /// How much the guesses disagree, below [`SPREADS`].
+    /// Class of how much the guesses disagree, below [`SPREADS`].
     pub(super) spread: usize,
 }
 
-/// How much each density comes to, by kind and width.
+/// Mass of each density, by kind of guess and width.
 pub(super) type Masses<const KINDS: usize, const WIDTHS: usize> = [[i32; WIDTHS]; KINDS];
 
 impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
-    /// How much each density comes to.
+    /// Returns the total mass of each density.
     #[inline]
     pub(super) fn all(&self) -> Masses<KINDS, WIDTHS> {
         let weigh =
@@ -55,7 +57,7 @@ impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
         }
     }
 
-    /// How much of each density lies below a coordinate `off` from the center.
+    /// Returns the mass of each density below a coordinate, given relative to the center.
     #[inline]
     pub(super) fn below(&self, off: i32) -> Masses<KINDS, WIDTHS> {
         let x = self.local.border(self.center.wrapping_add(off), self.axis);
@@ -71,9 +73,9 @@ impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
     }
 }
 
-/// What codes a coordinate from what is known of it.
+/// A model that codes one coordinate.
 pub(super) trait AxisCoder<const DENSITIES: usize, const WIDTHS: usize> {
-    /// Nothing learned.
+    /// Creates an untrained model.
     fn new(is_thorough: bool) -> Self;
 
     /// Codes a grid coordinate.

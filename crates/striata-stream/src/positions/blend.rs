@@ -1,33 +1,33 @@
-//! A weighted sum of what might tell a coordinate, its weights learned from what came.
+//! A weighted sum of features that predicts a coordinate. Its weights adapt to the actual coordinates.
 
-/// How much of an error the weights take in, in 1/65536.
+/// Learning rate, in 1/65536.
 const RATE: i64 = 2000;
-/// What is added to the squares of the features.
-const CALM: i64 = 40_000;
+/// Added to the squared length of the features, so that small features do not cause large steps.
+const DAMPING: i64 = 40_000;
 
-/// Weights of features.
+/// Weights of the features.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Blend<const N: usize> {
     weights: [i32; N],
 }
 
 impl<const N: usize> Blend<N> {
-    /// These weights at first, in 1/65536.
+    /// Creates a blend with initial weights, in 1/65536.
     pub(super) fn new(weights: [i32; N]) -> Self {
         Self { weights }
     }
 
-    /// Where the features point to; they are distances from the middle of the ring.
+    /// Returns the prediction. Features and prediction are distances from the center of the ring.
     #[inline]
     pub(super) fn predict(&self, features: &[i32; N]) -> i32 {
         let sum: i64 = self.weights.iter().zip(features).map(|(&w, &x)| i64::from(w) * i64::from(x)).sum();
         (sum >> 16) as i32
     }
 
-    /// Learns how far off the prediction was: normalized least mean squares.
+    /// Adapts the weights to the error of a prediction, by normalized least mean squares.
     #[inline]
     pub(super) fn learn(&mut self, features: &[i32; N], error: i32) {
-        let power = features.iter().map(|&x| i64::from(x) * i64::from(x)).sum::<i64>() + CALM;
+        let power = features.iter().map(|&x| i64::from(x) * i64::from(x)).sum::<i64>() + DAMPING;
         let pull = (i64::from(error) * (RATE << 12)) / power;
         for (weight, &x) in self.weights.iter_mut().zip(features) {
             let step = (i64::from(x) * pull) >> 12;
@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_blend_finds_the_weights_of_what_it_sees() {
+    fn a_blend_learns_the_weights_of_its_features() {
         let mut random = Random::new(1);
         let mut blend = Blend::new([0; 3]);
         let mut last = 0;

@@ -1,4 +1,4 @@
-//! Densities along an axis, as sums of bumps in 16-bit lanes.
+//! Densities along an axis, as sums of triangular bumps in 16-bit lanes.
 
 use wide::{i16x8, i32x4};
 
@@ -7,36 +7,37 @@ use super::local::LANES;
 /// Bumps along one axis.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Bumps {
-    /// Middles, in local units.
+    /// Centers, in local units.
     pub(super) at: [i16; LANES],
     /// Weights, up to 2^14.
     pub(super) weight: [i16; LANES],
 }
 
-/// How far bumps reach to either side.
+/// Extent of bumps to either side of their center.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Width {
     width: i16x8,
-    /// What makes 2^14 of it.
+    /// Left shift that scales the width to 2^14.
     lift: u32,
 }
 
 impl Width {
-    /// 2 to `log` in local units, 2^14 at most.
+    /// Creates a width of 2 to the power of `log` in local units; `log` is at most 14.
     pub(super) fn new(log: u32) -> Self {
         Self { width: i16x8::splat(1 << log), lift: 14 - log }
     }
 
-    /// How much of a bump lies below what is so far above its middle, in 1/8192 of it.
+    /// Returns the part of a bump that lies below a point, in 1/8192. `off` is the distance of the point
+    /// above the bump's center.
     #[inline]
     pub(super) fn below(self, off: i16x8) -> i16x8 {
-        // With one as 2^14: of a triangle over -1..1, 1/2 + t (2 - |t|) / 2 lies below t.
+        // If 1 is 2^14: of a triangle over -1..1, the part 1/2 + t (2 - |t|) / 2 lies below t.
         let t = off.max(-self.width).min(self.width) << self.lift;
         t.mul_keep_high(i16x8::splat(i16::MAX) - t.abs()) + i16x8::splat(4096)
     }
 }
 
-/// How much of a density lies below `x`, in 1/8192 of weights, with bumps of each of these widths.
+/// Returns the mass of a density below `x` for bumps of each width, in 1/8192 of their weights.
 #[inline]
 pub(super) fn below<const N: usize>(density: &[Bumps], x: i16, widths: &[Width; N]) -> [i32; N] {
     let mut masses = [0; N];
@@ -56,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn mass_grows_from_nothing_to_all() {
+    fn mass_grows_from_zero_to_the_total() {
         let bumps = Bumps { at: [-900, 0, 0, 5, 900, 0, 0, 0], weight: [100, 3000, 0, 7, 2000, 0, 0, 0] };
         for width in 0..=13 {
             let width = [Width::new(width)];

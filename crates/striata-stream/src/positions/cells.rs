@@ -1,37 +1,38 @@
-//! One coordinate as one of sixteen cells, and what is left within it.
+//! Codes one coordinate as one of sixteen cells and the offset within the cell.
 //!
-//! Around the expected place lie fourteen cells, narrow in the middle and wider outside, and two more hold all the rest. What
-//! speaks for a cell adds up, as logarithms: how much of the density of guesses lies there, and for each of four
-//! circumstances a weight for each cell. After each coordinate all of these move along the gradient of what it cost. So an
-//! axis takes one decision among sixteen where halving takes four or five.
+//! Fourteen cells surround the expected value, narrow in the middle and wider outside; two more contain
+//! everything else. The score of a cell is a sum of logarithms: the mass of the density of guesses in the
+//! cell, and one weight per cell for each of four contexts. After each coordinate, all weights move along
+//! the gradient of the coding cost. An axis thus takes one decision among sixteen instead of four or five
+//! halvings.
 
 use wide::{i16x8, i32x4};
 
-use super::axis::{Axis, AxisCoder, DISTANCES, PLACES, SIZES, SPREADS};
+use super::axis::{Axis, AxisCoder, CONTEXTS, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width, below};
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, QuickShares, Rate, code_shares, log2_q16};
 
-/// Cells of an axis.
+/// Number of cells of an axis.
 const CELLS: usize = 16;
-/// Where cells end, in steps of the grid or of a power of two of it; the last one does not.
+/// Upper ends of the cells, in cell steps; the last cell is unbounded.
 const ENDS: [i32; CELLS - 1] = [-16, -10, -7, -5, -3, -2, -1, 0, 1, 2, 3, 5, 7, 10, 16];
-/// Steps of cells are wider than one where half the interval is wider than 2 to this.
+/// Cell steps are wider than one grid step if half the interval is wider than 2 to this power.
 const SPAN_LOG: u32 = 5;
 
-/// One in scores, as a power of two: a bit.
+/// Fixed-point unit of scores as a power of two; it corresponds to one bit.
 const SCORE_LOG: u32 = 9;
-/// Weights are finer than scores by this power of two.
+/// Additional fraction bits of weights compared with scores.
 const WEIGHT_LOG: u32 = 8;
-/// One in the weight of the density.
+/// Fixed-point unit of the density's weight.
 const DENSITY_ONE: i32 = 1 << 14;
-/// Mass that lies in every cell, of 2^14, as a multiple of a step.
+/// Minimum mass of every cell, of 2^14, in steps.
 const DOUBT: usize = 192 >> MASS_LOG;
-/// Masses are told apart in steps of 2 to this.
+/// Masses are quantized in steps of 2 to this power.
 const MASS_LOG: u32 = 2;
-/// Powers of two from 0 down, in steps of 1/64.
+/// Number of tabulated powers of two, from 2^0 down in steps of 1/64 of the exponent.
 const POWERS: usize = 1024;
 
-/// `2^(15 - at / 64)`, rounded down: by repeated multiplication with `2^(-1/64)` in 1/2^62.
+/// `2^(15 - at / 64)`, rounded down, by repeated multiplication with `2^(-1/64)` in 1/2^62.
 static EXPONENTIALS: [u16; POWERS] = {
     let mut table = [0; POWERS];
     let mut power: u128 = (1 << 62) - 1;
@@ -44,7 +45,7 @@ static EXPONENTIALS: [u16; POWERS] = {
     table
 };
 
-/// Logarithms to base 2 of masses and a little more, in 1/256.
+/// Base-2 logarithms of masses plus a small constant, in 1/256.
 static LOGARITHMS: [i16; (1 << (14 - MASS_LOG)) + 1] = {
     let mut table = [0; (1 << (14 - MASS_LOG)) + 1];
     let mut at = 0;
@@ -55,82 +56,92 @@ static LOGARITHMS: [i16; (1 << (14 - MASS_LOG)) + 1] = {
     table
 };
 
-/// What a density says of all cells: logarithms to base 2, in 1/256.
-type Said = [i16x8; 2];
+/// Score of each cell under the density: base-2 logarithms, in 1/256.
+type CellScores = [i16x8; 2];
 
-/// Weights of all cells under one circumstance.
+/// Weight of each cell in one context.
 #[derive(Clone, Copy, Debug)]
-struct Weights {
+struct CellWeights {
     weights: [i32x4; CELLS / 4],
+    /// Number of coordinates learned from.
     seen: u32,
 }
 
 /// What is learned about one axis.
 #[derive(Clone, Debug)]
 pub(super) struct CellModel {
-    by_size: Vec<Weights>,
-    by_place: Vec<Weights>,
-    by_spread: Vec<Weights>,
-    by_distance: Vec<Weights>,
-    /// How much the density counts, by place.
-    trust: [i32; PLACES],
-    /// Whether a coordinate lies in the upper part of what is left of a cell, by its width and what the density says.
+    by_size: Vec<CellWeights>,
+    by_context: Vec<CellWeights>,
+    by_spread: Vec<CellWeights>,
+    by_distance: Vec<CellWeights>,
+    /// Weight of the density, by context class.
+    trust: [i32; CONTEXTS],
+    /// Whether a coordinate lies in the upper half of the remaining interval within a cell, by its width
+    /// and the density's probability.
     halves: Vec<AdaptiveBit>,
+    /// Distances in the unbounded cells.
     far: AdaptiveNumber,
 }
 
-/// Kinds of widths, and kinds of what the density says, of halves.
+/// Numbers of classes for the width of the interval and for the density's probability.
 const WIDTHS: usize = 16;
 const CHANCES: usize = 32;
 
 impl CellModel {
-    /// Knows nothing yet.
+    /// Creates an untrained model.
     pub(super) fn new() -> Self {
-        let weights = |count: usize| vec![Weights { weights: [i32x4::ZERO; CELLS / 4], seen: 0 }; count];
+        let weights = |count: usize| vec![CellWeights { weights: [i32x4::ZERO; CELLS / 4], seen: 0 }; count];
         Self {
             by_size: weights(SIZES),
-            by_place: weights(PLACES),
+            by_context: weights(CONTEXTS),
             by_spread: weights(SPREADS),
             by_distance: weights(DISTANCES),
-            trust: [FIRST_TRUST; PLACES],
+            trust: [FIRST_TRUST; CONTEXTS],
             halves: vec![AdaptiveBit::new(Rate::Steady); WIDTHS * CHANCES],
             far: AdaptiveNumber::new(2 * SIZES, Rate::Steady),
         }
     }
 
-    fn circumstances(&mut self, axis: &Axis<'_, 1, 1>) -> [&mut Weights; 4] {
+    /// Returns the weights of an axis's four contexts.
+    fn contexts(&mut self, axis: &Axis<'_, 1, 1>) -> [&mut CellWeights; 4] {
         [
             &mut self.by_size[axis.size],
-            &mut self.by_place[axis.place],
+            &mut self.by_context[axis.context],
             &mut self.by_spread[axis.spread],
             &mut self.by_distance[axis.distance],
         ]
     }
 
-    /// Codes a cell as counters see it, given what the density says.
+    /// Codes a cell, numbered as counters see it, given the density's scores.
     #[inline]
-    fn cell<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, 1, 1>, said: &Said, meant: usize) -> usize {
-        let trust = i16x8::splat(self.trust[axis.place] as i16);
-        // Of 1/256 and 1/16384, in scores.
-        let scores = said.map(|said| (said << (SCORE_LOG - 6)).mul_keep_high(trust));
-        let circumstances = self.circumstances(axis);
-        let scores = add_weights(&circumstances, scores);
+    fn cell<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, 1, 1>,
+        density: &CellScores,
+        actual_cell: usize,
+    ) -> usize {
+        let trust = i16x8::splat(self.trust[axis.context] as i16);
+        // Scales by the weight of the density, from 1/256 times 1/16384 to scores.
+        let weighted = density.map(|score| (score << (SCORE_LOG - 6)).mul_keep_high(trust));
+        let contexts = self.contexts(axis);
+        let scores = add_weights(&contexts, weighted);
         let (parts, shares) = parts_of(&scores);
-        let cell = code_shares(coder, meant, &shares);
+        let cell = code_shares(coder, actual_cell, &shares);
         let mut errors = parts.map(|part| -part);
         errors[cell & 15] += i16::MAX;
         let steps: [i32x4; CELLS / 4] = std::array::from_fn(|quarter| {
             i32x4::new(std::array::from_fn(|at| i32::from(errors[4 * quarter + at]) << 1))
         });
-        circumstances.into_iter().for_each(|weights| weights.learn(&steps));
+        contexts.into_iter().for_each(|weights| weights.learn(&steps));
         let errors = [0, 8].map(|at| i16x8::from_slice_unaligned(&errors[at..at + 8]));
-        let pull: i32 = (said[0].dot(errors[0]) + said[1].dot(errors[1])).to_array().iter().sum();
-        let trust = &mut self.trust[axis.place];
+        let pull: i32 = (density[0].dot(errors[0]) + density[1].dot(errors[1])).to_array().iter().sum();
+        let trust = &mut self.trust[axis.context];
         *trust = (*trust + (pull >> TRUST_SHIFT)).clamp(0, 2 * DENSITY_ONE - 1);
         cell
     }
 
-    /// Codes what is left of a cell between two offsets from the center.
+    /// Codes the offset within a cell that lies between two offsets from the center.
     fn within<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -162,13 +173,14 @@ impl CellModel {
     }
 }
 
-/// How slowly weights are learned in the end, and the trust in densities.
+/// Final learning rates of the cell weights and of the density's weight, as right shifts.
 const LAST_SHIFT: u32 = 4;
 const TRUST_SHIFT: u32 = 15;
-/// How much the density counts at first.
+/// Initial weight of the density.
 const FIRST_TRUST: i32 = 16_000;
 
-impl Weights {
+impl CellWeights {
+    /// Moves the weights by a step that shrinks with experience.
     #[inline]
     fn learn(&mut self, steps: &[i32x4; CELLS / 4]) {
         self.seen = (self.seen + 1).min(1 << 12);
@@ -179,24 +191,24 @@ impl Weights {
     }
 }
 
-/// Adds to what the density says what weights say under all circumstances.
+/// Adds the weights of all contexts to the density's scores.
 #[inline]
-fn add_weights(circumstances: &[&mut Weights; 4], said: [i16x8; 2]) -> [i16; CELLS] {
+fn add_weights(contexts: &[&mut CellWeights; 4], density: [i16x8; 2]) -> [i16; CELLS] {
     let mut scores = [0; CELLS];
-    let said = said.map(|said| said.to_array());
-    for (quarter, (scores, said)) in
-        scores.chunks_exact_mut(4).zip(said.as_flattened().chunks_exact(4)).enumerate()
+    let density = density.map(|half| half.to_array());
+    for (quarter, (scores, density)) in
+        scores.chunks_exact_mut(4).zip(density.as_flattened().chunks_exact(4)).enumerate()
     {
-        let sum = circumstances.iter().fold(i32x4::ZERO, |sum, weights| sum + weights.weights[quarter]);
+        let sum = contexts.iter().fold(i32x4::ZERO, |sum, weights| sum + weights.weights[quarter]);
         let sum = (sum >> WEIGHT_LOG).to_array();
-        for ((score, sum), &said) in scores.iter_mut().zip(sum).zip(said) {
-            *score = (sum + i32::from(said)).clamp(-16_000, 16_000) as i16;
+        for ((score, sum), &density) in scores.iter_mut().zip(sum).zip(density) {
+            *score = (sum + i32::from(density)).clamp(-16_000, 16_000) as i16;
         }
     }
     scores
 }
 
-/// The probability of each cell, in 1/32768, and where each one's share begins.
+/// Returns the probability of each cell, in 1/32768, and the cumulative probability at which it begins.
 #[inline]
 fn parts_of(scores: &[i16; CELLS]) -> ([i16; CELLS], QuickShares) {
     let [low, high] = [0, 8].map(|at| i16x8::from_slice_unaligned(&scores[at..at + 8]));
@@ -219,7 +231,8 @@ fn parts_of(scores: &[i16; CELLS]) -> ([i16; CELLS], QuickShares) {
     (parts, shares)
 }
 
-/// The ends of cells in local units for each power of two of a step, from [`LEAST_STEP_LOG`] on; the last one is beyond all.
+/// Ends of the cells in local units, for each power of two of a cell step from [`LEAST_STEP_LOG`] on. The
+/// last end is beyond everything.
 static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
     let mut table = [[i16::MAX; CELLS]; 16 - LEAST_STEP_LOG as usize];
     let mut log = 0;
@@ -240,35 +253,37 @@ static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
     }
     table
 };
+/// Smallest cell step in [`LOCAL_ENDS`], as a power of two.
 const LEAST_STEP_LOG: u32 = 4;
 
-/// How much of the density lies below a coordinate so far from the center.
+/// Returns the mass of the density below a coordinate, given relative to the center.
 fn below_all(axis: &Axis<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
     let x = axis.local.border(axis.center.wrapping_add(off), axis.axis);
     below(axis.bumps, x, width)[0]
 }
 
-/// What the density says of the cells, these in the order in which counters see them.
+/// Returns the density's score of each cell, in the order in which counters see the cells.
 #[inline]
-fn said_of(axis: &Axis<'_, 1, 1>, step_log: u32) -> Said {
+fn density_scores(axis: &Axis<'_, 1, 1>, step_log: u32) -> CellScores {
     let local_log = (step_log as i32 + axis.local.shift - LEAST_STEP_LOG as i32).max(0) as usize;
     let center = i16x8::splat(axis.local.border(axis.center, axis.axis));
     let (low, high) = LOCAL_ENDS[local_log.min(LOCAL_ENDS.len() - 1)].split_at(8);
     let ends = [low, high].map(|ends| i16x8::from_slice_unaligned(ends).saturating_add(center));
     let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
-    let (mut said, mut below) = ([0; CELLS], 0);
+    let (mut scores, mut below) = ([0; CELLS], 0);
     for (cell, &sum) in below_ends(axis.bumps, ends, axis.widths[0]).iter().enumerate() {
         let mass = (sum - below).max(0) as usize >> MASS_LOG;
-        said[cell ^ flip] = LOGARITHMS[mass.min(LOGARITHMS.len() - 1)];
+        scores[cell ^ flip] = LOGARITHMS[mass.min(LOGARITHMS.len() - 1)];
         below = sum;
     }
-    [0, 8].map(|at| i16x8::from_slice_unaligned(&said[at..at + 8]))
+    [0, 8].map(|at| i16x8::from_slice_unaligned(&scores[at..at + 8]))
 }
 
-/// How much of the density lies below each end, all of it being about 2^13 to 2^14.
+/// Returns the mass of the density below each end. The total is about 2^13 to 2^14.
 #[inline]
 fn below_ends(density: &[Bumps], ends: [i16x8; 2], width: Width) -> [i16; CELLS] {
-    // Zeros that the compiler does not know of: it would take shifts and products apart into 32-bit lanes.
+    // Zeros that the compiler cannot see through. It would otherwise split shifts and products into
+    // 32-bit lanes.
     let opaque = i16x8::new(std::hint::black_box([0; 8]));
     let mut sums = [i16x8::ZERO; 2];
     for bumps in density {
@@ -294,11 +309,11 @@ impl AxisCoder<1, 1> for CellModel {
     fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, 1, 1>, actual: i32) -> i32 {
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let step_log = span_log.saturating_sub(SPAN_LOG);
-        let said = said_of(axis, step_log);
+        let scores = density_scores(axis, step_log);
         let actual = actual.wrapping_sub(axis.center);
         let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
-        let meant = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
-        let cell = self.cell(coder, axis, &said, meant) ^ flip;
+        let actual_cell = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
+        let cell = self.cell(coder, axis, &scores, actual_cell) ^ flip;
         let off = if cell == 0 {
             let beyond = (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(actual) as u32;
             (ENDS[0] << step_log)
@@ -317,11 +332,11 @@ impl AxisCoder<1, 1> for CellModel {
 
 #[cfg(test)]
 mod tests {
-    use super::super::local::Local;
+    use super::super::local::LocalRing;
     use super::*;
 
     #[test]
-    fn exponentials_and_logarithms_are_right() {
+    fn tables_of_exponentials_and_logarithms_are_accurate() {
         for (at, &power) in EXPONENTIALS.iter().enumerate() {
             let expected = 32_768.0 * (-(at as f64) / 64.0).exp2();
             assert!((f64::from(power) - expected).abs() <= 1.01, "{at}: {power} for {expected}");
@@ -333,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_probabilities() {
+    fn parts_sum_to_one() {
         let mut scores = [-600; CELLS];
         scores[3] = 512;
         scores[9] = 1024;
@@ -347,8 +362,8 @@ mod tests {
         assert!(even.iter().all(|&part| (2040..=2048).contains(&part)), "{even:?}");
     }
 
-    /// A density of one bump, and an axis where that stands.
-    fn axis<'a>(local: &'a Local, bumps: &'a [Bumps], is_mirrored: bool) -> Axis<'a, 1, 1> {
+    /// A density of one bump, and an axis centered on it.
+    fn axis<'a>(local: &'a LocalRing, bumps: &'a [Bumps], is_mirrored: bool) -> Axis<'a, 1, 1> {
         Axis {
             local,
             axis: 0,
@@ -358,23 +373,24 @@ mod tests {
             is_mirrored,
             is_last: false,
             size: 20,
-            place: 1,
+            context: 1,
             distance: 2,
             spread: 3,
         }
     }
 
     #[test]
-    fn densities_speak_for_the_cells_where_they_lie() {
-        // One step of the grid is 64 local units.
-        let local = Local { origin: [40, 0, 0], shift: 6, factor: 1 << 22, radius: 1200, ..Local::default() };
+    fn the_cell_with_most_density_scores_best() {
+        // One grid step is 64 local units.
+        let local =
+            LocalRing { origin: [40, 0, 0], shift: 6, factor: 1 << 22, radius: 1200, ..LocalRing::default() };
         let bumps = [Bumps { at: [130, 0, 0, 0, 0, 0, 0, 0], weight: [16_000, 0, 0, 0, 0, 0, 0, 0] }];
         for is_mirrored in [false, true] {
-            let said = said_of(&axis(&local, &bumps, is_mirrored), 0).map(|half| half.to_array());
-            let said = said.as_flattened();
-            let best = (0..CELLS).max_by_key(|&cell| said[cell]).unwrap();
+            let scores = density_scores(&axis(&local, &bumps, is_mirrored), 0).map(|half| half.to_array());
+            let scores = scores.as_flattened();
+            let best = (0..CELLS).max_by_key(|&cell| scores[cell]).unwrap();
             // Two steps above the center, counted from either end.
-            assert_eq!(best, if is_mirrored { CELLS - 1 - 10 } else { 10 }, "{said:?}");
+            assert_eq!(best, if is_mirrored { CELLS - 1 - 10 } else { 10 }, "{scores:?}");
         }
     }
 }

@@ -1,7 +1,8 @@
-//! Where a new vertex might be: many guesses from what is around it.
+//! Guesses at the position of a new vertex, derived from its surroundings.
 //!
-//! On a surface that was sampled with some regularity, one or other of these is often nearly right, though nobody can
-//! tell which. So they are not averaged: each is a bump of a density, and what a kind of guesses is worth is learned.
+//! If a surface was sampled with some regularity, one of these guesses is often nearly right, but it is
+//! not known in advance which. Therefore they are not averaged. Each becomes a bump of a density, and the
+//! weight of each kind of guess is learned.
 //!
 //! ```text
 //!         apex -- left
@@ -11,33 +12,35 @@
 //!          v --- r2
 //! ```
 
-use super::local::{LANES, Local, Point};
+use super::local::{LANES, LocalRing, Point};
 
-/// Kinds of guesses.
+/// Number of kinds of guesses.
 pub(super) const KINDS: usize = 6;
-/// Parallelograms of three consecutive ring vertices.
+/// Kind: parallelograms of three consecutive ring vertices.
 pub(super) const INSIDE: usize = 0;
-/// Parallelograms across ring edges.
+/// Kind: parallelograms across ring edges.
 pub(super) const ACROSS: usize = 1;
-/// Middles of the ring and of opposite ring vertices.
+/// Kind: center of the ring, and midpoints of opposite ring vertices.
 pub(super) const MIDDLE: usize = 2;
-/// Ring vertices moved along edges of the second ring; heights of planes instead where the other two axes are known.
+/// Kind: ring vertices moved along edges of the second ring. Replaced by heights of planes once the other
+/// two axes are known.
 pub(super) const MOVED: usize = 3;
-/// As far from a ring vertex as what lies beyond it.
+/// Kind: points mirrored at a ring vertex.
 pub(super) const STRAIGHT: usize = 4;
-/// Ring vertices moved along the edges of the second ring, the other way round.
+/// Kind: ring vertices moved along edges of the second ring in the other direction.
 pub(super) const TURNED: usize = 5;
 
-/// Guesses of one kind, a lane for each.
+/// Guesses of one kind, one per lane.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Guesses {
-    /// By axis.
+    /// Coordinates by axis.
     pub(super) at: [[i16; LANES]; 3],
-    /// Lanes in use.
+    /// Number of lanes in use.
     pub(super) count: usize,
 }
 
 impl Guesses {
+    /// Adds a guess if a lane is free.
     #[inline]
     fn push(&mut self, point: Point) {
         if self.count < LANES {
@@ -49,17 +52,18 @@ impl Guesses {
     }
 }
 
-/// Three points as `a + b - c`.
+/// Returns `a + b - c`.
 fn corner(a: Point, b: Point, c: Point) -> Point {
     [0, 1, 2].map(|i| a[i] + b[i] - c[i])
 }
 
+/// Returns the midpoint of two points.
 fn middle(a: Point, b: Point) -> Point {
     [0, 1, 2].map(|i| (a[i] + b[i]) >> 1)
 }
 
-/// Makes guesses of all kinds.
-pub(super) fn guess(local: &Local, guesses: &mut [Guesses; KINDS]) {
+/// Makes the guesses of all kinds.
+pub(super) fn guess(local: &LocalRing, guesses: &mut [Guesses; KINDS]) {
     guesses.iter_mut().for_each(|g| g.count = 0);
     let n = local.count;
     let wrap = |i: usize| if i >= n { i - n } else { i };
@@ -94,8 +98,8 @@ pub(super) fn guess(local: &Local, guesses: &mut [Guesses; KINDS]) {
     }
 }
 
-/// What lies opposite of the new vertex, seen from a ring vertex.
-fn opposite(local: &Local, i: usize) -> Option<Point> {
+/// Returns the point on the opposite side of a ring vertex from the new vertex.
+fn opposite(local: &LocalRing, i: usize) -> Option<Point> {
     let before = if i == 0 { local.count - 1 } else { i - 1 };
     let pair = if local.is_narrow[i] {
         [local.apexes[i], local.apexes[before]]
@@ -124,13 +128,13 @@ mod tests {
         ring
     }
 
-    fn regular() -> Local {
+    fn regular() -> LocalRing {
         let ring = hexagon(1);
         let sum = |i: usize, j: usize| {
             let (p, q) = (ring[i % 6].unwrap(), ring[j % 6].unwrap());
             [0, 1, 2].map(|a| p[a] + q[a])
         };
-        let mut local = Local { count: 6, ring, ..Local::default() };
+        let mut local = LocalRing { count: 6, ring, ..LocalRing::default() };
         for i in 0..6 {
             local.apexes[i] = Some(sum(i, i + 1));
             local.beyond[i] = [Some(sum(i, i)), Some(sum(i + 1, i + 1))];
@@ -139,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn all_guesses_hit_the_middle_of_a_regular_lattice() {
+    fn all_guesses_agree_on_a_regular_lattice() {
         let mut guesses = [Guesses::default(); KINDS];
         guess(&regular(), &mut guesses);
         assert_eq!(guesses.map(|g| g.count), [6, 6, 4, 6, 6, 6]);
@@ -151,14 +155,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_known_is_not_guessed_from() {
+    fn unknown_points_give_no_guesses() {
         let mut local = regular();
         local.ring[2] = None;
         local.apexes[4] = None;
         local.beyond[5] = [None; 2];
         let mut guesses = [Guesses::default(); KINDS];
         guess(&local, &mut guesses);
-        // Of six each, those are missing that the unknown places take part in.
+        // Each kind has six guesses, minus those that involve unknown points.
         assert_eq!(guesses.map(|g| g.count), [3, 3, 3, 2, 5, 2]);
     }
 }

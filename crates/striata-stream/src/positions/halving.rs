@@ -1,56 +1,62 @@
-//! One coordinate as a chain of halvings.
+//! Codes one coordinate as a chain of halvings.
 //!
-//! Around the expected place lies an interval as wide as the ring; whether the coordinate is in its upper or its lower half
-//! is asked until one is left. Most coordinates lie in the middle of it: whether this one does is asked first, and spares
-//! two questions after that for the side. Each answer has a probability under every density, and one from counters for how
-//! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
+//! The coordinate is searched in an interval around the expected value that is as wide as the ring; each
+//! decision codes whether it lies in the upper or the lower half, until one value is left. Most
+//! coordinates lie in the middle of the interval, so a first decision codes whether this one does, which
+//! saves two decisions afterwards. The inputs of each decision are its probability under every density,
+//! and counters of earlier outcomes at this node of the tree in similar contexts. Two mixers weight the
+//! inputs, and the mean of their outputs is used.
 
-use super::axis::{Axis, AxisCoder, DISTANCES, Masses, PLACES, SIZES, SPREADS};
+use super::axis::{Axis, AxisCoder, CONTEXTS, DISTANCES, Masses, SIZES, SPREADS};
 use crate::entropy::{
     AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q8, log2_q16, probability,
 };
 
+/// Number of counters that give inputs to the mixers.
 const COUNTERS: usize = 4;
+/// Number of depth classes of the tree.
 const DEPTHS: usize = 6;
-/// Nodes of the tree that have counters; all others share one.
+/// Nodes of the tree that have counters; all others share node 0.
 const NODES: usize = 64;
-/// Near is what lies within this part of the interval, as a power of two.
+/// The near interval is the whole one divided by 2 to this power.
 const NEAR_LOG: u32 = 2;
-/// Kinds of chances to lie outside.
+/// Number of classes for the probability of lying outside the near interval.
 const CHANCES: usize = 24;
-/// An interval around what is expected.
+/// An interval around the expected coordinate.
 struct Interval<const KINDS: usize, const WIDTHS: usize> {
     /// Half its width.
     half: i32,
-    /// How much of each density lies below its ends.
+    /// Mass of each density below its ends.
     masses: [Masses<KINDS, WIDTHS>; 2],
     /// Whether it is the narrow one.
     is_near: bool,
 }
 
-/// Which half of an interval is asked for.
-struct Question {
-    /// Where in the tree.
+/// A decision between the halves of an interval.
+struct Decision {
+    /// Node of the tree.
     node: usize,
     depth: usize,
-    /// What a writer means.
+    /// The outcome that a writer codes.
     bit: bool,
 }
 
-/// What is learned about one axis. There is one opinion for each kind and width and [`COUNTERS`] more, and one that never
-/// changes, in vectors of 8.
+/// What is learned about one axis. The inputs of a mixer are one for each kind of guess and width,
+/// [`COUNTERS`] counters and a constant, in vectors of 8.
 #[derive(Clone, Debug)]
 pub(super) struct AxisModel<const VECTORS: usize> {
-    /// Whether a coordinate does not lie near, by disagreement and by what the densities say.
+    /// Whether a coordinate lies outside the near interval, by spread class and by the densities.
     is_outside: [Vec<AdaptiveBit>; 2],
+    /// Whether a coordinate lies outside even the wide interval, by spread class.
     is_beyond: Vec<AdaptiveBit>,
+    /// Coordinates outside the wide interval.
     far: AdaptiveNumber,
     by_size: Vec<AdaptiveBit>,
-    by_place: Vec<AdaptiveBit>,
+    by_context: Vec<AdaptiveBit>,
     by_spread: Vec<AdaptiveBit>,
     by_distance: Vec<AdaptiveBit>,
     mixer: WideMixer<VECTORS>,
-    /// A second one where there is time for it.
+    /// A second mixer, for the thorough effort.
     other: Option<WideMixer<VECTORS>>,
     refiner: Option<Refiner>,
 }
@@ -67,17 +73,17 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
             is_beyond: vec![AdaptiveBit::new(Rate::Steady); SPREADS],
             far: AdaptiveNumber::new(SIZES, Rate::Steady),
             by_size: bits(SIZES),
-            by_place: bits(PLACES),
+            by_context: bits(CONTEXTS),
             by_spread: bits(SPREADS),
             by_distance: bits(DISTANCES),
-            mixer: WideMixer::new(DEPTHS * PLACES, first),
+            mixer: WideMixer::new(DEPTHS * CONTEXTS, first),
             other: is_thorough.then(|| WideMixer::new(SIZES, first)),
             refiner: is_thorough.then(|| Refiner::new(DEPTHS)),
         }
     }
 
     fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, KINDS, WIDTHS>, actual: i32) -> i32 {
-        const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one opinion each") }
+        const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one input each") }
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
         let actual = actual.wrapping_sub(axis.center);
@@ -96,6 +102,7 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
 }
 
 impl<const VECTORS: usize> AxisModel<VECTORS> {
+    /// Codes whether a coordinate lies outside the near interval.
     #[inline]
     fn is_outside<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,
@@ -117,6 +124,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         bit
     }
 
+    /// Codes a coordinate within an interval by halving it.
     fn halve<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,
         coder: &mut C,
@@ -136,7 +144,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
                 if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
             weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
             let bit = (actual >= middle) ^ axis.is_mirrored;
-            let bit = self.decide(coder, axis, Question { node, depth, bit }, &mut inputs);
+            let bit = self.decide(coder, axis, Decision { node, depth, bit }, &mut inputs);
             let is_up = bit ^ axis.is_mirrored;
             if is_up {
                 (low, below_low) = (middle, below);
@@ -154,18 +162,19 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         low
     }
 
+    /// Codes one decision from the mixed inputs.
     #[inline]
     fn decide<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
-        Question { node, depth, bit }: Question,
+        Decision { node, depth, bit }: Decision,
         inputs: &mut [[i16; 8]; VECTORS],
     ) -> bool {
         let node = if node < NODES { node } else { 0 };
         let counters = [
             &mut self.by_size[axis.size * NODES + node],
-            &mut self.by_place[axis.place * NODES + node],
+            &mut self.by_context[axis.context * NODES + node],
             &mut self.by_spread[axis.spread * NODES + node],
             &mut self.by_distance[axis.distance * NODES + node],
         ];
@@ -174,7 +183,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             *input = log_odds(counter.p_one()) as i16;
         }
         all[KINDS * WIDTHS + COUNTERS] = 128;
-        let mut odds = self.mixer.mix(inputs, axis.place * DEPTHS + depth);
+        let mut odds = self.mixer.mix(inputs, axis.context * DEPTHS + depth);
         if let Some(other) = &mut self.other {
             odds = (odds + other.mix(inputs, axis.size)) >> 1;
         }
@@ -195,7 +204,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
     }
 }
 
-/// The log-odds of the upper half under each density; those with little here say little.
+/// Computes the log-odds of the upper half under each density. Densities with little mass here give
+/// values near zero.
 #[inline]
 fn weigh<const KINDS: usize, const WIDTHS: usize>(
     low: &Masses<KINDS, WIDTHS>,
@@ -212,9 +222,9 @@ fn weigh<const KINDS: usize, const WIDTHS: usize>(
     }
 }
 
-/// Masses are told apart in steps of 2 to this.
+/// Masses are quantized in steps of 2 to this power.
 const STEP_LOG: u32 = 16;
-/// Mass that is in every interval, of 2^28, in steps.
+/// Minimum mass of every interval, of 2^28, in steps.
 const DOUBT: usize = 32;
 
 /// Natural logarithms of masses, in 1/256.
@@ -230,7 +240,7 @@ static LOGARITHMS: [i16; (1 << (28 - STEP_LOG)) + 1] = {
     table
 };
 
-/// The logarithm of a mass and a little more, which outweighs small masses.
+/// Returns the logarithm of a mass plus a small constant, which dominates small masses.
 #[inline]
 fn logarithm(mass: i32) -> i32 {
     let at = (mass.max(0) >> STEP_LOG) as usize;

@@ -1,14 +1,14 @@
-//! What is known around a new vertex, in units of its own size.
+//! The surroundings of a new vertex in local units.
 //!
-//! All coordinates are taken from the middle of the ring and shifted until the ring's radius has eleven bits. They then
-//! fit 16 bits, and widths of densities are constants.
+//! All coordinates are relative to the center of the ring and shifted so that the ring's radius has
+//! eleven bits. They then fit in 16 bits, and the widths of densities are constants.
 
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::{next, previous};
 
-/// Ring vertices that are looked at: a lane for each.
+/// Maximum number of ring vertices that are used, one per lane.
 pub(super) const LANES: usize = 8;
-/// Local coordinates stay within this.
+/// Limit of local coordinates.
 const REACH: i64 = 12_000;
 
 /// A point in local units.
@@ -16,67 +16,71 @@ pub(super) type Point = [i32; 3];
 
 /// The surroundings of a new vertex in local units.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Local {
-    /// Grid coordinates of the middle of the ring: the local zero.
+pub(super) struct LocalRing {
+    /// Grid coordinates of the ring's center, the local origin.
     pub(super) origin: [i32; 3],
-    /// Local units are grid units times 2 to this, -16 at least.
+    /// Local units are grid units times 2 to this power, which is at least -16.
     pub(super) shift: i32,
-    /// The same as a factor, in 1/65536.
+    /// The same scale as a factor, in 1/65536.
     pub(super) factor: i64,
-    /// Root of the mean squared distance of the ring from its middle, in local units: 1024 to 2047.
+    /// Root mean square distance of the ring from its center, in local units: 1024 to 2047.
     pub(super) radius: i32,
     /// Vertices of the ring.
     pub(super) ids: [u32; LANES],
-    /// Their places; none where virtual.
+    /// Their positions; `None` for virtual vertices.
     pub(super) ring: [Option<Point>; LANES],
-    /// The vertex beyond each ring edge, where it is known.
+    /// The vertex across each ring edge, if it is known.
     pub(super) apexes: [Option<Point>; LANES],
-    /// What lies beyond each apex, across its edge with the ring vertex, and with the next ring vertex.
+    /// The vertices beyond each apex: across its edge with the ring vertex, and across its edge with the
+    /// next ring vertex.
     pub(super) beyond: [[Option<Point>; 2]; LANES],
-    /// True where the triangle beyond the first of these edges is that of the apex before.
+    /// Whether the triangle beyond the first of these edges is the one of the previous apex.
     pub(super) is_narrow: [bool; LANES],
-    /// Length of these lists.
+    /// Number of entries in these lists.
     pub(super) count: usize,
 }
 
-impl Local {
-    /// Looks around; a ring further `with_beyond`.
-    pub(super) fn look(&mut self, hood: &Hood<'_>, with_beyond: bool) {
-        self.count = hood.corners.len().min(LANES);
+impl LocalRing {
+    /// Gathers the surroundings of a vertex; `with_beyond` includes the second ring.
+    pub(super) fn gather(&mut self, neighborhood: &Neighborhood<'_>, with_beyond: bool) {
+        self.count = neighborhood.corners.len().min(LANES);
         let mut known = [[0; 3]; LANES];
         let mut known_count = 0;
-        let mut places = [None; LANES];
-        for (i, &corner) in hood.corners[..self.count].iter().enumerate() {
-            self.ids[i] = hood.surface.vertex(next(corner));
-            places[i] = hood.place(self.ids[i]);
-            if let Some(place) = places[i] {
-                known[known_count] = place;
+        let mut coords = [None; LANES];
+        for (i, &corner) in neighborhood.corners[..self.count].iter().enumerate() {
+            self.ids[i] = neighborhood.surface.vertex(next(corner));
+            coords[i] = neighborhood.coords_of(self.ids[i]);
+            if let Some(coords) = coords[i] {
+                known[known_count] = coords;
                 known_count += 1;
             }
         }
         self.measure(&known[..known_count]);
-        for (i, &place) in places[..self.count].iter().enumerate() {
-            self.ring[i] = place.map(|p| self.localise(p));
+        for (i, &coords) in coords[..self.count].iter().enumerate() {
+            self.ring[i] = coords.map(|p| self.to_local(p));
         }
         let mut apex_ids = [0; LANES];
-        for (i, &corner) in hood.corners[..self.count].iter().enumerate() {
-            let across = hood.surface.opposite(corner);
-            apex_ids[i] = hood.surface.vertex(across);
-            self.apexes[i] = self.find(hood, apex_ids[i]);
+        for (i, &corner) in neighborhood.corners[..self.count].iter().enumerate() {
+            let across = neighborhood.surface.opposite(corner);
+            apex_ids[i] = neighborhood.surface.vertex(across);
+            self.apexes[i] = self.find(neighborhood, apex_ids[i]);
             if with_beyond {
-                let ids =
-                    [next(across), previous(across)].map(|c| hood.surface.vertex(hood.surface.opposite(c)));
-                self.beyond[i] = ids.map(|v| self.find(hood, v));
-                let before = hood.corners[if i == 0 { self.count - 1 } else { i - 1 }];
-                self.is_narrow[i] = ids[0] == hood.surface.vertex(hood.surface.opposite(before));
+                let ids = [next(across), previous(across)]
+                    .map(|c| neighborhood.surface.vertex(neighborhood.surface.opposite(c)));
+                self.beyond[i] = ids.map(|v| self.find(neighborhood, v));
+                let before = neighborhood.corners[if i == 0 { self.count - 1 } else { i - 1 }];
+                self.is_narrow[i] =
+                    ids[0] == neighborhood.surface.vertex(neighborhood.surface.opposite(before));
             }
         }
     }
 
-    fn find(&self, hood: &Hood<'_>, vertex: u32) -> Option<Point> {
-        hood.place(vertex).map(|p| self.localise(p))
+    /// Returns the local position of a vertex, if it is known.
+    fn find(&self, neighborhood: &Neighborhood<'_>, vertex: u32) -> Option<Point> {
+        neighborhood.coords_of(vertex).map(|p| self.to_local(p))
     }
 
+    /// Computes the origin, scale and radius from the known ring vertices.
     fn measure(&mut self, known: &[[i32; 3]]) {
         let inverse = 65_536 / known.len().max(1) as i64;
         let first = known.first().copied().unwrap_or_default();
@@ -85,10 +89,10 @@ impl Local {
             let sum: i64 = known.iter().map(|p| off(p, &first, a)).sum();
             first[a].wrapping_add(((sum * inverse + 32_768) >> 16) as i32)
         });
-        // Grids have fewer bits than what is cut off here, and squares can be summed.
+        // Grids have fewer bits than this limit, and the squares can be summed without overflow.
         let square = |p: &[i32; 3], a: usize| off(p, &self.origin, a).clamp(-1 << 21, 1 << 21).pow(2);
         let sum: i64 = known.iter().map(|p| square(p, 0) + square(p, 1) + square(p, 2)).sum();
-        // In 1/16 grid units, to 15 bits at least.
+        // In 1/16 grid units, clamped so that the radius is not zero.
         let mean = ((sum * inverse) >> 8).max(64) as u64;
         let spare = mean.ilog2().saturating_sub(30).div_ceil(2);
         let radius = ((mean >> (2 * spare)) as u32).isqrt() << spare;
@@ -97,20 +101,20 @@ impl Local {
         self.radius = ((i64::from(radius) * self.factor) >> 20) as i32;
     }
 
-    /// A grid place in local units.
+    /// Converts grid coordinates to local units.
     #[inline]
-    pub(super) fn localise(&self, place: [i32; 3]) -> Point {
-        [0, 1, 2].map(|a| self.localise_axis(place[a], a))
+    pub(super) fn to_local(&self, coords: [i32; 3]) -> Point {
+        [0, 1, 2].map(|a| self.to_local_axis(coords[a], a))
     }
 
-    /// A grid coordinate in local units.
+    /// Converts one grid coordinate to local units.
     #[inline]
-    pub(super) fn localise_axis(&self, coordinate: i32, axis: usize) -> i32 {
+    pub(super) fn to_local_axis(&self, coordinate: i32, axis: usize) -> i32 {
         let off = i64::from(coordinate.wrapping_sub(self.origin[axis]));
         ((off * self.factor) >> 16).clamp(-REACH, REACH) as i32
     }
 
-    /// The grid coordinate nearest to a local one.
+    /// Returns the grid coordinate nearest to a local one.
     #[inline]
     pub(super) fn to_grid(&self, local: i32, axis: usize) -> i32 {
         let shift = self.shift;
@@ -118,7 +122,7 @@ impl Local {
         self.origin[axis].wrapping_add(off)
     }
 
-    /// The border between a grid coordinate and the one below, in local units.
+    /// Returns the border between a grid coordinate and the one below it, in local units.
     #[inline]
     pub(super) fn border(&self, coordinate: i32, axis: usize) -> i16 {
         let twice = 2 * i64::from(coordinate.wrapping_sub(self.origin[axis])) - 1;

@@ -1,84 +1,90 @@
-//! Positions under a mixture of guesses.
+//! Codes positions with a mixture of guesses.
 //!
-//! The two axes along which the surface runs most are coded first. After each, guesses that were near count more
-//! for the next one; for the last, all guesses are moved along the surface to where the vertex now must be.
+//! The two most tangential axes are coded first. After each, the guesses that were near gain weight for
+//! the next one. Before the last axis, all guesses are moved along the surface to the two known
+//! coordinates.
 
 use super::axis::AxisCoder;
 use super::blend::Blend;
 use super::guesses::KINDS;
-use super::sight::{FEATURES, Sight, normal_order};
+use super::position_density::{FEATURES, PositionDensity, normal_order};
 use crate::entropy::Coder;
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 
-/// Logarithms of half the widths of bumps, along the surface and across it, in local units.
+/// Logarithms of half the bumps' widths, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
-/// Where it is not known how large the error was.
-const NO_ERRORS: [u8; 2] = [7; 2];
+/// Error classes of a vertex whose errors are not known.
+const UNKNOWN_ERRORS: [u8; 2] = [7; 2];
 
-/// A model of positions with the first `USED` kinds of guesses.
+/// A position model that uses the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
 pub(super) struct MixedModel<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A> {
     widths: Widths<WIDTHS>,
-    sight: Sight<USED>,
+    density: PositionDensity<USED>,
     axes: [A; 3],
-    /// Along the surface and across it, by valence.
+    /// By direction (along or across the surface) and valence.
     blends: [[Blend<FEATURES>; 4]; 2],
-    /// How large the error was at each vertex, along the surface and across it.
+    /// Error class of each vertex, along the surface and across it.
     pub(super) errors: Vec<[u8; 2]>,
 }
 
 impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCoder<DENSITIES, WIDTHS>>
     MixedModel<USED, DENSITIES, WIDTHS, A>
 {
-    /// Knows nothing yet.
+    /// Creates an untrained model.
     pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
         Self {
             widths,
-            sight: Sight::new(),
-            axes: std::array::from_fn(|_| A::new(Sight::<USED>::LOOKS_BEYOND)),
+            density: PositionDensity::new(),
+            axes: std::array::from_fn(|_| A::new(PositionDensity::<USED>::LOOKS_BEYOND)),
             blends: [[Blend::new(std::array::from_fn(|k| if k < KINDS { 10_000 } else { 0 })); 4]; 2],
             errors: Vec::new(),
         }
     }
 
-    /// Codes the place of a new vertex.
-    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
-        self.sight.look(hood);
-        let (normal, axes) = normal_order(&self.sight.local);
+    /// Codes the grid coordinates of a new vertex.
+    pub(super) fn code<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        neighborhood: &Neighborhood<'_>,
+        actual: [i32; 3],
+    ) -> [i32; 3] {
+        self.density.gather(neighborhood);
+        let (normal, axes) = normal_order(&self.density.local);
         let ring_errors = self.ring_errors();
-        let valence = self.sight.local.count.clamp(4, 7) - 4;
-        let mut place = [0; 3];
+        let valence = self.density.local.count.clamp(4, 7) - 4;
+        let mut coords = [0; 3];
         let mut errors = [0u32; 2];
         for (slot, &a) in axes.iter().enumerate() {
             let across = slot / 2;
-            self.sight.aim(slot, (normal, axes), place);
-            let (base, features) = self.sight.features(a);
+            self.density.move_bumps(slot, (normal, axes), coords);
+            let (base, features) = self.density.features(a);
             let blend = &mut self.blends[across][valence];
             let expected = base + blend.predict(&features);
-            let axis = self.sight.axis::<DENSITIES, WIDTHS>(
+            let axis = self.density.axis::<DENSITIES, WIDTHS>(
                 a,
                 self.widths[across],
                 (expected, ring_errors[across] * 4 + valence),
                 &features,
             );
-            place[a] = self.axes[slot].code(coder, &axis, actual[a]);
-            let found = self.sight.local.localise_axis(place[a], a);
-            let error = (found - expected).clamp(-self.sight.local.radius, self.sight.local.radius);
+            coords[a] = self.axes[slot].code(coder, &axis, actual[a]);
+            let found = self.density.local.to_local_axis(coords[a], a);
+            let error = (found - expected).clamp(-self.density.local.radius, self.density.local.radius);
             blend.learn(&features, error);
             errors[across] = errors[across].max(error.unsigned_abs());
             if slot < 2 {
-                self.sight.reweigh(slot, found);
+                self.density.reweight(slot, found);
             }
         }
-        self.note(hood.vertex, errors);
-        place
+        self.note(neighborhood.vertex, errors);
+        coords
     }
 
-    /// How well the vertices of the ring could be foretold, along the surface and across it: 0 to 3.
+    /// Classifies how well the ring vertices could be predicted, along the surface and across it: 0 to 3.
     fn ring_errors(&self) -> [usize; 2] {
         let (mut sums, mut count) = ([0; 2], 0);
-        for &id in &self.sight.local.ids[..self.sight.local.count] {
+        for &id in &self.density.local.ids[..self.density.local.count] {
             if let Some(errors) = self.errors.get(id as usize) {
                 sums[0] += usize::from(errors[0]);
                 sums[1] += usize::from(errors[1]);
@@ -89,21 +95,22 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         [class(sums[0], 5), class(sums[1], 4)]
     }
 
-    /// Makes room for so many vertices in all.
+    /// Reserves memory for a total number of vertices.
     pub(super) fn reserve(&mut self, vertex_count: usize) {
         self.errors.reserve_exact(vertex_count);
     }
 
-    /// The surface has been built anew: here is the old number of each vertex, or
+    /// Adapts to a rebuilt surface. `old_of_new` contains the old index of each vertex, or
     /// [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
-        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(NO_ERRORS);
+        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(UNKNOWN_ERRORS);
         self.errors = old_of_new.iter().map(errors).collect();
     }
 
+    /// Records the error classes of a vertex.
     fn note(&mut self, vertex: u32, errors: [u32; 2]) {
-        self.errors.resize(vertex as usize, NO_ERRORS);
+        self.errors.resize(vertex as usize, UNKNOWN_ERRORS);
         self.errors
-            .push(errors.map(|error| (error * 1024 / self.sight.local.radius as u32 + 1).ilog2() as u8));
+            .push(errors.map(|error| (error * 1024 / self.density.local.radius as u32 + 1).ilog2() as u8));
     }
 }

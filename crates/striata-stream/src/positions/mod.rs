@@ -1,28 +1,30 @@
-//! Where the new vertices are.
+//! Models for the positions of new vertices.
 //!
-//! A vertex is coded once its ring and what lies beyond are known. Its place is guessed from there, and each of its three
-//! coordinates is found by halving an interval around what is expected, where each answer has a probability. Most of a
-//! surface is sampled with some regularity, so that one of many simple guesses is often nearly right: their mixture as a
-//! density, not their mean, is what makes streams small \[Mah05\].
+//! A vertex is coded once its ring and the vertices beyond are known. From these we guess its position.
+//! Each of its three coordinates is then coded relative to the expected value, with adaptive
+//! probabilities. Most surfaces are sampled with some regularity, so one of many simple guesses is often
+//! nearly right. What makes streams small is to use their mixture as a density instead of their mean
+//! \[Mah05\].
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `local.rs` | what is known around a vertex, in units of its ring's size |
-//! | `guesses.rs` | where the vertex might be, in six kinds |
+//! | `local.rs` | surroundings of a vertex, in units of its ring's size |
+//! | `guesses.rs` | guesses at the position, in six kinds |
 //! | `bumps.rs` | densities made of guesses |
-//! | `blend.rs` | the one place that is expected |
-//! | `sight.rs` | what of this goes into each axis, given the axes before |
-//! | `axis.rs` | what a coordinate is coded with |
-//! | `halving.rs` | a coordinate as a chain of mixed decisions |
+//! | `blend.rs` | the expected position |
+//! | `position_density.rs` | guesses, their weights and densities, axis by axis |
+//! | `axis.rs` | input for coding one coordinate |
+//! | `halving.rs` | a coordinate as a chain of mixed binary decisions |
 //! | `cells.rs` | a coordinate as one of sixteen cells |
-//! | `mixed.rs` | the thorough models: these together |
-//! | `plain.rs` | the quick model of the first version: one prediction, counters alone |
-//! | `ahead.rs` | predictions for many vertices at once |
-//! | `quick.rs` | the quick model: such a prediction, a symbol an axis |
-//! | `residual.rs` | how far off these two are, as one symbol and the bits below |
+//! | `mixed.rs` | the thorough models, which combine all of these |
+//! | `plain.rs` | the quick model of version 1: one prediction and counters |
+//! | `ahead.rs` | predictions for many vertices in one go |
+//! | `quick.rs` | the quick model of version 2: such a prediction, one symbol per axis |
+//! | `residual.rs` | residual of a prediction, as a symbol and its low bits |
 //!
-//! All of it is integers. Time a vertex on one core: 0.15 microseconds with one prediction, 0.9 with one density and a cell an
-//! axis, 1.1 with one density and halvings, 2.7 with eighteen densities.
+//! All arithmetic is on integers. Time per vertex on one core: 0.15 microseconds with one prediction, 0.9
+//! with one density and one cell per axis, 1.1 with one density and halvings, 2.7 with eighteen
+//! densities.
 
 mod ahead;
 mod axis;
@@ -34,13 +36,13 @@ mod halving;
 mod local;
 mod mixed;
 mod plain;
+mod position_density;
 mod quick;
 mod residual;
-mod sight;
 
 use crate::entropy::Coder;
 use crate::format::form::{Effort, StreamVersion};
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 pub(super) use ahead::Surroundings;
 use cells::CellModel;
 use halving::AxisModel;
@@ -48,75 +50,81 @@ use mixed::MixedModel;
 use plain::PlainModel;
 use quick::QuickPositions;
 
-/// Adaptive models of grid coordinates.
+/// Adaptive model of grid coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct PositionModel(Model);
 
+/// The model for each combination of effort and version.
 #[derive(Clone, Debug)]
 enum Model {
-    /// One prediction.
-    One(Box<PlainModel>),
-    /// One prediction, made ahead.
-    Ahead(Box<QuickPositions>),
-    /// Guesses from the ring and the triangles around it.
-    Some(Box<MixedModel<4, 1, 1, AxisModel<1>>>),
-    /// The same, an axis at once.
+    /// One prediction, counters (version 1).
+    Plain(Box<PlainModel>),
+    /// One prediction, made ahead (version 2).
+    Quick(Box<QuickPositions>),
+    /// Guesses from the ring and the triangles around it; coordinates by halving (version 1).
+    Halving(Box<MixedModel<4, 1, 1, AxisModel<1>>>),
+    /// The guesses of `Halving`, coordinates by cells (version 2).
     Cells(Box<MixedModel<4, 1, 1, CellModel>>),
     /// Guesses from two rings, under several widths.
-    All(Box<MixedModel<6, 6, 3, AxisModel<3>>>),
+    Full(Box<MixedModel<6, 6, 3, AxisModel<3>>>),
 }
 
 impl PositionModel {
-    /// Knows nothing yet.
+    /// Creates an untrained model.
     pub(super) fn new(effort: Effort, version: StreamVersion) -> Self {
         Self(match effort {
-            Effort::Fast if version > StreamVersion::One => Model::Ahead(Box::new(QuickPositions::new())),
-            Effort::Fast => Model::One(Box::new(PlainModel::new())),
+            Effort::Fast if version > StreamVersion::One => Model::Quick(Box::new(QuickPositions::new())),
+            Effort::Fast => Model::Plain(Box::new(PlainModel::new())),
             Effort::Default if version > StreamVersion::One => {
                 Model::Cells(Box::new(MixedModel::new([[5], [4]])))
             }
-            Effort::Default => Model::Some(Box::new(MixedModel::new([[5], [4]]))),
-            Effort::Small => Model::All(Box::new(MixedModel::new([[2, 5, 8], [1, 4, 7]]))),
+            Effort::Default => Model::Halving(Box::new(MixedModel::new([[5], [4]]))),
+            Effort::Small => Model::Full(Box::new(MixedModel::new([[2, 5, 8], [1, 4, 7]]))),
         })
     }
 
-    /// Makes room for so many vertices in all.
+    /// Reserves memory for a total number of vertices.
     pub(super) fn reserve(&mut self, vertex_count: usize) {
         match &mut self.0 {
-            Model::One(_) | Model::Ahead(_) => {}
-            Model::Some(model) => model.reserve(vertex_count),
+            Model::Plain(_) | Model::Quick(_) => {}
+            Model::Halving(model) => model.reserve(vertex_count),
             Model::Cells(model) => model.reserve(vertex_count),
-            Model::All(model) => model.reserve(vertex_count),
+            Model::Full(model) => model.reserve(vertex_count),
         }
     }
 
-    /// The surface has been built anew between two batches: here is the old number of each vertex, or
-    /// [`NONE`](crate::topology::surface::NONE).
+    /// Adapts to a surface that was rebuilt between two batches. `old_of_new` contains the old index of
+    /// each vertex, or [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         match &mut self.0 {
-            Model::One(_) | Model::Ahead(_) => {}
-            Model::Some(model) => model.renumber(old_of_new),
+            Model::Plain(_) | Model::Quick(_) => {}
+            Model::Halving(model) => model.renumber(old_of_new),
             Model::Cells(model) => model.renumber(old_of_new),
-            Model::All(model) => model.renumber(old_of_new),
+            Model::Full(model) => model.renumber(old_of_new),
         }
     }
 
-    /// The model that looks ahead at all vertices that a stretch makes, from `first` on, before they are made; none if the
-    /// model looks around each one when it comes.
+    /// Returns the model that predicts all vertices of a stretch, from `first` on, before they are
+    /// created. `None` if the model examines the surroundings of each vertex when it is coded.
     pub(super) fn ahead(&mut self, first: u32) -> Option<&mut QuickPositions> {
-        let Model::Ahead(model) = &mut self.0 else { return None };
+        let Model::Quick(model) = &mut self.0 else { return None };
         model.begin_stretch(first);
         Some(model)
     }
 
-    /// Codes the place of the new vertex; a reader ignores `actual`.
-    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
+    /// Codes the grid coordinates of a new vertex. A reader ignores `actual`.
+    pub(super) fn code<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        neighborhood: &Neighborhood<'_>,
+        actual: [i32; 3],
+    ) -> [i32; 3] {
         match &mut self.0 {
-            Model::One(model) => model.code(coder, hood, actual),
-            Model::Ahead(model) => model.code(coder, hood.vertex, actual),
-            Model::Some(model) => model.code(coder, hood, actual),
-            Model::Cells(model) => model.code(coder, hood, actual),
-            Model::All(model) => model.code(coder, hood, actual),
+            Model::Plain(model) => model.code(coder, neighborhood, actual),
+            Model::Quick(model) => model.code(coder, neighborhood.vertex, actual),
+            Model::Halving(model) => model.code(coder, neighborhood, actual),
+            Model::Cells(model) => model.code(coder, neighborhood, actual),
+            Model::Full(model) => model.code(coder, neighborhood, actual),
         }
     }
 }

@@ -1,33 +1,33 @@
-//! Positions from one prediction that was made ahead: the quickest to read.
+//! Codes positions from one prediction that was made ahead: the fastest model to decode.
 //!
-//! The prediction blends the middle of the ring, what the triangles around it point to, and the vertex that split, by learned
-//! weights. What is left is one symbol an axis, and the bits below.
+//! The prediction blends the center of the ring, the points suggested by the surrounding triangles, and
+//! the vertex that split, with learned weights. The residual is one symbol per axis and its low bits.
 
-use super::ahead::{Outlook, POINTS, Surroundings};
-use super::residual::{Circumstances, code_residual};
+use super::ahead::{POINTS, Prediction, Surroundings};
+use super::residual::{ResidualContext, code_residual};
 use crate::entropy::{AdaptiveNumber, Coder, QuickSymbol, Rate, code_by_two, log2_q8};
 
-/// Kinds of sizes, and kinds of disagreement.
+/// Numbers of size classes and of spread classes.
 const SIZES: usize = 64;
 const SPREADS: usize = 16;
-/// Kinds of rings and axes that have weights of their own.
+/// Number of valence classes, which have separate weights.
 const VALENCES: usize = 4;
 
-/// How slowly symbols are learned in the end.
+/// Final learning rate of symbols, as a right shift.
 const LAST_SHIFT: u32 = 7;
 
-/// A model of positions that looks ahead.
+/// A position model that predicts all vertices of a stretch ahead.
 #[derive(Clone, Debug)]
 pub(crate) struct QuickPositions {
-    /// The first vertex of the stretch, and what is foretold of it and the next ones.
+    /// First vertex of the stretch, and the predictions of it and the following vertices.
     first: u32,
-    outlooks: Vec<Outlook>,
-    /// Along the surface and across it, by valence.
+    predictions: Vec<Prediction>,
+    /// By direction (along or across the surface) and valence.
     weights: [[[i32; POINTS]; VALENCES]; 2],
     axes: [QuickAxis; 3],
 }
 
-/// How far off predictions are along an axis: zero, or a sign and a bucket (1, 2 to 3, ..), all else being noise.
+/// Codes residuals along an axis: zero, or a sign and a bucket (1, 2 to 3, ..); all else is noise.
 #[derive(Clone, Debug)]
 struct QuickAxis {
     by_size: Vec<QuickSymbol>,
@@ -44,74 +44,77 @@ impl QuickAxis {
         }
     }
 
-    /// Codes how far off the prediction is.
+    /// Codes the residual of a prediction.
     #[inline]
-    fn code<C: Coder>(&mut self, coder: &mut C, at: Circumstances, actual: i32) -> i32 {
+    fn code<C: Coder>(&mut self, coder: &mut C, at: ResidualContext, actual: i32) -> i32 {
         let Self { by_size, by_spread, far } = self;
         let models = [&mut by_size[at.size], &mut by_spread[at.spread]];
-        code_residual(coder, far, at, actual, |coder, meant| code_by_two(coder, models, meant, LAST_SHIFT))
+        code_residual(coder, far, at, actual, |coder, actual_symbol| {
+            code_by_two(coder, models, actual_symbol, LAST_SHIFT)
+        })
     }
 }
 
 impl QuickPositions {
-    /// Knows nothing yet.
+    /// Creates an untrained model.
     pub(super) fn new() -> Self {
         Self {
             first: 0,
-            outlooks: Vec::new(),
+            predictions: Vec::new(),
             weights: [[[16_000, 0, 0]; VALENCES]; 2],
             axes: [QuickAxis::new(), QuickAxis::new(), QuickAxis::new()],
         }
     }
 
-    /// A stretch makes vertices from this one on.
+    /// Begins a stretch whose new vertices start at `first`.
     pub(super) fn begin_stretch(&mut self, first: u32) {
         self.first = first;
-        self.outlooks.clear();
+        self.predictions.clear();
     }
 
-    /// Looks ahead at the next vertex of the stretch.
+    /// Predicts the next vertex of the stretch.
     pub(crate) fn look_ahead(&mut self, around: &Surroundings) {
-        self.outlooks.push(Outlook::new(around));
+        self.predictions.push(Prediction::new(around));
     }
 
-    /// Codes the place of a vertex of the stretch that was looked ahead at.
+    /// Codes the grid coordinates of a vertex of the stretch that has been predicted.
     pub(super) fn code<C: Coder>(&mut self, coder: &mut C, vertex: u32, actual: [i32; 3]) -> [i32; 3] {
-        let outlook = &self.outlooks[(vertex - self.first) as usize];
-        let valence = outlook.count.clamp(4, 7) - 4;
-        let mut place = [0; 3];
-        // What the place found so far adds to the height of the last axis.
+        let prediction = &self.predictions[(vertex - self.first) as usize];
+        let valence = prediction.count.clamp(4, 7) - 4;
+        let mut coords = [0; 3];
+        // Change of the last axis's prediction due to the first two coordinates.
         let mut rise = 0;
-        for (slot, &a) in outlook.axes.iter().enumerate() {
-            let features = &outlook.features[a];
+        for (slot, &a) in prediction.axes.iter().enumerate() {
+            let features = &prediction.features[a];
             let weights = &mut self.weights[slot / 2][valence];
             let expected = predict(weights, features);
             let lifted = if slot < 2 { expected } else { (expected + rise).clamp(-8000, 8000) };
-            let center = outlook.to_grid(lifted, a);
+            let center = prediction.to_grid(lifted, a);
             let spread =
                 ((log2_q8(features[0].unsigned_abs() + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1);
             let spread = spread as usize * VALENCES + valence;
-            let circumstances = Circumstances { size: outlook.size, spread, noise: outlook.noise(slot) };
+            let context = ResidualContext { size: prediction.size, spread, noise: prediction.noise(slot) };
             let residual = actual[a].wrapping_sub(center);
-            place[a] = center.wrapping_add(self.axes[slot].code(coder, circumstances, residual));
-            let found = outlook.off_middle(place[a], a);
-            learn(weights, features, (found - lifted).clamp(-outlook.radius, outlook.radius));
+            coords[a] = center.wrapping_add(self.axes[slot].code(coder, context, residual));
+            let found = prediction.distance_from_center(coords[a], a);
+            learn(weights, features, (found - lifted).clamp(-prediction.radius, prediction.radius));
             if slot < 2 {
-                rise -= ((found - expected) * outlook.slopes[slot]) >> 12;
+                rise -= ((found - expected) * prediction.slopes[slot]) >> 12;
             }
         }
-        place
+        coords
     }
 }
 
-/// Where features point to, in local units.
+/// Returns the weighted sum of features, in local units.
 #[inline]
 fn predict(weights: &[i32; POINTS], features: &[i32; POINTS]) -> i32 {
     let sum: i64 = weights.iter().zip(features).map(|(&w, &x)| i64::from(w) * i64::from(x)).sum();
     (sum >> 16) as i32
 }
 
-/// Moves weights along the gradient of the squared error. Local units make steps of one size fit all rings.
+/// Moves the weights along the gradient of the squared error. In local units, one step size suits all
+/// rings.
 #[inline]
 fn learn(weights: &mut [i32; POINTS], features: &[i32; POINTS], error: i32) {
     for (weight, &x) in weights.iter_mut().zip(features) {
@@ -119,5 +122,5 @@ fn learn(weights: &mut [i32; POINTS], features: &[i32; POINTS], error: i32) {
     }
 }
 
-/// Weights move by the product of feature and error over 2 to this.
+/// Weights move by the product of feature and error, shifted right by this.
 const LEARN_SHIFT: u32 = 10;

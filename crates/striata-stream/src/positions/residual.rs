@@ -1,43 +1,45 @@
-//! How far off a prediction is along an axis, as one symbol and the bits below.
+//! Codes the residual of a prediction along an axis, as one symbol and its low bits.
 //!
-//! A symbol is zero, or a sign and a bucket (1, 2 to 3, ..), or far. All else is noise.
+//! The symbol is zero, a sign with a bucket (1, 2 to 3, 4 to 7, ..), or an escape for large residuals.
+//! All bits below it are noise.
 
 use crate::entropy::{AdaptiveNumber, Coder};
 
-/// The symbol of what lies in no bucket.
+/// Escape symbol of a residual beyond the last bucket.
 const FAR: usize = 15;
-/// The buckets that have symbols, and the number that lies beyond them.
+/// First magnitude beyond the last bucket.
 const NEAR: u32 = 1 << 7;
 
-/// What is known of a residual before it is coded.
+/// Context of a residual.
 #[derive(Clone, Copy)]
-pub(super) struct Circumstances {
-    /// The class of the size of what is around.
+pub(super) struct ResidualContext {
+    /// Size class of the surroundings.
     pub(super) size: usize,
-    /// The class of how much predictions disagree.
+    /// Class of how much predictions disagree.
     pub(super) spread: usize,
-    /// How many of the lowest bits are noise.
+    /// Number of lowest bits that are noise.
     pub(super) noise: u32,
 }
 
-/// Codes a residual whose symbol is coded by the function that is given, and whose far numbers are learned by size.
+/// Codes a residual. `code_symbol` codes its symbol; large residuals are coded by `far`, in the context
+/// of the size class.
 #[inline]
 pub(super) fn code_residual<C: Coder>(
     coder: &mut C,
     far: &mut AdaptiveNumber,
-    Circumstances { size, noise, .. }: Circumstances,
+    ResidualContext { size, noise, .. }: ResidualContext,
     actual: i32,
     code_symbol: impl FnOnce(&mut C, usize) -> usize,
 ) -> i32 {
     let high = actual >> noise;
     let distance = high.unsigned_abs();
     let bucket = distance.max(1).ilog2();
-    let meant = match distance {
+    let actual_symbol = match distance {
         0 => 0,
         NEAR.. => FAR,
         _ => 1 + 2 * bucket as usize + usize::from(high < 0),
     };
-    let symbol = code_symbol(coder, meant);
+    let symbol = code_symbol(coder, actual_symbol);
     if symbol == FAR {
         return code_far(coder, far, (size, noise), actual);
     }
@@ -50,6 +52,7 @@ pub(super) fn code_residual<C: Coder>(
     high.wrapping_shl(noise) | (below & ((1 << noise) - 1)) as i32
 }
 
+/// Codes a residual beyond the last bucket.
 #[cold]
 fn code_far<C: Coder>(
     coder: &mut C,

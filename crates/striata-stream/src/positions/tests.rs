@@ -1,4 +1,4 @@
-//! Positions of made-up surfaces, there and back.
+//! Round trips of positions on synthetic surfaces.
 
 use striata::mesh::{IndexedMesh, Random, shapes};
 
@@ -6,11 +6,11 @@ use super::{CellModel, MixedModel, PositionModel, Surroundings};
 use crate::entropy::{Coder, RangeReader, RangeWriter};
 use crate::format::form::{Effort, StreamVersion};
 use crate::topology::cutting::close;
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::{NONE, Surface, next};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
-/// All models that there are.
+/// All combinations that have different models.
 const KINDS: [(Effort, StreamVersion); 5] = [
     (Effort::Fast, StreamVersion::One),
     (Effort::Default, StreamVersion::One),
@@ -19,20 +19,21 @@ const KINDS: [(Effort, StreamVersion); 5] = [
     (Effort::Default, StreamVersion::Two),
 ];
 
-/// A closed surface, and a place for each of its vertices.
+/// A closed surface and the grid coordinates of its vertices.
 struct Sample {
     surface: Surface,
-    places: Vec<[i32; 3]>,
+    coords: Vec<[i32; 3]>,
 }
 
-fn sample(mesh: &IndexedMesh, place: impl Fn(usize) -> [i32; 3]) -> Sample {
+fn sample(mesh: &IndexedMesh, coords_of: impl Fn(usize) -> [i32; 3]) -> Sample {
     let surface = close(&mesh.triangles, mesh.positions.len()).surface;
     let first = surface.virtual_count() as usize;
-    let places = (0..surface.vertex_count()).map(|v| v.checked_sub(first).map_or([0; 3], &place)).collect();
-    Sample { surface, places }
+    let coords =
+        (0..surface.vertex_count()).map(|v| v.checked_sub(first).map_or([0; 3], &coords_of)).collect();
+    Sample { surface, coords }
 }
 
-/// The mesh on a grid of so many steps to a unit.
+/// Quantizes a mesh to a grid with a number of steps per unit.
 fn on_grid(mesh: &IndexedMesh, steps: f32) -> Sample {
     sample(mesh, |v| mesh.positions[v].map(|x| (x * steps).round() as i32))
 }
@@ -54,68 +55,73 @@ fn samples() -> Vec<Sample> {
     ]
 }
 
-/// Samples that a model knows how to code: what looks ahead takes places of grids only.
+/// Samples that a model can code: the one that predicts ahead requires grid coordinates of at most 24
+/// bits.
 fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
     let is_on_grid =
-        |sample: &Sample| sample.places.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
+        |sample: &Sample| sample.coords.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
     let is_ahead = kind == (Effort::Fast, StreamVersion::Two);
     samples().into_iter().filter(|sample| !is_ahead || is_on_grid(sample)).collect()
 }
 
-/// What lies around a vertex as far as it is known.
-fn around(hood: &Hood<'_>) -> Surroundings {
-    let mut around = Surroundings { count: hood.corners.len().min(8), ..Surroundings::default() };
-    let spot = |vertex: u32| hood.place(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
-    for (i, &corner) in hood.corners.iter().enumerate().take(8) {
-        around.ring[i] = spot(hood.surface.vertex(next(corner)));
-        around.across[i] = spot(hood.surface.vertex(hood.surface.opposite(corner)));
+/// Returns the known surroundings of a vertex.
+fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
+    let mut around = Surroundings { count: neighborhood.corners.len().min(8), ..Surroundings::default() };
+    let spot = |vertex: u32| neighborhood.coords_of(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
+    for (i, &corner) in neighborhood.corners.iter().enumerate().take(8) {
+        around.ring[i] = spot(neighborhood.surface.vertex(next(corner)));
+        around.across[i] = spot(neighborhood.surface.vertex(neighborhood.surface.opposite(corner)));
     }
     around
 }
 
-/// Codes all places but the first few in order; `unseen` stands where places are not known yet.
+/// Codes all positions but the first few in order. `unknown` fills the positions that are not known yet.
 fn code<C: Coder>(
     coder: &mut C,
     sample: &Sample,
     (effort, version): (Effort, StreamVersion),
-    unseen: [i32; 3],
+    unknown: [i32; 3],
 ) -> Vec<[i32; 3]> {
     let first = sample.surface.virtual_count() as usize + 4;
-    let mut places = sample.places[..first].to_vec();
-    places.resize(sample.places.len(), unseen);
+    let mut coords = sample.coords[..first].to_vec();
+    coords.resize(sample.coords.len(), unknown);
     let mut model = PositionModel::new(effort, version);
-    for vertex in first..places.len() {
+    for vertex in first..coords.len() {
         let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
-        let hood =
-            Hood { surface: &sample.surface, places: &places, vertex: vertex as u32, corners: &corners };
+        let neighborhood = Neighborhood {
+            surface: &sample.surface,
+            coords: &coords,
+            vertex: vertex as u32,
+            corners: &corners,
+        };
         if let Some(ahead) = model.ahead(vertex as u32) {
-            ahead.look_ahead(&around(&hood));
+            ahead.look_ahead(&around(&neighborhood));
         }
-        let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
-        places[vertex] = model.code(coder, &hood, actual);
+        let actual = if C::READS { [0; 3] } else { sample.coords[vertex] };
+        coords[vertex] = model.code(coder, &neighborhood, actual);
     }
-    places
+    coords
 }
 
-fn write(sample: &Sample, kind: (Effort, StreamVersion), unseen: [i32; 3]) -> Vec<u8> {
+fn write(sample: &Sample, kind: (Effort, StreamVersion), unknown: [i32; 3]) -> Vec<u8> {
     let mut writer = RangeWriter::new();
-    assert_eq!(code(&mut writer, sample, kind, unseen), sample.places);
+    assert_eq!(code(&mut writer, sample, kind, unknown), sample.coords);
     writer.finish().0
 }
 
 #[test]
-fn places_of_all_sizes_come_back() {
+fn decodes_coordinates_of_all_magnitudes() {
     for kind in KINDS {
         for (at, sample) in samples_for(kind).iter().enumerate() {
             let bytes = write(sample, kind, [0; 3]);
-            let places = code(&mut RangeReader::new(&bytes, true), sample, kind, [1; 3]);
-            assert_eq!(places, sample.places, "sample {at}, {kind:?}");
+            let coords = code(&mut RangeReader::new(&bytes, true), sample, kind, [1; 3]);
+            assert_eq!(coords, sample.coords, "sample {at}, {kind:?}");
         }
     }
 }
 
 #[test]
-fn nothing_is_seen_before_its_time() {
+fn later_coordinates_have_no_influence() {
     for kind in KINDS {
         for (at, sample) in samples_for(kind).iter().enumerate() {
             let expected = write(sample, kind, [0; 3]);
@@ -127,9 +133,10 @@ fn nothing_is_seen_before_its_time() {
 }
 
 #[test]
-fn any_bytes_give_places() {
+fn random_bytes_give_coordinates() {
     let mut random = Random::new(6);
-    // What looks ahead is told at once of places that are off the grid, and asked no more.
+    // The caller of the model that predicts ahead stops at positions outside the grid, so it is never
+    // called after them.
     let kinds = KINDS.into_iter().filter(|&kind| kind != (Effort::Fast, StreamVersion::Two));
     for kind in kinds {
         for sample in &samples() {
@@ -146,7 +153,7 @@ fn any_bytes_give_places() {
 fn more_effort_takes_fewer_bytes() {
     let mesh = shapes::torus(120, 50, 1.0, 0.4);
     let mut random = Random::new(3);
-    // Sampled with some noise, so that nothing is foretold for sure.
+    // Noise makes exact prediction impossible.
     let noise: Vec<[f32; 3]> =
         mesh.positions.iter().map(|_| [(); 3].map(|()| random.between(-4.0, 4.0))).collect();
     let sample =
@@ -154,7 +161,7 @@ fn more_effort_takes_fewer_bytes() {
     let bits = EFFORTS.map(|effort| {
         write(&sample, (effort, StreamVersion::One), [0; 3]).len() as f64 * 8.0 / mesh.positions.len() as f64
     });
-    // The noise alone is 9.5 bits.
+    // The noise alone takes 9.5 bits.
     assert!(bits[0] < 20.0 && bits[1] < 15.5 && bits[2] < 15.0, "{bits:?}");
     assert!(bits[2] < bits[1] && bits[1] < bits[0], "{bits:?}");
     let of_cells = write(&sample, (Effort::Default, StreamVersion::Two), [0; 3]).len() as f64 * 8.0;
@@ -162,14 +169,14 @@ fn more_effort_takes_fewer_bytes() {
 }
 
 #[test]
-fn bytes_are_the_same_everywhere() {
+fn bytes_are_the_same_on_every_machine() {
     let samples = samples();
     let found = KINDS.map(|kind| crc32fast::hash(&write(&samples[0], kind, [0; 3])));
     assert_eq!(found, [541_360_663, 4_176_046_866, 815_267_749, 1_581_675_626, 1_206_542_486]);
 }
 
 #[test]
-fn errors_follow_their_vertices_to_new_numbers() {
+fn renumbering_keeps_the_errors_of_vertices() {
     let mut model = MixedModel::<4, 1, 1, CellModel>::new([[5], [4]]);
     model.errors = vec![[1, 2], [3, 4], [5, 6]];
     model.renumber(&[2, NONE, 0]);

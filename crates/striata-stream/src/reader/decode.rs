@@ -1,4 +1,4 @@
-//! The reader's front: bytes in as they arrive, vertices and triangles out.
+//! Decodes a stream: takes bytes as they arrive and provides the vertices and triangles decoded so far.
 
 use std::ops::Range;
 
@@ -14,27 +14,30 @@ use crate::format::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_w
 use crate::layers::form::LayerForm;
 use crate::reader::prefix::PrefixMesh;
 use crate::refine::growth::Growth;
+use crate::refine::parameters::StreamParameters;
 use crate::refine::refiner::{Ended, Refiner};
-use crate::refine::source::Unknown;
-use crate::refine::terms::Terms;
+use crate::refine::source::ReaderSource;
 
-/// What some bytes have brought: append [`vertices`](Self::vertices) to a vertex buffer, write
-/// [`changed_triangles`](Self::changed_triangles) of an index buffer anew, append [`triangles`](Self::triangles).
+/// The changes that one call to the decoder made. To apply them, append [`vertices`](Self::vertices) to
+/// the vertex buffer, rewrite [`changed_triangles`](Self::changed_triangles) in the index buffer and
+/// append [`triangles`](Self::triangles).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct StreamUpdate {
-    /// Vertices that are new, at the end of the vertex buffer.
+    /// Range of the new vertices, at the end of the vertex buffer.
     pub vertices: Range<usize>,
-    /// Triangles that are new, at the end of the index buffer.
+    /// Range of the new triangles, at the end of the index buffer.
     pub triangles: Range<usize>,
-    /// Older triangles with other corners now, ascending.
+    /// Indices of older triangles whose corners have changed, ascending.
     pub changed_triangles: Vec<u32>,
 }
 
-/// Reads a progressive stream: takes slices of bytes as they arrive, and holds the mesh of what has come.
+/// Decodes a progressive stream. It accepts slices of bytes as they arrive and keeps the mesh decoded so
+/// far.
 ///
-/// A chunk is read once all its bytes are there and its checksum holds. Where the bytes end for good,
-/// [`finish`](Self::finish) reads what the rest of them tell.
+/// A chunk is decoded once all its bytes have arrived and its checksum matches. If the stream is cut off
+/// and no more bytes will arrive, [`finish`](Self::finish) decodes as much as possible of the last,
+/// incomplete chunk.
 ///
 /// # Example
 /// ```
@@ -54,29 +57,33 @@ pub struct StreamUpdate {
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct StreamDecoder {
-    /// Bytes that have come and are not read yet.
+    /// Bytes that have arrived but have not been decoded yet.
     waiting: Vec<u8>,
-    /// Bytes that have been read.
+    /// Number of bytes decoded so far.
     read: u64,
+    /// The decoded head, once it has arrived.
     head: Option<Head>,
+    /// The refinement loop, once the base mesh has been decoded.
     refiner: Option<Box<Refiner>>,
-    /// Chunks read.
+    /// Number of chunks decoded so far.
     chunk_count: usize,
-    /// No more bytes are of use.
+    /// Whether decoding has ended, by an error or by [`finish`](Self::finish); no more bytes are
+    /// accepted.
     is_over: bool,
 }
 
 impl StreamDecoder {
-    /// Nothing read yet.
+    /// Creates a decoder that has not received any bytes.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes the next bytes of the stream and reads all chunks that are complete.
+    /// Accepts the next bytes of the stream and decodes all chunks that are complete.
     ///
     /// # Errors
-    /// [`DecodeError`] if the bytes are no sound stream, or go on after its end ([`DecodeError::FileLength`] with the bytes found so far
-    /// and the length of the stream). What was read before stays, and more bytes are of no use.
+    /// [`DecodeError`] if the bytes are not a valid stream, or if they continue after its end
+    /// ([`DecodeError::FileLength`] with the number of bytes received and the length of the stream).
+    /// Whatever was decoded before remains available, but the decoder accepts no more bytes.
     pub fn push(&mut self, bytes: &[u8]) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
         let before = self.sizes();
@@ -86,14 +93,14 @@ impl StreamDecoder {
         let result = self.read_all(&waiting);
         self.catch_up();
         self.is_over = result.is_err();
-        // Once for all chunks, since what follows them moves.
+        // Drained once after all chunks, since draining moves the remaining bytes.
         waiting.drain(..(self.read - start) as usize);
         self.waiting = waiting;
         result?;
         Ok(self.update_since(before))
     }
 
-    /// Reads the head and the chunks that are whole.
+    /// Decodes the head and every complete chunk.
     fn read_all(&mut self, mut bytes: &[u8]) -> Result<(), DecodeError> {
         if self.head.is_none() {
             let Some(length) = head_length(bytes)?.filter(|&n| n <= bytes.len()) else { return Ok(()) };
@@ -116,7 +123,7 @@ impl StreamDecoder {
         self.check_end(bytes.len())
     }
 
-    /// The whole stream is read: no bytes may follow it.
+    /// Checks that no bytes follow the end of a stream that has been decoded completely.
     fn check_end(&self, more: usize) -> Result<(), DecodeError> {
         if more == 0 {
             return Ok(());
@@ -124,20 +131,27 @@ impl StreamDecoder {
         Err(DecodeError::FileLength { found: self.read + more as u64, expected: self.read })
     }
 
+    /// Checks that more bytes may follow.
+    ///
     /// # Errors
-    /// Where what came before was no sound stream, or was said to be all.
+    /// If an earlier call failed, or if [`finish`](Self::finish) has already been called.
     fn check_open(&self) -> Result<(), DecodeError> {
         if !self.is_over {
             return Ok(());
         }
         let offset = self.read as usize;
-        Err(DecodeError::Malformed { offset, reason: "reading has ended here" })
+        Err(DecodeError::Malformed {
+            offset,
+            reason: "the decoder accepts no more bytes after an error or after finish",
+        })
     }
 
-    /// Reads what a last, incomplete chunk tells, its checksum unknown. No more bytes can follow.
+    /// Decodes as much as possible of the last, incomplete chunk, without verifying its checksum. No more
+    /// bytes are accepted afterwards.
     ///
     /// # Errors
-    /// [`DecodeError`] where the stream ends before its base mesh does, or what is there makes no sense.
+    /// [`DecodeError`] if the stream ends before its base mesh does, or if the remaining bytes are
+    /// invalid.
     pub fn finish(&mut self) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
         let before = self.sizes();
@@ -158,10 +172,12 @@ impl StreamDecoder {
         Ok(self.update_since(before))
     }
 
+    /// Returns the table row of the next chunk to decode, if any.
     fn next_row(&self) -> Option<Row> {
         self.head.as_ref()?.rows.get(self.chunk_count).copied()
     }
 
+    /// Compares a chunk's checksum with the one in the table.
     fn check_chunk(&self, chunk: &[u8], row: Row) -> Result<(), StreamDefect> {
         let found = crc32fast::hash(chunk);
         if found == row.checksum {
@@ -175,7 +191,7 @@ impl StreamDecoder {
         })
     }
 
-    /// Reads a chunk, whole or cut off; so many bytes behind it are there.
+    /// Decodes a chunk, complete or truncated. `more` is the number of bytes that are available after it.
     fn read_chunk(
         &mut self,
         bytes: &[u8],
@@ -190,27 +206,28 @@ impl StreamDecoder {
         refiner.limit_wedges(most_wedges);
         while refiner.split_count() < row.split_count as usize {
             let most = row.split_count as usize - refiner.split_count();
-            if refiner.stretch(&mut reader, &mut Unknown, most)? == Ended::Whole {
+            if refiner.stretch(&mut reader, &mut ReaderSource, most)? == Ended::Whole {
                 continue;
             }
-            // The bytes of a whole chunk do not end.
+            // A complete chunk never runs out of data unless it is invalid.
             return if is_complete { Err(StreamDefect::Wedges { chunk: self.chunk_count }) } else { Ok(()) };
         }
         Ok(())
     }
 
-    /// Bytes of the chunks that have been read.
+    /// Number of bytes in the chunks that have been decoded.
     fn body_bytes(&self) -> u64 {
         self.head.as_ref().map_or(0, |head| self.read - head.length)
     }
 
+    /// Decodes the base mesh and sets up the refiner.
     fn read_base(
         &mut self,
         reader: &mut RangeReader<'_>,
         (most_wedges, more): (u64, usize),
     ) -> Result<(), StreamDefect> {
         let Some(head) = &self.head else { return Ok(()) };
-        let terms = Terms {
+        let parameters = StreamParameters {
             version: head.version,
             has_general: head.has_general,
             effort: head.effort,
@@ -227,14 +244,15 @@ impl StreamDecoder {
             group_count: head.groups.len() as u32,
             layers: head.layers.clone(),
         };
-        let mut refiner = Refiner::begin(reader, &Base::default(), &terms, &mut Unknown)?;
-        // As much as real streams need; what lies about its size gets no more than the bytes that are there are worth.
+        let mut refiner = Refiner::begin(reader, &Base::default(), &parameters, &mut ReaderSource)?;
+        // Enough for any real stream. If the head claims far more steps than there are bytes, the bytes
+        // limit what we reserve.
         refiner.reserve((head.step_count as usize).min(more));
         self.refiner = Some(Box::new(refiner));
         Ok(())
     }
 
-    /// The whole stream is read: it must be what its head says.
+    /// Checks that a completely decoded stream has the counts that its head promises.
     fn check_counts(&self) -> Result<(), StreamDefect> {
         let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Ok(()) };
         let counts = [
@@ -250,21 +268,24 @@ impl StreamDecoder {
         Ok(())
     }
 
-    /// Brings the list of triangles up to date with what has been read.
+    /// Brings the list of triangles up to date with the splits decoded so far.
     fn catch_up(&mut self) {
         if let Some(refiner) = &mut self.refiner {
             refiner.catch_up();
         }
     }
 
+    /// Returns the mesh decoded so far.
     fn growth(&self) -> Option<&Growth> {
         self.refiner.as_ref().map(|refiner| &refiner.level.growth)
     }
 
+    /// Number of vertices and of triangles decoded so far.
     fn sizes(&self) -> (usize, usize) {
         self.growth().map_or((0, 0), |growth| (growth.positions.len(), growth.triangles.len()))
     }
 
+    /// Lists the changes since the given vertex and triangle counts.
     fn update_since(&mut self, (vertices, triangles): (usize, usize)) -> StreamUpdate {
         let (vertices_now, triangles_now) = self.sizes();
         let mut changed_triangles = match &mut self.refiner {
@@ -281,15 +302,15 @@ impl StreamDecoder {
         }
     }
 
-    /// Positions of the vertices that have come, mesh units.
+    /// Positions of the vertices decoded so far, in mesh units.
     pub fn positions(&self) -> &[[f32; 3]] {
         self.growth().map_or(&[], |growth| &growth.positions)
     }
 
-    /// The attribute layers of some of the vertices that have come.
+    /// Returns the attribute layers of a range of the vertices decoded so far.
     ///
     /// # Panics
-    /// If some of the vertices have not.
+    /// If the range extends past the vertices decoded so far.
     pub fn layers_of(&self, vertices: Range<usize>) -> Vec<AttributeLayer> {
         let (Some(head), Some(refiner)) = (&self.head, &self.refiner) else { return Vec::new() };
         let Some(attributes) = refiner.attributes() else { return Vec::new() };
@@ -302,32 +323,33 @@ impl StreamDecoder {
         head.layers.iter().enumerate().map(layer).collect()
     }
 
-    /// Triangles of the level that has come, in the order in which they came.
+    /// Triangles of the level decoded so far, in decoding order.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.growth().map_or(&[], |growth| &growth.triangles)
     }
 
-    /// The group of each of these triangles; empty where the mesh has no more than one.
+    /// Group of each triangle in [`triangles`](Self::triangles); empty if the mesh has at most one group.
     pub fn triangle_groups(&self) -> &[u32] {
         self.growth().map_or(&[], |growth| &growth.groups)
     }
 
-    /// First vertex of each position that has come, closed by the number of vertices.
+    /// Index of the first vertex of each position decoded so far, followed by the vertex count.
     pub fn first_vertices(&self) -> &[u32] {
         self.growth().map_or(&[], |growth| &growth.first_vertex)
     }
 
-    /// The vertex that each vertex beyond the base collapses to; it has a smaller number.
+    /// The vertex that each vertex beyond the base collapses to. Its index is always smaller.
     pub fn targets(&self) -> &[u32] {
         self.growth().map_or(&[], |growth| &growth.targets)
     }
 
-    /// Triangles that each vertex split has brought.
+    /// Number of triangles that each vertex split added.
     pub fn added_triangle_counts(&self) -> &[u8] {
         self.growth().map_or(&[], |growth| &growth.added)
     }
 
-    /// What has come, as models that grow with it take it; empty before the base has come.
+    /// Returns the mesh decoded so far, in the form that growing models use. It is empty before the base
+    /// mesh has been decoded.
     pub fn prefix(&self) -> PrefixMesh<'_> {
         self.growth().map_or(PrefixMesh::default(), |growth| PrefixMesh {
             positions: &growth.positions,
@@ -338,23 +360,23 @@ impl StreamDecoder {
         })
     }
 
-    /// Vertex splits that have come.
+    /// Number of vertex splits decoded so far.
     pub fn split_count(&self) -> usize {
         self.refiner.as_ref().map_or(0, |refiner| refiner.split_count())
     }
 
-    /// Vertex splits of the whole stream; none before its head has come.
+    /// Number of vertex splits in the whole stream, or `None` before its head has been decoded.
     pub fn step_count(&self) -> Option<usize> {
         self.head.as_ref().map(|head| head.step_count as usize)
     }
 
-    /// True where the whole stream has been read.
+    /// Whether the whole stream has been decoded.
     pub fn is_complete(&self) -> bool {
         self.head.is_some() && self.next_row().is_none()
     }
 
-    /// Bytes from the beginning of the stream after which a level is there; none before the head has come, or if
-    /// there is no such level.
+    /// Number of bytes from the beginning of the stream needed to decode a level. `None` before the head
+    /// has been decoded, or if the stream has no such level.
     pub fn bytes_for(&self, split_count: usize) -> Option<u64> {
         let head = self.head.as_ref()?;
         let chunks = head.rows.partition_point(|row| (row.split_count as usize) < split_count) + 1;
@@ -362,22 +384,25 @@ impl StreamDecoder {
         Some(bytes + head.length)
     }
 
-    /// How far the level is from the full mesh at most as far as the sequence tells, mesh units; 0 at the end.
+    /// Upper bound, according to the sequence, of the current level's distance to the full mesh, in mesh
+    /// units; 0 at the full mesh. `None` before the head has been decoded.
     pub fn error(&self) -> Option<f32> {
         let head = self.head.as_ref()?;
         Some(head.rows.get(self.chunk_count).map_or(0.0, |row| row.error))
     }
 
-    /// How far a level is from the full mesh at most as far as the sequence tells, mesh units; none before the head has come.
+    /// Upper bound, according to the sequence, of a level's distance to the full mesh, in mesh units.
+    /// `None` before the head has been decoded.
     pub fn error_at(&self, split_count: usize) -> Option<f32> {
         let head = self.head.as_ref()?;
         let chunk = head.rows.partition_point(|row| row.split_count as usize <= split_count);
         Some(head.rows.get(chunk).map_or(0.0, |row| row.error))
     }
 
-    /// What has come as a mesh with the sequence that leads to it: models are built from it as from any other.
+    /// Returns the mesh decoded so far with its collapse sequence, from which every kind of model can be
+    /// built.
     ///
-    /// None before the base has come.
+    /// `None` before the base mesh has been decoded.
     pub fn refinable_mesh(&self) -> Option<RefinableMesh> {
         let (head, growth) = (self.head.as_ref()?, self.growth()?);
         let (triangles, groups) = self.grouped_triangles();
@@ -404,7 +429,7 @@ impl StreamDecoder {
         Some(RefinableMesh { mesh, sequence: sequence.ok()? })
     }
 
-    /// Triangles group after group, and the groups.
+    /// Returns the triangles sorted by group, and the groups.
     fn grouped_triangles(&self) -> (Vec<[u32; 3]>, Vec<TriangleGroup>) {
         let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Default::default() };
         if head.groups.len() < 2 {

@@ -2,8 +2,8 @@
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `decode.rs` | a stream that comes in pieces |
-//! | `prefix.rs` | the mesh that a prefix of it is |
+//! | `decode.rs` | decodes a stream that arrives in pieces |
+//! | `prefix.rs` | the mesh that a prefix of a stream defines |
 
 pub(crate) mod decode;
 pub(crate) mod prefix;

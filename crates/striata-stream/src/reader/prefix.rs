@@ -4,39 +4,41 @@ use std::ops::Range;
 
 /// Borrowed arrays of a mesh that grows step by step: a stream whose bytes are still arriving, for example.
 ///
-/// Vertices are numbered in refinement order, as in a [`CollapseSequence`](striata::mesh::CollapseSequence). Triangles are listed in the
-/// order in which steps add them, so every level uses a prefix of the triangles as well as of the vertices.
+/// Vertices are numbered in refinement order, as in a
+/// [`CollapseSequence`](striata::mesh::CollapseSequence). Triangles are listed in the order in which
+/// steps add them, so every level uses a prefix of the triangles as well as of the vertices.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PrefixMesh<'a> {
-    /// Position of each vertex, mesh units.
+    /// Position of each vertex, in mesh units.
     pub positions: &'a [[f32; 3]],
     /// First vertex of each position, followed by the vertex count.
     pub first_vertices: &'a [u32],
-    /// The vertex that each vertex beyond the base collapses to; it belongs to an older position.
+    /// The vertex that each vertex beyond the base collapses to; it belongs to an earlier position.
     pub targets: &'a [u32],
-    /// Corners of each triangle at the finest level that has arrived: the base's triangles, then those of each step.
+    /// Corners of each triangle at the finest level that has arrived: first those of the base, then those
+    /// of each step.
     pub triangles: &'a [[u32; 3]],
-    /// Triangles that each step adds.
+    /// Number of triangles that each step adds.
     pub added_triangle_counts: &'a [u8],
 }
 
 impl<'a> PrefixMesh<'a> {
-    /// Steps that have arrived.
+    /// Number of steps that have arrived.
     pub fn step_count(&self) -> usize {
         self.added_triangle_counts.len()
     }
 
-    /// Positions of the base mesh.
+    /// Number of positions in the base mesh.
     pub fn base_position_count(&self) -> usize {
         self.first_vertices.len().saturating_sub(1 + self.step_count())
     }
 
-    /// Vertices of the base mesh.
+    /// Number of vertices in the base mesh.
     pub fn base_vertex_count(&self) -> usize {
         self.vertex_count_at(0)
     }
 
-    /// Vertices that a level shows: the first so many.
+    /// Number of vertices that a level uses, counted from the first.
     ///
     /// # Panics
     /// If `split_count` exceeds the number of steps.
@@ -45,7 +47,7 @@ impl<'a> PrefixMesh<'a> {
         self.first_vertices.get(self.base_position_count() + split_count).map_or(0, |&count| count as usize)
     }
 
-    /// Triangles that a level shows: the first so many.
+    /// Number of triangles that a level uses, counted from the first.
     ///
     /// # Panics
     /// If `split_count` exceeds the number of steps.
@@ -54,7 +56,8 @@ impl<'a> PrefixMesh<'a> {
         self.triangles.len() - missing.iter().map(|&count| usize::from(count)).sum::<usize>()
     }
 
-    /// The most detailed level with at most `triangle_count` triangles; the base if none has so few.
+    /// Returns the split count of the most detailed level with at most `triangle_count` triangles, or 0
+    /// if even the base has more.
     pub fn split_count_for_triangles(&self, triangle_count: usize) -> usize {
         let (mut split_count, mut count) = (self.step_count(), self.triangles.len());
         while count > triangle_count && split_count > 0 {
@@ -64,7 +67,7 @@ impl<'a> PrefixMesh<'a> {
         split_count
     }
 
-    /// The vertices of a step.
+    /// Range of the vertices that a step adds.
     ///
     /// # Panics
     /// If the step has not arrived.
@@ -74,9 +77,9 @@ impl<'a> PrefixMesh<'a> {
         self.first_vertices[position]..self.first_vertices[position + 1]
     }
 
-    /// Appends the triangles of a uniform level, each with its number among [`triangles`](Self::triangles).
+    /// Appends the triangles of a uniform level, each with its index in [`triangles`](Self::triangles).
     ///
-    /// Costs a pass over the vertices, whatever the steps are, and one over the level's triangles.
+    /// Takes one pass over all vertices, even for coarse levels, and one over the level's triangles.
     ///
     /// # Panics
     /// If `split_count` exceeds the number of steps.
@@ -86,10 +89,11 @@ impl<'a> PrefixMesh<'a> {
         self.append_shown(0..self.triangle_count_at(split_count), &shown, out);
     }
 
-    /// For each vertex the one that is shown in its place: the vertex itself if it is active, otherwise what its target shows.
+    /// For each vertex, returns the vertex that represents it: the vertex itself if it is active,
+    /// otherwise the one that represents its target.
     pub(crate) fn shown_vertices(&self, is_active: impl Fn(u32) -> bool) -> Vec<u32> {
         let base_count = self.base_vertex_count() as u32;
-        // Targets are older, so one pass in rising order resolves chains of any length.
+        // Targets come earlier, so one pass in ascending order resolves chains of any length.
         let mut shown: Vec<u32> = (0..base_count).collect();
         shown.reserve(self.targets.len());
         for (vertex, &target) in (base_count..).zip(self.targets) {
@@ -98,7 +102,8 @@ impl<'a> PrefixMesh<'a> {
         shown
     }
 
-    /// Appends triangles whose corners are replaced by the vertices that are shown for them, without those that lose a corner.
+    /// Appends triangles with each corner replaced by its representative, skipping those that become
+    /// degenerate.
     pub(crate) fn append_shown(&self, range: Range<usize>, shown: &[u32], out: &mut Vec<(u32, [u32; 3])>) {
         for (number, corners) in range.clone().zip(&self.triangles[range]) {
             let corners = corners.map(|v| shown[v as usize]);
@@ -143,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn the_finest_level_within_a_budget() {
+    fn finds_the_finest_level_within_a_budget() {
         let counts = [0, 1, 2, 3, 4, 9].map(|count| SQUARE.split_count_for_triangles(count));
         assert_eq!(counts, [0, 0, 1, 1, 2, 2]);
         assert_eq!(PrefixMesh::default().split_count_for_triangles(5), 0);

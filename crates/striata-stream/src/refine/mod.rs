@@ -1,22 +1,22 @@
-//! The loop that both sides run.
+//! The refinement loop that writer and reader both run.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `refiner.rs` | the loop: which vertices split, the splits, what the new vertices are |
-//! | `asking.rs` | its first half: which vertices split, and how |
-//! | `values.rs` | its second half: what the new vertices are |
-//! | `terms.rs` | what both sides agree on before |
-//! | `parts.rs`, `models.rs` | what the loop keeps |
-//! | `source.rs` | what a writer knows of what is to come |
-//! | `walk.rs` | which vertex is asked next |
-//! | `growth.rs` | the mesh so far |
+//! | `refiner.rs` | the loop: selects vertices, splits them, codes the new vertices |
+//! | `split_selection.rs` | its first half: which vertices split, and how |
+//! | `vertex_values.rs` | its second half: positions, wedges and attributes of new vertices |
+//! | `parameters.rs` | what both sides know before the first bit |
+//! | `parts.rs`, `models.rs` | the state of the loop |
+//! | `source.rs` | what a writer knows about the splits to come |
+//! | `walk.rs` | the order in which vertices are visited |
+//! | `growth.rs` | the mesh built so far |
 
-mod asking;
 pub(crate) mod growth;
 pub(crate) mod models;
+pub(crate) mod parameters;
 pub(crate) mod parts;
 pub(crate) mod refiner;
 pub(crate) mod source;
-pub(crate) mod terms;
-mod values;
+mod split_selection;
+mod vertex_values;
 pub(crate) mod walk;

@@ -1,6 +1,6 @@
-//! All that is learned while a stream is coded.
+//! The adaptive models of a stream, which learn while it is coded.
 
-use super::terms::Terms;
+use super::parameters::StreamParameters;
 use crate::connectivity::ConnectivityModel;
 use crate::connectivity::quick::QuickModel;
 use crate::format::grid::CorrectionModel;
@@ -10,26 +10,26 @@ use crate::positions::PositionModel;
 use crate::topology::surface::Surface;
 use crate::wedges::model::WedgeModel;
 
-/// Who is asked which vertices split.
+/// The model that codes which vertices split and how.
 #[derive(Clone, Debug)]
 pub(crate) enum Connectivity {
-    /// All that is around a vertex is looked at.
+    /// Examines the whole neighborhood of each vertex.
     Thorough(Box<ConnectivityModel>),
-    /// Next to nothing is looked at to see whether it splits.
+    /// Uses very little context to decide whether a vertex splits.
     Quick(Box<QuickModel>),
 }
 
 impl Connectivity {
-    /// Nothing learned about a base.
-    pub(crate) fn new(surface: &Surface, terms: &Terms) -> Self {
-        if terms.is_quick() {
-            Self::Quick(Box::new(QuickModel::new(surface, (terms.effort, terms.version))))
+    /// Creates an untrained model for the surface of the base mesh.
+    pub(crate) fn new(surface: &Surface, parameters: &StreamParameters) -> Self {
+        if parameters.is_quick() {
+            Self::Quick(Box::new(QuickModel::new(surface, (parameters.effort, parameters.version))))
         } else {
-            Self::Thorough(Box::new(ConnectivityModel::new(terms.effort)))
+            Self::Thorough(Box::new(ConnectivityModel::new(parameters.effort)))
         }
     }
 
-    /// A batch begins.
+    /// Prepares the model for the next batch.
     pub(crate) fn begin_batch(&mut self, surface: &Surface) {
         match self {
             Self::Thorough(model) => model.begin_batch(surface),
@@ -38,16 +38,17 @@ impl Connectivity {
     }
 }
 
-/// A model for each part of what a stream says.
+/// One model for each part of a stream.
 #[derive(Clone, Debug)]
 pub(crate) struct Models {
     /// Which vertices split, and how.
     pub(crate) connectivity: Connectivity,
-    /// Where new vertices are on the grid.
+    /// Grid coordinates of new vertices.
     pub(crate) positions: PositionModel,
-    /// What grid coordinates lack, if positions are exact.
+    /// Differences between exact positions and the grid, if positions are lossless.
     pub(crate) corrections: Option<CorrectionModel>,
-    /// What corners show, if positions have several vertices or triangles several groups.
+    /// Vertices that corners refer to, if some position has several vertices or the mesh has several
+    /// groups.
     pub(crate) wedges: Option<WedgeModel>,
     /// Attribute layers, if there are any.
     pub(crate) attributes: Option<Attributes>,
@@ -56,9 +57,9 @@ pub(crate) struct Models {
 }
 
 impl Models {
-    /// Makes room for so many more vertices, on top of those that a surface has.
+    /// Reserves memory for a number of vertices beyond those of the surface.
     pub(crate) fn reserve(&mut self, surface: &Surface, steps: usize) {
-        // These know nothing yet of the vertices that are there.
+        // These models do not store anything for the existing vertices yet.
         let all = surface.vertex_count() + steps;
         self.positions.reserve(all);
         match &mut self.connectivity {
@@ -67,8 +68,9 @@ impl Models {
         }
     }
 
-    /// Follows a surface that was built anew between two batches: here is the old number of each of its vertices, or
-    /// [`NONE`](crate::topology::surface::NONE) for those that are new. Only in streams of the second version.
+    /// Adapts the models to a surface that was rebuilt between two batches. `old_of_new` contains the old
+    /// index of each of its vertices, or [`NONE`](crate::topology::surface::NONE) for a new one. Only
+    /// used by version 2 streams.
     pub(crate) fn renumber(&mut self, old_of_new: &[u32]) {
         match &mut self.connectivity {
             Connectivity::Thorough(model) => model.renumber(old_of_new),

@@ -1,4 +1,4 @@
-//! What a refinement consists of beside its models.
+//! The state of a refinement apart from its models.
 
 use super::growth::Growth;
 use super::walk::Walk;
@@ -8,66 +8,68 @@ use crate::topology::rings::Rings;
 use crate::topology::surface::{Cut, Surface, triangle_of};
 use crate::wedges::split::SplitWedges;
 
-/// What is there so far.
+/// The mesh and surface refined so far.
 #[derive(Clone, Debug)]
 pub(crate) struct Level {
-    /// The surface, with all splits that have been done.
+    /// The surface, including all splits done so far.
     pub(crate) surface: Surface,
-    /// Grid coordinates by vertex of the surface.
+    /// Grid coordinates of each vertex of the surface.
     pub(crate) places: Vec<[i32; 3]>,
-    /// What the grid coordinates mean.
+    /// The grid that these coordinates refer to.
     pub(crate) grid: PositionGrid,
-    /// The mesh that the surface stands for.
+    /// The mesh that the surface represents.
     pub(crate) growth: Growth,
 }
 
-/// Where a batch stands.
+/// Progress within the current batch.
 #[derive(Clone, Debug)]
 pub(crate) struct Batch {
-    /// Who is asked next.
+    /// The order in which vertices are visited.
     pub(crate) walk: Walk,
-    /// Whether there is more to be asked.
+    /// Whether vertices of the batch remain to be visited.
     pub(crate) is_under_way: bool,
-    /// Splits so far.
+    /// Number of splits so far.
     pub(crate) split_count: usize,
 }
 
-/// What a stream may not go beyond.
+/// Limits that a stream must respect.
 #[derive(Clone, Debug)]
 pub(crate) struct Limits {
-    /// Most triangles that a new vertex takes over.
+    /// Maximum number of triangles that move to a new vertex.
     pub(crate) max_patch: u32,
-    /// Vertices that may still be asked.
+    /// Number of vertex visits that are still allowed.
     pub(crate) visits_left: u64,
-    /// Vertices beyond one a position that there may be; a reader's bytes cannot give more.
+    /// Maximum number of vertices in excess of one per position. In a reader, the number of bytes limits
+    /// it.
     pub(crate) most_wedges: u64,
 }
 
-/// Splits whose connectivity has been coded, while their values are coded one by one.
+/// A run of splits within a batch. The connectivity of all of them is coded first, then the values of
+/// each.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stretch {
-    /// Corners of the patches of all splits.
+    /// Corners of the patches of all splits, stored consecutively.
     pub(crate) patches: Vec<u32>,
-    /// The end of the patch of each split.
+    /// End of each split's patch in that list.
     pub(crate) ends: Vec<u32>,
     /// Vertices that split and whose cuts are coded next.
     pub(crate) group: Vec<u32>,
-    /// The corners around these.
+    /// Corners around the vertices of `group`.
     pub(crate) rings: Rings,
-    /// The corners around the vertex that is asked, or around the new one.
+    /// Corners around the vertex being visited, or around the new vertex.
     pub(crate) corners: Vec<u32>,
-    /// What those corners show.
+    /// Vertices that those corners refer to.
     pub(crate) shown: SplitWedges,
 }
 
 impl Level {
-    /// What is seen when a vertex is asked.
+    /// Returns the context in which a vertex is visited.
     #[inline]
     pub(crate) fn scene<'a>(&'a self, walk: &'a Walk, limits: &Limits) -> Scene<'a> {
         Scene { surface: &self.surface, places: &self.places, walk, max_patch: limits.max_patch }
     }
 
-    /// Makes room for so many splits.
+    /// Reserves memory for a number of splits.
     pub(crate) fn reserve(&mut self, steps: usize) {
         self.surface.reserve(steps);
         self.places.reserve(steps);
@@ -76,19 +78,20 @@ impl Level {
 }
 
 impl Stretch {
-    /// Splits of which the connectivity is known.
+    /// Number of splits whose connectivity is known.
     pub(crate) fn split_count(&self) -> usize {
         self.ends.len()
     }
 
-    /// No splits.
+    /// Removes all splits.
     pub(crate) fn clear(&mut self) {
         self.patches.clear();
         self.ends.clear();
     }
 
-    /// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
-    pub(crate) fn take(&mut self, surface: &mut Surface, cut: Cut, batch: u32) {
+    /// Records a split and marks the triangles of its patch, so that no other split of the batch uses
+    /// them.
+    pub(crate) fn push_split(&mut self, surface: &mut Surface, cut: Cut, batch: u32) {
         let mut corner = cut.first;
         for at in 0..cut.length {
             if at > 0 {
@@ -100,8 +103,9 @@ impl Stretch {
         self.ends.push(self.patches.len() as u32);
     }
 
-    /// The same for a split whose corners are the last ones of the list already.
-    pub(crate) fn close(&mut self, surface: &mut Surface, batch: u32) {
+    /// Records a split whose patch has already been appended to [`patches`](Self::patches), and marks its
+    /// triangles like [`push_split`](Self::push_split).
+    pub(crate) fn close_split(&mut self, surface: &mut Surface, batch: u32) {
         let start = self.ends.last().map_or(0, |&end| end as usize);
         for &corner in &self.patches[start..] {
             surface.set_mark(triangle_of(corner), batch);
@@ -109,7 +113,7 @@ impl Stretch {
         self.ends.push(self.patches.len() as u32);
     }
 
-    /// The patch of each split.
+    /// Iterates over the patches of the splits.
     pub(crate) fn patches(&self) -> impl Iterator<Item = &[u32]> {
         let mut start = 0;
         self.ends.iter().map(move |&end| {

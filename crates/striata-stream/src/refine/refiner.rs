@@ -1,13 +1,15 @@
-//! The loop that both sides of a stream run: which vertices split, the splits, and what the new vertices are.
+//! The refinement loop of writer and reader: select the vertices that split, split them, and code the new
+//! vertices.
 //!
-//! One generic code over a [`Coder`]: a writer has a [`Source`] that knows what is to come, a reader has none. So the two
-//! cannot disagree, as long as models look only at what has been coded.
+//! Both sides run the same generic code over a [`Coder`]. The writer passes a [`Source`] that knows the
+//! splits to come; the reader's source knows nothing. As long as models only use data that has already
+//! been coded, the two sides cannot disagree.
 
 use super::growth::Growth;
 use super::models::{Connectivity, Models};
+use super::parameters::StreamParameters;
 use super::parts::{Batch, Level, Limits, Stretch};
 use super::source::Source;
-use super::terms::Terms;
 use super::walk::Walk;
 use crate::base::coder::code_base;
 use crate::base::hoods::BaseHoods;
@@ -21,85 +23,92 @@ use crate::positions::PositionModel;
 use crate::topology::surface::NONE;
 use crate::wedges::model::WedgeModel;
 
-/// Splits whose connectivity is coded before their values: what a reader has to wait for.
+/// Maximum number of splits whose connectivity is coded before their values; a reader outputs new vertices
+/// only after a whole run.
 const STRETCH: usize = 1024;
 
 /// How a stretch of the stream ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ended {
-    /// All that was there was coded.
+    /// Everything was coded.
     Whole,
-    /// The bytes ended before: what is complete stands.
+    /// The data ended early. All vertices that are complete remain valid.
     Short,
 }
 
 /// A surface under refinement, with all models.
 #[derive(Clone, Debug)]
 pub(crate) struct Refiner {
+    /// The mesh and surface refined so far.
     pub(crate) level: Level,
+    /// The adaptive models.
     pub(crate) models: Models,
+    /// Progress within the current batch.
     pub(crate) batch: Batch,
+    /// Limits that the stream must respect.
     pub(crate) limits: Limits,
+    /// The splits that are currently being coded.
     pub(super) stretch: Stretch,
 }
 
 impl Refiner {
-    /// Codes the base, counts and all, and begins with it.
+    /// Codes the base mesh, including its counts, and starts the refinement from it.
     ///
     /// # Errors
-    /// If what was read is no base.
+    /// If the decoded data is not a valid base mesh.
     pub(crate) fn begin<C: Coder>(
         coder: &mut C,
         known: &Base,
-        terms: &Terms,
+        parameters: &StreamParameters,
         source: &mut impl Source,
     ) -> Result<Self, StreamDefect> {
-        let (mut base, order) = code_base(coder, known, terms.base)?;
+        let (mut base, order) = code_base(coder, known, parameters.base)?;
         if let Some(follower) = source.follower() {
             follower.order_base(&base, &order);
         }
         if coder.overran() {
             return Err(StreamDefect::NoBase);
         }
-        if let Some(position) = base.places.iter().position(|&place| !terms.grid.holds(place)) {
+        if let Some(position) = base.places.iter().position(|&place| !parameters.grid.holds(place)) {
             return Err(StreamDefect::Place { position });
         }
         let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
-        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count, terms.version));
+        let mut wedges =
+            parameters.has_wedges().then(|| WedgeModel::new(parameters.vertex_count, parameters.version));
         match &mut wedges {
             Some(model) => {
                 if let Some(follower) = source.follower() {
                     vertex_of_position.iter().for_each(|&vertex| follower.name_base(vertex));
                 }
-                let most = terms.base.position_count.saturating_add(terms.base.wedges_beyond);
-                let counts = (terms.vertex_count.min(most), terms.group_count);
+                let most = parameters.base.position_count.saturating_add(parameters.base.wedges_beyond);
+                let counts = (parameters.vertex_count.min(most), parameters.group_count);
                 coder.part(Part::Wedges);
                 base.code_wedges(coder, model, source.plan(), (counts, &vertex_of_position));
             }
             None => base.show_positions(),
         }
         let mut models = Models {
-            connectivity: Connectivity::new(&surface, terms),
-            positions: PositionModel::new(terms.effort, terms.version),
-            corrections: terms.is_exact.then(CorrectionModel::new),
+            connectivity: Connectivity::new(&surface, parameters),
+            positions: PositionModel::new(parameters.effort, parameters.version),
+            corrections: parameters.is_exact.then(CorrectionModel::new),
             wedges,
-            attributes: Attributes::new(&terms.layers, (terms.effort, terms.version)),
-            general: terms.has_general.then(|| General::new(base.places.clone())),
+            attributes: Attributes::new(&parameters.layers, (parameters.effort, parameters.version)),
+            general: parameters.has_general.then(|| General::new(base.places.clone())),
         };
-        let growth = Growth::of_base(&base, &mut surface, terms.group_count);
-        let mut level = Level { surface, places: base.surface_places(), grid: terms.grid, growth };
+        let growth = Growth::of_base(&base, &mut surface, parameters.group_count);
+        let mut level = Level { surface, places: base.surface_places(), grid: parameters.grid, growth };
         base_values(coder, source, (&base, &vertex_of_position), (&mut level, &mut models));
         let limits = Limits {
-            max_patch: terms.max_patch,
-            visits_left: terms.most_visits(),
-            most_wedges: terms.base.wedges_beyond.into(),
+            max_patch: parameters.max_patch,
+            visits_left: parameters.most_visits(),
+            most_wedges: parameters.base.wedges_beyond.into(),
         };
-        let batch = Batch { walk: Walk::new(terms.walk_order()), is_under_way: false, split_count: 0 };
+        let batch = Batch { walk: Walk::new(parameters.walk_order()), is_under_way: false, split_count: 0 };
         Ok(Self { level, models, batch, limits, stretch: Stretch::default() })
     }
 
-    /// Codes up to so many splits: the rest of a batch, or a part of it.
+    /// Codes the rest of the current batch or a part of it, at most `most` splits.
     pub(crate) fn stretch<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -122,7 +131,7 @@ impl Refiner {
             return self.general_stretch(coder, source, most);
         }
         coder.part(Part::Connectivity);
-        self.ask(coder, source, most.min(STRETCH));
+        self.code_splits(coder, source, most.min(STRETCH));
         if coder.overran() {
             return Ok(Ended::Short);
         }
@@ -131,10 +140,10 @@ impl Refiner {
             return Err(StreamDefect::EmptyBatch { batch: self.batch.walk.batch() });
         }
         let (first, mut start) = (self.level.surface.vertex_count() as u32, 0);
-        let is_ahead = self.look_ahead(first);
+        let is_predicted = self.predict_ahead(first);
         self.split_all(source);
-        if !is_ahead {
-            self.fetch(first);
+        if !is_predicted {
+            self.prefetch(first);
         }
         for split in 0..self.stretch.split_count() {
             let vertex = first + split as u32;
@@ -147,17 +156,17 @@ impl Refiner {
             corners.extend_from_slice(&patches[start..end]);
             corners.push(a + 4);
             start = end;
-            if self.values(coder, source, vertex)? == Ended::Short {
+            if self.code_vertex(coder, source, vertex)? == Ended::Short {
                 return Ok(Ended::Short);
             }
         }
         Ok(Ended::Whole)
     }
 
-    /// Notes that so many vertices or triangles are looked at.
+    /// Counts visits to vertices or triangles against the stream's limit.
     ///
     /// # Errors
-    /// If they are too many for so few splits.
+    /// If the stream visits too many vertices for its number of splits.
     pub(crate) fn spend_visits(&mut self, visits: u64) -> Result<(), StreamDefect> {
         let batch_count = self.batch.walk.batch();
         let left = self.limits.visits_left.checked_sub(visits);
@@ -165,7 +174,7 @@ impl Refiner {
         Ok(())
     }
 
-    /// Does the splits of the stretch on the surface.
+    /// Applies the splits of the stretch to the surface.
     fn split_all(&mut self, source: &mut impl Source) {
         let Self { level: Level { surface, .. }, models, batch, stretch, .. } = self;
         for patch in stretch.patches() {
@@ -174,7 +183,7 @@ impl Refiner {
             let made = surface.triangle_count() as u32;
             for triangle in [made - 2, made - 1] {
                 surface.set_mark(triangle, batch.walk.batch());
-                // No part of the mesh before the vertex's values are known.
+                // Not part of the mesh until the vertex's values are known.
                 surface.set_label(triangle, NONE);
             }
             if let Connectivity::Quick(model) = &mut models.connectivity {
@@ -187,17 +196,17 @@ impl Refiner {
         }
     }
 
-    /// The attribute layers, if there are any.
+    /// Returns the attribute layers, if there are any.
     pub(crate) fn attributes(&self) -> Option<&Attributes> {
         self.models.attributes.as_ref()
     }
 
-    /// A reader has bytes for so many vertices beyond one a position.
+    /// Sets how many vertices in excess of one per position are allowed.
     pub(crate) fn limit_wedges(&mut self, most: u64) {
         self.limits.most_wedges = most;
     }
 
-    /// Makes room for what is to come.
+    /// Reserves memory for a number of further steps.
     pub(crate) fn reserve(&mut self, steps: usize) {
         self.level.reserve(steps);
         self.batch.walk.reserve(self.level.surface.vertex_count() + steps);
@@ -209,23 +218,23 @@ impl Refiner {
         self.level.growth.catch_up(&mut self.level.surface);
     }
 
-    /// Splits that have been coded in full.
+    /// Number of splits that have been coded completely.
     pub(crate) fn split_count(&self) -> usize {
         self.level.growth.added.len()
     }
 
-    /// Batches begun so far.
+    /// Number of batches begun so far.
     pub(crate) fn batch(&self) -> u32 {
         self.batch.walk.batch()
     }
 
-    /// True if the last batch has not been asked to its end.
+    /// Whether the current batch has vertices that have not been visited.
     pub(crate) fn is_in_batch(&self) -> bool {
         self.batch.is_under_way
     }
 }
 
-/// Codes where the vertices of the base are, and their attributes.
+/// Codes the positions and attributes of the base mesh's vertices.
 fn base_values<C: Coder>(
     coder: &mut C,
     source: &impl Source,

@@ -1,96 +1,99 @@
-//! What the loop of both sides asks a writer: what is to come, in the reader's numbers.
+//! The interface through which the refinement loop obtains a writer's data, in the reader's numbering.
 
 use std::ops::Range;
 
 use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
 use crate::general::step::{CodedStep, KnownStep};
-use crate::layers::hood::LayerValues;
+use crate::layers::layer_neighborhood::LayerValues;
 use crate::topology::surface::{Cut, Surface};
 
-/// One side of a stream: a writer has a plan, a reader has none.
+/// One side of a stream. A writer has a plan, a reader has none.
 pub(crate) trait Source {
-    /// What is to come, if that is known.
+    /// Returns the data to encode, or `None` in a reader.
     fn plan(&self) -> Option<&dyn Plan>;
 
-    /// Whoever follows what has been coded, if anyone has to.
-    fn follower(&mut self) -> Option<&mut dyn Follower>;
+    /// Returns the observer to notify of what has been coded, if there is one.
+    fn follower(&mut self) -> Option<&mut dyn CodingObserver>;
 }
 
-/// A reader: nothing is known before it is read.
-pub(crate) struct Unknown;
+/// The source of a reader, which knows nothing in advance.
+pub(crate) struct ReaderSource;
 
-impl Source for Unknown {
+impl Source for ReaderSource {
     #[inline]
     fn plan(&self) -> Option<&dyn Plan> {
         None
     }
 
     #[inline]
-    fn follower(&mut self) -> Option<&mut dyn Follower> {
+    fn follower(&mut self) -> Option<&mut dyn CodingObserver> {
         None
     }
 }
 
-/// What a writer knows of what is to come.
+/// The data that a writer encodes. Vertices, corners and triangles are those of the reader's surface
+/// unless stated otherwise.
 pub(crate) trait Plan {
-    /// How a vertex splits in this batch, if it does.
+    /// Returns how a vertex splits in this batch, if it does.
     fn cut(&self, vertex: u32) -> Option<Cut>;
 
-    /// The grid coordinates of a vertex.
-    fn place(&self, vertex: u32) -> [i32; 3];
+    /// Returns the grid coordinates of a vertex.
+    fn coords(&self, vertex: u32) -> [i32; 3];
 
-    /// Where a vertex is exactly, mesh units.
+    /// Returns the exact position of a vertex, in mesh units.
     fn exact(&self, vertex: u32) -> [f32; 3];
 
-    /// The vertices, of the mesh that is given, of a position.
+    /// Returns the source mesh's vertices at the position of a vertex.
     fn wedges(&self, vertex: u32) -> Range<u32>;
 
-    /// The vertex of the mesh that is given which a corner shows, if that is not one for each position.
+    /// Returns the source mesh's vertex that a corner refers to. Only used if some positions have several
+    /// vertices.
     fn wedge(&self, corner: u32) -> u32;
 
-    /// The vertex of the stream that a corner shows.
+    /// Returns the stream's vertex that a corner refers to.
     fn vertex_at(&self, corner: u32) -> u32;
 
-    /// The vertex of the stream that a vertex of the mesh that is given collapses to.
+    /// Returns the stream's vertex that a vertex of the source mesh collapses to.
     fn target(&self, wedge: u32) -> u32;
 
-    /// The group of a triangle.
+    /// Returns the group of a triangle.
     fn group(&self, triangle: u32) -> u32;
 
-    /// All attribute layers, in the order of the mesh that is given.
+    /// Returns all attribute layers, in the vertex order of the source mesh.
     fn layers(&self) -> &[LayerValues];
 
-    /// Steps of the batch that has begun, if it is a general one; else 0.
+    /// Returns the number of steps in the current batch if it is a general one, otherwise 0.
     fn general_count(&self) -> u32;
 }
 
-/// What a writer is informed of, so that its plan is in the reader's numbers.
-pub(crate) trait Follower {
-    /// The base is numbered anew.
+/// Receives notifications about what has been coded, so that a writer can map its data to the reader's
+/// numbering.
+pub(crate) trait CodingObserver {
+    /// The base mesh has been reordered.
     fn order_base(&mut self, base: &Base, order: &BaseOrder);
 
-    /// The next vertices of the stream are those of a position of the base.
+    /// The next vertices of the stream are those at a position of the base mesh.
     fn name_base(&mut self, vertex: u32);
 
-    /// The next vertices of the stream are these of the mesh that is given.
+    /// The next vertices of the stream are these vertices of the source mesh.
     fn name(&mut self, wedges: &[u32]);
 
     /// A batch begins.
     fn begin_batch(&mut self);
 
-    /// A vertex has been split off another one.
+    /// `vertex` has been split off `kept`.
     fn born(&mut self, vertex: u32, kept: u32);
 
-    /// What the corners around a new vertex show is asked next: A's, those of its patch, B's.
+    /// The corners around a new vertex are about to be coded, in the order of A, its patch and B.
     fn refine(&mut self, vertex: u32, corners: &[u32]);
 
-    /// The next step of a general batch begins, and here is what is known of it.
+    /// The next step of a general batch begins. Returns the data to encode for it.
     fn general_step(&mut self) -> KnownStep;
 
-    /// That step has been done.
+    /// The current step of a general batch has been applied.
     fn born_general(&mut self, step: &CodedStep);
 
-    /// A general batch has ended, and the surface has been built anew.
+    /// A general batch has ended, and the surface has been rebuilt.
     fn rebuilt(&mut self, surface: &Surface);
 }

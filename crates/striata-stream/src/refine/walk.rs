@@ -1,78 +1,86 @@
-//! The order in which both sides of a stream ask the vertices of a surface whether they split.
+//! The order in which both sides of a stream visit the vertices of a surface to decide whether they
+//! split.
 //!
-//! | order | who comes next |
+//! | order | next vertex |
 //! | --- | --- |
-//! | [`WalkOrder::Near`] | breadth first: a neighbor of one that was asked |
-//! | [`WalkOrder::Numbers`] | the next number |
-//! | [`WalkOrder::Families`] | a vertex, then the vertex that was split off it last, then older ones, each with its own |
+//! | [`WalkOrder::Near`] | breadth first: a neighbor of a visited vertex |
+//! | [`WalkOrder::Numbers`] | the vertex with the next index |
+//! | [`WalkOrder::Families`] | each vertex is followed by its descendants, the latest first |
 //!
-//! Vertices made within the batch are passed over. A vertex is asked once a batch. Breadth first, its neighbors wait in a
-//! queue; since a vertex's own split happens after it was asked, all that was around it before the batch is found, whatever
-//! has been split elsewhere. The other two orders are lists, and nobody has to walk around a vertex that does not split.
+//! Each vertex is visited once per batch; vertices created within the batch are skipped. In breadth-first
+//! order, the neighbors of a visited vertex wait in a queue. A vertex splits only after it was visited,
+//! so this finds everything that was around it before the batch, regardless of splits elsewhere. The
+//! other two orders are lists and do not have to walk around vertices that do not split.
 //!
-//! Vertices that were split off each other lie close together, so the order of families moves over the surface bit by bit. And
-//! what a batch makes is numbered in the order of the walk, so that a walk runs through each batch's part of memory from its
-//! beginning to its end. Walking by numbers does neither: vertices with consecutive numbers lie wherever a batch had
-//! room for a split, which costs half as much time again where a mesh does not fit into the caches.
+//! Vertices that were split off each other lie close together, so the family order moves gradually over
+//! the surface. The vertices that a batch creates are numbered in walk order, so a walk also runs through
+//! each batch's memory from beginning to end. The order by index does neither: consecutive vertices lie
+//! wherever a batch had room for a split, which takes half as much time again if a mesh does not fit into
+//! the caches.
 
 use crate::topology::surface::{NONE, Surface, next};
 
-/// What has become of a vertex in the current batch.
+/// State of a vertex in the current batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fate {
-    /// Not asked yet.
+    /// Not visited yet.
     Open,
-    /// Asked; it does not split.
+    /// Visited; it does not split.
     Stays,
-    /// Asked; it splits.
+    /// Visited; it splits.
     Splits,
-    /// Made in this batch.
+    /// Created in this batch.
     New,
 }
 
-/// Which vertex is asked next.
+/// Order in which vertices are visited.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum WalkOrder {
-    /// A neighbor of one that was asked.
+    /// Breadth first: a neighbor of a visited vertex comes next.
     Near,
-    /// The next number.
+    /// By ascending index.
     Numbers,
-    /// One that was split off the last one, or the next one that was there before.
+    /// Each vertex is followed by the vertices that were split off it.
     #[default]
     Families,
 }
 
-/// Where a batch stands.
+/// Progress of a walk through the current batch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Walk {
     order: WalkOrder,
-    /// For each vertex: four times the batch in which it was seen last, and what became of it.
+    /// For each vertex: four times the batch in which it was last seen, plus its state in that batch.
     seen: Vec<u32>,
+    /// Number of the current batch, starting from 1.
     batch: u32,
-    /// Breadth first, who is to be asked; else all vertices that are not virtual.
+    /// Breadth first: the vertices waiting to be visited. Otherwise: all vertices that are not virtual.
     queue: Vec<u32>,
+    /// Position of the next vertex in the queue.
     head: usize,
-    /// The next vertex to begin a component with, breadth first.
+    /// Breadth first: the next vertex that may start a component.
     seed: u32,
-    /// Vertices at the beginning of the batch.
+    /// Number of vertices at the beginning of the batch.
     end: u32,
-    /// The vertex that each one made in the batch was split off, in the order of the walk.
+    /// For each vertex created in the batch, in walk order, the vertex it was split off.
     born: Vec<u32>,
-    /// The queue may hold vertices that are virtual.
+    /// Whether the queue may contain virtual vertices.
     is_renumbered: bool,
 }
 
+/// State of a vertex that waits in the queue, as stored in `Walk::seen`.
 const QUEUED: u32 = 0;
+/// State of a visited vertex that does not split.
 const STAYS: u32 = 1;
+/// State of a visited vertex that splits.
 const SPLITS: u32 = 2;
 
 impl Walk {
-    /// No batch yet.
+    /// Creates a walk that has not begun a batch.
     pub(crate) fn new(order: WalkOrder) -> Self {
         Self { order, ..Self::default() }
     }
 
-    /// Makes room for so many vertices in all.
+    /// Reserves memory for a total number of vertices.
     pub(crate) fn reserve(&mut self, vertex_count: usize) {
         self.queue.reserve_exact(vertex_count);
     }
@@ -80,7 +88,7 @@ impl Walk {
     /// Begins a batch.
     pub(crate) fn begin(&mut self, surface: &Surface) {
         self.batch += 1;
-        self.take_in_born();
+        self.insert_born();
         let last_end = std::mem::replace(&mut self.end, surface.vertex_count() as u32);
         self.seed = surface.virtual_count();
         self.head = 0;
@@ -95,11 +103,12 @@ impl Walk {
         }
     }
 
-    /// Puts the vertices of the last batch behind those that they were split off.
-    fn take_in_born(&mut self) {
+    /// Inserts the last batch's new vertices into the queue, each directly after the vertex it was split
+    /// off.
+    fn insert_born(&mut self) {
         let (mut from, mut left) = (self.queue.len(), self.born.len());
         self.queue.resize(from + left, 0);
-        // From behind, so that each one is moved once.
+        // From back to front, so that each vertex moves only once.
         while left > 0 && from > 0 {
             from -= 1;
             let vertex = self.queue[from];
@@ -109,11 +118,11 @@ impl Walk {
             }
             self.queue[from + left] = vertex;
         }
-        debug_assert_eq!(left, 0, "splits come in the order of the walk");
+        debug_assert_eq!(left, 0, "splits follow the order of the walk");
         self.born.clear();
     }
 
-    /// Told when a vertex of the walk has been split; the new one has the next number.
+    /// Records that a vertex of the walk was split. The new vertex has the next index.
     #[inline]
     pub(crate) fn born(&mut self, kept: u32) {
         if self.order == WalkOrder::Families {
@@ -121,18 +130,18 @@ impl Walk {
         }
     }
 
-    /// The surface has been built anew between two batches, and its vertices have other numbers: here is the old one of each, or
-    /// [`NONE`] for those that are new. These are asked last.
+    /// Adapts to a surface that was rebuilt and renumbered between two batches. `old_of_new` contains the
+    /// old index of each of its vertices, or [`NONE`] for a new one. New vertices are visited last.
     ///
-    /// Only for the order of families.
+    /// Only for the family order.
     pub(crate) fn renumber(&mut self, old_of_new: &[u32]) {
-        debug_assert_eq!(self.order, WalkOrder::Families, "the order that outlives new numbers");
+        debug_assert_eq!(self.order, WalkOrder::Families, "the order that survives renumbering");
         if self.batch == 0 {
-            // Nobody has been asked yet.
+            // No vertex has been visited yet.
             return;
         }
         let old_count = self.end as usize + self.born.len();
-        self.take_in_born();
+        self.insert_born();
         let mut new_of_old = vec![NONE; old_count];
         for (new, &old) in old_of_new.iter().enumerate() {
             if let Some(new_of_old) = new_of_old.get_mut(old as usize) {
@@ -154,12 +163,12 @@ impl Walk {
         self.is_renumbered = true;
     }
 
-    /// The number of the batch, from 1.
+    /// Number of the current batch, starting from 1.
     pub(crate) fn batch(&self) -> u32 {
         self.batch
     }
 
-    /// What has become of a vertex that is not virtual.
+    /// Returns the state of a vertex that is not virtual.
     #[inline]
     pub(crate) fn fate(&self, vertex: u32) -> Fate {
         if vertex >= self.end {
@@ -173,18 +182,18 @@ impl Walk {
         }
     }
 
-    /// All vertices that are still to be asked, in order; not breadth first. Say how many were asked by
-    /// [`pass`](Self::pass).
+    /// Returns all vertices that remain to be visited, in order; not available breadth first. Report how
+    /// many of them were visited with [`skip`](Self::skip).
     pub(crate) fn rest(&self) -> &[u32] {
         &self.queue[self.head..]
     }
 
-    /// The next so many vertices have been asked. What became of them is not noted.
+    /// Advances past a number of vertices without recording whether they split.
     pub(crate) fn pass(&mut self, count: usize) {
         self.head += count;
     }
 
-    /// The next vertex to ask; none when all were.
+    /// Returns the next vertex to visit, or `None` if all have been visited.
     pub(crate) fn next_vertex(&mut self) -> Option<u32> {
         if let Some(&vertex) = self.queue.get(self.head) {
             self.head += 1;
@@ -193,7 +202,7 @@ impl Walk {
         if self.order == WalkOrder::Near { self.next_seed() } else { None }
     }
 
-    /// The next vertex of a component of which none was asked.
+    /// Returns a vertex of a component in which no vertex has been visited.
     fn next_seed(&mut self) -> Option<u32> {
         self.seen.resize(self.end as usize, 0);
         while self.seed < self.end && self.seen[self.seed as usize] >= 4 * self.batch {
@@ -209,7 +218,8 @@ impl Walk {
         Some(self.seed - 1)
     }
 
-    /// Notes what became of a vertex, and queues its neighbors if it is breadth first: the vertices after the corners around it.
+    /// Records whether a vertex splits. Breadth first, also queues its neighbors, which follow the
+    /// `corners` around it.
     pub(crate) fn settle(&mut self, surface: &Surface, vertex: u32, corners: &[u32], splits: bool) {
         if self.seen.len() <= vertex as usize {
             self.seen.resize(self.end as usize, 0);
@@ -238,17 +248,17 @@ mod tests {
     use super::*;
     use crate::topology::cutting::close;
 
-    /// A grid, whose boundary is one virtual vertex: 0.
+    /// A grid, whose boundary is closed by one virtual vertex, 0.
     fn surface() -> Surface {
         let mesh = shapes::grid(3, 2);
         close(&mesh.triangles, mesh.positions.len()).surface
     }
 
-    fn asked(walk: &mut Walk) -> Vec<u32> {
+    fn visited(walk: &mut Walk) -> Vec<u32> {
         std::iter::from_fn(|| walk.next_vertex()).collect()
     }
 
-    /// Splits a vertex by one triangle.
+    /// Splits a vertex with a patch of one triangle.
     fn split(walk: &mut Walk, surface: &mut Surface, vertex: u32) -> u32 {
         let corner = surface.corner_of(vertex);
         walk.born(vertex);
@@ -256,19 +266,19 @@ mod tests {
     }
 
     #[test]
-    fn families_stay_together() {
+    fn split_off_vertices_follow_their_parents() {
         let mut surface = surface();
         let count = surface.vertex_count() as u32;
         let mut walk = Walk::new(WalkOrder::Families);
         walk.begin(&surface);
-        assert_eq!(asked(&mut walk), (1..count).collect::<Vec<_>>());
+        assert_eq!(visited(&mut walk), (1..count).collect::<Vec<_>>());
         for vertex in [2, 5] {
             split(&mut walk, &mut surface, vertex);
         }
         walk.begin(&surface);
         let first: Vec<u32> =
             (1..=2).chain([count]).chain(3..=5).chain([count + 1]).chain(6..count).collect();
-        assert_eq!(asked(&mut walk), first);
+        assert_eq!(visited(&mut walk), first);
         for vertex in [1, count] {
             split(&mut walk, &mut surface, vertex);
         }
@@ -280,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn every_order_asks_everyone_once() {
+    fn every_order_visits_each_vertex_once() {
         for order in [WalkOrder::Near, WalkOrder::Numbers, WalkOrder::Families] {
             let mut surface = surface();
             let mut walk = Walk::new(order);
@@ -303,14 +313,15 @@ mod tests {
     }
 
     #[test]
-    fn new_numbers_keep_the_order() {
+    fn renumbering_keeps_the_order() {
         let mut surface = surface();
         let count = surface.vertex_count() as u32;
         let mut walk = Walk::new(WalkOrder::Families);
         walk.begin(&surface);
-        asked(&mut walk);
+        visited(&mut walk);
         split(&mut walk, &mut surface, 2);
-        // The last vertex is gone, two are new, and all others run backwards but for the virtual one.
+        // Removes the last vertex, adds two new ones, and reverses the order of all others except the
+        // virtual one.
         let backwards: Vec<u32> = [0, NONE].into_iter().chain((1..count).rev()).chain([NONE]).collect();
         walk.renumber(&backwards);
         let rest = walk.queue.clone();
@@ -318,6 +329,6 @@ mod tests {
         walk.begin(&surface);
         let mut expected: Vec<u32> = (2..=count).rev().collect();
         expected.extend([1, count + 1]);
-        assert_eq!(asked(&mut walk), expected);
+        assert_eq!(visited(&mut walk), expected);
     }
 }

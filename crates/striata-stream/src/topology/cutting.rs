@@ -1,44 +1,47 @@
-//! Cutting any triangle mesh into a closed surface: copies of vertices that are not manifold, and virtual vertices
-//! that close boundary loops.
+//! Turns any triangle mesh into a closed surface by duplicating non-manifold vertices and closing
+//! boundary loops with virtual vertices.
 //!
-//! Edges join two triangles where exactly two meet with opposite directions. All others are cut open: the triangles
-//! around a vertex then fall apart into fans, and each fan gets a copy of the vertex. A vertex with one fan is its own
-//! copy. What is left open are loops of edges, each closed by triangles to a virtual vertex.
+//! An edge joins two triangles if exactly two triangles meet there in opposite directions. All other
+//! edges are cut open. The triangles around a vertex may then split into several fans, each of which gets
+//! its own copy of the vertex; a vertex with a single fan is its own copy. The open edges that remain
+//! form loops, and each loop is closed by a fan of triangles around a virtual vertex.
 
 use crate::topology::surface::{NONE, Surface, edge_facing, half_edges, is_forward};
 
-/// A mesh as a closed surface.
+/// A mesh turned into a closed surface.
 #[derive(Debug)]
 pub(crate) struct Closed {
-    /// Virtual vertices first, then the copies: copy `i` is vertex `virtual_count + i`. Triangles of the mesh come
-    /// first and in its order.
+    /// The closed surface. Virtual vertices come first, then the copies: copy `i` is vertex
+    /// `virtual_count + i`. Its first triangles are those of the mesh, in their original order.
     pub(crate) surface: Surface,
-    /// The vertex of the mesh that each copy stands for; the first copies are the vertices that are used, in their order.
+    /// The mesh vertex that each copy represents. The first copies are the used vertices, in their
+    /// original order.
     pub(crate) vertex_of_copy: Vec<u32>,
-    /// True for vertices of the mesh that must stay: those of several copies, and the ends of cut edges that are no
-    /// boundary.
+    /// Whether each mesh vertex must not be removed: it has several copies, or lies on a cut edge that is
+    /// not a boundary.
     pub(crate) is_locked: Vec<bool>,
 }
 
-/// Cuts a mesh whose triangles have three different corners each; all vertices must be used.
+/// Closes a mesh. Each triangle must have three different corners, and every vertex must be used.
 pub(crate) fn close(triangles: &[[u32; 3]], vertex_count: usize) -> Closed {
     let mut is_locked = vec![false; vertex_count];
     let mut opposite = join(triangles, &mut is_locked);
-    let (mut copies, vertex_of_copy) = number_fans(triangles, &opposite, vertex_count);
+    let (mut copies, vertex_of_copy) = assign_copies(triangles, &opposite, vertex_count);
     for &v in &vertex_of_copy[vertex_count..] {
         is_locked[v as usize] = true;
     }
     let virtual_count = close_loops(&mut copies, &mut opposite, vertex_of_copy.len());
     let copy_count = vertex_of_copy.len() as u32;
-    // Virtual vertices were numbered behind the copies; they go first.
-    let place = |v: u32| if v < copy_count { v + virtual_count } else { v - copy_count };
-    let corners: Vec<[u32; 3]> = copies.iter().map(|t| t.map(place)).collect();
+    // Virtual vertices were numbered after the copies; move them to the front.
+    let renumbered = |v: u32| if v < copy_count { v + virtual_count } else { v - copy_count };
+    let corners: Vec<[u32; 3]> = copies.iter().map(|t| t.map(renumbered)).collect();
     let surface =
         Surface::from_opposites(&corners, &opposite, (copy_count + virtual_count) as usize, virtual_count);
     Closed { surface, vertex_of_copy, is_locked }
 }
 
-/// Cuts triangles over positions of which some may be in no triangle: these have no copy, and copies stand for positions.
+/// Closes triangles over positions, some of which may be unused: these get no copy. Copies represent
+/// positions.
 pub(crate) fn close_used(triangles: &[[u32; 3]], position_count: usize) -> Closed {
     let mut number = vec![NONE; position_count];
     triangles.as_flattened().iter().for_each(|&p| number[p as usize] = 0);
@@ -54,8 +57,8 @@ pub(crate) fn close_used(triangles: &[[u32; 3]], position_count: usize) -> Close
     Closed { surface, vertex_of_copy: vertex_of_copy.iter().map(|&v| used[v as usize]).collect(), is_locked }
 }
 
-/// Pairs the half-edges that are manifold; the ends of edges of more than two triangles, or of two that run the same
-/// way, are locked.
+/// Pairs the manifold half-edges. The ends of edges with more than two triangles, or with two that run in
+/// the same direction, become locked.
 fn join(triangles: &[[u32; 3]], is_locked: &mut [bool]) -> Vec<u32> {
     let mut edges = half_edges(triangles);
     edges.sort_unstable();
@@ -77,16 +80,18 @@ fn join(triangles: &[[u32; 3]], is_locked: &mut [bool]) -> Vec<u32> {
     opposite
 }
 
+/// Next corner of the triangle; corners are numbered three per triangle here.
 fn next(c: u32) -> u32 {
     if c % 3 == 2 { c - 2 } else { c + 1 }
 }
 
+/// Previous corner of the triangle.
 fn previous(c: u32) -> u32 {
     if c.is_multiple_of(3) { c + 2 } else { c - 1 }
 }
 
-/// The triangles with each corner's copy instead of its vertex, and the vertex of each copy.
-fn number_fans(triangles: &[[u32; 3]], opposite: &[u32], vertex_count: usize) -> (Vec<[u32; 3]>, Vec<u32>) {
+/// Returns the triangles with each corner's copy in place of its vertex, and the vertex of each copy.
+fn assign_copies(triangles: &[[u32; 3]], opposite: &[u32], vertex_count: usize) -> (Vec<[u32; 3]>, Vec<u32>) {
     let mut copies = vec![[NONE; 3]; triangles.len()];
     let mut vertex_of_copy: Vec<u32> = (0..vertex_count as u32).collect();
     let mut is_met = vec![false; vertex_count];
@@ -102,7 +107,7 @@ fn number_fans(triangles: &[[u32; 3]], opposite: &[u32], vertex_count: usize) ->
             vertex
         };
         is_met[vertex as usize] = true;
-        // Forwards to the end of the fan or all the way round, then backwards from where we began.
+        // Forward to the end of the fan or all the way around, then backward from the starting corner.
         let mut here = corner;
         loop {
             copies[here as usize / 3][here as usize % 3] = copy;
@@ -126,9 +131,9 @@ fn number_fans(triangles: &[[u32; 3]], opposite: &[u32], vertex_count: usize) ->
     (copies, vertex_of_copy)
 }
 
-/// Adds a fan of triangles to a virtual vertex along each boundary loop; returns the number of loops.
+/// Adds a fan of triangles around a virtual vertex along each boundary loop. Returns the number of loops.
 fn close_loops(copies: &mut Vec<[u32; 3]>, opposite: &mut Vec<u32>, copy_count: usize) -> u32 {
-    // The corner that faces the one open edge which leaves each copy.
+    // For each copy, the corner that faces the open edge leaving it.
     let mut leaving = vec![NONE; copy_count];
     let corner_count = 3 * copies.len() as u32;
     for corner in (0..corner_count).filter(|&c| opposite[c as usize] == NONE) {
@@ -150,7 +155,8 @@ fn close_loops(copies: &mut Vec<[u32; 3]>, opposite: &mut Vec<u32>, copy_count: 
             opposite.extend([corner, NONE, NONE]);
             opposite[corner as usize] = here;
             if here / 3 > first {
-                // The edge to `a` is shared with the triangle before, where `a` is the second corner.
+                // The edge to `a` is shared with the previous triangle, in which `a` is the second
+                // corner.
                 opposite[here as usize + 1] = here - 3 + 2;
                 opposite[here as usize - 3 + 2] = here + 1;
             }

@@ -1,13 +1,13 @@
-//! Triangles and how they are joined.
+//! Connectivity of triangle meshes: closed surfaces and the neighborhood of a vertex.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `surface.rs` | a closed surface under refinement |
-//! | `cutting.rs` | any triangles, cut into such a surface |
-//! | `rings.rs` | the corners around many vertices at once |
-//! | `hood.rs` | what lies around a new vertex |
+//! | `surface.rs` | a closed surface that splits refine |
+//! | `cutting.rs` | cuts any triangles into such a surface |
+//! | `rings.rs` | the corners around many vertices in parallel |
+//! | `neighborhood.rs` | the neighborhood of a new vertex |
 
 pub(crate) mod cutting;
-pub(crate) mod hood;
+pub(crate) mod neighborhood;
 pub(crate) mod rings;
 pub(crate) mod surface;

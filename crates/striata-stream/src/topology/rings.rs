@@ -1,50 +1,55 @@
-//! The corners around several vertices at once.
+//! Finds the corners around several vertices in parallel.
 //!
-//! Each step around a vertex waits for the one before, and mostly for memory. So several walks go on side by side: while one
-//! waits, the others do too, and all are done in the time of one.
+//! Each step around a vertex depends on the previous one and mostly waits for memory. Interleaving
+//! several walks overlaps their waiting times, so all of them finish in about the time of one.
 
 use crate::topology::surface::{NONE, Surface, next};
 
-/// Walks that go on side by side.
-const WALKS: usize = 12;
-/// Corners of a walk that is done with others; longer ones go on by themselves.
-const SHORT: usize = 16;
+/// Number of interleaved walks.
+const INTERLEAVED_WALKS: usize = 12;
+/// Maximum ring length for an interleaved walk; longer rings are walked separately.
+const SHORT_RING: usize = 16;
 
-/// Corners around vertices, one after the other.
+/// Lists of the corners around several vertices, stored consecutively.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rings {
     corners: Vec<u32>,
+    /// End of each vertex's corners in that list.
     ends: Vec<u32>,
+    /// Neighbor of each corner, once looked up.
     neighbors: Vec<Neighbor>,
 }
 
-/// The next vertex of a corner of a ring.
+/// A ring neighbor: the next vertex of one of the ring's corners.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Neighbor {
+    /// Index of the vertex.
     pub(crate) vertex: u32,
+    /// Its grid coordinates.
     pub(crate) place: [i32; 3],
 }
 
 impl Rings {
-    /// Finds the corners around vertices, each counter-clockwise from [`Surface::corner_of`].
+    /// Finds the corners around each vertex, counter-clockwise from [`Surface::corner_of`].
     pub(crate) fn find(&mut self, surface: &Surface, vertices: &[u32]) {
         self.corners.clear();
         self.ends.clear();
-        for vertices in vertices.chunks(WALKS) {
+        for vertices in vertices.chunks(INTERLEAVED_WALKS) {
             self.find_few(surface, vertices);
         }
     }
 
+    /// Finds the corners around at most [`INTERLEAVED_WALKS`] vertices.
     fn find_few(&mut self, surface: &Surface, vertices: &[u32]) {
-        let mut walks = [[NONE; SHORT]; WALKS];
-        let mut here = [NONE; WALKS];
-        let mut counts = [0; WALKS];
+        let mut walks = [[NONE; SHORT_RING]; INTERLEAVED_WALKS];
+        let mut here = [NONE; INTERLEAVED_WALKS];
+        let mut counts = [0; INTERLEAVED_WALKS];
         for (here, &vertex) in here.iter_mut().zip(vertices) {
             *here = surface.corner_of(vertex);
         }
         let first = here;
         let mut open = vertices.len();
-        for step in 0..SHORT {
+        for step in 0..SHORT_RING {
             for (walk, ring) in walks.iter_mut().enumerate().take(vertices.len()) {
                 if counts[walk] == 0 {
                     ring[step] = here[walk];
@@ -68,7 +73,7 @@ impl Rings {
         }
     }
 
-    /// Looks up where the neighbors of all vertices are: what one of them has to wait for, others have to as well.
+    /// Looks up the grid coordinates of all neighbors in one pass, so that cache misses overlap.
     pub(crate) fn look(&mut self, surface: &Surface, places: &[[i32; 3]]) {
         self.neighbors.clear();
         self.neighbors.extend(self.corners.iter().map(|&corner| {
@@ -77,20 +82,21 @@ impl Rings {
         }));
     }
 
-    /// Where the corners around one of the vertices lie.
+    /// Range of the corners around one of the vertices, by its index in the list.
     #[inline]
     fn range(&self, at: usize) -> std::ops::Range<usize> {
         let first = at.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
         first..self.ends[at] as usize
     }
 
-    /// The neighbors of one of the vertices that were looked up, in the order of its corners.
+    /// Returns the neighbors of one of the vertices in the order of its corners, after
+    /// [`look`](Self::look).
     #[inline]
     pub(crate) fn neighbors(&self, at: usize) -> &[Neighbor] {
         &self.neighbors[self.range(at)]
     }
 
-    /// The corners around one of the vertices.
+    /// Returns the corners around one of the vertices.
     #[inline]
     pub(crate) fn of(&self, at: usize) -> &[u32] {
         &self.corners[self.range(at)]
@@ -105,13 +111,13 @@ mod tests {
     use crate::topology::cutting::close;
 
     #[test]
-    fn rings_are_those_of_the_surface() {
-        // The virtual vertex of a grid has more corners than go side by side.
+    fn finds_the_same_rings_as_the_surface() {
+        // The virtual vertex of a grid has more corners than an interleaved walk allows.
         let mesh = shapes::grid(9, 7);
         let surface = close(&mesh.triangles, mesh.positions.len()).surface;
         let vertices: Vec<u32> = (0..surface.vertex_count() as u32).collect();
         let places: Vec<[i32; 3]> = vertices.iter().map(|&v| [7 * v as i32, 0, 0]).collect();
-        assert!(surface.ring(0).count() > SHORT);
+        assert!(surface.ring(0).count() > SHORT_RING);
         let mut rings = Rings::default();
         for vertices in [&vertices[..], &vertices[5..6], &[], &vertices[3..14]] {
             rings.find(&surface, vertices);

@@ -1,8 +1,9 @@
-//! Closed surfaces as a corner table, with vertex splits and collapses.
+//! A closed surface as a corner table, with vertex splits and collapses.
 //!
-//! A corner is one of the three of a triangle; corners are numbered `4 * triangle + 0..3`, so that a triangle is one
-//! aligned piece of memory. Around a vertex the triangles form one cycle: boundary loops are closed by a **virtual
-//! vertex** each, and vertices that are not manifold were cut into copies (`cutting.rs`).
+//! A corner is one vertex of one triangle. Corners are numbered `4 * triangle + 0..3`, so that each
+//! triangle is one aligned piece of memory. The triangles around a vertex form one cycle: each boundary
+//! loop is closed by a **virtual vertex**, and non-manifold vertices have been cut into copies
+//! (`cutting.rs`).
 //!
 //! ```text
 //!        r1 --- r2              r1 --- r2         A split gives the triangles of a run of corners at u, the
@@ -12,83 +13,86 @@
 //!        ..     ..              ..  u  ..
 //! ```
 
-/// A corner that is not there.
+/// Marks a missing corner, vertex or label.
 pub(crate) const NONE: u32 = u32::MAX;
 
+/// A corner of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Corner {
     vertex: u32,
-    /// The corner across the edge between the two others of the triangle.
+    /// The corner across the edge that faces this corner.
     opposite: u32,
 }
 
-/// A run of triangles around a vertex.
+/// A run of consecutive triangles around a vertex, which a split moves to the new vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cut {
-    /// The corner, at the vertex that splits, of the first triangle that goes to the new vertex.
+    /// Corner of the first of these triangles at the vertex that splits.
     pub(crate) first: u32,
-    /// Triangles that go to it, counter-clockwise.
+    /// Number of triangles, counter-clockwise.
     pub(crate) length: u32,
 }
 
-/// A collapse as it was done, for undoing it.
+/// Record of a collapse, for undoing it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Undo {
-    /// The vertex that stays.
+    /// The vertex that remains.
     pub(crate) kept: u32,
-    /// Its run of corners.
+    /// The run of triangles that moved to it.
     pub(crate) cut: Cut,
-    /// The corners of the vertex that went in the two triangles that went with it, A and B.
-    pub(crate) gone: [u32; 2],
+    /// Corners of the removed vertex in the two removed triangles, A and B.
+    pub(crate) removed_corners: [u32; 2],
 }
 
-/// The next corner of the triangle, counter-clockwise.
+/// Returns the next corner of the triangle, counter-clockwise.
 #[inline]
 pub(crate) fn next(corner: u32) -> u32 {
     if corner & 3 == 2 { corner - 2 } else { corner + 1 }
 }
 
-/// The previous corner of the triangle.
+/// Returns the previous corner of the triangle.
 #[inline]
 pub(crate) fn previous(corner: u32) -> u32 {
     if corner & 3 == 0 { corner + 2 } else { corner - 1 }
 }
 
-/// The triangle of a corner.
+/// Returns the triangle of a corner.
 #[inline]
 pub(crate) fn triangle_of(corner: u32) -> u32 {
     corner >> 2
 }
 
-/// A closed triangulated surface whose vertices `0..virtual_count` stand for boundary loops.
+/// A closed triangulated surface. Vertices `0..virtual_count` are virtual and close boundary loops.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Surface {
-    /// Four a triangle; the fourth keeps the triangle's mark and label.
+    /// Four entries for each triangle: its corners, and one that stores the triangle's mark and label.
     corners: Vec<Corner>,
+    /// A corner of each vertex.
     corner_of: Vec<u32>,
     virtual_count: u32,
 }
 
-/// Why triangles are no closed surface.
+/// Why triangles do not form a closed surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceDefect {
-    /// A triangle names vertices that are not there, or one position twice.
+    /// A triangle refers to a missing vertex, or to one position twice.
     #[error("triangle {0} does not have three different corners")]
     Corners(u32),
-    /// Vertices that are no position, or positions that no vertex is at.
-    #[error("position {0} is at no vertex")]
+    /// A position has no vertex, or a vertex has no position.
+    #[error("position {0} has no vertex")]
     Position(u32),
-    /// A half-edge has no partner, or several.
-    #[error("triangle {0} has an edge that is not shared by two triangles")]
+    /// A half-edge does not have exactly one partner.
+    #[error("triangle {0} has an edge that is not shared by exactly two triangles")]
     Edge(u32),
-    /// The triangles around a vertex are not one cycle, or there are none.
-    #[error("the triangles around vertex {0} are not one cycle")]
+    /// The triangles around a vertex do not form one cycle, or the vertex has no triangle.
+    #[error("the triangles around vertex {0} do not form one cycle")]
     Vertex(u32),
 }
 
 impl Surface {
-    /// From triangles over `vertex_count` vertices with the corner across each edge: `opposite[3 t + i]` is `3 s + j`.
+    /// Builds a surface from triangles and the corner across each edge: `opposite[3 t + i]` is `3 s + j`,
+    /// which means corner `j` of triangle `s`. The input is not checked.
     pub(crate) fn from_opposites(
         triangles: &[[u32; 3]],
         opposite: &[u32],
@@ -108,7 +112,10 @@ impl Surface {
         Self { corners, corner_of, virtual_count }
     }
 
-    /// The same, where it is to be seen whether that is a closed surface.
+    /// Builds a surface like [`from_opposites`](Self::from_opposites), and checks that it is closed.
+    ///
+    /// # Errors
+    /// [`SurfaceDefect`] if it is not.
     pub(crate) fn from_closed(
         triangles: &[[u32; 3]],
         opposite: &[u32],
@@ -121,6 +128,7 @@ impl Surface {
         Ok(surface)
     }
 
+    /// Checks that the corners at each vertex form one cycle.
     fn check_cycles(&self, triangle_count: usize) -> Result<(), SurfaceDefect> {
         let mut seen = 0;
         for v in 0..self.corner_of.len() as u32 {
@@ -132,7 +140,7 @@ impl Surface {
         if seen == 3 * triangle_count {
             return Ok(());
         }
-        // Some vertex has more corners than its cycle.
+        // At least one vertex has corners outside its cycle.
         let mut is_seen = vec![false; self.corners.len()];
         for v in 0..self.corner_of.len() as u32 {
             self.ring(v).for_each(|c| is_seen[c as usize] = true);
@@ -141,65 +149,65 @@ impl Surface {
         Err(SurfaceDefect::Vertex(self.corners[missed].vertex))
     }
 
-    /// Makes room for so many splits.
+    /// Reserves memory for a number of splits.
     pub(crate) fn reserve(&mut self, splits: usize) {
         self.corners.reserve(8 * splits);
         self.corner_of.reserve(splits);
     }
 
-    /// Vertices, virtual ones first.
+    /// Number of vertices, including virtual ones, which come first.
     pub(crate) fn vertex_count(&self) -> usize {
         self.corner_of.len()
     }
 
-    /// Triangles, those with a virtual corner included.
+    /// Number of triangles, including those with a virtual corner.
     pub(crate) fn triangle_count(&self) -> usize {
         self.corners.len() / 4
     }
 
-    /// True for the vertex of a boundary loop.
+    /// Whether a vertex closes a boundary loop.
     #[inline]
     pub(crate) fn is_virtual(&self, vertex: u32) -> bool {
         vertex < self.virtual_count
     }
 
-    /// Vertices of boundary loops.
+    /// Number of virtual vertices, one for each boundary loop.
     pub(crate) fn virtual_count(&self) -> u32 {
         self.virtual_count
     }
 
-    /// The vertex at a corner.
+    /// Returns the vertex at a corner.
     #[inline]
     pub(crate) fn vertex(&self, corner: u32) -> u32 {
         self.corners[corner as usize].vertex
     }
 
-    /// The corner across the edge that faces this one.
+    /// Returns the corner on the other side of the edge that faces this corner.
     #[inline]
     pub(crate) fn opposite(&self, corner: u32) -> u32 {
         self.corners[corner as usize].opposite
     }
 
-    /// The vertices of a triangle.
+    /// Returns the vertices of a triangle.
     #[inline]
     pub(crate) fn triangle(&self, triangle: u32) -> [u32; 3] {
         let at = 4 * triangle as usize;
         [self.corners[at].vertex, self.corners[at + 1].vertex, self.corners[at + 2].vertex]
     }
 
-    /// Some corner at a vertex, the same on both sides of a stream.
+    /// Returns a corner at a vertex. Writer and reader agree on which one.
     #[inline]
     pub(crate) fn corner_of(&self, vertex: u32) -> u32 {
         self.corner_of[vertex as usize]
     }
 
-    /// The corner of the next triangle around the same vertex, counter-clockwise.
+    /// Returns the corner at the same vertex in the next triangle counter-clockwise.
     #[inline]
     pub(crate) fn swing(&self, corner: u32) -> u32 {
         next(self.opposite(next(corner)))
     }
 
-    /// The corners at a vertex, counter-clockwise from [`Self::corner_of`].
+    /// Iterates over the corners at a vertex, counter-clockwise from [`Self::corner_of`].
     pub(crate) fn ring(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         let first = self.corner_of[vertex as usize];
         let mut corner = first;
@@ -215,39 +223,42 @@ impl Surface {
         })
     }
 
-    /// A number that the caller keeps with a triangle; 0 at first.
+    /// Returns the mark, a number that callers may attach to a triangle; initially 0.
     #[inline]
     pub(crate) fn mark(&self, triangle: u32) -> u32 {
         self.corners[4 * triangle as usize + 3].vertex
     }
 
-    /// Sets the number that is kept with a triangle.
+    /// Sets the mark of a triangle.
     #[inline]
     pub(crate) fn set_mark(&mut self, triangle: u32, mark: u32) {
         self.corners[4 * triangle as usize + 3].vertex = mark;
     }
 
-    /// Another number that the caller keeps with a triangle; 0 at first.
+    /// Returns the label, a second number that callers may attach to a triangle; initially 0.
     #[inline]
     pub(crate) fn label(&self, triangle: u32) -> u32 {
         self.corners[4 * triangle as usize + 3].opposite
     }
 
-    /// Sets the other number that is kept with a triangle.
+    /// Sets the label of a triangle.
     #[inline]
     pub(crate) fn set_label(&mut self, triangle: u32, label: u32) {
         self.corners[4 * triangle as usize + 3].opposite = label;
     }
 
+    /// Makes two corners each other's opposite.
     fn link(&mut self, a: u32, b: u32) {
         self.corners[a as usize].opposite = b;
         self.corners[b as usize].opposite = a;
     }
 
-    /// Gives the triangles of a cut, `patch` being its corners, to a new vertex, the next one; A and B become the last two
-    /// triangles.
+    /// Splits a vertex: the triangles of `patch`, given by their corners at the vertex, move to a new
+    /// vertex, and A and B are appended as the last two triangles. Returns the new vertex, whose index is
+    /// the next free one.
     ///
-    /// The new vertex's [`corner_of`](Self::corner_of) is A's, so its ring begins with A: `u, r0, .., rk`.
+    /// The new vertex's [`corner_of`](Self::corner_of) lies in A, so its ring begins with A: `u, r0, ..,
+    /// rk`.
     ///
     /// # Panics
     /// If the patch is empty.
@@ -274,8 +285,9 @@ impl Surface {
         v
     }
 
-    /// Takes a vertex away: its triangles go to the neighbor at the edge of `corner`, the corner at the vertex whose
-    /// next one is the neighbor. The two triangles at that edge vanish but stay in the table.
+    /// Removes a vertex: its triangles move to the neighbor along an edge. `corner` is the corner at the
+    /// removed vertex whose next vertex is that neighbor. The two triangles at the edge disappear from
+    /// the surface but stay in the table.
     pub(crate) fn collapse(&mut self, corner: u32) -> Undo {
         let a = corner;
         let kept = self.vertex(next(a));
@@ -300,14 +312,14 @@ impl Surface {
             let vertex = self.vertex(c);
             self.corner_of[vertex as usize] = c;
         }
-        Undo { kept, cut: Cut { first, length }, gone: [a, b] }
+        Undo { kept, cut: Cut { first, length }, removed_corners: [a, b] }
     }
 }
 
 impl Surface {
-    /// Takes a collapse back, the last one that was done; all numbers are as they were before.
-    pub(crate) fn take_back(&mut self, undo: &Undo) {
-        let [a, b] = undo.gone;
+    /// Undoes the most recent collapse, restoring all indices.
+    pub(crate) fn undo_collapse(&mut self, undo: &Undo) {
+        let [a, b] = undo.removed_corners;
         let vertex = self.vertex(a);
         let mut corner = undo.cut.first;
         let mut patch = Vec::with_capacity(undo.cut.length as usize);
@@ -316,18 +328,21 @@ impl Surface {
             corner = self.swing(corner);
         }
         patch.iter().for_each(|&corner| self.corners[corner as usize].vertex = vertex);
-        // A and B still know who was beside them.
+        // A and B still know their former neighbors.
         for corner in [a, next(a), b, previous(b)] {
-            let beside = self.opposite(corner);
-            self.corners[beside as usize].opposite = corner;
+            let outside = self.opposite(corner);
+            self.corners[outside as usize].opposite = corner;
         }
         self.corner_of[vertex as usize] = a;
         self.corner_of[undo.kept as usize] = next(a);
     }
 }
 
+/// Checks that corners across an edge refer to each other and that their triangles run along it in
+/// opposite directions.
+///
 /// # Errors
-/// Where the triangles at an edge do not name each other, or do not run along it in opposite directions.
+/// [`SurfaceDefect::Edge`] with the first triangle for which this does not hold.
 fn check_edges(triangles: &[[u32; 3]], opposite: &[u32]) -> Result<(), SurfaceDefect> {
     for (corner, &across) in opposite.iter().enumerate() {
         let is_mutual = opposite.get(across as usize) == Some(&(corner as u32));
@@ -342,7 +357,7 @@ fn check_edges(triangles: &[[u32; 3]], opposite: &[u32]) -> Result<(), SurfaceDe
     Ok(())
 }
 
-/// Every half-edge as its two vertices, smaller first, and the corner that faces it.
+/// Returns every half-edge as a key of its two vertices, smaller first, and the corner that faces it.
 pub(crate) fn half_edges(triangles: &[[u32; 3]]) -> Vec<(u64, u32)> {
     let mut edges = Vec::with_capacity(3 * triangles.len());
     for t in 0..triangles.len() as u32 {
@@ -354,13 +369,13 @@ pub(crate) fn half_edges(triangles: &[[u32; 3]]) -> Vec<(u64, u32)> {
     edges
 }
 
-/// The half-edge that faces a corner, as its triangle runs along it.
+/// Returns the vertices of the half-edge that faces a corner, in its triangle's direction.
 pub(crate) fn edge_facing(triangles: &[[u32; 3]], corner: u32) -> (u32, u32) {
     let (t, i) = (corner as usize / 3, corner as usize % 3);
     (triangles[t][(i + 1) % 3], triangles[t][(i + 2) % 3])
 }
 
-/// True where the half-edge that faces a corner runs from the smaller vertex to the larger.
+/// Whether the half-edge that faces a corner runs from the smaller vertex index to the larger.
 pub(crate) fn is_forward(triangles: &[[u32; 3]], corner: u32) -> bool {
     let (a, b) = edge_facing(triangles, corner);
     a < b

@@ -1,29 +1,30 @@
-//! Which vertices no triangle of the level shows yet.
+//! Tracks vertices that no triangle of the current level refers to.
 //!
-//! Where every corner has a vertex of its own, the corners of new triangles mostly show vertices that nothing has shown so
-//! far. Corners are counted by the vertex that they show, so that such vertices are found at once; only those whose numbers
-//! are near an expected one are looked at, so positions of thousands of vertices take no longer.
+//! If every corner has its own vertex, the corners of new triangles mostly refer to vertices that have
+//! not been used yet. We count the corners that refer to each vertex, so that unused vertices are found
+//! quickly. Only vertices whose index is near an expected one are examined, so positions with thousands
+//! of vertices take no longer.
 
 use std::ops::Range;
 
 use crate::topology::surface::NONE;
 
-/// Vertices that are looked at.
+/// Maximum distance of examined vertices from the expected one.
 const WINDOW: u32 = 24;
-/// Hidden ones that are of use.
+/// Maximum number of hidden vertices that are returned.
 const MOST: usize = 8;
 
-/// Corners that show each vertex.
+/// Counts of the corners that refer to each vertex.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HiddenWedges {
     corner_counts: Vec<u32>,
-    /// Those found last, nearest first.
+    /// Result of the last search, nearest first.
     found: Vec<u32>,
 }
 
 impl HiddenWedges {
-    /// One more corner shows a vertex.
-    pub(crate) fn show(&mut self, vertex: u32) {
+    /// Records that one more corner refers to a vertex.
+    pub(crate) fn add_corner(&mut self, vertex: u32) {
         if vertex == NONE {
             return;
         }
@@ -33,14 +34,14 @@ impl HiddenWedges {
         self.corner_counts[vertex as usize] += 1;
     }
 
-    /// One corner less shows a vertex.
-    pub(crate) fn hide(&mut self, vertex: u32) {
+    /// Records that one corner fewer refers to a vertex.
+    pub(crate) fn remove_corner(&mut self, vertex: u32) {
         if let Some(count) = self.corner_counts.get_mut(vertex as usize) {
             *count = count.saturating_sub(1);
         }
     }
 
-    /// Finds the hidden vertices of a range that are near one of it.
+    /// Finds the hidden vertices of a range near an expected vertex.
     pub(crate) fn find(&mut self, all: &Range<u32>, near: u32) -> &[u32] {
         self.found.clear();
         let near = if all.contains(&near) { near } else { all.start };
@@ -57,12 +58,13 @@ impl HiddenWedges {
         &self.found
     }
 
-    /// True if one corner at most shows a vertex, as where each corner has one of its own.
-    pub(crate) fn is_lone(&self, vertex: u32) -> bool {
+    /// Whether at most one corner refers to a vertex, as in meshes in which each corner has its own
+    /// vertex.
+    pub(crate) fn has_one_corner_at_most(&self, vertex: u32) -> bool {
         self.corner_counts.get(vertex as usize).is_none_or(|count| *count < 2)
     }
 
-    /// What [`find`](Self::find) found last.
+    /// Returns the result of the last [`find`](Self::find).
     pub(crate) fn found(&self) -> &[u32] {
         &self.found
     }
@@ -76,14 +78,18 @@ mod tests {
     fn hidden_vertices_come_nearest_first() {
         let mut hidden = HiddenWedges::default();
         assert_eq!(hidden.find(&(4..9), 6), [6, 7, 5, 8, 4]);
-        [5, 6, 6, 8].into_iter().for_each(|vertex| hidden.show(vertex));
+        [5, 6, 6, 8].into_iter().for_each(|vertex| hidden.add_corner(vertex));
         assert_eq!(hidden.find(&(4..9), 6), [7, 4]);
-        assert!(hidden.is_lone(5) && !hidden.is_lone(6) && hidden.is_lone(99));
-        hidden.hide(6);
-        hidden.hide(5);
-        hidden.hide(5);
+        assert!(
+            hidden.has_one_corner_at_most(5)
+                && !hidden.has_one_corner_at_most(6)
+                && hidden.has_one_corner_at_most(99)
+        );
+        hidden.remove_corner(6);
+        hidden.remove_corner(5);
+        hidden.remove_corner(5);
         assert_eq!(hidden.find(&(4..9), 6), [7, 5, 4]);
-        // What is expected elsewhere says nothing.
+        // An expected vertex outside the range is ignored.
         assert_eq!(hidden.find(&(4..9), 60), [4, 5, 7]);
         assert_eq!(hidden.found(), [4, 5, 7]);
         assert!(hidden.find(&(0..100_000), 50_000).len() == MOST);

@@ -1,10 +1,10 @@
-//! Which vertices corners show: one position may have several.
+//! Wedges: which vertex each corner refers to if positions have several vertices.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `model.rs` | what the corners around a new position show |
-//! | `split.rs` | the answer |
-//! | `hidden.rs` | vertices that no triangle shows yet |
+//! | `model.rs` | codes which vertices the corners around a new position refer to |
+//! | `split.rs` | the result for one split |
+//! | `hidden.rs` | vertices that no triangle refers to yet |
 
 pub(crate) mod hidden;
 pub(crate) mod model;

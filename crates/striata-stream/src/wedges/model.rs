@@ -1,9 +1,10 @@
-//! Which vertices the corners around a new position show, and which groups its triangles are in.
+//! Codes which vertices the corners around a new position refer to, and the groups of its triangles.
 //!
-//! The triangles of the patch showed vertices of the position that splits; the new position has a vertex (wedge) for each
-//! run of them, more where a seam begins. A wedge has one target, so where the old corners differ the new ones do. The
-//! two new triangles nearly always go on with the wedges and the group beside them. All is asked as "is it the one that one
-//! would expect?", which costs next to nothing away from seams.
+//! The triangles of the patch referred to vertices of the position that splits. The new position has one
+//! vertex (wedge) for each run of them, and more if a seam begins. A wedge has only one target, so
+//! corners that referred to different vertices also do so afterwards. The two new triangles almost always
+//! continue the wedges and the group next to them. Everything is coded as a flag for whether an expected
+//! guess is right, which costs almost nothing away from seams.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -17,48 +18,52 @@ use crate::refine::source::Source;
 use crate::topology::surface::{NONE, Surface, next, previous, triangle_of};
 use crate::wedges::hidden::HiddenWedges;
 
-/// Answers whether a guess is right: by who asks, whether both guesses agree, and which it is.
-const GUESSES: usize = ASKED * 2 * 2;
-/// What the guesses of a corner before it came to, see [`outcome`].
+/// Contexts for whether a guess is right: what is coded, whether both guesses agree, and which guess it
+/// is.
+const GUESSES: usize = VALUE_KINDS * 2 * 2;
+/// Number of outcomes of the guesses at the previous corner, see [`outcome`].
 const OUTCOMES: usize = 4;
-/// Classes of how many vertices of a position are hidden: none, one, more.
+/// Classes for the number of hidden vertices of a position: none, one, more.
 const HIDDEN: usize = 3;
-/// Places in a list that have probabilities of their own.
-const PLACES: usize = 6;
-/// Wedges of the new position that are offered one by one in version 2.
+/// Number of list positions that have their own probabilities.
+const LIST_INDICES: usize = 6;
+/// Maximum number of wedges of the new position that version 2 offers one by one.
 const MOST_OFFERED: usize = 16;
 
-/// Models of wedges and groups. Version 1 uses the first contexts of each kind only.
+/// Models of wedges and groups. Version 1 uses only the first contexts of each kind.
 #[derive(Clone, Debug)]
 pub(crate) struct WedgeModel {
     version: StreamVersion,
+    /// Number of vertices in the full mesh.
     vertex_count: u32,
-    /// Whether a corner of the patch shows what the one before does: where that is so at the ring, and where not; by what
-    /// came of that at the corner before.
-    goes_on: [AdaptiveBit; 2 * 3],
-    /// Whether it shows another wedge that is there, by place in the list.
-    is_other: [AdaptiveBit; PLACES],
-    /// Whether it shows one that is too far down that list.
+    /// Whether a corner of the patch refers to the same wedge as the previous one, by whether that holds
+    /// at the ring and by the flag of the previous corner.
+    continues: [AdaptiveBit; 2 * 3],
+    /// Whether it refers to another existing wedge, by index in the list of candidates.
+    is_other: [AdaptiveBit; LIST_INDICES],
+    /// Whether it refers to a wedge beyond the end of that list.
     is_older: AdaptiveBit,
-    /// Whether A's and B's show what the patch beside them does, by what the end of the ring shows, and whether the kept
-    /// position's vertex is shown elsewhere.
+    /// Whether the corners of A and B refer to the same wedge as the patch next to them, by the outcome
+    /// at the end of the ring and by whether other corners refer to the kept position's vertex.
     joins_patch: [AdaptiveBit; OUTCOMES * 2],
-    /// Whether a guess is right, also by whether other corners show it.
+    /// Whether a guess is right, also by whether at most one corner refers to it.
     is_guess: [AdaptiveBit; GUESSES * OUTCOMES * HIDDEN * 2],
-    /// Whether a hidden vertex is meant, and which.
-    is_hidden: [AdaptiveBit; ASKED * HIDDEN],
-    is_this: [AdaptiveBit; ASKED * PLACES],
-    /// Whether there are wedges that no corner shows, by how many are shown, whether each corner shows another one, how many
-    /// have come, and how many of the kept position are hidden.
+    /// Whether a hidden vertex is coded, and which.
+    is_hidden: [AdaptiveBit; VALUE_KINDS * HIDDEN],
+    is_candidate: [AdaptiveBit; VALUE_KINDS * LIST_INDICES],
+    /// Whether more wedges without corners follow, by the number of wedges with corners, whether each
+    /// corner has its own wedge, how many have followed, and how many vertices of the kept position are
+    /// hidden.
     has_more: [AdaptiveBit; 8 * 2 * 4 * HIDDEN],
+    /// Vertices that no corner refers to yet.
     hidden: HiddenWedges,
-    /// The wedge of each vertex that a writer has named at this position.
+    /// In a writer, the wedge of each source vertex at this position.
     wedge_of: HashMap<u32, u32>,
 }
 
-/// What a corner is asked for.
+/// The kind of value that is coded.
 #[derive(Clone, Copy)]
-enum Asked {
+enum ValueKind {
     KeptCorner,
     RingCorner,
     Target,
@@ -67,58 +72,58 @@ enum Asked {
     BaseGroup,
 }
 
-impl Asked {
-    /// True if not a vertex is asked for, but a group of triangles.
+impl ValueKind {
+    /// Whether the value is a group of triangles rather than a vertex.
     fn is_group(self) -> bool {
         matches!(self, Self::Group | Self::BaseGroup)
     }
 }
 
-/// How many kinds of [`Asked`] there are.
-const ASKED: usize = Asked::BaseGroup as usize + 1;
+/// Number of kinds in [`ValueKind`].
+const VALUE_KINDS: usize = ValueKind::BaseGroup as usize + 1;
 
-/// What is known at a split.
-pub(crate) struct Split<'a, S> {
+/// Everything that is known about a split when its wedges are coded.
+pub(crate) struct SplitContext<'a, S> {
     pub(crate) surface: &'a Surface,
     pub(crate) growth: &'a Growth,
-    /// Corners at the new position, A's first and B's last.
+    /// Corners at the new position, starting with the one in A and ending with the one in B.
     pub(crate) corners: &'a [u32],
     pub(crate) source: &'a S,
-    /// Vertices beyond the first that the position may have: what a reader's bytes can tell.
+    /// Maximum number of vertices of the position in excess of one, as limited by a reader's bytes.
     pub(crate) most_beyond: u64,
 }
 
-impl<S: Source> Split<'_, S> {
-    /// What a writer's corner shows, of the mesh that is given; nothing that counts for a reader.
+impl<S: Source> SplitContext<'_, S> {
+    /// Returns the source mesh's vertex that a corner refers to; 0 in a reader, where it is ignored.
     fn wedge(&self, corner: u32) -> u32 {
         self.source.plan().map_or(0, |plan| plan.wedge(corner))
     }
 
-    /// The same, of the stream.
+    /// Returns the stream's vertex that a corner refers to; 0 in a reader, where it is ignored.
     fn vertex_at(&self, corner: u32) -> u32 {
         self.source.plan().map_or(0, |plan| plan.vertex_at(corner))
     }
 
-    /// The group of a writer's triangle at a corner.
+    /// Returns the group of the triangle at a corner; 0 in a reader, where it is ignored.
     fn group(&self, corner: u32) -> u32 {
         self.source.plan().map_or(0, |plan| plan.group(triangle_of(corner)))
     }
 }
 
 impl WedgeModel {
-    /// Nothing learned; `vertex_count` is that of the full mesh.
+    /// Creates an untrained model; `vertex_count` is that of the full mesh.
     pub(crate) fn new(vertex_count: u32, version: StreamVersion) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
             version,
             vertex_count,
-            goes_on: [bit; 2 * 3],
-            is_other: [bit; PLACES],
+            continues: [bit; 2 * 3],
+            is_other: [bit; LIST_INDICES],
             is_older: bit,
             joins_patch: [bit; OUTCOMES * 2],
             is_guess: [bit; GUESSES * OUTCOMES * HIDDEN * 2],
-            is_hidden: [bit; ASKED * HIDDEN],
-            is_this: [bit; ASKED * PLACES],
+            is_hidden: [bit; VALUE_KINDS * HIDDEN],
+            is_candidate: [bit; VALUE_KINDS * LIST_INDICES],
             has_more: [bit; 8 * 2 * 4 * HIDDEN],
             hidden: HiddenWedges::default(),
             wedge_of: HashMap::new(),
@@ -129,128 +134,134 @@ impl WedgeModel {
         self.version == StreamVersion::One
     }
 
-    /// Vertices of a range that no corner shows yet, nearest to a vertex first.
+    /// Finds the vertices of a range that no corner refers to yet, those nearest to `near` first.
     pub(crate) fn hidden(&mut self, all: &Range<u32>, near: u32) -> &[u32] {
         self.hidden.find(all, near)
     }
 
-    /// Notes what corners show after a general step, which `growth` does not have yet.
+    /// Updates the corner counts for a general step that `growth` does not include yet.
     pub(crate) fn follow_general(&mut self, growth: &Growth, step: &CodedStep) {
         let first = growth.vertex_count();
         for &corner in &step.fan {
-            self.hidden.hide(growth.triangles[corner as usize / 3][corner as usize % 3]);
+            self.hidden.remove_corner(growth.triangles[corner as usize / 3][corner as usize % 3]);
         }
-        step.wedges.iter().for_each(|wedge| self.hidden.show(first + wedge));
-        step.others.as_flattened().iter().for_each(|&vertex| self.hidden.show(vertex));
+        step.wedges.iter().for_each(|wedge| self.hidden.add_corner(first + wedge));
+        step.others.as_flattened().iter().for_each(|&vertex| self.hidden.add_corner(vertex));
     }
 
-    /// Codes which number of a range is meant: one of the guesses, or any. `outcome` is that of a corner before, and does
-    /// not count in version 1.
+    /// Codes a value of a range: one of the guesses, or any other. `outcome` is that of the previous
+    /// corner; version 1 ignores it.
     fn choose<C: Coder>(
         &mut self,
         coder: &mut C,
-        (asked, outcome): (Asked, usize),
+        (kind, outcome): (ValueKind, usize),
         (guesses, all): ([Option<u32>; 2], Range<u32>),
-        meant: u32,
+        actual: u32,
     ) -> u32 {
         if all.len() == 1 {
             return all.start;
         }
-        let class = self.find_hidden(asked, &guesses, &all);
+        let class = self.find_hidden(kind, &guesses, &all);
         let outcome = if self.is_first_version() { 0 } else { outcome };
-        let key = (asked as usize * 2 + usize::from(guesses[0] == guesses[1])) * 2;
+        let key = (kind as usize * 2 + usize::from(guesses[0] == guesses[1])) * 2;
         let key = key + GUESSES * (outcome * HIDDEN + class);
-        let knows_corners = !self.is_first_version() && !asked.is_group();
+        let knows_corners = !self.is_first_version() && !kind.is_group();
         let mut tried = NONE;
-        for (place, guess) in guesses.into_iter().enumerate() {
+        for (index, guess) in guesses.into_iter().enumerate() {
             let Some(guess) = guess.filter(|guess| all.contains(guess) && *guess != tried) else { continue };
-            let is_lone = knows_corners && self.hidden.is_lone(guess);
-            let key = key + place + GUESSES * OUTCOMES * HIDDEN * usize::from(is_lone);
-            if self.is_guess[key].code(coder, guess == meant) {
+            let has_one_corner_at_most = knows_corners && self.hidden.has_one_corner_at_most(guess);
+            let key = key + index + GUESSES * OUTCOMES * HIDDEN * usize::from(has_one_corner_at_most);
+            if self.is_guess[key].code(coder, guess == actual) {
                 return guess;
             }
             tried = guess;
         }
-        if let Some(vertex) = self.choose_hidden(coder, (asked, class), &guesses, meant) {
+        if let Some(vertex) = self.choose_hidden(coder, (kind, class), &guesses, actual) {
             return vertex;
         }
-        all.start + code_uniform(coder, all.len() as u32, meant.wrapping_sub(all.start))
+        all.start + code_uniform(coder, all.len() as u32, actual.wrapping_sub(all.start))
     }
 
-    /// Finds hidden vertices that may be meant, and gives the class of how many there are.
-    fn find_hidden(&mut self, asked: Asked, guesses: &[Option<u32>; 2], all: &Range<u32>) -> usize {
-        if self.is_first_version() || asked.is_group() {
+    /// Finds hidden vertices that may be the coded value, and returns the class of their number.
+    fn find_hidden(&mut self, kind: ValueKind, guesses: &[Option<u32>; 2], all: &Range<u32>) -> usize {
+        if self.is_first_version() || kind.is_group() {
             return 0;
         }
         let near = guesses.iter().flatten().next().copied().unwrap_or(all.start);
         self.hidden.find(all, near).len().min(HIDDEN - 1)
     }
 
-    /// Codes whether a hidden vertex is meant that is no guess, and which.
+    /// Codes whether the value is a hidden vertex that is not among the guesses, and which.
     fn choose_hidden<C: Coder>(
         &mut self,
         coder: &mut C,
-        (asked, class): (Asked, usize),
+        (kind, class): (ValueKind, usize),
         guesses: &[Option<u32>; 2],
-        meant: u32,
+        actual: u32,
     ) -> Option<u32> {
         if class == 0 {
             return None;
         }
         let offered = self.hidden.found().iter().filter(|vertex| !guesses.contains(&Some(**vertex)));
         let last = *offered.clone().next_back()?;
-        let is_meant = offered.clone().any(|vertex| *vertex == meant);
-        if !self.is_hidden[asked as usize * HIDDEN + class].code(coder, is_meant) {
+        let is_offered = offered.clone().any(|vertex| *vertex == actual);
+        if !self.is_hidden[kind as usize * HIDDEN + class].code(coder, is_offered) {
             return None;
         }
-        for (place, &vertex) in offered.enumerate() {
-            let bit = &mut self.is_this[asked as usize * PLACES + place.min(PLACES - 1)];
-            if vertex == last || bit.code(coder, vertex == meant) {
+        for (index, &vertex) in offered.enumerate() {
+            let bit = &mut self.is_candidate[kind as usize * LIST_INDICES + index.min(LIST_INDICES - 1)];
+            if vertex == last || bit.code(coder, vertex == actual) {
                 return Some(vertex);
             }
         }
         None
     }
 
-    /// Codes what the corners around a new position show.
+    /// Codes the vertices that the corners around a new position refer to.
     pub(crate) fn code<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        split: &Split<'_, S>,
+        split: &SplitContext<'_, S>,
         out: &mut SplitWedges,
     ) {
         let corners = split.corners;
         out.targets.clear();
-        out.named.clear();
+        out.source_vertices.clear();
         out.wedges.clear();
         out.wedges.resize(corners.len(), NONE);
         self.wedge_of.clear();
-        self.patch(coder, split, out);
+        self.code_patch(coder, split, out);
         for side in 0..2 {
-            self.side(coder, split, side, out);
+            self.code_side(coder, split, side, out);
         }
-        self.unshown(coder, split, out);
+        self.code_cornerless(coder, split, out);
         if !self.is_first_version() {
             self.count_corners(split, out);
         }
     }
 
-    /// The wedges that no corner shows.
-    fn unshown<C: Coder, S: Source>(&mut self, coder: &mut C, split: &Split<'_, S>, out: &mut SplitWedges) {
-        let Split { surface, growth, corners, source, .. } = *split;
+    /// Codes the wedges that no corner refers to.
+    fn code_cornerless<C: Coder, S: Source>(
+        &mut self,
+        coder: &mut C,
+        split: &SplitContext<'_, S>,
+        out: &mut SplitWedges,
+    ) {
+        let SplitContext { surface, growth, corners, source, .. } = *split;
         let kept = growth.wedges(surface.vertex(next(corners[0])));
         let left = source.plan().map_or(0..0, |plan| plan.wedges(surface.vertex(corners[0])));
-        let mut meant =
+        let mut actual =
             left.filter(|wedge| !self.wedge_of.contains_key(wedge)).collect::<Vec<_>>().into_iter();
         let shown = out.targets.len();
         let corner_count = out.wedges.iter().filter(|wedge| **wedge != NONE).count();
         let shown_class = 2 * shown.min(7) + usize::from(shown == corner_count);
         let near = out.targets.last().copied();
-        let class = if kept.len() > 1 { self.find_hidden(Asked::Target, &[near, None], &kept) } else { 0 };
+        let class =
+            if kept.len() > 1 { self.find_hidden(ValueKind::Target, &[near, None], &kept) } else { 0 };
         loop {
-            let more = meant.next();
+            let more = actual.next();
             let count = out.targets.len();
-            // Where all vertices of the mesh are there, nothing is left to be asked.
+            // If all vertices of the mesh exist, nothing is left to code.
             let is_full = growth.vertex_count() as usize + count >= self.vertex_count as usize;
             let is_full = is_full || count as u64 > split.most_beyond.saturating_add(1);
             let context = if self.is_first_version() {
@@ -263,53 +274,59 @@ impl WedgeModel {
             }
             let target = more.and_then(|wedge| Some(source.plan()?.target(wedge))).unwrap_or(NONE);
             let guesses = [out.targets.last().copied(), None];
-            let target = self.choose(coder, (Asked::Target, 0), (guesses, kept.clone()), target);
+            let target = self.choose(coder, (ValueKind::Target, 0), (guesses, kept.clone()), target);
             out.targets.push(target);
-            out.named.push(more.unwrap_or(NONE));
+            out.source_vertices.push(more.unwrap_or(NONE));
         }
     }
 
-    /// Counts corners as they will be when the split is part of the mesh.
-    fn count_corners<S: Source>(&mut self, split: &Split<'_, S>, out: &SplitWedges) {
-        let Split { surface, growth, corners, .. } = *split;
+    /// Updates the corner counts for the split.
+    fn count_corners<S: Source>(&mut self, split: &SplitContext<'_, S>, out: &SplitWedges) {
+        let SplitContext { surface, growth, corners, .. } = *split;
         let first = growth.vertex_count();
         for (at, (&corner, &wedge)) in corners.iter().zip(&out.wedges).enumerate() {
             if wedge == NONE {
                 continue;
             }
-            self.hidden.show(first + wedge);
+            self.hidden.add_corner(first + wedge);
             let side = usize::from(at > 0);
             if at == 0 || at + 1 == corners.len() {
-                self.hidden.show(out.kept[side]);
-                self.hidden.show(out.ends[side]);
+                self.hidden.add_corner(out.kept[side]);
+                self.hidden.add_corner(out.ends[side]);
             } else if let Some(old) = growth.shown(surface, corner) {
-                self.hidden.hide(old);
+                self.hidden.remove_corner(old);
             }
         }
     }
 
-    /// The corners of the patch.
-    fn patch<C: Coder, S: Source>(&mut self, coder: &mut C, split: &Split<'_, S>, out: &mut SplitWedges) {
-        let Split { surface, growth, corners, .. } = *split;
+    /// Codes the wedges at the corners of the patch.
+    fn code_patch<C: Coder, S: Source>(
+        &mut self,
+        coder: &mut C,
+        split: &SplitContext<'_, S>,
+        out: &mut SplitWedges,
+    ) {
+        let SplitContext { surface, growth, corners, .. } = *split;
         let mut before: Option<PatchCorner> = None;
-        // What came of it at the corner before: not asked, another one, the same.
+        // Flag of the previous corner: none was coded, another wedge, the same wedge.
         let mut outcome = 0;
         for (at, &corner) in corners.iter().enumerate().take(corners.len() - 1).skip(1) {
             let Some(old) = growth.shown(surface, corner) else {
                 before = None;
                 continue;
             };
-            let meant = split.wedge(corner);
+            let actual = split.wedge(corner);
             let ring = growth.shown(surface, next(corner)).unwrap_or(NONE);
             let wedge = match before {
                 Some(PatchCorner { wedge, old: old_before, ring: ring_before }) if old_before == old => {
                     let earlier = if self.is_first_version() { 0 } else { outcome };
                     let context = usize::from(ring != ring_before) + 2 * earlier;
-                    let goes_on = self.goes_on[context].code(coder, out.named[wedge as usize] == meant);
-                    outcome = 1 + usize::from(goes_on);
-                    if goes_on { wedge } else { self.other_wedge(coder, (meant, old), Some(wedge), out) }
+                    let continues =
+                        self.continues[context].code(coder, out.source_vertices[wedge as usize] == actual);
+                    outcome = 1 + usize::from(continues);
+                    if continues { wedge } else { self.other_wedge(coder, (actual, old), Some(wedge), out) }
                 }
-                _ => self.other_wedge(coder, (meant, old), None, out),
+                _ => self.other_wedge(coder, (actual, old), None, out),
             };
             out.wedges[at] = wedge;
             let ring = growth.shown(surface, previous(corner)).unwrap_or(NONE);
@@ -317,84 +334,84 @@ impl WedgeModel {
         }
     }
 
-    /// A wedge of the given target that is there already, or a new one.
+    /// Codes an existing wedge with the given target, or a new one.
     fn other_wedge<C: Coder>(
         &mut self,
         coder: &mut C,
-        (meant, target): (u32, u32),
-        besides: Option<u32>,
+        (actual, target): (u32, u32),
+        excluded: Option<u32>,
         out: &mut SplitWedges,
     ) -> u32 {
         let found = if self.is_first_version() {
-            self.any_wedge(coder, (meant, target), besides, out)
+            self.matching_wedge(coder, (actual, target), excluded, out)
         } else {
-            self.late_wedge(coder, (meant, target), besides, out)
+            self.recent_wedge(coder, (actual, target), excluded, out)
         };
         found.unwrap_or_else(|| {
             out.targets.push(target);
-            out.named.push(meant);
+            out.source_vertices.push(actual);
             let wedge = out.targets.len() as u32 - 1;
             if !C::READS {
-                self.wedge_of.insert(meant, wedge);
+                self.wedge_of.insert(actual, wedge);
             }
             wedge
         })
     }
 
-    /// Version 1 offers all wedges that fit.
-    fn any_wedge<C: Coder>(
+    /// Version 1 offers all wedges with this target.
+    fn matching_wedge<C: Coder>(
         &mut self,
         coder: &mut C,
-        (meant, target): (u32, u32),
-        besides: Option<u32>,
+        (actual, target): (u32, u32),
+        excluded: Option<u32>,
         out: &SplitWedges,
     ) -> Option<u32> {
-        let wedges = (0..).zip(out.targets.iter().zip(&out.named));
-        let mut fits = wedges.filter(|(wedge, (of, _))| **of == target && besides != Some(*wedge));
-        fits.find(|(_, (_, name))| self.is_other[0].code(coder, **name == meant)).map(|(wedge, _)| wedge)
+        let wedges = (0..).zip(out.targets.iter().zip(&out.source_vertices));
+        let mut fits = wedges.filter(|(wedge, (of, _))| **of == target && excluded != Some(*wedge));
+        fits.find(|(_, (_, name))| self.is_other[0].code(coder, **name == actual)).map(|(wedge, _)| wedge)
     }
 
-    /// Version 2 offers the latest wedges that fit, and asks for the number of any other.
-    fn late_wedge<C: Coder>(
+    /// Version 2 offers the latest wedges with this target, and codes the index of any older one.
+    fn recent_wedge<C: Coder>(
         &mut self,
         coder: &mut C,
-        (meant, target): (u32, u32),
-        besides: Option<u32>,
+        (actual, target): (u32, u32),
+        excluded: Option<u32>,
         out: &SplitWedges,
     ) -> Option<u32> {
         let older_count = out.targets.len().saturating_sub(MOST_OFFERED);
-        let mut place = 0;
+        let mut index = 0;
         for wedge in (older_count..out.targets.len()).rev() {
-            if out.targets[wedge] != target || besides == Some(wedge as u32) {
+            if out.targets[wedge] != target || excluded == Some(wedge as u32) {
                 continue;
             }
-            if self.is_other[place].code(coder, out.named[wedge] == meant) {
+            if self.is_other[index].code(coder, out.source_vertices[wedge] == actual) {
                 return Some(wedge as u32);
             }
-            place = (place + 1).min(PLACES - 1);
+            index = (index + 1).min(LIST_INDICES - 1);
         }
         if older_count == 0 {
             return None;
         }
-        let older = self.wedge_of.get(&meant).copied().filter(|wedge| (*wedge as usize) < older_count);
+        let older = self.wedge_of.get(&actual).copied().filter(|wedge| (*wedge as usize) < older_count);
         if !self.is_older.code(coder, older.is_some()) {
             return None;
         }
         let wedge = code_uniform(coder, older_count as u32, older.unwrap_or(0));
-        // The triangle would not vanish in the coarser level if the wedge went elsewhere.
+        // With another target, the triangle would not disappear in the coarser level.
         (out.targets[wedge as usize] == target).then_some(wedge)
     }
 
-    /// The corners of A (side 0) or B, and its group.
-    fn side<C: Coder, S: Source>(
+    /// Codes the vertices of the corners of A (side 0) or B, and its group.
+    fn code_side<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        split: &Split<'_, S>,
+        split: &SplitContext<'_, S>,
         side: usize,
         out: &mut SplitWedges,
     ) {
-        let Split { surface, growth, corners, .. } = *split;
-        let (at, beside) = if side == 0 { (0, 1) } else { (corners.len() - 1, corners.len() - 2) };
+        let SplitContext { surface, growth, corners, .. } = *split;
+        let (at, adjacent) = if side == 0 { (0, 1) } else { (corners.len() - 1, corners.len() - 2) };
         let corner = corners[at];
         let (kept, end) =
             if side == 0 { (next(corner), previous(corner)) } else { (previous(corner), next(corner)) };
@@ -402,54 +419,61 @@ impl WedgeModel {
         if positions.iter().any(|&v| surface.is_virtual(v)) {
             return;
         }
-        // Across the edge between kept position and end of the ring; and the triangle of the patch next to it.
+        // Opposite corners across the edge between the kept position and the end of the ring, and the
+        // adjacent triangle of the patch.
         let across = surface.opposite(corner);
         let (kept_across, end_across) =
             if side == 0 { (previous(across), next(across)) } else { (next(across), previous(across)) };
-        let inside = corners[beside];
+        let inside = corners[adjacent];
         let end_inside = if side == 0 { next(inside) } else { previous(inside) };
-        // The corner of the patch still shows the kept position.
+        // The corner of the patch still refers to the kept position.
         let guesses = [growth.shown(surface, kept_across), growth.shown(surface, inside)];
         let offer = (guesses, growth.wedges(positions[1]));
-        out.kept[side] = self.choose(coder, (Asked::KeptCorner, 0), offer, split.vertex_at(kept));
+        out.kept[side] = self.choose(coder, (ValueKind::KeptCorner, 0), offer, split.vertex_at(kept));
         let of_kept = outcome([guesses[1], guesses[0]], out.kept[side]);
         let guesses = [growth.shown(surface, end_inside), growth.shown(surface, end_across)];
         let offer = (guesses, growth.wedges(positions[2]));
-        out.ends[side] = self.choose(coder, (Asked::RingCorner, of_kept), offer, split.vertex_at(end));
+        out.ends[side] = self.choose(coder, (ValueKind::RingCorner, of_kept), offer, split.vertex_at(end));
         let of_end = outcome(guesses, out.ends[side]);
-        let new =
-            New { of_end, meant: split.wedge(corner), beside: out.wedges[beside], kept: out.kept[side] };
+        let new = NewCorner {
+            of_end,
+            actual: split.wedge(corner),
+            adjacent: out.wedges[adjacent],
+            kept: out.kept[side],
+        };
         out.wedges[at] = self.new_corner(coder, new, out);
         let guesses = [across, inside].map(|c| growth.group(surface, triangle_of(c)));
         let offer = (guesses, 0..growth.group_count.max(1));
-        out.groups[side] = self.choose(coder, (Asked::Group, of_end), offer, split.group(corner));
+        out.groups[side] = self.choose(coder, (ValueKind::Group, of_end), offer, split.group(corner));
     }
 
-    /// The wedge at the corner of A or B: that of the patch beside it, another one, or a new one. It collapses to what the
-    /// kept position shows there, or the triangle would not vanish.
-    fn new_corner<C: Coder>(&mut self, coder: &mut C, new: New, out: &mut SplitWedges) -> u32 {
-        let New { of_end, meant, beside, kept } = new;
-        if beside == NONE || out.targets[beside as usize] != kept {
-            return self.other_wedge(coder, (meant, kept), None, out);
+    /// Codes the wedge at the corner of A or B: the one of the adjacent patch triangle, another one, or a
+    /// new one. Its target is the kept position's vertex in the same triangle, or else the triangle would
+    /// not disappear in the coarser level.
+    fn new_corner<C: Coder>(&mut self, coder: &mut C, new: NewCorner, out: &mut SplitWedges) -> u32 {
+        let NewCorner { of_end, actual, adjacent, kept } = new;
+        if adjacent == NONE || out.targets[adjacent as usize] != kept {
+            return self.other_wedge(coder, (actual, kept), None, out);
         }
-        let is_beside = out.named[beside as usize] == meant;
-        let is_lone = self.hidden.is_lone(kept);
-        let context = if self.is_first_version() { 0 } else { 2 * of_end + usize::from(is_lone) };
-        if self.joins_patch[context].code(coder, is_beside) {
-            return beside;
+        let is_adjacent = out.source_vertices[adjacent as usize] == actual;
+        let has_one_corner_at_most = self.hidden.has_one_corner_at_most(kept);
+        let context =
+            if self.is_first_version() { 0 } else { 2 * of_end + usize::from(has_one_corner_at_most) };
+        if self.joins_patch[context].code(coder, is_adjacent) {
+            return adjacent;
         }
-        self.other_wedge(coder, (meant, kept), Some(beside), out)
+        self.other_wedge(coder, (actual, kept), Some(adjacent), out)
     }
 
-    /// Codes what the corners of a base triangle show, and its group; `last` is what each position showed before.
+    /// Codes the vertex of a base triangle's corner; `last` is the last vertex coded at its position.
     pub(crate) fn base_corner<C: Coder>(
         &mut self,
         coder: &mut C,
         (wedges, last): (Range<u32>, Option<u32>),
-        meant: u32,
+        actual: u32,
     ) -> u32 {
-        let vertex = self.choose(coder, (Asked::BaseCorner, 0), ([last, None], wedges), meant);
-        self.hidden.show(vertex);
+        let vertex = self.choose(coder, (ValueKind::BaseCorner, 0), ([last, None], wedges), actual);
+        self.hidden.add_corner(vertex);
         vertex
     }
 
@@ -458,35 +482,36 @@ impl WedgeModel {
         &mut self,
         coder: &mut C,
         (group_count, last): (u32, Option<u32>),
-        meant: u32,
+        actual: u32,
     ) -> u32 {
-        self.choose(coder, (Asked::BaseGroup, 0), ([last, None], 0..group_count.max(1)), meant)
+        self.choose(coder, (ValueKind::BaseGroup, 0), ([last, None], 0..group_count.max(1)), actual)
     }
 }
 
 /// A corner of the patch.
 struct PatchCorner {
-    /// The wedge that it shows now.
+    /// The wedge that it refers to now.
     wedge: u32,
-    /// What it showed before.
+    /// The vertex that it referred to before.
     old: u32,
-    /// What the end of its triangle at the ring shows.
+    /// The vertex at the end of its triangle at the ring.
     ring: u32,
 }
 
 /// The corner of A or B at the new position.
 #[derive(Clone, Copy)]
-struct New {
+struct NewCorner {
     /// The outcome at the end of the ring.
     of_end: usize,
-    meant: u32,
-    /// The wedge of the patch beside it.
-    beside: u32,
-    /// What the kept position shows in the same triangle.
+    actual: u32,
+    /// The wedge of the adjacent patch triangle.
+    adjacent: u32,
+    /// The kept position's vertex in the same triangle.
     kept: u32,
 }
 
-/// What two guesses came to, that of the patch first: both right, the patch's, the other one, none.
+/// Classifies which of two guesses is right, the patch's first: both, only the first, only the second,
+/// none.
 fn outcome(guesses: [Option<u32>; 2], vertex: u32) -> usize {
     match guesses.map(|guess| guess == Some(vertex)) {
         [true, true] => 0,

@@ -1,18 +1,19 @@
-//! What the corners around a new position show, as both sides have it.
+//! The vertices that the corners around a new position refer to, as both sides of a stream know them.
 
-/// What the corners around a new position show.
+/// The vertices that the corners around a new position refer to.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SplitWedges {
     /// The vertex that each wedge of the new position collapses to.
     pub(crate) targets: Vec<u32>,
-    /// The wedge of each corner at the new position, in the order of the corners; none in virtual triangles.
+    /// Wedge of each corner at the new position, in the order of the corners;
+    /// [`NONE`](crate::topology::surface::NONE) in virtual triangles.
     pub(crate) wedges: Vec<u32>,
-    /// What A's and B's corners at the kept position show.
+    /// Vertices of the corners of A and B at the kept position.
     pub(crate) kept: [u32; 2],
-    /// What their corners at the ends of the ring show.
+    /// Vertices of the corners of A and B at the ends of the ring.
     pub(crate) ends: [u32; 2],
     /// Groups of A and B.
     pub(crate) groups: [u32; 2],
-    /// What a writer calls the wedges.
-    pub(crate) named: Vec<u32>,
+    /// The source mesh's vertex of each wedge; only meaningful in a writer.
+    pub(crate) source_vertices: Vec<u32>,
 }

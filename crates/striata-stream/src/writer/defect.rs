@@ -1,56 +1,56 @@
-//! Why a sequence cannot be written as batches.
+//! Errors about sequences that cannot be encoded in batches.
 
-/// What keeps a step from being coded as a vertex split.
+/// Why a step cannot be encoded as a vertex split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum StepDefect {
-    /// The position is not manifold.
+    /// The surface is not manifold at the position.
     #[error("its position is not manifold")]
     Locked,
-    /// The position is not joined to its target by exactly one edge.
-    #[error("it is not joined to its target by exactly one edge")]
+    /// The position and its target are not connected by exactly one edge.
+    #[error("it is not connected to its target by exactly one edge")]
     Edge,
-    /// The triangles around the position do not form a simple ring, or too small a one.
+    /// The triangles around the position do not form a simple ring, or the ring is too small.
     #[error("the triangles around it do not form a simple ring")]
     Ring,
-    /// A boundary position leaves the boundary.
-    #[error("it leaves the boundary")]
+    /// The collapse moves a boundary position off the boundary.
+    #[error("its collapse leaves the boundary")]
     Boundary,
 }
 
-/// Why a sequence is not one of batches.
+/// Why a sequence does not consist of valid batches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BatchDefect {
-    /// A step is no vertex split of a surface.
-    #[error("step {step} cannot be coded: {defect}")]
+    /// A step cannot be encoded as a vertex split of a surface.
+    #[error("step {step} cannot be encoded: {defect}")]
     Step {
-        /// The step, coarse to fine.
+        /// Index of the step, coarse to fine.
         step: usize,
-        /// What is wrong.
+        /// What is wrong with it.
         defect: StepDefect,
     },
-    /// A triangle would have two vertices of one position below a step.
+    /// Below this level, a triangle would have two corners at one position.
     #[error("step {step} leaves a triangle with two corners at one position")]
     Wedges {
-        /// The step, coarse to fine.
+        /// Index of the step, coarse to fine.
         step: usize,
     },
-    /// A position of the base is in no triangle.
-    #[error("position {position} of the base is in no triangle")]
-    Lonely {
-        /// The position.
+    /// A position of the base mesh is not used by any triangle.
+    #[error("position {position} of the base mesh is not used by any triangle")]
+    UnusedPosition {
+        /// Index of the position.
         position: usize,
     },
-    /// The splits of a batch are not independent of each other.
+    /// The splits of a batch depend on each other.
     #[error("the steps of batch {batch} depend on each other")]
     Dependent {
-        /// The batch, coarse to fine from 0.
+        /// Index of the batch, coarse to fine.
         batch: usize,
     },
-    /// Batches do not cover the steps in order.
-    #[error("the batches do not rise from 0 to the {step_count} steps")]
+    /// The batches do not cover all steps in ascending order.
+    #[error("the batch boundaries do not rise from 0 to the step count, {step_count}")]
     Cover {
-        /// Steps of the sequence.
+        /// Number of steps in the sequence.
         step_count: usize,
     },
 }

@@ -1,7 +1,8 @@
-//! The writer's way down: the full mesh is collapsed step by step, and each step remembers how to undo it.
+//! The writer's descent: collapses the full mesh step by step and records how to undo each step.
 //!
-//! Batches whose steps are independent splits of the surface go down on it (`surface_stage.rs`). A batch of others goes down on the
-//! triangles alone (`general_stage.rs`), and the surface is built anew below it, as a reader builds it anew above.
+//! Batches of independent collapses of the surface are applied to the surface (`surface_stage.rs`). Other
+//! batches are applied to the triangles alone (`general_stage.rs`). Below them, the surface is rebuilt in
+//! the same way as a reader rebuilds it above them.
 
 use std::ops::Range;
 
@@ -13,48 +14,51 @@ use crate::writer::general_stage::GeneralStage;
 use crate::writer::level::{LevelTriangles, check_base};
 use crate::writer::surface_stage::SurfaceStage;
 
-/// A stretch of the way.
+/// A run of batches of the same kind.
 #[derive(Debug)]
 pub(crate) enum Stage {
     Surface(SurfaceStage),
     General(GeneralStage),
 }
 
-/// All of the way.
+/// The complete descent.
 #[derive(Debug)]
 pub(crate) struct Descent {
-    /// Coarse to fine; the first one is a surface's, with the base.
+    /// Stages from coarse to fine. The first one is a surface stage that ends with the base.
     pub(crate) stages: Vec<Stage>,
-    /// The vertices that the corners of each triangle of the mesh show at the coarsest level that has it.
+    /// Vertices of each triangle's corners at the coarsest level that contains the triangle.
     pub(crate) shown: Vec<[u32; 3]>,
-    /// What a reader spends on each batch, at most: vertices and triangles looked at.
+    /// Upper bound on a reader's work for each batch, in visited vertices and triangles.
     pub(crate) visits: Vec<u64>,
 }
 
-/// What became of going down.
+/// Result of one attempt.
 enum Attempt {
-    Arrived(Descent),
-    /// The surface of these batches is not what a reader would build.
-    Differs(Range<usize>),
+    Complete(Descent),
+    /// In these batches, a reader would rebuild a different surface.
+    SurfaceDiffers(Range<usize>),
 }
 
 impl Descent {
-    /// Goes down; `batches` are split counts at which batches begin, closed by the number of steps.
+    /// Collapses the mesh. `batches` lists the split counts at which batches begin, followed by the
+    /// number of steps.
     ///
     /// # Errors
-    /// Where the version knows no general batches and one would be needed.
+    /// [`BatchDefect`] if a step is invalid, or if the version does not support general batches and one
+    /// would be required.
     pub(crate) fn new(
         refinable: &RefinableMesh,
         batches: &[u32],
         version: StreamVersion,
     ) -> Result<Self, BatchDefect> {
         let mut must_be_general = vec![false; batches.len() - 1];
-        // A surface that is built anew may differ from the one that was collapsed if the steps are not those of a simplifier that looks
-        // at all copies of a position. Such batches are general ones, and the way begins again.
+        // A rebuilt surface may differ from the collapsed one if the sequence was not made by a
+        // simplifier that considers all copies of a position. We turn the affected batches into general
+        // ones and start again.
         loop {
             match Self::attempt(refinable, batches, (version, &must_be_general))? {
-                Attempt::Arrived(descent) => return Ok(descent),
-                Attempt::Differs(range) => must_be_general[range].fill(true),
+                Attempt::Complete(descent) => return Ok(descent),
+                Attempt::SurfaceDiffers(range) => must_be_general[range].fill(true),
             }
         }
     }
@@ -80,8 +84,8 @@ impl Descent {
                 Err(defect) if version == StreamVersion::One => return Err(defect),
                 Err(_) => {
                     stage.finish(&mut level);
-                    if !stage.batches().is_empty() && !stage.is_built_anew(&level, refinable) {
-                        return Ok(Attempt::Differs(stage.batches()));
+                    if !stage.batches().is_empty() && !stage.matches_rebuilt(&level, refinable) {
+                        return Ok(Attempt::SurfaceDiffers(stage.batches()));
                     }
                     stages.push(Stage::Surface(stage));
                     let general = GeneralStage::new(&mut level, refinable, steps)?;
@@ -96,10 +100,10 @@ impl Descent {
         check_base(&level, refinable)?;
         stages.push(Stage::Surface(stage));
         stages.reverse();
-        Ok(Attempt::Arrived(Self { stages, shown: level.shown, visits }))
+        Ok(Attempt::Complete(Self { stages, shown: level.shown, visits }))
     }
 
-    /// Most triangles that a split of the surface moves.
+    /// Maximum number of triangles that a split of the surface moves.
     pub(crate) fn max_patch(&self) -> u32 {
         let undo = self.stages.iter().flat_map(|stage| match stage {
             Stage::Surface(stage) => stage.undo.as_slice(),

@@ -1,4 +1,4 @@
-//! The writer's front: options, the stream's bytes, and what they were spent on.
+//! The entry point of the writer: options, [`encode_stream`], and statistics on where the bits went.
 
 use striata::file::EncodeError;
 use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
@@ -8,23 +8,23 @@ use crate::format::form::{Effort, StreamVersion};
 use crate::format::grid::{GridError, PositionGrid};
 use crate::format::head::{GroupName, Head, MOST_NUMBERS, Row};
 use crate::layers::form::LayerForm;
-use crate::layers::hood::LayerValues;
+use crate::layers::layer_neighborhood::LayerValues;
 use crate::layers::options::{LayerBitsError, LayerOptions};
-use crate::refine::terms::Terms;
+use crate::refine::parameters::StreamParameters;
 use crate::writer::chunks::{Chunks, check_batches, encode_chunks};
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
-use crate::writer::truth::Points;
+use crate::writer::reference_mesh::VertexData;
 
-/// How exactly positions are kept.
+/// How precisely positions are stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Precision {
-    /// On a cubic grid of so many bits (1 to 24) along the longest side of the bounds.
+    /// Positions snap to a cubic grid with this many bits (1 to 24) along the longest side of the bounds.
     Bits(u32),
-    /// On a cubic grid on which no vertex moves farther, mesh units.
+    /// Positions snap to a cubic grid so fine that no vertex moves farther than this, in mesh units.
     Tolerance(f64),
-    /// The very floats of the mesh; attribute layers too.
+    /// Positions and attribute layers keep their exact floats.
     Lossless,
 }
 
@@ -38,15 +38,15 @@ impl Default for Precision {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StreamOptions {
-    /// How exactly positions are kept; default 14 bits.
+    /// Precision of the positions; 14 bits by default.
     pub precision: Precision,
-    /// How hard the coder tries; default [`Effort::Default`].
+    /// Trade-off between speed and size; default [`Effort::Default`].
     pub effort: Effort,
-    /// How exactly attribute layers are kept.
+    /// Precision of the attribute layers.
     pub layers: LayerOptions,
-    /// What the bits mean; default [`StreamVersion::Two`].
+    /// Version of the bitstream format; default [`StreamVersion::Two`].
     pub version: StreamVersion,
-    /// Texts about the stream, key and value; default none.
+    /// Key and value pairs stored with the stream; none by default.
     pub metadata: Vec<(String, String)>,
 }
 
@@ -71,10 +71,10 @@ impl StreamOptions {
         Self { layers, ..self }
     }
 
-    /// From one point of the grid to the next, mesh units.
+    /// Returns the spacing of the position grid for `mesh`, in mesh units.
     ///
     /// # Errors
-    /// [`GridError`] where there is no such grid.
+    /// [`GridError`] if the precision does not give a valid grid.
     pub fn grid_step(&self, mesh: &IndexedMesh) -> Result<f64, GridError> {
         grid_of(mesh, self.precision).map(|grid| grid.step)
     }
@@ -86,27 +86,29 @@ impl StreamOptions {
     }
 }
 
-/// How many steps of the grid an edge's shape should weigh in the batches of a stream
-/// ([`BatchOptions::shape_step`](striata::simplify::BatchOptions::shape_step)): regular leftovers are cheap to foretell.
+/// Recommended value of [`BatchOptions::shape_step`](striata::simplify::BatchOptions::shape_step), in
+/// grid steps, for a mesh that becomes a stream: well-shaped triangles are cheaper to predict.
 pub const SHAPE_STEPS: f64 = 1.5;
 
-/// What the bytes of a stream are spent on; the sum is all of it.
+/// Number of bits spent on each kind of data. Connectivity, positions, attributes and other add up to the
+/// whole stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StreamSizes {
-    /// Bits that say which vertices split and how.
+    /// Bits that store which vertices split and how.
     pub connectivity_bits: f64,
-    /// Bits of coordinates.
+    /// Bits of vertex positions.
     pub position_bits: f64,
-    /// Bits of wedges, groups and attribute layers: the next three, and other layers.
+    /// Bits of wedges, groups and attribute layers: the sum of the next three fields and all other
+    /// layers.
     pub attribute_bits: f64,
-    /// Bits that say which vertices corners show, and groups.
+    /// Bits that store which vertex each corner refers to, and the groups of triangles.
     pub wedge_bits: f64,
     /// Bits of normals.
     pub normal_bits: f64,
     /// Bits of texture coordinates.
     pub texcoord_bits: f64,
-    /// Bits of the base mesh, of the head and of what is lost between chunks.
+    /// Bits of the head, the base mesh and the rounding between chunks.
     pub other_bits: f64,
 }
 
@@ -128,50 +130,56 @@ impl StreamSizes {
     }
 }
 
-/// A stream, and the mesh in its order.
+/// An encoded stream and its vertex order.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct EncodedStream {
-    /// The stream.
+    /// Bytes of the stream.
     pub bytes: Vec<u8>,
-    /// What its bytes are spent on.
+    /// Number of bits spent on each kind of data.
     pub sizes: StreamSizes,
-    /// For each vertex that a reader gets, the vertex of the mesh that was given.
+    /// For each vertex that a decoder produces, the index of the vertex in the source mesh.
     pub source_vertex: Vec<u32>,
 }
 
-/// Why a mesh does not become a stream.
+/// Why a mesh cannot be encoded as a stream.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StreamError {
-    /// The mesh is unsound.
+    /// The mesh is invalid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// There is no grid as asked for.
+    /// The requested position grid does not exist.
     #[error(transparent)]
     Grid(#[from] GridError),
-    /// There is no such number of bits for a layer.
+    /// A layer has an invalid number of bits.
     #[error(transparent)]
     Layers(#[from] LayerBitsError),
-    /// The sequence is not one of batches.
+    /// The steps do not form valid batches.
     #[error(transparent)]
     Batches(#[from] BatchDefect),
-    /// Layers have too many numbers.
-    #[error("a vertex has {number_count} numbers in all layers, but streams have room for {}", MOST_NUMBERS)]
+    /// The attribute layers have too many components.
+    #[error(
+        "the attribute layers have {number_count} components per vertex, but a stream can store at most {}",
+        MOST_NUMBERS
+    )]
     Numbers {
-        /// Numbers that a stream would hold for each vertex.
+        /// Number of integers that the stream would store for each vertex.
         number_count: usize,
     },
-    /// A text is too long.
+    /// A metadata text is too long.
     #[error(transparent)]
     Text(#[from] EncodeError),
 }
 
-/// Codes a mesh with its sequence, whose steps are in batches as [`build_batches`](striata::simplify::build_batches) makes
-/// them: `batches` are the split counts at which batches begin, closed by the number of steps.
+/// Encodes a mesh with its collapse sequence as a progressive stream.
+///
+/// The steps must be in batches, as [`build_batches`](striata::simplify::build_batches) makes them:
+/// `batches` lists the split counts at which batches begin, followed by the number of steps.
 ///
 /// # Errors
-/// [`StreamError`] where the mesh is unsound, there is no such grid, or the steps of a batch depend on each other.
+/// [`StreamError`] if the mesh is invalid, the position grid does not exist, or the steps of a batch
+/// depend on each other.
 pub fn encode_stream(
     refinable: &RefinableMesh,
     batches: &[u32],
@@ -190,8 +198,8 @@ pub fn encode_stream(
         return Err(StreamError::Numbers { number_count });
     }
     let points = points_of(refinable, &grid, &forms);
-    let position_count = points.places.len() as u32;
-    let terms = Terms {
+    let position_count = points.coords.len() as u32;
+    let parameters = StreamParameters {
         version: options.version,
         has_general: false,
         effort: options.effort,
@@ -204,26 +212,27 @@ pub fn encode_stream(
         group_count: refinable.mesh.groups.len() as u32,
         layers: forms,
     };
-    let mut descent = Descent::new(refinable, batches, terms.version)?;
-    let first = first_batch(&terms, &descent);
+    let mut descent = Descent::new(refinable, batches, parameters.version)?;
+    let first = first_batch(&parameters, &descent);
     let shortened = (first > 0).then(|| refinable.clone().without_levels_below(batches[first] as usize));
     let refinable = shortened.as_ref().unwrap_or(refinable);
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
     if first > 0 {
-        descent = Descent::new(refinable, batches, terms.version)?;
+        descent = Descent::new(refinable, batches, parameters.version)?;
     }
-    let chunks = encode_chunks(refinable, (&descent, batches), (&points, &terms))?;
-    let head = head_of(refinable, batches, &chunks, (options, &terms)).to_bytes()?;
+    let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters))?;
+    let head = head_of(refinable, batches, &chunks, (options, &parameters)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
     let sizes = StreamSizes::of(bytes.len(), &chunks);
     Ok(EncodedStream { bytes, sizes, source_vertex: source_vertices(refinable, &chunks) })
 }
 
-/// The batch to begin with: earlier ones go to the base where there are too many that bring next to nothing.
-fn first_batch(terms: &Terms, descent: &Descent) -> usize {
-    let mut visits_left = terms.most_visits();
+/// Returns the batch to begin with. If there are too many batches that split only a few vertices, the
+/// earliest ones are merged into the base mesh.
+fn first_batch(parameters: &StreamParameters, descent: &Descent) -> usize {
+    let mut visits_left = parameters.most_visits();
     let mut first = descent.visits.len();
     while first > 0 {
         let Some(left) = visits_left.checked_sub(descent.visits[first - 1]) else { break };
@@ -233,9 +242,10 @@ fn first_batch(terms: &Terms, descent: &Descent) -> usize {
     first
 }
 
-/// Bits of the grid that predicts exact positions.
+/// Bits of the grid that exact positions are predicted on.
 const LOSSLESS_BITS: u32 = 16;
 
+/// Builds the grid for a mesh.
 fn grid_of(mesh: &IndexedMesh, precision: Precision) -> Result<PositionGrid, GridError> {
     let bounds = mesh.bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
     match precision {
@@ -245,7 +255,8 @@ fn grid_of(mesh: &IndexedMesh, precision: Precision) -> Result<PositionGrid, Gri
     }
 }
 
-fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]) -> Points {
+/// Quantizes the positions and layers of a mesh.
+fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]) -> VertexData {
     let positions = refinable.sequence.positions();
     let exact: Vec<[f32; 3]> = (0..positions.position_count() as u32)
         .map(|p| refinable.mesh.positions[positions.first_vertex(p) as usize])
@@ -253,20 +264,21 @@ fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]
     let layers = refinable.mesh.layers.iter().zip(forms);
     let layers =
         layers.map(|(layer, form)| LayerValues::from_integers(form.integers(layer), form.integer_count()));
-    Points { places: exact.iter().map(|&p| grid.quantize(p)).collect(), exact, layers: layers.collect() }
+    VertexData { coords: exact.iter().map(|&p| grid.quantize(p)).collect(), exact, layers: layers.collect() }
 }
 
+/// Assembles the head of the stream.
 fn head_of(
     refinable: &RefinableMesh,
     batches: &[u32],
     chunks: &Chunks,
-    (options, terms): (&StreamOptions, &Terms),
+    (options, parameters): (&StreamOptions, &StreamParameters),
 ) -> Head {
     let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
     let group = |g: &striata::mesh::TriangleGroup| GroupName { name: g.name.clone(), material: g.material };
     let mut before = 0;
     let rows = chunks.chunks.iter().map(|chunk| {
-        // Within a batch steps change places, so the error of its beginning holds for all of it.
+        // Steps are reordered within a batch, so the error at its beginning applies to all of it.
         let batch = batches.partition_point(|&first| first <= before).saturating_sub(1);
         let error = batches.get(batch).map_or(0.0, |&first| sequence.error_at(first as usize));
         before = chunk.split_count;
@@ -284,8 +296,8 @@ fn head_of(
         step_count: sequence.step_count() as u32,
         max_patch: chunks.max_patch,
         has_general: chunks.has_general,
-        grid: terms.grid,
-        layers: terms.layers.clone(),
+        grid: parameters.grid,
+        layers: parameters.layers.clone(),
         groups: mesh.groups.iter().map(group).collect(),
         appearance: mesh.appearance.clone(),
         metadata: options.metadata.clone(),
@@ -293,6 +305,7 @@ fn head_of(
     }
 }
 
+/// Returns the source vertex of each vertex of the stream.
 fn source_vertices(refinable: &RefinableMesh, chunks: &Chunks) -> Vec<u32> {
     if !chunks.source_vertex.is_empty() {
         return chunks.source_vertex.clone();

@@ -1,34 +1,37 @@
-//! The order in which the steps of a general batch are told.
+//! The order in which the steps of a general batch are coded.
 //!
-//! Steps that do not depend on each other may change places. Told by rising numbers of the positions that split, they need a few bits to
-//! say which position that is; what has waited for a step alone comes right after it.
+//! Steps that do not depend on each other may be reordered. If they are coded by ascending index of the
+//! position that splits, coding that position takes only a few bits. A step that was waiting only for the
+//! previous one directly follows it.
 
 use std::collections::BTreeSet;
 
 use crate::topology::surface::NONE;
 use crate::writer::general_stage::GeneralStage;
 
-/// The steps of a stage that are still to be told.
+/// Steps of a stage that remain to be coded.
 #[derive(Debug, Default)]
 pub(crate) struct GeneralOrder {
-    /// Steps that wait for each one, and for how many others each one waits.
+    /// Steps that depend on each step.
     followers: Vec<Vec<u32>>,
+    /// Number of steps that each step still waits for.
     waits_for: Vec<u32>,
-    /// Steps that wait for nothing, by the position that splits.
+    /// Steps that no longer wait, ordered by the position that splits.
     ready: BTreeSet<(u32, u32)>,
-    /// Those that have waited for the last one, the first of them last.
+    /// Steps that waited only for the last one, in reverse order.
     next: Vec<u32>,
-    /// The position that was reached.
+    /// Position of the last step that was taken from `ready`.
     reached: u32,
 }
 
 impl GeneralOrder {
-    /// All steps of a stage; `number` is that of a position for the reader, as far as it has one.
+    /// Starts with all steps of a stage. `number` returns a reader's index of a position, if it has one.
     pub(crate) fn new(stage: &GeneralStage, triangle_count: usize, number: impl Fn(u32) -> u32) -> Self {
         let count = stage.steps.len();
         let mut order =
             Self { followers: vec![Vec::new(); count], waits_for: vec![0; count], ..Self::default() };
-        // A triangle goes through its steps in turn, and a step needs the positions of what it brings.
+        // A triangle goes through its steps in order, and a step needs the positions of the triangles it
+        // adds.
         let mut last_at = vec![NONE; triangle_count];
         let mut before = Vec::new();
         for step in 0..count as u32 {
@@ -47,7 +50,7 @@ impl GeneralOrder {
         order
     }
 
-    /// The step to be told next; those that wait for it alone come after it.
+    /// Returns the next step to code.
     pub(crate) fn next(&mut self) -> Option<u32> {
         let step = match self.next.pop() {
             Some(step) => step,

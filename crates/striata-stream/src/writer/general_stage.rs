@@ -1,4 +1,4 @@
-//! A batch of general steps on the writer's way down.
+//! A batch of general steps in the writer's descent.
 
 use std::ops::Range;
 
@@ -8,38 +8,41 @@ use crate::topology::surface::NONE;
 use crate::writer::defect::BatchDefect;
 use crate::writer::level::LevelTriangles;
 
-/// How to undo a step: ranges of the lists of its stage.
+/// How to undo a step: ranges in the lists of its stage.
 #[derive(Clone, Debug)]
 pub(crate) struct GeneralUndo {
-    /// The position that it went to.
+    /// The position that the step's position collapsed to.
     pub(crate) target: u32,
     moved: Range<u32>,
-    gone: Range<u32>,
+    removed: Range<u32>,
 }
 
-/// General steps, coarse to fine.
+/// The steps of a general batch.
 #[derive(Debug)]
 pub(crate) struct GeneralStage {
     first_step: u32,
-    /// The step of the sequence that each one is.
+    /// Indices of the steps in the sequence, coarse to fine.
     pub(crate) steps: Vec<u32>,
     undo: Vec<GeneralUndo>,
-    /// Corners that changed position, `3 triangle + corner`, and the vertices that they showed before.
+    /// Corners that moved to the target, as `3 triangle + corner`, and their vertices before.
     moved: Vec<(u32, u32)>,
-    /// Triangles that vanished, and their third positions.
-    gone: Vec<u32>,
+    /// Removed triangles, and the third position of each.
+    removed: Vec<u32>,
     thirds: Vec<u32>,
     first_position: u32,
-    /// What the ways around the positions of a reader come to.
+    /// Number of corners that a reader visits around positions.
     pub(crate) visits: u64,
 }
 
-/// Corners of triangles by position, as lists that may hold triangles that have gone.
+/// Corners of triangles by position, as linked lists that may contain removed triangles.
 struct Incidence {
+    /// First corner in the list of each position.
     first: Vec<u32>,
+    /// Next corner in the same list.
     next: Vec<u32>,
-    is_gone: Vec<bool>,
-    /// Corners at each position, without triangles that have gone.
+    /// Whether each triangle has been removed.
+    is_removed: Vec<bool>,
+    /// Number of corners at each position, without removed triangles.
     counts: Vec<u32>,
 }
 
@@ -49,7 +52,7 @@ impl Incidence {
         let mut incidence = Self {
             first: vec![NONE; position_count],
             next: vec![NONE; 3 * level.shown.len()],
-            is_gone: vec![false; level.shown.len()],
+            is_removed: vec![false; level.shown.len()],
             counts: vec![0; position_count],
         };
         for &t in &level.alive {
@@ -62,18 +65,19 @@ impl Incidence {
         incidence
     }
 
+    /// Adds a corner to the list of a position.
     fn push(&mut self, position: u32, corner: u32) {
         let first = &mut self.first[position as usize];
         self.next[corner as usize] = std::mem::replace(first, corner);
         self.counts[position as usize] += 1;
     }
 
-    /// Takes all corners at a position; triangles that have gone are left out.
+    /// Empties the list of a position and returns its corners, without removed triangles.
     fn take(&mut self, position: u32, out: &mut Vec<u32>) {
         out.clear();
         let mut corner = std::mem::replace(&mut self.first[position as usize], NONE);
         while corner != NONE {
-            if !self.is_gone[corner as usize / 3] {
+            if !self.is_removed[corner as usize / 3] {
                 out.push(corner);
             }
             corner = self.next[corner as usize];
@@ -83,10 +87,10 @@ impl Incidence {
 }
 
 impl GeneralStage {
-    /// Goes down some steps, the last of them first.
+    /// Applies the collapses of a batch, the last one first.
     ///
     /// # Errors
-    /// Where a triangle would stay that has two corners at one position.
+    /// [`BatchDefect::Wedges`] if a triangle would remain with two corners at one position.
     pub(crate) fn new(
         level: &mut LevelTriangles,
         refinable: &RefinableMesh,
@@ -100,7 +104,7 @@ impl GeneralStage {
             steps: Vec::new(),
             undo: Vec::new(),
             moved: Vec::new(),
-            gone: Vec::new(),
+            removed: Vec::new(),
             thirds: Vec::new(),
             first_position: base + steps.start as u32,
             visits: 0,
@@ -110,7 +114,7 @@ impl GeneralStage {
             let position = base + step as u32;
             let target =
                 sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
-            let (moved, gone) = (stage.moved.len() as u32, stage.gone.len() as u32);
+            let (moved, removed) = (stage.moved.len() as u32, stage.removed.len() as u32);
             incidence.take(position, &mut corners);
             for &corner in &corners {
                 let triangle = corner / 3;
@@ -119,8 +123,8 @@ impl GeneralStage {
                     if !level.vanishes(refinable, triangle, [position, target]) {
                         return Err(BatchDefect::Wedges { step });
                     }
-                    incidence.is_gone[triangle as usize] = true;
-                    stage.gone.push(triangle);
+                    incidence.is_removed[triangle as usize] = true;
+                    stage.removed.push(triangle);
                     let third = positions.into_iter().find(|&p| p != position && p != target);
                     stage.thirds.push(third.unwrap_or(NONE));
                     for other in positions.into_iter().filter(|&p| p != position) {
@@ -133,51 +137,51 @@ impl GeneralStage {
                 *shown = sequence.target(*shown);
                 incidence.push(target, corner);
             }
-            let (moved, gone) = (moved..stage.moved.len() as u32, gone..stage.gone.len() as u32);
+            let (moved, removed) = (moved..stage.moved.len() as u32, removed..stage.removed.len() as u32);
             let ring = u64::from(incidence.counts[target as usize]);
-            stage.visits += (1 + ring) * (1 + gone.len() as u64);
+            stage.visits += (1 + ring) * (1 + removed.len() as u64);
             stage.steps.push(step as u32);
-            stage.undo.push(GeneralUndo { target, moved, gone });
+            stage.undo.push(GeneralUndo { target, moved, removed });
         }
-        level.alive.retain(|&t| !incidence.is_gone[t as usize]);
+        level.alive.retain(|&t| !incidence.is_removed[t as usize]);
         stage.steps.reverse();
         stage.undo.reverse();
         Ok(stage)
     }
 
-    /// Whether its first step is so many steps above the base.
+    /// Whether the stage begins at this split count.
     pub(crate) fn begins(&self, split_count: u32) -> bool {
         self.first_step == split_count
     }
 
-    /// The triangles that a step moves or brings.
+    /// Returns the triangles that a step moves or adds.
     pub(crate) fn triangles(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
         let undo = &self.undo[step as usize];
         let moved = self.moved(undo).iter().map(|moved| moved.0 / 3);
-        moved.chain(self.gone(undo).iter().copied())
+        moved.chain(self.removed(undo).iter().copied())
     }
 
-    /// The steps, none for what was there before, that bring the positions that a step needs.
+    /// Returns the steps of this stage that add the positions that a step needs.
     pub(crate) fn needs(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
         let undo = &self.undo[step as usize];
         let step_of = |position: u32| position.checked_sub(self.first_position).unwrap_or(NONE);
-        let thirds = self.thirds[undo.gone.start as usize..undo.gone.end as usize].iter();
+        let thirds = self.thirds[undo.removed.start as usize..undo.removed.end as usize].iter();
         let needed = thirds.copied().chain([undo.target]).map(step_of);
         needed.filter(|&other| (other as usize) < self.undo.len())
     }
 
-    /// How to undo one of the steps.
+    /// Returns how to undo one of the steps.
     pub(crate) fn undo(&self, at: usize) -> &GeneralUndo {
         &self.undo[at]
     }
 
-    /// Corners that a step moved, and what they showed before.
+    /// Returns the corners that a step moved, with their vertices before.
     pub(crate) fn moved(&self, undo: &GeneralUndo) -> &[(u32, u32)] {
         &self.moved[undo.moved.start as usize..undo.moved.end as usize]
     }
 
-    /// Triangles that vanished in a step.
-    pub(crate) fn gone(&self, undo: &GeneralUndo) -> &[u32] {
-        &self.gone[undo.gone.start as usize..undo.gone.end as usize]
+    /// Returns the triangles that a step removed.
+    pub(crate) fn removed(&self, undo: &GeneralUndo) -> &[u32] {
+        &self.removed[undo.removed.start as usize..undo.removed.end as usize]
     }
 }

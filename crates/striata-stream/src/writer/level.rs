@@ -1,27 +1,27 @@
-//! A level of the way down: the triangles that are there.
+//! The triangles of a level during the writer's descent.
 
 use striata::mesh::RefinableMesh;
 
 use crate::topology::cutting;
 use crate::writer::defect::BatchDefect;
 
-/// The triangles of the mesh that a level has, and what they show.
+/// The triangles of a level, and the vertices that they refer to.
 #[derive(Debug)]
 pub(crate) struct LevelTriangles {
-    /// Those that are there, ascending.
+    /// Indices of the triangles that exist, ascending.
     pub(crate) alive: Vec<u32>,
-    /// Vertices of the corners of each triangle of the mesh; what they were last for those that have gone.
+    /// Vertices of each triangle of the mesh; for removed triangles, the last ones they had.
     pub(crate) shown: Vec<[u32; 3]>,
 }
 
 impl LevelTriangles {
-    /// The full mesh.
+    /// Starts with the full mesh.
     pub(crate) fn new(refinable: &RefinableMesh) -> Self {
         let shown = refinable.mesh.triangles.clone();
         Self { alive: (0..shown.len() as u32).collect(), shown }
     }
 
-    /// Whether a triangle loses a corner where a position collapses to another one of its positions.
+    /// Whether a triangle becomes degenerate when one of its positions collapses to another one.
     pub(crate) fn vanishes(&self, refinable: &RefinableMesh, triangle: u32, [from, to]: [u32; 2]) -> bool {
         let positions = self.positions(refinable, triangle);
         let corner = |wanted: u32| positions.iter().position(|&p| p == wanted);
@@ -30,14 +30,16 @@ impl LevelTriangles {
         refinable.sequence.target(shown[from]) == shown[to]
     }
 
-    /// The positions of a triangle.
+    /// Returns the positions of a triangle.
     pub(crate) fn positions(&self, refinable: &RefinableMesh, triangle: u32) -> [u32; 3] {
         self.shown[triangle as usize].map(|v| refinable.sequence.positions().position_of(v))
     }
 }
 
+/// Checks that every position of the base is used, since the base is coded by its triangles.
+///
 /// # Errors
-/// Where a position of the base is in no triangle: a base is told by its triangles.
+/// [`BatchDefect::UnusedPosition`] with the first unused position.
 pub(crate) fn check_base(level: &LevelTriangles, refinable: &RefinableMesh) -> Result<(), BatchDefect> {
     let mut is_used = vec![false; refinable.sequence.base_position_count()];
     for &triangle in &level.alive {
@@ -45,11 +47,11 @@ pub(crate) fn check_base(level: &LevelTriangles, refinable: &RefinableMesh) -> R
     }
     match is_used.iter().position(|is_used| !is_used) {
         None => Ok(()),
-        Some(position) => Err(BatchDefect::Lonely { position }),
+        Some(position) => Err(BatchDefect::UnusedPosition { position }),
     }
 }
 
-/// What is there of a mesh at a level, cut into a closed surface.
+/// Turns the triangles of a level into a closed surface.
 pub(crate) fn close_level(level: &LevelTriangles, refinable: &RefinableMesh) -> cutting::Closed {
     let positions = refinable.sequence.positions();
     let of = |&t: &u32| level.shown[t as usize].map(|v| positions.position_of(v));

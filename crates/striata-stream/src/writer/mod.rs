@@ -1,17 +1,18 @@
-//! Writing a stream: the way down from the full mesh, then the same way up as a reader goes.
+//! Encoding: the full mesh is collapsed to the base, then coded in the order in which a reader refines
+//! it.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `encode.rs` | options, and a stream from a mesh and its batches |
-//! | `descent.rs` | the way down |
-//! | `level.rs` | the triangles that are there on the way |
-//! | `defect.rs` | why it may not be possible |
-//! | `surface_stage.rs` | batches of splits of a surface |
+//! | `encode.rs` | options, and the entry point that encodes a mesh |
+//! | `descent.rs` | collapses the full mesh down to the base |
+//! | `level.rs` | triangles of one level |
+//! | `defect.rs` | reasons why a sequence cannot be encoded |
+//! | `surface_stage.rs` | batches of collapses on a surface |
 //! | `general_stage.rs` | batches of other steps |
-//! | `general_order.rs` | in which order those are coded |
-//! | `truth.rs` | the way up in the numbers of a reader |
+//! | `general_order.rs` | coding order of general steps |
+//! | `reference_mesh.rs` | the data to encode, in a reader's numbering |
 //! | `chunks.rs` | the range-coded chunks |
-//! | `order.rs` | the mesh in the order of its stream |
+//! | `order.rs` | reorders the mesh to match its stream |
 
 pub(crate) mod chunks;
 pub(crate) mod defect;
@@ -21,5 +22,5 @@ pub(crate) mod general_order;
 pub(crate) mod general_stage;
 pub(crate) mod level;
 pub(crate) mod order;
+pub(crate) mod reference_mesh;
 pub(crate) mod surface_stage;
-pub(crate) mod truth;

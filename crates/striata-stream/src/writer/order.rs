@@ -1,26 +1,28 @@
-//! A mesh in the order of its stream, so that models beside a stream number vertices and levels as it does.
+//! Reorders a mesh to match its stream, so that other models of the mesh number vertices and levels in
+//! the same way.
 
 use striata::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
 
 use crate::writer::encode::EncodedStream;
 
 impl EncodedStream {
-    /// The mesh that was coded, its vertices and steps in the order of the stream; positions are as they were, not on the grid.
+    /// Returns the encoded mesh with its vertices and steps in stream order. Positions keep their
+    /// original values instead of snapping to the grid.
     ///
-    /// Steps change places within batches only. Where a level is not one of the mesh, its error is that of the nearest
-    /// coarser one that is.
+    /// Steps are reordered only within batches. If a level of the stream is not a level of the mesh, its
+    /// error is that of the nearest coarser level that is.
     ///
     /// # Panics
     /// If the stream was made from another mesh.
     pub fn reorder(&self, refinable: &RefinableMesh) -> RefinableMesh {
         let RefinableMesh { mesh, sequence } = refinable;
         let order = &self.source_vertex;
-        assert_eq!(order.len(), mesh.vertex_count(), "the stream was made from this mesh");
-        let mut place = vec![u32::MAX; order.len()];
+        assert_eq!(order.len(), mesh.vertex_count(), "the stream must have been made from this mesh");
+        let mut vertex_of = vec![u32::MAX; order.len()];
         for (vertex, &source) in order.iter().enumerate() {
-            place[source as usize] = vertex as u32;
+            vertex_of[source as usize] = vertex as u32;
         }
-        let moved = |v: u32| place[v as usize];
+        let moved = |v: u32| vertex_of[v as usize];
         let reordered = IndexedMesh {
             positions: order.iter().map(|&v| mesh.positions[v as usize]).collect(),
             triangles: mesh.triangles.iter().map(|t| t.map(moved)).collect(),
@@ -42,11 +44,12 @@ impl EncodedStream {
             triangle_count: mesh.triangle_count(),
         };
         let sequence =
-            CollapseSequence::from_parts(parts).expect("the order keeps each vertex behind its target");
+            CollapseSequence::from_parts(parts).expect("the order keeps each vertex after its target");
         RefinableMesh { mesh: reordered, sequence }
     }
 }
 
+/// Numbers the positions in stream order.
 fn positions_in_order(order: &[u32], sequence: &CollapseSequence) -> PositionIndex {
     let positions = sequence.positions();
     if positions.is_identity() {
@@ -65,7 +68,7 @@ fn positions_in_order(order: &[u32], sequence: &CollapseSequence) -> PositionInd
     PositionIndex::from_first(firsts)
 }
 
-/// The steps of the sequence as the stream has them.
+/// Returns the steps of the sequence in stream order.
 fn steps_in_order(order: &[u32], sequence: &CollapseSequence) -> Vec<u32> {
     let positions = sequence.positions();
     let base = sequence.base_position_count() as u32;
@@ -75,7 +78,8 @@ fn steps_in_order(order: &[u32], sequence: &CollapseSequence) -> Vec<u32> {
     steps
 }
 
-/// Levels that have the same steps have the same errors; those between have that of the coarser one.
+/// Returns the errors of the steps. Levels with the same steps have the same error, and levels in between
+/// that of the next coarser one.
 fn errors_in_order(steps: &[u32], sequence: &CollapseSequence) -> Vec<f32> {
     let mut errors = Vec::with_capacity(steps.len());
     let (mut error, mut highest) = (0.0, None);
@@ -98,13 +102,14 @@ mod tests {
     use crate::writer::encode::StreamSizes;
 
     #[test]
-    fn levels_that_have_the_same_steps_show_the_same() {
+    fn levels_with_the_same_steps_have_the_same_triangles() {
         let mesh = shapes::torus(16, 8, 1.0, 0.4);
         let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
         let refinable = built.refinable;
         let sequence = &refinable.sequence;
         let base = sequence.base_vertex_count();
-        // Neighbors change places where neither is the other's target: two batches of two and the rest alone.
+        // Swaps neighboring steps if neither is the other's target: some batches of two, and single
+        // steps.
         let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
         let mut swapped = Vec::new();
         let mut vertex = base;

@@ -1,4 +1,4 @@
-//! Batches of splits of a surface on the writer's way down.
+//! A run of batches of collapses on a surface in the writer's descent.
 
 use std::ops::Range;
 
@@ -9,34 +9,38 @@ use crate::topology::surface::{NONE, Surface, Undo, next, previous, triangle_of}
 use crate::writer::defect::{BatchDefect, StepDefect};
 use crate::writer::level::{LevelTriangles, close_level};
 
-/// A surface that was collapsed in batches.
+/// A surface that is collapsed in batches.
 #[derive(Debug)]
 pub(crate) struct SurfaceStage {
-    /// The surface at the coarse end, its triangles and vertices numbered as at the fine end.
+    /// The surface at the coarse end. Its triangles and vertices keep the numbering of the fine end.
     pub(crate) surface: Surface,
-    /// The position of each vertex of it that is not virtual.
+    /// Position of each vertex that is not virtual.
     pub(crate) position_of_copy: Vec<u32>,
-    /// Copies that are the first of their position: they come before the others and rise.
+    /// Number of copies that are the first of their position. They precede the other copies and are in
+    /// ascending order.
     first_copy_count: usize,
+    /// Whether each position must not be removed.
     is_locked: Vec<bool>,
-    /// The batch, counted from 1, in which something went to each vertex last.
+    /// For each vertex, the last batch, counted from 1, in which another vertex collapsed to it.
     kept_in: Vec<u32>,
-    /// The mesh's triangle of each of its triangles that is not virtual.
+    /// The mesh's triangle for each triangle that is not virtual.
     pub(crate) triangles: Vec<u32>,
-    /// The collapses; coarse to fine once [`Self::finish`] was called, and so are the lists below.
+    /// The collapses. They are in coarse to fine order after [`Self::finish`], and so are the lists
+    /// below.
     pub(crate) undo: Vec<Undo>,
-    /// What the corners of each patch showed before its collapse: pieces of a list, if corners are followed.
+    /// Vertices of the corners of each patch before its collapse, stored consecutively; only if corners
+    /// are tracked.
     patches: Vec<u32>,
     patch_begins: Vec<u32>,
-    /// Batches that it holds.
+    /// Range of the batches in this stage.
     batches: Range<usize>,
-    /// The first step of the sequence that it holds.
+    /// First step of the sequence in this stage.
     pub(crate) first_step: u32,
-    follows: bool,
+    tracks_corners: bool,
 }
 
 impl SurfaceStage {
-    /// Cuts a level; the next batch down is that before `batch_end`.
+    /// Builds the surface of a level. The next batch to collapse is `batch_end - 1`.
     pub(crate) fn new(level: &LevelTriangles, refinable: &RefinableMesh, batch_end: usize) -> Self {
         let Closed { surface, vertex_of_copy, is_locked } = close_level(level, refinable);
         let first_copy_count = vertex_of_copy.windows(2).position(|w| w[1] <= w[0]);
@@ -52,24 +56,26 @@ impl SurfaceStage {
             patch_begins: Vec::new(),
             batches: batch_end..batch_end,
             first_step: 0,
-            follows: !refinable.sequence.positions().is_identity() || refinable.mesh.groups.len() > 1,
+            tracks_corners: !refinable.sequence.positions().is_identity() || refinable.mesh.groups.len() > 1,
         }
     }
 
-    /// Vertices of the surface as it is, virtual ones too.
+    /// Number of vertices that the surface currently has, including virtual ones.
     pub(crate) fn vertex_count(&self) -> usize {
         self.surface.vertex_count() - self.undo.len()
     }
 
-    /// Batches that it holds.
+    /// Range of the batches in this stage.
     pub(crate) fn batches(&self) -> Range<usize> {
         self.batches.clone()
     }
 
-    /// Carries a batch out, the last step first.
+    /// Applies the collapses of a batch, the last one first.
     ///
     /// # Errors
-    /// Where a step is no collapse of a surface, or depends on another one: then the surface is as it was.
+    /// [`BatchDefect`] if a step is not a valid collapse of a surface or depends on another step of the
+    /// batch; the surface is then unchanged. [`BatchDefect::Wedges`] if a triangle would not become
+    /// degenerate.
     pub(crate) fn collapse(
         &mut self,
         level: &mut LevelTriangles,
@@ -100,29 +106,29 @@ impl SurfaceStage {
                 Err(defect) => {
                     while self.undo.len() > before {
                         let undo = self.undo.pop();
-                        undo.iter().for_each(|undo| self.surface.take_back(undo));
+                        undo.iter().for_each(|undo| self.surface.undo_collapse(undo));
                     }
                     return Err(defect);
                 }
             }
         }
         for (at, step) in (before..self.undo.len()).zip(steps.clone().rev()) {
-            self.check_gone(at, step, (level, refinable))?;
-            self.follow(at, level, refinable);
+            self.check_removed(at, step, (level, refinable))?;
+            self.update_corners(at, level, refinable);
         }
         self.batches.start = batch;
         self.first_step = steps.start as u32;
         Ok(())
     }
 
-    /// The corner of a position from which its collapse can be done.
+    /// Returns the corner from which a position's collapse to its target can be applied.
     fn find(&self, position: u32, target: u32) -> Result<u32, StepDefect> {
         if self.is_locked[position as usize] {
             return Err(StepDefect::Locked);
         }
         let surface = &self.surface;
         let virtual_count = surface.virtual_count();
-        // A position of one copy has the number that the order of positions gives it.
+        // A position with one copy has the same index as the copy, relative to the used positions.
         let copy = self.copy_of(position).ok_or(StepDefect::Locked)?;
         let is_target = |v: u32| {
             v.checked_sub(virtual_count).is_some_and(|copy| self.position_of_copy[copy as usize] == target)
@@ -134,7 +140,7 @@ impl SurfaceStage {
         }
     }
 
-    /// The first copy of a position.
+    /// Returns the first copy of a position.
     fn copy_of(&self, position: u32) -> Option<u32> {
         let firsts = &self.position_of_copy[..self.first_copy_count];
         if firsts.get(position as usize) == Some(&position) {
@@ -143,7 +149,8 @@ impl SurfaceStage {
         firsts.binary_search(&position).ok().map(|copy| copy as u32)
     }
 
-    /// Marks the triangles around a corner's vertex; false where one of them belongs to another step of the batch.
+    /// Marks the triangles around a corner's vertex. Returns false if one of them already belongs to
+    /// another step of the batch.
     fn mark_ring(&mut self, corner: u32, mark: u32) -> bool {
         let mut here = corner;
         loop {
@@ -164,9 +171,11 @@ impl SurfaceStage {
         }
     }
 
+    /// Checks that the triangles removed by a step become degenerate.
+    ///
     /// # Errors
-    /// Where a triangle that a step takes would still have three vertices.
-    fn check_gone(
+    /// [`BatchDefect::Wedges`] if one of them does not.
+    fn check_removed(
         &self,
         at: usize,
         step: usize,
@@ -175,16 +184,17 @@ impl SurfaceStage {
         let undo = &self.undo[at];
         let virtual_count = self.surface.virtual_count();
         let position = |vertex: u32| self.position_of_copy[(vertex - virtual_count) as usize];
-        let ends = [self.surface.vertex(undo.gone[0]), undo.kept].map(position);
-        let mut gone = undo.gone.iter().filter_map(|&corner| self.mesh_corner(corner));
-        let is_sound = !self.follows || gone.all(|(triangle, _)| level.vanishes(refinable, triangle, ends));
-        is_sound.then_some(()).ok_or(BatchDefect::Wedges { step })
+        let ends = [self.surface.vertex(undo.removed_corners[0]), undo.kept].map(position);
+        let mut removed = undo.removed_corners.iter().filter_map(|&corner| self.mesh_corner(corner));
+        let is_valid =
+            !self.tracks_corners || removed.all(|(triangle, _)| level.vanishes(refinable, triangle, ends));
+        is_valid.then_some(()).ok_or(BatchDefect::Wedges { step })
     }
 
-    /// A step was done: the corners of its cut show targets now.
-    fn follow(&mut self, at: usize, level: &mut LevelTriangles, refinable: &RefinableMesh) {
+    /// Updates the vertices of a patch's corners to their targets after a step.
+    fn update_corners(&mut self, at: usize, level: &mut LevelTriangles, refinable: &RefinableMesh) {
         self.patch_begins.push(self.patches.len() as u32);
-        if !self.follows {
+        if !self.tracks_corners {
             return;
         }
         let cut = self.undo[at].cut;
@@ -199,28 +209,29 @@ impl SurfaceStage {
         }
     }
 
-    /// The mesh's triangle at a corner, and its corner there; none in virtual triangles.
+    /// Returns the mesh's triangle at a corner, and the index of the corner in it; `None` for virtual
+    /// triangles.
     pub(crate) fn mesh_corner(&self, corner: u32) -> Option<(u32, usize)> {
         let triangle = self.triangles.get(triangle_of(corner) as usize)?;
         Some((*triangle, (corner & 3) as usize))
     }
 
-    /// Ends the way here: what is there of the mesh is as the surface is.
+    /// Ends the stage and updates the level to match the surface.
     pub(crate) fn finish(&mut self, level: &mut LevelTriangles) {
         self.undo.reverse();
         self.patch_begins.reverse();
-        let mut gone: Vec<u32> = self
+        let mut removed: Vec<u32> = self
             .undo
             .iter()
-            .flat_map(|undo| undo.gone)
+            .flat_map(|undo| undo.removed_corners)
             .filter_map(|c| Some(self.mesh_corner(c)?.0))
             .collect();
-        gone.sort_unstable();
-        level.alive.retain(|t| gone.binary_search(t).is_err());
-        if self.follows {
+        removed.sort_unstable();
+        level.alive.retain(|t| removed.binary_search(t).is_err());
+        if self.tracks_corners {
             return;
         }
-        // Vertices are positions: what triangles show can be read off the surface.
+        // Vertices are positions, so the triangles can be read off the surface.
         let virtual_count = self.surface.virtual_count();
         let mut alive = level.alive.iter().peekable();
         for (fine, triangle) in (0..).zip(&self.triangles) {
@@ -232,28 +243,28 @@ impl SurfaceStage {
         }
     }
 
-    /// What the corners of a step's patch showed before it; empty where corners are not followed.
+    /// Returns the vertices of a patch's corners before its step; empty if corners are not tracked.
     pub(crate) fn patch(&self, at: usize) -> &[u32] {
         let first = self.patch_begins[at] as usize;
-        let length = if self.follows { self.undo[at].cut.length as usize } else { 0 };
+        let length = if self.tracks_corners { self.undo[at].cut.length as usize } else { 0 };
         &self.patches[first..first + length]
     }
 
-    /// Whether a surface that is cut anew from the level's triangles joins them as this one does.
-    pub(crate) fn is_built_anew(&self, level: &LevelTriangles, refinable: &RefinableMesh) -> bool {
-        let anew = close_level(level, refinable).surface;
-        let mut place = vec![NONE; self.triangles.len()];
+    /// Whether a surface built from the level's triangles joins them in the same way as this one.
+    pub(crate) fn matches_rebuilt(&self, level: &LevelTriangles, refinable: &RefinableMesh) -> bool {
+        let rebuilt = close_level(level, refinable).surface;
+        let mut index = vec![NONE; self.triangles.len()];
         let mut alive = level.alive.iter().zip(0..).peekable();
         for (fine, triangle) in self.triangles.iter().enumerate() {
             if let Some((_, new)) = alive.next_if(|(t, _)| *t == triangle) {
-                place[fine] = new;
+                index[fine] = new;
             }
         }
-        let real = |corner: u32| place.get(triangle_of(corner) as usize).copied();
-        (0..self.triangles.len() as u32).filter(|&t| place[t as usize] != NONE).all(|t| {
+        let real = |corner: u32| index.get(triangle_of(corner) as usize).copied();
+        (0..self.triangles.len() as u32).filter(|&t| index[t as usize] != NONE).all(|t| {
             (4 * t..4 * t + 3).all(|corner| {
                 let across = self.surface.opposite(corner);
-                let found = anew.opposite(4 * place[t as usize] + (corner & 3));
+                let found = rebuilt.opposite(4 * index[t as usize] + (corner & 3));
                 match real(across) {
                     Some(triangle) => found == 4 * triangle + (across & 3),
                     None => triangle_of(found) as usize >= level.alive.len(),
@@ -263,6 +274,7 @@ impl SurfaceStage {
     }
 }
 
+/// Checks that the ring around a corner's vertex allows a collapse.
 fn check_ring(surface: &Surface, corner: u32) -> Result<(), StepDefect> {
     let mut ring = Vec::with_capacity(8);
     let mut here = corner;
@@ -277,14 +289,14 @@ fn check_ring(surface: &Surface, corner: u32) -> Result<(), StepDefect> {
             break;
         }
     }
-    // Ring: u, r0, .., rk. Only r0 or rk may stand for a boundary loop.
+    // Ring: u, r0, .., rk. Only r0 or rk may be virtual.
     if ring.len() < 3 {
         return Err(StepDefect::Ring);
     }
     if ring[2..ring.len() - 1].iter().any(|&v| surface.is_virtual(v)) {
         return Err(StepDefect::Boundary);
     }
-    // What stays around the target must be a triangle at least beside the run that it takes over.
+    // At least one triangle must remain around the target next to the run that it receives.
     let outside = surface.opposite(previous(surface.swing(corner)));
     if surface.vertex(outside) == ring[0] && ring.len() == 3 && surface.ring(ring[0]).count() == 3 {
         return Err(StepDefect::Ring);

@@ -1,4 +1,4 @@
-//! What both sides agree on before the first bit.
+//! Parameters of a stream that both sides know before the first bit.
 
 use super::walk::WalkOrder;
 use crate::base::coder::BaseLimits;
@@ -6,40 +6,41 @@ use crate::format::form::{Effort, StreamVersion};
 use crate::format::grid::PositionGrid;
 use crate::layers::form::LayerForm;
 
-/// What both sides agree on before the first bit.
+/// Parameters of a stream that both sides know before the first bit: a writer chooses them, a reader
+/// finds them in the head.
 #[derive(Clone, Debug)]
-pub(crate) struct Terms {
-    /// What the bits mean.
+pub(crate) struct StreamParameters {
+    /// Version of the bitstream format.
     pub(crate) version: StreamVersion,
-    /// Whether there are general batches.
+    /// Whether the stream has general batches.
     pub(crate) has_general: bool,
-    /// How hard models try.
+    /// Trade-off between speed and size.
     pub(crate) effort: Effort,
-    /// The grid of positions.
+    /// The grid that positions are quantized to.
     pub(crate) grid: PositionGrid,
-    /// Whether positions are exact as well.
+    /// Whether the stream also stores exact positions.
     pub(crate) is_exact: bool,
-    /// Most triangles that a new vertex takes over.
+    /// Maximum number of triangles that move to a new vertex.
     pub(crate) max_patch: u32,
-    /// Positions of the full mesh.
+    /// Number of positions in the full mesh.
     pub(crate) position_count: u32,
-    /// What the base may be at most.
+    /// Limits on the size of the base mesh.
     pub(crate) base: BaseLimits,
-    /// Vertices of the full mesh.
+    /// Number of vertices in the full mesh.
     pub(crate) vertex_count: u32,
-    /// Groups of the full mesh.
+    /// Number of groups in the full mesh.
     pub(crate) group_count: u32,
     /// How attribute layers are stored.
     pub(crate) layers: Vec<LayerForm>,
 }
 
-impl Terms {
-    /// Whether what corners show has to be coded.
+impl StreamParameters {
+    /// Whether the stream has to code which vertex each corner refers to.
     pub(crate) fn has_wedges(&self) -> bool {
         self.vertex_count != self.position_count || self.group_count > 1
     }
 
-    /// Whether vertices are asked by the quick model.
+    /// Whether the quick model codes which vertices split.
     pub(crate) fn is_quick(&self) -> bool {
         match self.effort {
             Effort::Fast => true,
@@ -48,7 +49,7 @@ impl Terms {
         }
     }
 
-    /// In which order vertices are asked.
+    /// Returns the order in which vertices are visited.
     pub(crate) fn walk_order(&self) -> WalkOrder {
         match (self.version, self.effort) {
             (StreamVersion::One, Effort::Small) => WalkOrder::Near,
@@ -57,7 +58,8 @@ impl Terms {
         }
     }
 
-    /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
+    /// Maximum number of vertex visits in a stream: many times more than real batches need, and a bound
+    /// for hostile streams.
     pub(crate) fn most_visits(&self) -> u64 {
         256 * u64::from(self.position_count) + 65_536
     }

@@ -1,50 +1,52 @@
-//! The densities of a new vertex's place, axis by axis.
+//! The guesses at a new vertex's position as densities, axis by axis.
 
 use wide::{i16x8, i32x4};
 
 use super::axis::{Axis, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width};
 use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
-use super::local::{LANES, Local, Point};
+use super::local::{LANES, LocalRing, Point};
 use crate::entropy::log2_q8;
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 
-/// Within which distance, in 1/256 of the radius, a guess of the first and of the second axis counts for more: widely, narrowly.
+/// Distances, in 1/256 of the radius, within which a guess gains weight after the first and the second
+/// axis: a wide and a narrow one.
 const NEAR: [[i32; 2]; 2] = [[45, 10], [130, 20]];
-/// What a guess counts that was far off; one that was widely right counts 12288 more, one that was narrowly right 16384 more.
-const FAR_WORTH: i16 = 2800;
-/// What guesses count at first, and planes where they come in.
-const FULL_WORTH: i16 = 1 << 9;
-const PLANE_WORTH: i16 = 400;
-/// What a coordinate is blended of.
+/// Weight factor of a guess that was far off. One within the wide distance gains up to 12288, one within
+/// the narrow distance up to 16384 more.
+const FAR_FACTOR: i16 = 2800;
+/// Initial weights of guesses, and of plane heights when they are added.
+const INITIAL_WEIGHT: i16 = 1 << 9;
+const INITIAL_PLANE_WEIGHT: i16 = 400;
+/// Number of features that a coordinate is blended from.
 pub(super) const FEATURES: usize = KINDS + 4;
-/// 4096 by each number.
+/// Reciprocals: 4096 divided by each number.
 pub(super) const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
 
-/// What is known of one new vertex, with the first `USED` kinds of guesses.
+/// Guesses at one new vertex, of the first `USED` kinds, and their weights.
 #[derive(Clone, Debug)]
-pub(super) struct Sight<const USED: usize> {
-    /// What is around it.
-    pub(super) local: Local,
+pub(super) struct PositionDensity<const USED: usize> {
+    /// The surroundings of the vertex.
+    pub(super) local: LocalRing,
     guesses: [Guesses; KINDS],
     bumps: [Bumps; USED],
     is_last: bool,
-    /// True where the last axis runs against the normal.
+    /// Whether the last axis points against the normal.
     is_inward: bool,
-    /// By axis, the vertex that split and what is seen from there.
+    /// By axis, the vertex that split and three points derived from it.
     kept: [[i32; 4]; 3],
-    /// How much each guess counts, by what is known of the vertex already.
+    /// Weight of each guess, given the coordinates known so far.
     weights: [i16x8; USED],
 }
 
-impl<const USED: usize> Sight<USED> {
-    /// True where guesses need what is two rings away.
+impl<const USED: usize> PositionDensity<USED> {
+    /// Whether guesses need the second ring.
     pub(super) const LOOKS_BEYOND: bool = USED > STRAIGHT;
 
-    /// Nothing seen yet.
+    /// Creates an empty state.
     pub(super) fn new() -> Self {
         Self {
-            local: Local::default(),
+            local: LocalRing::default(),
             guesses: [Guesses::default(); KINDS],
             bumps: [Bumps::default(); USED],
             weights: [i16x8::ZERO; USED],
@@ -54,29 +56,34 @@ impl<const USED: usize> Sight<USED> {
         }
     }
 
-    /// Looks at the surroundings of another vertex.
-    pub(super) fn look(&mut self, hood: &Hood<'_>) {
-        self.local.look(hood, Self::LOOKS_BEYOND);
+    /// Gathers the surroundings of another vertex and makes its guesses.
+    pub(super) fn gather(&mut self, neighborhood: &Neighborhood<'_>) {
+        self.local.gather(neighborhood, Self::LOOKS_BEYOND);
         guess(&self.local, &mut self.guesses);
-        self.kept = kept_and_beside(&self.local);
+        self.kept = kept_points(&self.local);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
-            *weights = first_lanes(guesses.count) & i16x8::splat(FULL_WORTH);
+            *weights = first_lanes(guesses.count) & i16x8::splat(INITIAL_WEIGHT);
         }
     }
 
-    /// Puts the bumps where the guesses are along an axis, given what is known of the place.
-    pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), place: [i32; 3]) {
+    /// Moves the bumps to the guesses along an axis, given the coordinates known so far.
+    pub(super) fn move_bumps(
+        &mut self,
+        slot: usize,
+        (normal, axes): ([i64; 3], [usize; 3]),
+        coords: [i32; 3],
+    ) {
         self.is_last = slot == 2;
         self.is_inward = normal[axes[2]] < 0;
         if slot == 2 {
-            self.move_along(normal, axes, place);
-            self.raise_planes(axes, place);
+            self.move_guesses_along_surface(normal, axes, coords);
+            self.add_plane_heights(axes, coords);
         } else {
             for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
                 bumps.at = guesses.at[axes[slot]];
             }
         }
-        // All weights together come to 2^14 to 2^15.
+        // The sum of all weights is scaled to between 2^14 and 2^15.
         let total: i32 = self.weights.iter().map(|weights| sum(weights.dot(i16x8::ONE))).sum();
         let lift = 14 - total.max(1).ilog2() as i32;
         for (bumps, weights) in self.bumps.iter_mut().zip(&mut self.weights) {
@@ -85,18 +92,18 @@ impl<const USED: usize> Sight<USED> {
         }
     }
 
-    /// Moves all guesses along the ring's plane to what is known of the vertex.
-    fn move_along(&mut self, normal: [i64; 3], axes: [usize; 3], place: [i32; 3]) {
+    /// Moves all guesses along the ring's plane to the known coordinates of the vertex.
+    fn move_guesses_along_surface(&mut self, normal: [i64; 3], axes: [usize; 3], coords: [i32; 3]) {
         let [a, b, c] = axes;
-        let [x, y] = [a, b].map(|a| self.local.localise_axis(place[a], a));
-        let steep = if normal[c] == 0 { 1 } else { normal[c] };
+        let [x, y] = [a, b].map(|a| self.local.to_local_axis(coords[a], a));
+        let steepness = if normal[c] == 0 { 1 } else { normal[c] };
         for at in 0..4 {
             let rise =
                 normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
-            self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steep).clamp(-16_000, 16_000) as i32;
+            self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steepness).clamp(-16_000, 16_000) as i32;
         }
         // Slopes of at most 1, in 1/16384; differences of a few radii, times 4.
-        let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steep) as i16));
+        let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steepness) as i16));
         let known = [x, y].map(|x| i16x8::splat(x as i16));
         for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
             let [rise, more] = [(a, 0), (b, 1)].map(|(a, i)| {
@@ -109,10 +116,10 @@ impl<const USED: usize> Sight<USED> {
         }
     }
 
-    /// Puts the heights of the planes across ring edges in the place of a kind.
-    fn raise_planes(&mut self, [a, b, c]: [usize; 3], place: [i32; 3]) {
+    /// Replaces the guesses of one kind by the heights of the planes across ring edges.
+    fn add_plane_heights(&mut self, [a, b, c]: [usize; 3], coords: [i32; 3]) {
         let local = &self.local;
-        let [x, y] = [a, b].map(|a| local.localise_axis(place[a], a));
+        let [x, y] = [a, b].map(|a| local.to_local_axis(coords[a], a));
         let mut count = 0;
         for i in 0..local.count {
             let j = if i + 1 == local.count { 0 } else { i + 1 };
@@ -128,11 +135,12 @@ impl<const USED: usize> Sight<USED> {
             count += 1;
         }
         self.guesses[MOVED].count = count;
-        self.weights[MOVED] = first_lanes(count) & i16x8::splat(PLANE_WORTH);
+        self.weights[MOVED] = first_lanes(count) & i16x8::splat(INITIAL_PLANE_WEIGHT);
     }
 
-    /// What a coordinate is blended of: the middle of the ring, and how far from there others are: the mean of each kind of
-    /// guesses, in the place of the middles that of all guesses by weight, and what depends on the vertex that split.
+    /// Returns the center of the ring, and the features from which a coordinate is blended, relative to
+    /// it. They are the mean of each kind of guess (for the middles, the weighted mean of all guesses)
+    /// and the points derived from the vertex that split.
     pub(super) fn features(&self, axis: usize) -> (i32, [i32; FEATURES]) {
         let base = i32::from(self.bumps[MIDDLE].at[0]);
         let mut features = [0; FEATURES];
@@ -151,16 +159,16 @@ impl<const USED: usize> Sight<USED> {
         (base, features)
     }
 
-    /// What one axis is coded with: what is expected there, and what the surroundings are like.
+    /// Returns the input for coding one axis: the expected coordinate, densities and context classes.
     pub(super) fn axis<const DENSITIES: usize, const WIDTHS: usize>(
         &self,
         axis: usize,
         widths: [u32; WIDTHS],
-        (expected, place): (i32, usize),
+        (expected, context): (i32, usize),
         features: &[i32; FEATURES],
     ) -> Axis<'_, DENSITIES, WIDTHS> {
         let local = &self.local;
-        // Guesses are no better than the grid.
+        // Guesses are no more precise than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
         let distance = (self.kept[axis][0] - expected).abs();
@@ -173,19 +181,19 @@ impl<const USED: usize> Sight<USED> {
             axis,
             bumps: &self.bumps,
             widths: widths.map(|width| Width::new(width.max(narrowest))),
-            // The cell that is expected is the first upwards, from either end.
+            // Seen from either end, the expected cell is the first one upward.
             center: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),
             is_last: self.is_last,
             is_mirrored,
             size: (size as usize).min(SIZES - 1),
-            place,
+            context,
             distance: (distance * 16 / local.radius).min(DISTANCES as i32 - 1) as usize,
             spread: (spread >> 7).clamp(0, SPREADS as i32 - 1) as usize,
         }
     }
 
-    /// Guesses far from what was found count less from now on.
-    pub(super) fn reweigh(&mut self, slot: usize, found: i32) {
+    /// Reduces the weights of guesses that were far from the actual coordinate.
+    pub(super) fn reweight(&mut self, slot: usize, found: i32) {
         let found = i16x8::splat(found as i16);
         let reaches = NEAR[slot].map(|reach| {
             let reach = (self.local.radius * reach) >> 8;
@@ -196,19 +204,19 @@ impl<const USED: usize> Sight<USED> {
             let off = found.saturating_sub(i16x8::new(bumps.at));
             let off = off.max(-off);
             let [wide, narrow] = reaches.map(|(reach, inverse, lift)| {
-                // The nearest are at 2^14.
+                // A distance of zero gives 2^14.
                 let near: i16x8 = reach.saturating_sub(off).max(i16x8::ZERO) << lift;
                 let near: i16x8 = near.mul_keep_high(inverse) << 2u32;
                 near.mul_keep_high(near)
             });
-            let worth = i16x8::splat(FAR_WORTH) + wide + (wide << 1u32) + (narrow << 2u32);
-            *weights = weights.mul_keep_high(worth);
+            let factor = i16x8::splat(FAR_FACTOR) + wide + (wide << 1u32) + (narrow << 2u32);
+            *weights = weights.mul_keep_high(factor);
         }
     }
 }
 
-/// The normal of the ring, and the axes from the most tangential to the most normal.
-pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
+/// Returns the normal of the ring, and the axes from the most tangential to the most normal.
+pub(super) fn normal_order(local: &LocalRing) -> ([i64; 3], [usize; 3]) {
     let mut normal = [0i64; 3];
     for i in 0..local.count {
         let j = if i + 1 == local.count { 0 } else { i + 1 };
@@ -220,18 +228,18 @@ pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
     (normal, axes)
 }
 
-/// By axis, where the vertex that split is, the middle of its neighbors in the ring, that of the next ones, and that of what
-/// lies across its edges to its neighbors.
-fn kept_and_beside(local: &Local) -> [[i32; 4]; 3] {
+/// Returns, for each axis, the vertex that split, the midpoint of its neighbors in the ring, that of
+/// their other neighbors, and that of the vertices across its edges to its neighbors.
+fn kept_points(local: &LocalRing) -> [[i32; 4]; 3] {
     let n = local.count;
     let kept = local.ring[0].unwrap_or_default();
-    let beside = mean(local.ring[1 % n], local.ring[n - 1]);
+    let adjacent = mean(local.ring[1 % n], local.ring[n - 1]);
     let further = mean(local.ring[2 % n], local.ring[(2 * n - 2) % n]);
     let behind = mean(local.apexes[0], local.apexes[n - 1]);
-    [0, 1, 2].map(|a| [kept[a], beside[a], further[a], behind[a]])
+    [0, 1, 2].map(|a| [kept[a], adjacent[a], further[a], behind[a]])
 }
 
-/// The middle of two points, or the one that there is.
+/// Returns the midpoint of two points, or the only known one.
 pub(super) fn mean(p: Option<Point>, q: Option<Point>) -> Point {
     match (p, q) {
         (Some(p), Some(q)) => [0, 1, 2].map(|a| (p[a] + q[a]) >> 1),
@@ -252,7 +260,7 @@ fn sum(lanes: i32x4) -> i32 {
     lanes.to_array().iter().sum()
 }
 
-/// All bits of so many lanes.
+/// Returns a mask of the first lanes.
 fn first_lanes(count: usize) -> i16x8 {
     i16x8::new([0, 1, 2, 3, 4, 5, 6, 7]).simd_lt(i16x8::splat(count as i16))
 }

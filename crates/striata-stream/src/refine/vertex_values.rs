@@ -1,18 +1,20 @@
-//! What new vertices are: where they lie, what the corners around them show, and their attributes.
+//! Coding of new vertices: their positions, the vertices that corners around them refer to, and their
+//! attributes.
 
 use super::models::Connectivity;
 use super::refiner::{Ended, Refiner};
 use super::source::Source;
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
-use crate::layers::attributes::{Around, NewVertex, actual_layers};
-use crate::topology::hood::Hood;
+use crate::layers::attributes::{AttributeContext, NewVertex, actual_layers};
+use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::next;
-use crate::wedges::model::Split;
+use crate::wedges::model::SplitContext;
 
 impl Refiner {
-    /// Looks at what is around the vertices that come next; false if that is done one by one.
-    pub(super) fn look_ahead(&mut self, first: u32) -> bool {
+    /// Prepares the predictions of the next vertices' positions in one go. Returns false if the model
+    /// predicts them one by one.
+    pub(super) fn predict_ahead(&mut self, first: u32) -> bool {
         let Self { level, models, stretch, .. } = self;
         let Connectivity::Quick(model) = &models.connectivity else { return false };
         let Some(positions) = models.positions.ahead(first) else { return false };
@@ -21,8 +23,9 @@ impl Refiner {
         true
     }
 
-    /// Touches what the values of new vertices are foretold from, so that waiting for memory overlaps between vertices.
-    pub(super) fn fetch(&self, first: u32) {
+    /// Reads the memory that new vertices are predicted from, so that cache misses of several vertices
+    /// overlap.
+    pub(super) fn prefetch(&self, first: u32) {
         let surface = &self.level.surface;
         let place = |vertex: u32| self.level.places.get(vertex as usize).map_or(0, |place| place[0]);
         let mut sum = 0;
@@ -40,8 +43,8 @@ impl Refiner {
         std::hint::black_box(sum);
     }
 
-    /// What the new vertex is; then it is part of the mesh.
-    pub(super) fn values<C: Coder>(
+    /// Codes the values of a new vertex and adds it to the mesh.
+    pub(super) fn code_vertex<C: Coder>(
         &mut self,
         coder: &mut C,
         source: &mut impl Source,
@@ -49,10 +52,10 @@ impl Refiner {
     ) -> Result<Ended, StreamDefect> {
         let Self { level, models, stretch, .. } = self;
         let corners = &stretch.corners;
-        let hood = Hood { surface: &level.surface, places: &level.places, vertex, corners };
+        let neighborhood = Neighborhood { surface: &level.surface, coords: &level.places, vertex, corners };
         coder.part(Part::Positions);
-        let actual = source.plan().map_or([0; 3], |plan| plan.place(vertex));
-        let place = models.positions.code(coder, &hood, actual);
+        let actual = source.plan().map_or([0; 3], |plan| plan.coords(vertex));
+        let place = models.positions.code(coder, &neighborhood, actual);
         if !level.grid.holds(place) {
             let position = level.growth.first_vertex.len() - 1;
             return if coder.overran() { Ok(Ended::Short) } else { Err(StreamDefect::Place { position }) };
@@ -69,7 +72,7 @@ impl Refiner {
             general.push_place(place);
         }
         coder.part(Part::Wedges);
-        self.shown(coder, source, vertex);
+        self.code_wedges_and_attributes(coder, source, vertex);
         let Self { level, models, limits, stretch, .. } = self;
         let beyond = level.growth.beyond() as u64 + stretch.shown.targets.len() as u64;
         if coder.overran() || beyond > limits.most_wedges + 1 {
@@ -87,8 +90,8 @@ impl Refiner {
         Ok(Ended::Whole)
     }
 
-    /// What corners around a new vertex show, and the attributes of that.
-    fn shown<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
+    /// Codes which vertices the corners around a new vertex refer to, and their attributes.
+    fn code_wedges_and_attributes<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
         let Self { level, models, limits, stretch, .. } = self;
         let (surface, growth, corners) = (&level.surface, &level.growth, &stretch.corners);
         if let Some(model) = &mut models.wedges {
@@ -96,17 +99,17 @@ impl Refiner {
                 follower.refine(vertex, corners);
             }
             let most_beyond = limits.most_wedges.saturating_sub(growth.beyond() as u64);
-            let split = Split { surface, growth, corners, source: &*source, most_beyond };
+            let split = SplitContext { surface, growth, corners, source: &*source, most_beyond };
             model.code(coder, &split, &mut stretch.shown);
             if let Some(follower) = source.follower() {
-                follower.name(&stretch.shown.named);
+                follower.name(&stretch.shown.source_vertices);
             }
         }
         let Some(attributes) = &mut models.attributes else { return };
-        let told = models.wedges.as_ref().map(|_| &stretch.shown);
-        let around = Around { surface, growth, places: &level.places, corners, told };
+        let split_wedges = models.wedges.as_ref().map(|_| &stretch.shown);
+        let around = AttributeContext { surface, growth, places: &level.places, corners, split_wedges };
         let place = level.places[vertex as usize];
-        if told.is_none() {
+        if split_wedges.is_none() {
             let kept = surface.vertex(next(corners[0]));
             let actual = actual_layers(source.plan(), |plan| plan.wedges(vertex).start);
             let target = growth.wedges(kept).start;
@@ -115,7 +118,7 @@ impl Refiner {
         }
         attributes.begin_position(around, place);
         for (wedge, &target) in (0..).zip(&stretch.shown.targets) {
-            let actual = actual_layers(source.plan(), |_| stretch.shown.named[wedge as usize]);
+            let actual = actual_layers(source.plan(), |_| stretch.shown.source_vertices[wedge as usize]);
             attributes.vertex(coder, around, NewVertex { place, wedge, target }, actual);
         }
     }
