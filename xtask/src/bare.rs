@@ -1,5 +1,5 @@
-//! The first command of the README on machines that have a Vulkan driver, only OpenGL, or nothing: the demo must end well, leave
-//! the same files, and draw the same pictures.
+//! The first command of the README on machines that have a Vulkan driver, only OpenGL, or nothing: the demo
+//! must end well, leave the same files, and draw the same pictures.
 //!
 //! It is the release build, as a newcomer makes it, and it runs before anything is installed.
 
@@ -35,7 +35,8 @@ const KINDS: [Kind; 3] = [
 /// Files that hold no times, which must be the same to the byte.
 const SAME_BYTES: [&str; 4] = ["striata", "stri", "glb", "ply"];
 
-/// Pixels whose channels may differ by more than [`FAR`], of a thousand: drivers disagree where triangles begin and end.
+/// Pixels whose channels may differ by more than [`FAR`], of a thousand: drivers disagree where triangles
+/// begin and end.
 const FAR_PER_MILLE: usize = 15;
 const FAR: u8 = 32;
 

@@ -18,7 +18,8 @@ impl CpuTime {
     }
 }
 
-/// User and system time of children that were waited for: fields 16 and 17, counted after the name in brackets.
+/// User and system time of children that were waited for: fields 16 and 17, counted after the name in
+/// brackets.
 fn children_secs(stat: &str) -> Option<f64> {
     let (_, fields) = stat.rsplit_once(')')?;
     let ticks: Vec<f64> =

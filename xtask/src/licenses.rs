@@ -1,4 +1,5 @@
-//! Licenses, sources and duplicates of what the workspace depends on, by `cargo deny`; `deny.toml` says what is allowed.
+//! Licenses, sources and duplicates of what the workspace depends on, by `cargo deny`; `deny.toml` says what
+//! is allowed.
 
 use anyhow::Result;
 

@@ -1,7 +1,9 @@
-//! What would be published: cargo packs each crate without a warning, and files that its code includes are in the package.
+//! What would be published: cargo packs each crate without a warning, and files that its code includes are in
+//! the package.
 //!
-//! Cargo's own verification compiles each package with all that it depends on once more, which takes longer than all tests; what
-//! it finds beyond the tests is files outside of a crate's folder, and these are looked for here.
+//! Cargo's own verification compiles each package with all that it depends on once more, which takes longer
+//! than all tests; what it finds beyond the tests is files outside of a crate's folder, and these are looked
+//! for here.
 
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
@@ -18,7 +20,8 @@ use crate::steps::{cargo, say};
 /// What cargo reports, warnings among it, and files that a package lacks.
 pub(crate) fn run() -> Result<()> {
     let (published, unpublished) = members()?;
-    // What is not committed yet is packed too: the check is about the files, and continuous integration has no others.
+    // What is not committed yet is packed too: the check is about the files, and continuous integration has
+    // no others.
     let mut arguments = vec!["package", "--workspace", "--no-verify", "--allow-dirty"];
     arguments.extend(unpublished.iter().flat_map(|name| ["--exclude", name]));
     // Whoever has compiled the workspace has all that it takes.

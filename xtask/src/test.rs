@@ -1,7 +1,8 @@
 //! Everything that must pass before a change lands.
 //!
-//! The release build of the command comes first, on the machine as it was found. Then one profile throughout, so that nothing is
-//! compiled twice: `clippy` shares what `check` makes, and the golden run uses the command that the tests have built.
+//! The release build of the command comes first, on the machine as it was found. Then one profile throughout,
+//! so that nothing is compiled twice: `clippy` shares what `check` makes, and the golden run uses the command
+//! that the tests have built.
 
 use anyhow::Result;
 

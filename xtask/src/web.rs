@@ -1,18 +1,20 @@
 //! The web assets: the wasm, the npm package and the viewer page.
 //!
 //! ```text
-//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (the script that calls it)
-//! web/src            --vite, tsc-----------------------> web/dist
-//! web/viewer         --vite----------------------------> crates/striata-viewer/viewer, which the command embeds
+//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (the script that
+//! calls it) web/src            --vite, tsc-----------------------> web/dist
+//! web/viewer         --vite----------------------------> crates/striata-viewer/viewer, which the command
+//! embeds
 //! ```
 //!
-//! The viewer is committed, so that whoever builds the command needs neither a wasm target nor Node.js; a file next to it says
-//! what it was built from. All else is built when it is needed.
+//! The viewer is committed, so that whoever builds the command needs neither a wasm target nor Node.js; a
+//! file next to it says what it was built from. All else is built when it is needed.
 //!
-//! The same toolchain makes the same bytes in any folder (paths are remapped, the lock files fix the rest), so if rustc is the
-//! one that the viewer was built with, the check builds it anew and compares, and comments in the library change nothing. With
-//! another rustc the bytes would differ for no fault of anybody's; then, and if there are no tools to build with, the check
-//! compares digests of the sources and says if they differ, which is no failure.
+//! The same toolchain makes the same bytes in any folder (paths are remapped, the lock files fix the rest),
+//! so if rustc is the one that the viewer was built with, the check builds it anew and compares, and comments
+//! in the library change nothing. With another rustc the bytes would differ for no fault of anybody's; then,
+//! and if there are no tools to build with, the check compares digests of the sources and says if they
+//! differ, which is no failure.
 
 mod assets;
 mod stamp;
@@ -33,7 +35,8 @@ pub(crate) use wasm::said_by_rustc;
 /// What the check says if it fails.
 const CURE: &str = "run `cargo xtask web` and commit what it writes";
 
-/// `cargo xtask web`: builds everything into its place; the npm package only if it is not there or older than its sources.
+/// `cargo xtask web`: builds everything into its place; the npm package only if it is not there or older than
+/// its sources.
 ///
 /// # Errors
 /// What the tools lack or report.

@@ -1,7 +1,8 @@
 //! Strips as glTF holds them: one list of indices for each group, without restarts.
 //!
-//! glTF knows no restart index, so the strips of a group are joined by degenerate triangles. A strip of one triangle then
-//! takes six indices, and groups of such strips (flat shading, soups, coarse levels) are shorter as single triangles.
+//! glTF knows no restart index, so the strips of a group are joined by degenerate triangles. A strip of one
+//! triangle then takes six indices, and groups of such strips (flat shading, soups, coarse levels) are
+//! shorter as single triangles.
 
 use striata::mesh::{IndexedMesh, MeshError};
 use striata::model::StripModel;
@@ -66,7 +67,8 @@ pub(crate) fn strips_of_level<M: StripModel>(model: &M, state: &M::State) -> Str
     strips
 }
 
-/// A level without the vertices that none of its triangles use, and its strips over what is left; no strips if they use others.
+/// A level without the vertices that none of its triangles use, and its strips over what is left; no strips
+/// if they use others.
 pub(crate) fn without_unused_vertices(
     mesh: IndexedMesh,
     strips: Option<StripSet>,

@@ -1,7 +1,8 @@
 //! Addresses of values in JSON: `meshes[name=bunny.ply].models[name=mts].bytes / 1000000`.
 //!
-//! Names are separated by dots. Brackets after the name of an array choose an element, by its place or by the values of some of its
-//! keys. A value may be divided by another one or by a number. An address that begins with a dot goes on from `base`.
+//! Names are separated by dots. Brackets after the name of an array choose an element, by its place or by the
+//! values of some of its keys. A value may be divided by another one or by a number. An address that begins
+//! with a dot goes on from `base`.
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;

@@ -1,6 +1,8 @@
-//! The tables of the docs, measured again: runs the command of each table and compares counts and bytes with what the page says.
+//! The tables of the docs, measured again: runs the command of each table and compares counts and bytes with
+//! what the page says.
 //!
-//! A marker in front of a table says what can be compared; `page.rs` explains and reads it, `check.rs` compares. Nothing here knows any table by name.
+//! A marker in front of a table says what can be compared; `page.rs` explains and reads it, `check.rs`
+//! compares. Nothing here knows any table by name.
 
 mod address;
 mod cells;
@@ -28,7 +30,8 @@ pub(crate) struct ResultsArgs {
     /// Lists all marked tables with their commands
     #[arg(long, group = "what")]
     list: bool,
-    /// Runs the commands of these tables again and compares counts and bytes with the docs; all tables if none is named
+    /// Runs the commands of these tables again and compares counts and bytes with the docs; all tables if
+    /// none is named
     #[arg(long, group = "what", value_name = "TABLE", num_args = 0..)]
     check: Option<Vec<String>>,
     /// Folder that `$MESHES` stands for in commands

@@ -11,15 +11,18 @@
 //! | mesh | stripifier | blocks of | strips |
 //! ```
 //!
-//! * The command stands in the code block between marker and table, or in the marker: `command: striata ...`, or
+//! * The command stands in the code block between marker and table, or in the marker: `command: striata ...`,
+//! or
 //!   `command of: NAME` if another table has it.
-//! * `keys:` are the columns that tell rows apart (the first one if nothing is said); an empty cell there repeats the one above.
-//! * `rows:` are the beginnings of key cells if only some rows can be checked.
+//! * `keys:` are the columns that tell rows apart (the first one if nothing is said); an empty cell there
+//! repeats the one above. * `rows:` are the beginnings of key cells if only some rows can be checked.
 //! * `check:` names columns that the commands print in a Markdown table with the same titles and keys.
-//! * `json:` is for commands that take `--json`: a column and the address of its value (`address.rs`), one column a line. Of
+//! * `json:` is for commands that take `--json`: a column and the address of its value (`address.rs`), one
+//! column a line. Of
 //!   several commands the last one is asked; those before it prepare files in a scratch folder.
 //!   `at:` is an address that those beginning with a dot go on from.
-//! * `{column}` in a command or an address is the row's cell. A part of a command in square brackets is left out if the
+//! * `{column}` in a command or an address is the row's cell. A part of a command in square brackets is left
+//! out if the
 //!   cell in it holds no number. `names: dragon = dragon.ply; cow = cow.obj` replaces what a cell says by what the command calls it.
 
 use anyhow::{Context, Result, bail, ensure};

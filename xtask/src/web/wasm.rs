@@ -15,7 +15,8 @@ use crate::workspace;
 const TARGET_FEATURES: &str =
     "-Ctarget-feature=+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint,+mutable-globals";
 
-/// The same in the words of wasm-opt, with what wasm-bindgen adds. With all features it writes what browsers refuse.
+/// The same in the words of wasm-opt, with what wasm-bindgen adds. With all features it writes what browsers
+/// refuse.
 const WASM_OPT_FEATURES: [&str; 7] = [
     "--enable-simd",
     "--enable-bulk-memory",

@@ -6,13 +6,15 @@ use serde::Serialize;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay};
 use striata::simplify::Target;
 
-use super::extract::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve, stream_of};
+use super::extract::{
+    INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
+};
 use crate::args::DecodeArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{Floor, Reached, remark, shortfall};
+use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall, shortfall_note};
 use striata_command::output::{Output, grouped, lasted, measured};
-use striata_command::save::{Drawn, format_of, is_stdout, save};
+use striata_command::save::{Primitives, format_of, is_stdout, write_mesh};
 use striata_command::stream::{Received, effort_name};
 
 #[derive(Serialize)]
@@ -52,18 +54,18 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("decode");
     let step_count = file.summary().step_count;
     let target = args.level.level.target(full_mesh(&args.level.level, &file, &input)?);
-    let target = target.map(|target| in_splits(target, step_count));
-    let received = Received::read(stream, |decoder| target.is_some_and(|target| is_enough(decoder, target)));
+    let target = target.map(|target| detail_to_splits(target, step_count));
+    let received = Received::read(stream, |decoder| target.is_some_and(|target| has_level(decoder, target)));
     let received = received.map_err(|error| input.damaged(&error))?;
     let refinable = received.refinable().map_err(|error| input.damaged(&error))?;
     let decoded = match target {
-        Some(target) => Decoded::at_level(&refinable, &received, target),
-        None => Decoded::of_all(refinable, &received),
+        Some(target) => DecodedLevel::at_level(&refinable, &received, target),
+        None => DecodedLevel::of_all(refinable, &received),
     };
     bar.phase("write");
-    save(&decoded.mesh, Drawn::Triangles, &args.output.output, &args.output.format)?;
+    write_mesh(&decoded.mesh, Primitives::Triangles, &args.output.output, &args.output.format)?;
     drop(bar);
-    if let Some(remark) = received.remark(&input.name) {
+    if let Some(remark) = received.truncation_note(&input.name) {
         output.say(&remark);
     }
     let report = Report::new(decoded, &received, started);
@@ -71,14 +73,14 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
 }
 
 /// What is written.
-struct Decoded {
+struct DecodedLevel {
     mesh: IndexedMesh,
     split_count: usize,
     error: f32,
     shortfall: Option<String>,
 }
 
-impl Decoded {
+impl DecodedLevel {
     fn of_all(refinable: RefinableMesh, received: &Received) -> Self {
         let (split_count, error) = (received.decoder.split_count(), received.decoder.error());
         Self { mesh: refinable.mesh, split_count, error: error.unwrap_or_default(), shortfall: None }
@@ -89,10 +91,12 @@ impl Decoded {
         let mesh = replay(refinable, split_count).without_unused_vertices();
         let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
         let shortfall = match end {
-            End::Input => Some(INPUT_ENDS.to_owned()),
-            End::Level(stop_reason) => {
-                shortfall(target, Reached { vertex_count, triangle_count, stop_reason }, &Floor::File)
-            }
+            StreamStopReason::InputEnded => Some(INPUT_ENDED_TEXT.to_owned()),
+            StreamStopReason::Level(stop_reason) => shortfall(
+                target,
+                ReachedLevel { vertex_count, triangle_count, stop_reason },
+                &CoarseningLimit::File,
+            ),
         };
         let error = received.decoder.error_at(split_count).unwrap_or_default();
         Self { mesh, split_count, error, shortfall }
@@ -100,7 +104,7 @@ impl Decoded {
 }
 
 impl Report {
-    fn new(decoded: Decoded, received: &Received, started: Instant) -> Self {
+    fn new(decoded: DecodedLevel, received: &Received, started: Instant) -> Self {
         Self {
             vertex_count: decoded.mesh.vertex_count(),
             triangle_count: decoded.mesh.triangle_count(),
@@ -128,7 +132,9 @@ impl Report {
             measured(self.error.into()),
             lasted(self.decode_secs),
             self.triangles_per_sec / 1e6,
-            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
+            self.shortfall
+                .as_ref()
+                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
         )
     }
 }

@@ -13,20 +13,20 @@ struct Report {
     max: f64,
     rms: f64,
     mean: f64,
-    a_to_b: Way,
-    b_to_a: Way,
+    a_to_b: OneSidedReport,
+    b_to_a: OneSidedReport,
     diagonal: f64,
     sample_count: usize,
 }
 
 #[derive(Serialize)]
-struct Way {
+struct OneSidedReport {
     max: f64,
     rms: f64,
     mean: f64,
 }
 
-impl From<OneSided> for Way {
+impl From<OneSided> for OneSidedReport {
     fn from(way: OneSided) -> Self {
         Self { max: way.max, rms: way.rms, mean: way.mean }
     }
@@ -76,7 +76,7 @@ fn no_surface(input: &Input) -> Failure {
 impl Report {
     fn to_text(&self) -> String {
         let mut table = Table::with_head(&["", "max", "rms", "mean", "rms / diagonal"]);
-        let both = Way { max: self.max, rms: self.rms, mean: self.mean };
+        let both = OneSidedReport { max: self.max, rms: self.rms, mean: self.mean };
         for (name, way) in [("a to b", &self.a_to_b), ("b to a", &self.b_to_a), ("both", &both)] {
             let share = if self.diagonal > 0.0 { way.rms / self.diagonal } else { 0.0 };
             table.row(vec![

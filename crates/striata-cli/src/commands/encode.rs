@@ -14,9 +14,11 @@ use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, grouped, lasted, measured, sized};
-use striata_command::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
+use striata_command::save::{
+    DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
+};
 use striata_command::sequence::{SequencePlan, Steps};
-use striata_command::stream::{facts_in_json, precision_name};
+use striata_command::stream::{precision_name, stream_facts_json};
 
 /// The phases that are reported.
 const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
@@ -28,10 +30,10 @@ const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
 pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let path = match &args.output {
         Some(path) => path.clone(),
-        None => beside(&args.input, "stri")?,
+        None => default_output_path(&args.input, "stri")?,
     };
     output.check_stdout_is_free(is_stdout(&path))?;
-    check_not_packed(&path, "streams")?;
+    check_not_compressed(&path, "streams")?;
     let in_container = is_container(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
@@ -43,7 +45,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let welded = weld(&mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     phases.enter("simplify");
     let mut plan = SequencePlan::default();
-    plan.come_in_batches(args.stream.batches(&mesh)?)?;
+    plan.use_batches(args.stream.batches(&mesh)?)?;
     let sequenced = plan.run(welded, &mut |progress| bar.show(progress));
     let sequenced = sequenced.map_err(|error| Failure::from(error).in_file(&input.name))?;
     let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) else {
@@ -54,16 +56,16 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let options = args.stream.options(mesh.diagonal());
     let stream = encode_stream(refinable, batches, &options)?;
     let bytes = match in_container {
-        true => contained(refinable, &stream, &input.file_name())?,
+        true => contain(refinable, &stream, &input.file_name())?,
         false => stream.bytes.clone(),
     };
     phases.enter("write");
     bar.phase("write");
-    put(&bytes, &path)?;
+    write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let made = Made { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
-    let report = Report::new(&made, (name_of(&path), bytes.len()), phases)?;
+    let encoded = Encoded { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
+    let report = Report::new(&encoded, (display_name(&path), bytes.len()), phases)?;
     output.summary(&report, &report.to_text(args, &options))
 }
 
@@ -81,15 +83,15 @@ fn is_container(path: &Path) -> Result<bool, Failure> {
 }
 
 /// The stream as all that a `.striata` file has.
-fn contained(refinable: &RefinableMesh, stream: &EncodedStream, source: &str) -> Result<Vec<u8>, Failure> {
+fn contain(refinable: &RefinableMesh, stream: &EncodedStream, source: &str) -> Result<Vec<u8>, Failure> {
     let options = WriteOptions::default()
         .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
         .with_metadata("source", source);
     Ok(to_striata(&stream.reorder(refinable), &[file_model(&stream.bytes)?], &options)?)
 }
 
-/// What a report is made from.
-struct Made<'a> {
+/// What a report is encoded from.
+struct Encoded<'a> {
     mesh: &'a IndexedMesh,
     refinable: &'a RefinableMesh,
     batch_count: usize,
@@ -122,22 +124,26 @@ struct Report {
 }
 
 impl Report {
-    fn new(made: &Made<'_>, (path, output_bytes): (String, usize), phases: Phases) -> Result<Self, Failure> {
-        let sequence = &made.refinable.sequence;
-        let facts = StreamFacts::read(&made.stream.bytes)?.unwrap_or_default();
-        let stream = facts_in_json(&facts);
-        let sizes = &made.stream.sizes;
-        let vertex_count = made.mesh.vertex_count();
+    fn new(
+        encoded: &Encoded<'_>,
+        (path, output_bytes): (String, usize),
+        phases: Phases,
+    ) -> Result<Self, Failure> {
+        let sequence = &encoded.refinable.sequence;
+        let facts = StreamFacts::read(&encoded.stream.bytes)?.unwrap_or_default();
+        let stream = stream_facts_json(&facts);
+        let sizes = &encoded.stream.sizes;
+        let vertex_count = encoded.mesh.vertex_count();
         let per_vertex = |bits: f64| bits / vertex_count.max(1) as f64;
         let output_bits = output_bytes as f64 * 8.0;
         let told = sizes.connectivity_bits + sizes.position_bits + sizes.attribute_bits;
         Ok(Self {
             path,
             vertex_count,
-            triangle_count: made.mesh.triangle_count(),
+            triangle_count: encoded.mesh.triangle_count(),
             position_count: sequence.positions().position_count(),
             step_count: sequence.step_count(),
-            batch_count: made.batch_count,
+            batch_count: encoded.batch_count,
             base: json!({
                 "vertex_count": sequence.base_vertex_count(),
                 "triangle_count": sequence.triangle_count_at(0),
@@ -175,7 +181,7 @@ impl Report {
         ] {
             row(part, format!("{bits:.2}"));
         }
-        let chosen = if args.output.is_none() { CHOSEN_NAME } else { "" };
+        let chosen = if args.output.is_none() { DEFAULT_NAME_NOTE } else { "" };
         row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
         row("time", lasted(self.secs));
         table.to_text()

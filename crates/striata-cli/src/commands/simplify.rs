@@ -14,11 +14,11 @@ use striata_command::args::OrderArg;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
-    Floor, FullMesh, LevelRow, Reached, Wanted, check_paths, check_strict, remark, shortfall,
-    table_of_levels, wanted_levels,
+    CoarseningLimit, FullMesh, LevelRequest, LevelRow, ReachedLevel, check_paths, check_strict,
+    level_requests, shortfall, shortfall_note, table_of_levels,
 };
 use striata_command::output::{Bar, Output, grouped, lasted, measured};
-use striata_command::save::{Drawn, LevelFiles, format_of, is_stdout, name_of};
+use striata_command::save::{LevelFiles, Primitives, display_name, format_of, is_stdout};
 use striata_command::sequence::{Limits, SequencePlan, Sequenced, StepKind, limit_in_units};
 
 /// Samples of each surface for the way back.
@@ -53,8 +53,8 @@ struct LevelReport {
     vertex_count: usize,
     triangle_count: usize,
     error: f64,
-    /// Where the error is guaranteed, which says nothing of the way back: the largest distance from the level to the original
-    /// at many points; null where one of them has no surface.
+    /// Where the error is guaranteed, which says nothing of the way back: the largest distance from the level
+    /// to the original at many points; null where one of them has no surface.
     #[serde(skip_serializing_if = "Option::is_none")]
     reverse_error: Option<Option<f64>>,
     stop_reason: &'static str,
@@ -77,37 +77,37 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("read");
     let input = Input::open(&args.input)?;
     let mesh = input.mesh(output)?;
-    args.sequence.remark_on(&mesh, output);
+    args.sequence.warn_about_groups(&mesh, output);
     let in_file = |failure: Failure| failure.in_file(&input.name);
     let full = if args.level.has_share() || args.levels.has_share() {
         FullMesh::of(&mesh).map_err(|error| in_file(error.into()))?
     } else {
         FullMesh { diagonal: mesh.diagonal(), ..FullMesh::default() }
     };
-    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
-    let limits = limits(args, &wanted, full.diagonal);
+    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let limits = limits(args, &requests, full.diagonal);
     let plan = args.sequence.plan_for(&mesh, limits, output)?;
     let simplify_started = Instant::now();
-    let maker = Maker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
+    let level_maker = LevelMaker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
     let kind = match args.placement {
         PlacementArg::Subset => StepKind::Single,
         PlacementArg::Optimal => StepKind::Optimal,
     };
-    let floor = Floor::Simplified(args.sequence.what_forbids_more(kind));
+    let floor = CoarseningLimit::Simplification(args.sequence.describe_limit(kind));
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut levels = Vec::new();
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
-    for wanted in &wanted {
+    for request in &requests {
         let level_started = Instant::now();
-        let made = maker.level(wanted.target, &mut bar).map_err(|error| in_file(error.into()))?;
+        let made = level_maker.level(request.target, &mut bar).map_err(|error| in_file(error.into()))?;
         simplify_secs += level_started.elapsed().as_secs_f64();
-        let mut level = LevelReport::new(wanted, &made, &floor);
-        check_strict(args.strict, wanted.name.as_deref(), level.shortfall.as_deref())?;
+        let mut level = LevelReport::new(request, &made, &floor);
+        check_strict(args.strict, request.name.as_deref(), level.shortfall.as_deref())?;
         bar.phase("write");
-        files.save(&made.mesh, Drawn::Triangles, &wanted.path)?;
+        files.write(&made.mesh, Primitives::Triangles, &request.path)?;
         if plan.guarantees_errors() {
             bar.phase("distance");
-            level.reverse_error = Some(farthest_of_level(&mesh, &made.mesh));
+            level.reverse_error = Some(reverse_distance(&mesh, &made.mesh));
         }
         levels.push(level);
     }
@@ -149,16 +149,16 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
 }
 
 /// How far any of the wanted levels needs the simplification to go.
-fn limits(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Limits {
+fn limits(args: &SimplifyArgs, requests: &[LevelRequest], diagonal: f64) -> Limits {
     let mut limits = Limits { max_error: limit_in_units(args.max_error, diagonal), ..Limits::default() };
-    let triangles = wanted.iter().map(|wanted| match wanted.target {
+    let triangles = requests.iter().map(|request| match request.target {
         Some(Target::Triangles(count)) => count,
         _ => 0,
     });
     // Nothing beyond the coarsest target is needed.
     limits.base_triangle_count = triangles.min().unwrap_or(0);
-    if let ([Wanted { target: Some(Target::Error(error)), .. }], OrderArg::Hausdorff) =
-        (wanted, args.sequence.order)
+    if let ([LevelRequest { target: Some(Target::Error(error)), .. }], OrderArg::Hausdorff) =
+        (requests, args.sequence.order)
     {
         // What would exceed the error is left, and what is left besides goes on.
         limits.max_error = Some(limits.max_error.map_or(*error, |limit| limit.min(*error)));
@@ -167,14 +167,14 @@ fn limits(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Limits {
 }
 
 /// Makes levels of a mesh.
-enum Maker<'a> {
+enum LevelMaker<'a> {
     /// The mesh has been simplified once, as far as any level needs.
     Sequenced(Box<Sequenced>),
     /// Vertices may lie anywhere: each level is a simplification of its own.
     Optimal(&'a IndexedMesh, SequenceOptions),
 }
 
-impl<'a> Maker<'a> {
+impl<'a> LevelMaker<'a> {
     /// # Errors
     /// If the mesh's parts do not fit together or an option is out of range.
     fn new(
@@ -233,28 +233,28 @@ fn level_of(sequenced: &Sequenced, target: Option<Target>) -> Simplified {
 }
 
 /// The largest distance from a level to the original, at many points; none where one of them has no surface.
-fn farthest_of_level(original: &IndexedMesh, level: &IndexedMesh) -> Option<f64> {
+fn reverse_distance(original: &IndexedMesh, level: &IndexedMesh) -> Option<f64> {
     let options = DistanceOptions::default().with_sample_count(REVERSE_SAMPLES);
     let distance = surface_distance(original, level, &options);
     distance.ok().map(|distance| distance.b_to_a.max)
 }
 
 impl LevelReport {
-    fn new(wanted: &Wanted, made: &Simplified, floor: &Floor) -> Self {
-        let reached = Reached {
+    fn new(request: &LevelRequest, made: &Simplified, floor: &CoarseningLimit) -> Self {
+        let reached = ReachedLevel {
             vertex_count: made.mesh.vertex_count(),
             triangle_count: made.mesh.triangle_count(),
             stop_reason: made.stop_reason,
         };
         Self {
-            level: wanted.name.clone(),
-            path: name_of(&wanted.path),
+            level: request.name.clone(),
+            path: display_name(&request.path),
             vertex_count: reached.vertex_count,
             triangle_count: reached.triangle_count,
             error: made.error,
             reverse_error: None,
             stop_reason: made.stop_reason.as_str(),
-            shortfall: wanted.target.and_then(|target| shortfall(target, reached, floor)),
+            shortfall: request.target.and_then(|target| shortfall(target, reached, floor)),
         }
     }
 }
@@ -267,7 +267,8 @@ impl Report {
         let reverse = level.reverse_error.flatten().map_or_else(String::new, |error| {
             format!(", back {} (sampled, {:.4} %)", measured(error), share(error))
         });
-        let shortfall = level.shortfall.as_ref().map(|shortfall| format!("\n{}", remark(None, shortfall)));
+        let shortfall =
+            level.shortfall.as_ref().map(|shortfall| format!("\n{}", shortfall_note(None, shortfall)));
         format!(
             "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}, {}, {}{}",
             grouped(before),

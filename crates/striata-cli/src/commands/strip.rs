@@ -14,7 +14,7 @@ use striata_command::args::FormatArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, counted, grouped};
-use striata_command::save::{Drawn, format_of, is_stdout, save};
+use striata_command::save::{Primitives, format_of, is_stdout, write_mesh};
 use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
@@ -23,8 +23,8 @@ struct Report {
     strips: StripReport,
     seed: u64,
     budget_secs: Option<f64>,
-    /// Indices of the file that was written: joined by degenerate triangles instead of restarts, or of single triangles for
-    /// groups where these are fewer.
+    /// Indices of the file that was written: joined by degenerate triangles instead of restarts, or of single
+    /// triangles for groups where these are fewer.
     stitched_index_count: Option<usize>,
     /// Groups that were written as single triangles, since these take fewer indices.
     plain_group_count: Option<usize>,
@@ -55,7 +55,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     let stripped = stripped.map_err(|error| blamed(error.into()))?;
     let strips =
         StripReport::new(args.strips.to_string(), &mesh, &stripped, args.search.cache_size as usize)?
-            .with_bound(&args.strips, &mesh);
+            .with_strip_count_bound(&args.strips, &mesh);
     let mut report = Report {
         strips,
         seed: args.search.seed,
@@ -69,7 +69,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         let StripLists { lists, index_count, plain_group_count } = StripLists::new(&mesh, &stripped.strips);
         report.stitched_index_count = Some(index_count);
         report.plain_group_count = Some(plain_group_count);
-        save(&mesh, Drawn::Strips(lists), path, &format)?;
+        write_mesh(&mesh, Primitives::Strips(lists), path, &format)?;
     }
     drop(bar);
     report.secs = started.elapsed().as_secs_f64();

@@ -52,7 +52,7 @@ struct Report {
 pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let options = BlockOptions::default().with_strip(args.only_stripifier()?);
-    let format = check_places(args)?;
+    let format = check_files(args)?;
     let scratch = scratch_folder(args.output.as_deref());
     let mut bar = output.bar();
     bar.phase("read");
@@ -93,12 +93,12 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
 ///
 /// # Errors
 /// Where input or output is not a file, or the output's format takes no strips in blocks.
-fn check_places(args: &StripArgs) -> Result<Option<Format>, Failure> {
+fn check_files(args: &StripArgs) -> Result<Option<Format>, Failure> {
     if args.weld {
         return Err(Failure::user("--weld needs the whole mesh in memory")
             .with_hint("leave --weld out, or leave --block-triangles out"));
     }
-    if Shape::named(&args.input)?.is_some() {
+    if Shape::from_input_name(&args.input)?.is_some() {
         return Err(Failure::user(format!("{}: blocks are read from a file", args.input.display()))
             .with_hint("write one first: striata convert SHAPE OUT.ply"));
     }

@@ -1,4 +1,5 @@
-//! Levels as people ask for them: shares of the full mesh, several at once, and what happens if one cannot be reached.
+//! Levels as people ask for them: shares of the full mesh, several at once, and what happens if one cannot be
+//! reached.
 
 use std::collections::BTreeSet;
 

@@ -14,7 +14,8 @@ pub(crate) fn distance(bench: &Workbench, from: &str, to: &str) -> f64 {
     number(&report["a_to_b"], "max")
 }
 
-/// Panics unless a level is no farther from the original than it says, and no farther than a share of the diagonal.
+/// Panics unless a level is no farther from the original than it says, and no farther than a share of the
+/// diagonal.
 fn check_promise(bench: &Workbench, input: &str, percent: f64, order: &str) {
     let line = format!("simplify {input} -o out.ply --max-error {percent}% {order}");
     let report = bench.json(&line);

@@ -155,8 +155,8 @@ fn a_box_has_full_detail_inside() {
         assert_eq!((count(&nowhere), &nowhere["split_count"]), (count(&base), &0.into()));
         let everywhere = level("-2,-2,-2,2,2,2");
         assert_eq!((count(&everywhere), number(&everywhere, "error")), (512, 0.0));
-        // A cap is fine, whichever corners tell it; the rest is coarse, and less so where an error is told. At the poles so much
-        // hangs together that most of the ball would come with them.
+        // A cap is fine, whichever corners tell it; the rest is coarse, and less so where an error is told.
+        // At the poles so much hangs together that most of the ball would come with them.
         let cap = level("0.5,-2,-2,2,2,2");
         assert_eq!(cap, {
             let mut same = level("2,2,-2,0.5,-2,2");

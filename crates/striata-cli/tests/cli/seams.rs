@@ -1,4 +1,5 @@
-//! Meshes from modelers: flat shading, seams, materials, many parts. Every target is reached, unless a flag protects something.
+//! Meshes from modelers: flat shading, seams, materials, many parts. Every target is reached, unless a flag
+//! protects something.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -79,7 +80,8 @@ fn seams_are_kept_if_asked_for() {
         strict.contains("--strict: the level was not reached") && strict.contains("--keep-seams"),
         "{strict}"
     );
-    // The sides of the boxes keep their borders, their normals and their materials. Two triangles are the least for each.
+    // The sides of the boxes keep their borders, their normals and their materials. Two triangles are the
+    // least for each.
     let sides = 24 * 6;
     let kept = bench.json("simplify boxes.obj -o kept.ply --triangles 1% --keep-seams --keep-parts");
     assert_eq!(count(&kept, "triangle_count"), 2 * sides, "{kept}");

@@ -1,4 +1,5 @@
-//! A server of one's own to talk to, and a client that says exactly what it is told to; shared with `examples/load.rs`.
+//! A server of one's own to talk to, and a client that says exactly what it is told to; shared with
+//! `examples/load.rs`.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};

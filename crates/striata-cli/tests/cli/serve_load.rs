@@ -1,7 +1,7 @@
 //! Many clients at once, some of them slow; shared with `examples/load.rs`.
 //!
-//! Quick clients read random ranges of one file and check every byte; slow ones take the whole file, a kilobyte a second,
-//! through small windows. The server's memory is sampled meanwhile. All ends by itself.
+//! Quick clients read random ranges of one file and check every byte; slow ones take the whole file, a
+//! kilobyte a second, through small windows. The server's memory is sampled meanwhile. All ends by itself.
 
 use std::io::{self, Read, Write};
 use std::net::{SocketAddr, TcpStream};

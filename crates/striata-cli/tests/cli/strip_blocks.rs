@@ -1,4 +1,5 @@
-//! `strip --block-triangles`: the same mesh as in memory, files whole or not at all, refusals that say what to do.
+//! `strip --block-triangles`: the same mesh as in memory, files whole or not at all, refusals that say what
+//! to do.
 
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, canonical_triangles};

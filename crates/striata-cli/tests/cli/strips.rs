@@ -1,4 +1,5 @@
-//! `strip`, and the strips of `build`: each triangle once, costs that fit together, the very strips in the file.
+//! `strip`, and the strips of `build`: each triangle once, costs that fit together, the very strips in the
+//! file.
 
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, canonical_triangles};

@@ -38,8 +38,8 @@ fn run_with(bench: &Workbench, arguments: &[&str], environment: &[(&str, &str)])
     output
 }
 
-/// Keeps the exit code and the messages of the command: at times xvfb-run fails to clean up after itself, and ends with a code and
-/// a message of its own.
+/// Keeps the exit code and the messages of the command: at times xvfb-run fails to clean up after itself, and
+/// ends with a code and a message of its own.
 const KEEPS_RESULT: &str = r#""$0" "$@" 2> "$KEPT/stderr"; echo $? > "$KEPT/status""#;
 
 #[cfg(unix)]

@@ -1,4 +1,4 @@
-//! Flags that several commands take, and the values that they parse to.
+//! Flags shared by several verbs, and the types that their values parse to.
 
 mod coloring;
 mod length;

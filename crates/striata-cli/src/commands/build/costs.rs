@@ -1,4 +1,5 @@
-//! What each model of a mesh costs: all of them are built, each from the steps that a build of it alone would take.
+//! What each model of a mesh costs: all of them are built, each from the steps that a build of it alone would
+//! take.
 
 use std::time::Instant;
 
@@ -6,7 +7,7 @@ use serde::Serialize;
 use striata::mesh::{IndexedMesh, weld};
 use striata::model::{FanInstance, LodModel, ModelKind, PartBytes, PatternInstance};
 
-use super::built::{BuildPlan, stream_of};
+use super::build_output::{BuildPlan, stream_of};
 use super::models::Models;
 use striata_command::args::StreamArgs;
 use striata_command::failure::Failure;
@@ -33,7 +34,7 @@ pub(crate) struct ModelCost {
 /// # Errors
 /// If the mesh does not hang together.
 pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<ModelCost>, Failure> {
-    let plan = BuildPlan::usual();
+    let plan = BuildPlan::with_defaults();
     bar.phase("simplify");
     let sequenced = steps(mesh, &plan.sequence, bar)?;
     bar.phase("strip");
@@ -49,7 +50,7 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     // A stream takes its collapses in batches, which are others.
     bar.phase("simplify");
     let mut plan = BuildPlan { models: vec![ModelKind::Progressive], ..plan };
-    plan.sequence.come_in_batches(StreamArgs::default().batches(mesh)?)?;
+    plan.sequence.use_batches(StreamArgs::default().batches(mesh)?)?;
     let mut sequenced = steps(mesh, &plan.sequence, bar)?;
     bar.phase("encode");
     let started = Instant::now();

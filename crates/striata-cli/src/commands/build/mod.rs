@@ -1,11 +1,11 @@
 //! `build`: a mesh becomes one .striata file that holds every level.
 
-mod built;
+mod build_output;
 mod costs;
 mod models;
 mod report;
 
-pub(crate) use self::built::{BuildPlan, Built, PHASES, build, errors_are_guaranteed};
+pub(crate) use self::build_output::{BuildOutput, BuildPlan, PHASES, build, errors_are_guaranteed};
 pub(crate) use self::costs::{ModelCost, model_costs};
 pub(crate) use self::models::model_of_name;
 
@@ -23,7 +23,9 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{FullMesh, check_strict};
 use striata_command::output::Output;
-use striata_command::save::{beside, check_not_packed, is_stdout, name_of, put};
+use striata_command::save::{
+    check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
+};
 use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
 
 /// Reads, builds, writes, reports.
@@ -33,12 +35,12 @@ use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
 pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let path = match &args.output {
         Some(path) => path.clone(),
-        None => beside(&args.input, "striata")?,
+        None => default_output_path(&args.input, "striata")?,
     };
     output.check_stdout_is_free(is_stdout(&path))?;
     let models = models_of_names(&args.model_names())?;
-    check_stream_terms(args, &models)?;
-    check_strip_terms(args, &models)?;
+    check_stream_flags(args, &models)?;
+    check_strip_flags(args, &models)?;
     check_output_name(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
@@ -47,23 +49,25 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let (mesh, source) = (input.mesh(output)?, input.file_name());
     let diagonal = mesh.diagonal();
-    args.sequence.remark_on(&mesh, output);
+    args.sequence.warn_about_groups(&mesh, output);
     let base = base_of(args, &mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     let limits = Limits {
         base_triangle_count: base.unwrap_or(0),
         max_error: limit_in_units(args.max_error, diagonal),
     };
     let mut sequence = args.sequence.plan_for(&mesh, limits, output)?;
-    if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
+    if let Some(remark) =
+        adapt_retriangulation(&mut sequence, &models, args.sequence.wants_free_retriangulation())?
+    {
         output.say(&remark);
     }
     if models.contains(&ModelKind::Fans) {
-        sequence.hold_in_any_state();
+        sequence.guarantee_any_state();
     }
     if models.contains(&ModelKind::Progressive) {
-        sequence.come_in_batches(args.stream_terms.batches(&mesh)?)?;
+        sequence.use_batches(args.stream_encoding.batches(&mesh)?)?;
     }
-    let stream = args.stream_terms.options(diagonal);
+    let stream = args.stream_encoding.options(diagonal);
     let plan = BuildPlan { sequence, strips: args.strip_plan(), models, stream };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
@@ -71,10 +75,10 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     phases.enter("write");
     bar.phase("write");
     let bytes = built.to_bytes(&source)?;
-    put(&bytes, &path)?;
+    write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let mut report = Report::new(&mesh, &built, (name_of(&path), bytes.len()), phases);
+    let mut report = Report::new(&mesh, &built, (display_name(&path), bytes.len()), phases);
     report.shortfall = shortfall;
     output.summary(&report, &report.to_text(args, &built, diagonal))
 }
@@ -95,7 +99,7 @@ fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshEr
 ///
 /// # Errors
 /// Where they were to be filled freely.
-fn fill_as_models_need(
+fn adapt_retriangulation(
     sequence: &mut SequencePlan,
     models: &[ModelKind],
     is_free: bool,
@@ -123,8 +127,8 @@ fn models_of_names(names: &[String]) -> Result<Vec<ModelKind>, Failure> {
 
 /// # Errors
 /// Where a stream is described and none is made.
-fn check_stream_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
-    match args.stream_terms.given() {
+fn check_stream_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
+    match args.stream_encoding.given() {
         Some(flag) if !models.contains(&ModelKind::Progressive) => {
             Err(Failure::user(format!("{flag} is for streams, and none is made"))
                 .with_hint(format!("say --models progressive too, or leave {flag} out")))
@@ -135,7 +139,7 @@ fn check_stream_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Fail
 
 /// # Errors
 /// If strips are described and no model has any.
-fn check_strip_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
+fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     match args.strip_flag() {
         Some(flag) if !models.iter().any(takes_strips) => {
             Err(Failure::user(format!("{flag} is for strips, and no model with strips is built"))
@@ -148,7 +152,7 @@ fn check_strip_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failu
 /// # Errors
 /// Where the name says that the output is something else.
 fn check_output_name(path: &Path) -> Result<(), Failure> {
-    check_not_packed(path, ".striata files")?;
+    check_not_compressed(path, ".striata files")?;
     match striata_io::Format::from_extension(path) {
         None | Some(striata_io::Format::Striata) => Ok(()),
         Some(_) => Err(Failure::user(format!("{}: `build` writes .striata files", path.display()))

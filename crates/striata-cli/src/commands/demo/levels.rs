@@ -8,7 +8,7 @@ use striata::model::LodModel;
 use striata_io::{Format, WriteOptions, to_bytes};
 
 use super::folder::Folder;
-use crate::commands::build::Built;
+use crate::commands::build::BuildOutput;
 use crate::strip_lists::stitched;
 use crate::strip_lists::strips_of_level;
 use striata_command::failure::Failure;
@@ -35,12 +35,12 @@ pub(super) struct Level {
 }
 
 /// Goes to each level of the table and measures it.
-pub(super) fn measure(built: &Built) -> Vec<Level> {
+pub(super) fn measure(built: &BuildOutput) -> Vec<Level> {
     let diagonal = built.refinable().mesh.diagonal();
     TABLE_SHARES.iter().map(|&share| measure_one(built, share, diagonal)).collect()
 }
 
-fn measure_one(built: &Built, share: f64, diagonal: f64) -> Level {
+fn measure_one(built: &BuildOutput, share: f64, diagonal: f64) -> Level {
     let sequence = &built.refinable().sequence;
     let split_count = split_count_at(built, share);
     let mut state = built.lod_strips().new_state();
@@ -94,7 +94,7 @@ pub(super) fn rows(levels: &[Level]) -> Vec<Vec<String>> {
 /// Where one cannot be made or written.
 pub(super) fn write_meshes(
     file: &StriataFile<'_>,
-    built: &Built,
+    built: &BuildOutput,
     folder: &mut Folder<'_>,
 ) -> Result<(), Failure> {
     let wanted = [
@@ -126,7 +126,7 @@ pub(super) fn write_meshes(
 }
 
 /// The level that has a share of the triangles.
-pub(super) fn split_count_at(built: &Built, share: f64) -> usize {
+pub(super) fn split_count_at(built: &BuildOutput, share: f64) -> usize {
     let sequence = &built.refinable().sequence;
     let full = sequence.triangle_count_at(sequence.step_count());
     sequence.split_count_for_triangles((share * full as f64).round() as usize)

@@ -13,7 +13,7 @@ use serde::Serialize;
 use striata_io::{Source, read_bytes};
 
 use crate::args::DemoArgs;
-use crate::commands::build::{BuildPlan, Built, PHASES, build};
+use crate::commands::build::{BuildOutput, BuildPlan, PHASES, build};
 use folder::Folder;
 use levels::Level;
 use pictures::Picture;
@@ -43,7 +43,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     let mut phases = Phases::new(&PHASES);
     let mesh = read_bytes(NEFERTITI, &Source::new("nefertiti.ply.zst"))?;
-    let built = build(&mesh, &BuildPlan::usual(), &mut phases, &mut bar)?;
+    let built = build(&mesh, &BuildPlan::with_defaults(), &mut phases, &mut bar)?;
     bar.phase("files");
     let bytes = built.to_bytes("nefertiti.ply.zst")?;
     folder.write("nefertiti.striata", "every level in one file", &bytes)?;
@@ -72,7 +72,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
 }
 
 fn render_page(
-    built: &Built,
+    built: &BuildOutput,
     levels: &[Level],
     folder: &Folder<'_>,
     (pictures, file_bytes): (&[Picture], usize),

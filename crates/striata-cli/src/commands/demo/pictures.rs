@@ -1,11 +1,12 @@
-//! The demo's pictures: levels shaded, as strips and as wireframes, how far they are off, and a view seen from outside.
+//! The demo's pictures: levels shaded, as strips and as wireframes, how far they are off, and a view seen
+//! from outside.
 
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::model::{FanInstance, FanScene, Fans, LodModel};
 use striata::view::ScreenError;
 
 use super::levels::{percent, split_count_at};
-use crate::commands::build::Built;
+use crate::commands::build::BuildOutput;
 use crate::strip_lists::strips_of_level;
 use striata_command::args::tan;
 use striata_command::failure::Failure;
@@ -37,7 +38,7 @@ pub(super) struct Picture {
 ///
 /// # Errors
 /// Where a distance cannot be measured, which is our fault.
-pub(super) fn draw_all(built: &Built, artist: &mut Artist) -> Result<Vec<Picture>, Failure> {
+pub(super) fn draw_all(built: &BuildOutput, artist: &mut Artist) -> Result<Vec<Picture>, Failure> {
     let RefinableMesh { mesh, sequence } = built.refinable().clone();
     let refinable = RefinableMesh { mesh: with_normals(mesh), sequence };
     let mut studio = Studio { built, refinable, artist };
@@ -74,7 +75,7 @@ pub(super) fn draw_all(built: &Built, artist: &mut Artist) -> Result<Vec<Picture
 }
 
 struct Studio<'a> {
-    built: &'a Built,
+    built: &'a BuildOutput,
     refinable: RefinableMesh,
     artist: &'a mut Artist,
 }

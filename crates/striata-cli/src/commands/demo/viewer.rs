@@ -6,7 +6,7 @@ use striata_stream::{StreamOptions, encode_stream};
 use super::folder::Folder;
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, grouped};
-use striata_command::sequence::{BatchTerms, SequencePlan, Steps};
+use striata_command::sequence::{BatchSettings, SequencePlan, Steps};
 use striata_viewer::viewer_page::self_contained;
 
 /// The stream's file.
@@ -21,7 +21,7 @@ pub(super) const PAGE: &str = "viewer.html";
 /// Where it cannot be made or written.
 pub(super) fn write(mesh: &IndexedMesh, folder: &mut Folder<'_>, bar: &mut Bar) -> Result<(), Failure> {
     let mut plan = SequencePlan::default();
-    plan.come_in_batches(BatchTerms::default())?;
+    plan.use_batches(BatchSettings::default())?;
     let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;
     let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) else {
         return Err(Failure::internal("collapses come in batches"));

@@ -1,33 +1,35 @@
 //! `extract`: one level of a .striata file, or several, as meshes.
 
-mod asked;
+mod fan_view;
+mod from_stream;
+mod level_output;
 mod patterns;
-mod place;
 mod report;
-mod stream;
 mod stream_level;
-mod view;
-mod whole;
+mod uniform_levels;
+mod view_and_box;
 
-pub(crate) use self::patterns::PatternsOfFile;
-pub(super) use self::stream_level::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve, stream_of};
-pub(crate) use self::view::{ViewLevel, level_of_view};
+pub(crate) use self::fan_view::{ViewLevel, level_of_view};
+pub(crate) use self::patterns::FilePatterns;
+pub(super) use self::stream_level::{
+    INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
+};
 
 use std::time::Instant;
 
 use striata::model::ModelKind;
 
-use self::asked::{diagonal_of, drawn, no_level};
-use self::place::{run_box, run_view};
-use self::report::{LevelsReport, Report, Shown};
-use self::whole::{Extracted, Model, each_level, each_level_of_strips, pick_model};
+use self::level_output::{diagonal_of, no_level, primitives_of};
+use self::report::{LevelMesh, LevelsReport, Report};
+use self::uniform_levels::{ExtractedLevel, Model, each_level, each_level_of_strips, pick_model};
+use self::view_and_box::{run_box, run_view};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
 use crate::commands::build::errors_are_guaranteed;
 use crate::strip_lists::without_unused_vertices;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{FullMesh, Wanted, check_paths, check_strict, wanted_levels};
+use striata_command::level::{FullMesh, LevelRequest, check_paths, check_strict, level_requests};
 use striata_command::output::Output;
 use striata_command::save::{LevelFiles, format_of, is_stdout};
 
@@ -42,9 +44,10 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
     let is_named = args.model.as_deref() == Some(ModelKind::Progressive.as_str());
-    let is_place = args.eye.eye.is_some() || args.detail_box.is_some();
-    if !is_place && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only()) {
-        return stream::run(args, (&file, &input), started, output);
+    let is_view_or_box = args.eye.eye.is_some() || args.detail_box.is_some();
+    if !is_view_or_box && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only())
+    {
+        return from_stream::run(args, (&file, &input), started, output);
     }
     input.remark_on(&file, output)?;
     if args.view.is_given() && args.eye.eye.is_none() {
@@ -59,31 +62,31 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     }
     let levels = file.levels().map_err(|error| input.damaged(&error))?;
     let full = FullMesh::of_levels(&levels, diagonal_of(&args.level, &file, &input)?);
-    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
+    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
     let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
-    let resolve = |wanted: &Wanted| -> Result<_, Failure> {
-        Ok(wanted.target.ok_or_else(no_level)?.resolve_in(&levels))
+    let resolve = |request: &LevelRequest| -> Result<_, Failure> {
+        Ok(request.target.ok_or_else(no_level)?.resolve_in(&levels))
     };
-    let resolved = wanted.iter().map(resolve).collect::<Result<Vec<_>, _>>()?;
+    let resolved = requests.iter().map(resolve).collect::<Result<Vec<_>, _>>()?;
     let split_counts: Vec<usize> = resolved.iter().map(|&(split_count, _)| split_count).collect();
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
-    let mut reports: Vec<Option<Report>> = wanted.iter().map(|_| None).collect();
-    let mut take = |number: usize, extracted: Extracted| -> Result<(), Failure> {
-        let Extracted { model, mesh, strips, seek_secs } = extracted;
+    let mut reports: Vec<Option<Report>> = requests.iter().map(|_| None).collect();
+    let mut take = |number: usize, extracted: ExtractedLevel| -> Result<(), Failure> {
+        let ExtractedLevel { model, mesh, strips, seek_secs } = extracted;
         let (mesh, strips) = without_unused_vertices(mesh, strips);
-        let (wanted, (split_count, stop_reason)) = (&wanted[number], resolved[number]);
+        let (request, (split_count, stop_reason)) = (&requests[number], resolved[number]);
         let report = Report {
             error: levels.error_at(split_count),
             error_is_guaranteed,
             ..Report::of_level(
                 model,
-                wanted,
-                Shown { mesh: &mesh, split_count, stop_reason },
+                request,
+                LevelMesh { mesh: &mesh, split_count, stop_reason },
                 [seek_secs, seconds(started)],
             )
         };
-        check_strict(args.strict, wanted.name.as_deref(), report.shortfall.as_deref())?;
-        files.save(&mesh, drawn(args.form, &mesh, strips)?, &wanted.path)?;
+        check_strict(args.strict, request.name.as_deref(), report.shortfall.as_deref())?;
+        files.write(&mesh, primitives_of(args.form, &mesh, strips)?, &request.path)?;
         reports[number] = Some(report);
         Ok(())
     };

@@ -1,7 +1,7 @@
 //! `extract` by what patterns are asked: a view, or full detail inside a box.
 //!
-//! Each fragment gets a weight; those over a threshold have to be there, and the coarsest surface that has them is taken. With a budget
-//! of triangles the threshold is the lowest that keeps to it.
+//! Each fragment gets a weight; those over a threshold have to be there, and the coarsest surface that has
+//! them is taken. With a budget of triangles the threshold is the lowest that keeps to it.
 
 use std::time::Instant;
 
@@ -11,13 +11,13 @@ use striata::model::{Overlap, PatternInstance, PatternScene, Patterns};
 use striata::simplify::StopReason;
 use striata::view::{Camera, Criterion, DetailBox};
 
-use super::view::{LEAST_PIXELS, ViewLevel};
+use super::fan_view::{MIN_PIXELS, ViewLevel};
 use striata_command::args::{Corners, ViewArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 
 /// Patterns of a file, and all that is needed to ask them.
-pub(crate) struct PatternsOfFile {
+pub(crate) struct FilePatterns {
     patterns: Patterns,
     mesh: IndexedMesh,
     /// Whether they were in the file, and not made from its collapses.
@@ -34,14 +34,14 @@ pub(crate) struct Budget {
 }
 
 /// The instance that keeps to a budget.
-struct Found {
+struct BudgetedInstance {
     instance: PatternInstance,
     /// What weighs no more need not be there.
     threshold: f32,
     stop_reason: StopReason,
 }
 
-impl PatternsOfFile {
+impl FilePatterns {
     /// Those that the file has, or else those of its collapses.
     ///
     /// # Errors
@@ -62,7 +62,8 @@ impl PatternsOfFile {
         self.patterns.fragment_count()
     }
 
-    /// The coarsest level that shows no error of more pixels than allowed, or the finest of no more than so many triangles.
+    /// The coarsest level that shows no error of more pixels than allowed, or the finest of no more than so
+    /// many triangles.
     pub(crate) fn level_of_view(
         &self,
         view: &ViewArgs,
@@ -70,7 +71,7 @@ impl PatternsOfFile {
         triangle_limit: Option<usize>,
     ) -> ViewLevel {
         // Fewer pixels than these are no smaller to a budget, so that weights stay numbers.
-        let criterion = view.criterion(camera, if triangle_limit.is_some() { LEAST_PIXELS } else { 0.0 });
+        let criterion = view.criterion(camera, if triangle_limit.is_some() { MIN_PIXELS } else { 0.0 });
         // Even what is around the eye has to go where there are too many triangles.
         let weight = |scene: &PatternScene<'_>, step| criterion.weigh(&scene.part(step)).weight.min(f32::MAX);
         let (level, threshold) = self.level(weight, Budget { triangle_limit, threshold: 1.0 });
@@ -97,13 +98,17 @@ impl PatternsOfFile {
         let started = Instant::now();
         let scene = PatternScene::new(&self.patterns, &self.mesh.positions);
         let steps = || 0..self.step_count() as u32;
-        let Found { instance, threshold, stop_reason } = match budget.triangle_limit {
+        let BudgetedInstance { instance, threshold, stop_reason } = match budget.triangle_limit {
             // Not all fragments need to be asked.
             None => {
                 let is_too_coarse = |overlap: Overlap| weight(&scene, overlap.upper) > budget.threshold;
                 let mut instance = PatternInstance::base(&self.patterns);
                 instance.adapt(&self.patterns, &is_too_coarse);
-                Found { instance, threshold: budget.threshold, stop_reason: StopReason::TargetReached }
+                BudgetedInstance {
+                    instance,
+                    threshold: budget.threshold,
+                    stop_reason: StopReason::TargetReached,
+                }
             }
             Some(limit) => {
                 let weights: Vec<f32> = steps().map(|step| weight(&scene, step)).collect();
@@ -124,7 +129,7 @@ impl PatternsOfFile {
     }
 
     /// The level of the lowest threshold, but no lower than allowed, that has no more than so many triangles.
-    fn within(&self, weights: &[f32], limit: usize, least: f32) -> Found {
+    fn within(&self, weights: &[f32], limit: usize, least: f32) -> BudgetedInstance {
         let mut thresholds: Vec<f32> =
             weights.iter().copied().filter(|&w| w > least && w.is_finite()).collect();
         thresholds.push(least);
@@ -144,7 +149,7 @@ impl PatternsOfFile {
         let found = go_to(thresholds[low]);
         let is_met = found.triangle_count() <= limit;
         let stop_reason = if is_met { StopReason::TargetReached } else { StopReason::BaseReached };
-        Found { instance: found, threshold: thresholds[low], stop_reason }
+        BudgetedInstance { instance: found, threshold: thresholds[low], stop_reason }
     }
 
     fn shown(&self, instance: &PatternInstance) -> IndexedMesh {

@@ -7,15 +7,16 @@ use striata::mesh::IndexedMesh;
 use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
 
-use super::asked::path_of_place;
-use super::view::ViewLevel;
+use super::fan_view::ViewLevel;
+use super::level_output::view_output_path;
 use crate::args::ExtractArgs;
 use striata_command::failure::Failure;
 use striata_command::level::{
-    Floor, LevelRow, Reached, Wanted, check_strict, remark, shortfall, table_of_levels,
+    CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_strict, shortfall, shortfall_note,
+    table_of_levels,
 };
 use striata_command::output::{grouped, lasted, measured};
-use striata_command::save::name_of;
+use striata_command::save::display_name;
 
 /// Of several levels.
 #[derive(Serialize)]
@@ -38,7 +39,8 @@ pub(super) struct Report {
     /// Of a view or a box: whether its patterns were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) patterns: Option<&'static str>,
-    /// Of a view: pixels that an error may take where nothing else is allowed, once the triangles are no more than wanted.
+    /// Of a view: pixels that an error may take where nothing else is allowed, once the triangles are no more
+    /// than wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) pixels: Option<f64>,
     pub(super) split_count: usize,
@@ -56,7 +58,7 @@ pub(super) struct Report {
 
 /// A mesh, and the level that it is.
 #[derive(Clone, Copy)]
-pub(super) struct Shown<'a> {
+pub(super) struct LevelMesh<'a> {
     pub(super) mesh: &'a IndexedMesh,
     pub(super) split_count: usize,
     pub(super) stop_reason: StopReason,
@@ -66,15 +68,18 @@ impl Report {
     /// Of a level that is the same everywhere; its error is known elsewhere.
     pub(super) fn of_level(
         model: ModelKind,
-        wanted: &Wanted,
-        Shown { mesh, split_count, stop_reason }: Shown<'_>,
+        request: &LevelRequest,
+        LevelMesh { mesh, split_count, stop_reason }: LevelMesh<'_>,
         [seek_secs, secs]: [f64; 2],
     ) -> Self {
-        let reached =
-            Reached { vertex_count: mesh.vertex_count(), triangle_count: mesh.triangle_count(), stop_reason };
+        let reached = ReachedLevel {
+            vertex_count: mesh.vertex_count(),
+            triangle_count: mesh.triangle_count(),
+            stop_reason,
+        };
         Self {
-            level: wanted.name.clone(),
-            path: name_of(&wanted.path),
+            level: request.name.clone(),
+            path: display_name(&request.path),
             model: model.as_str(),
             fans: None,
             patterns: None,
@@ -85,7 +90,7 @@ impl Report {
             error: 0.0,
             error_is_guaranteed: false,
             stop_reason: stop_reason.as_str(),
-            shortfall: wanted.target.and_then(|target| shortfall(target, reached, &Floor::File)),
+            shortfall: request.target.and_then(|target| shortfall(target, reached, &CoarseningLimit::File)),
             seek_secs,
             secs,
         }
@@ -95,19 +100,19 @@ impl Report {
     ///
     /// # Errors
     /// If it has more triangles than allowed and that is forbidden, or its file has no name.
-    pub(super) fn of_place(
+    pub(super) fn of_view_or_box(
         model: ModelKind,
         args: &ExtractArgs,
         (level, triangle_limit): (&ViewLevel, Option<usize>),
         started: Instant,
     ) -> Result<Self, Failure> {
-        let path = path_of_place(args)?;
-        let wanted = Wanted { name: None, target: triangle_limit.map(Target::Triangles), path };
+        let path = view_output_path(args)?;
+        let request = LevelRequest { name: None, target: triangle_limit.map(Target::Triangles), path };
         let ViewLevel { mesh, split_count, stop_reason, .. } = level;
-        let shown = Shown { mesh, split_count: *split_count, stop_reason: *stop_reason };
+        let shown = LevelMesh { mesh, split_count: *split_count, stop_reason: *stop_reason };
         let report = Self {
             error: level.error,
-            ..Self::of_level(model, &wanted, shown, [level.seek_secs, started.elapsed().as_secs_f64()])
+            ..Self::of_level(model, &request, shown, [level.seek_secs, started.elapsed().as_secs_f64()])
         };
         check_strict(args.strict, None, report.shortfall.as_deref())?;
         Ok(report)
@@ -128,7 +133,9 @@ impl Report {
             measured(self.error.into()),
             self.stop_reason.replace('_', " "),
             lasted(self.seek_secs),
-            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
+            self.shortfall
+                .as_ref()
+                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
         )
     }
 }

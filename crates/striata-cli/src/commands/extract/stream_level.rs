@@ -5,7 +5,7 @@ use striata::mesh::Levels;
 use striata::simplify::{StopReason, Target};
 use striata_stream::StreamDecoder;
 
-use super::asked::diagonal_of;
+use super::level_output::diagonal_of;
 use striata_command::args::LevelArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -16,7 +16,7 @@ use striata_command::stream::Received;
 const INPUT_ENDED: &str = "input_ended";
 
 /// The same for people.
-pub(in crate::commands) const INPUT_ENDS: &str = "the input ends before this level";
+pub(in crate::commands) const INPUT_ENDED_TEXT: &str = "the input ends before this level";
 
 /// The stream of a file, as far as it is there.
 ///
@@ -49,14 +49,14 @@ pub(in crate::commands) fn full_mesh(
 
 /// Why a level is the one that it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::commands) enum End {
+pub(in crate::commands) enum StreamStopReason {
     /// The bytes end before a better one.
     Input,
     /// As in every other file.
     Level(StopReason),
 }
 
-impl End {
+impl StreamStopReason {
     pub(in crate::commands) fn as_str(self) -> &'static str {
         match self {
             Self::Input => INPUT_ENDED,
@@ -66,7 +66,7 @@ impl End {
 }
 
 /// A share of the way is one of the whole stream's, however much of it is there.
-pub(in crate::commands) fn in_splits(target: Target, step_count: usize) -> Target {
+pub(in crate::commands) fn detail_to_splits(target: Target, step_count: usize) -> Target {
     match target {
         Target::Detail(detail) => {
             // The small term keeps `k / step_count` from rounding down to k - 1, as in `Levels`.
@@ -78,7 +78,7 @@ pub(in crate::commands) fn in_splits(target: Target, step_count: usize) -> Targe
 }
 
 /// Whether the level, or one beyond it, has come.
-pub(in crate::commands) fn is_enough(decoder: &StreamDecoder, target: Target) -> bool {
+pub(in crate::commands) fn has_level(decoder: &StreamDecoder, target: Target) -> bool {
     match target {
         Target::Triangles(count) => decoder.triangles().len() > count,
         Target::Vertices(count) => decoder.positions().len() > count,
@@ -89,17 +89,21 @@ pub(in crate::commands) fn is_enough(decoder: &StreamDecoder, target: Target) ->
 }
 
 /// The level that comes nearest to the target, and why it comes no nearer.
-pub(in crate::commands) fn resolve(target: Target, received: &Received, levels: &Levels) -> (usize, End) {
+pub(in crate::commands) fn resolve(
+    target: Target,
+    received: &Received,
+    levels: &Levels,
+) -> (usize, StreamStopReason) {
     let is_whole = received.decoder.is_complete();
     if let (false, Target::Error(error)) = (is_whole, target) {
         // To its levels what has come is the full mesh, without error.
         let left = received.decoder.error().unwrap_or_default();
         if f64::from(left) > error {
-            return (levels.step_count(), End::Input);
+            return (levels.step_count(), StreamStopReason::InputEnded);
         }
     }
     match target.resolve_in(levels) {
-        (split_count, StopReason::FullMesh) if !is_whole => (split_count, End::Input),
-        (split_count, reason) => (split_count, End::Level(reason)),
+        (split_count, StopReason::FullMesh) if !is_whole => (split_count, StreamStopReason::InputEnded),
+        (split_count, reason) => (split_count, StreamStopReason::Level(reason)),
     }
 }

@@ -1,4 +1,5 @@
-//! What limits how far a mesh can be simplified, and at which price: seams, connected parts, edges of many triangles.
+//! What limits how far a mesh can be simplified, and at which price: seams, connected parts, edges of many
+//! triangles.
 
 use super::part_statistics::PartStatistics;
 use super::seam_statistics::{SeamCause, SeamStatistics};

@@ -18,10 +18,10 @@ use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, counted, grouped, lasted, measured, sized};
-use striata_command::stream::{Received, facts_in_json};
+use striata_command::stream::{Received, stream_facts_json};
 
 /// Defects that the text names one by one; JSON lists more of them.
-const SPELLED_OUT: usize = 5;
+const LISTED_DEFECTS: usize = 5;
 
 /// Counts of the topology are null where the mesh's parts do not fit together: the defects say why.
 #[derive(Serialize)]
@@ -147,7 +147,7 @@ impl Report {
             (false, false) => facts.step_count,
             (false, true) => Received::read_all(stream).map_err(damaged)?.decoder.split_count(),
         };
-        let mut described = facts_in_json(&facts);
+        let mut described = stream_facts_json(&facts);
         described["read_bytes"] = json!(stream.len());
         described["split_count"] = json!(split_count);
         described["is_complete"] = json!(!file.is_cut());
@@ -292,7 +292,7 @@ impl Report {
             row("defects", format!("{count} {kind}"));
         }
         let mut text = table.to_text();
-        for defect in self.defects.iter().take(SPELLED_OUT) {
+        for defect in self.defects.iter().take(LISTED_DEFECTS) {
             text.push_str(&format!("  {defect}\n"));
         }
         for note in &self.notes {

@@ -1,8 +1,9 @@
 //! The connected parts of a mesh: how large they are, and how few triangles can show all of them.
 //!
-//! Parts are pieces that share no position. A part along whose edges an even number of triangles meet everywhere is closed,
-//! and stays so whatever is collapsed, since a collapse only lets positions become one. A single triangle is not closed;
-//! so a closed part has two triangles at least, and any other part has one. Time O(n) expected, memory O(n).
+//! Parts are pieces that share no position. A part along whose edges an even number of triangles meet
+//! everywhere is closed, and stays so whatever is collapsed, since a collapse only lets positions become one.
+//! A single triangle is not closed; so a closed part has two triangles at least, and any other part has one.
+//! Time O(n) expected, memory O(n).
 
 use striata::mesh::{Adjacency, DisjointSets, Welded};
 

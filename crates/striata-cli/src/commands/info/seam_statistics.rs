@@ -1,8 +1,8 @@
 //! Seams: where vertices of one position differ, in what, and along which edges.
 //!
-//! A welded mesh keeps one vertex (wedge) for each different set of attributes at a position. An edge is a **seam** if its
-//! triangles use different wedges at one of its ends. The counts say how much of a mesh is seams, which is what
-//! simplification pays for when it crosses them. Time and memory O(n).
+//! A welded mesh keeps one vertex (wedge) for each different set of attributes at a position. An edge is a
+//! **seam** if its triangles use different wedges at one of its ends. The counts say how much of a mesh is
+//! seams, which is what simplification pays for when it crosses them. Time and memory O(n).
 
 use striata::mesh::{Adjacency, Semantic, Welded};
 
@@ -32,8 +32,8 @@ pub(crate) struct SeamStatistics {
     pub(crate) inner_edge_count: usize,
     /// Inner edges along which wedges differ.
     pub(crate) seam_edge_count: usize,
-    /// Split positions by what their wedges differ in, layers first. A position counts for each cause that it has; causes
-    /// without a position are left out.
+    /// Split positions by what their wedges differ in, layers first. A position counts for each cause that it
+    /// has; causes without a position are left out.
     pub(crate) causes: Vec<(SeamCause, usize)>,
 }
 

@@ -1,9 +1,10 @@
 //! What the steps of a sequence do besides removing triangles: cross seams, and let whole parts vanish.
 //!
-//! A sequence stores targets only. What a step does follows from the triangles: each of them is followed from the full
-//! mesh down, always through its youngest corner, until two of its corners meet or the base is reached. A wedge that some
-//! triangle shows when its position is collapsed, and that no vanishing triangle has, has no partner at the target: it
-//! crosses a seam. Time O(corners that change), which is about n log n; memory O(n).
+//! A sequence stores targets only. What a step does follows from the triangles: each of them is followed from
+//! the full mesh down, always through its youngest corner, until two of its corners meet or the base is
+//! reached. A wedge that some triangle shows when its position is collapsed, and that no vanishing triangle
+//! has, has no partner at the target: it crosses a seam. Time O(corners that change), which is about n log n;
+//! memory O(n).
 
 use striata::mesh::{DisjointSets, RefinableMesh};
 
@@ -13,7 +14,8 @@ use striata::mesh::{DisjointSets, RefinableMesh};
 pub(crate) struct StepStatistics {
     /// Steps that remove triangles and take a wedge to the other side of a seam.
     pub(crate) crossing_count: usize,
-    /// Steps that remove no triangle: contractions of two parts, and positions that have lost all their triangles.
+    /// Steps that remove no triangle: contractions of two parts, and positions that have lost all their
+    /// triangles.
     pub(crate) empty_count: usize,
     /// Connected parts of the full mesh.
     pub(crate) part_count: usize,
@@ -29,7 +31,7 @@ impl StepStatistics {
         let RefinableMesh { mesh, sequence } = refinable;
         let mut wedges = vec![Wedge::default(); mesh.vertex_count()];
         let least_split_counts: Vec<usize> =
-            mesh.triangles.iter().map(|&corners| follow(refinable, corners, &mut wedges)).collect();
+            mesh.triangles.iter().map(|&corners| trace_triangle(refinable, corners, &mut wedges)).collect();
         let removed = sequence.removed_triangle_counts();
         let crosses = |step: &usize| {
             let mut vertices = sequence.step_vertices(*step);
@@ -57,7 +59,7 @@ struct Wedge {
 }
 
 /// Follows a triangle of the full mesh down; returns the least split count at which it is shown.
-fn follow(refinable: &RefinableMesh, mut corners: [u32; 3], wedges: &mut [Wedge]) -> usize {
+fn trace_triangle(refinable: &RefinableMesh, mut corners: [u32; 3], wedges: &mut [Wedge]) -> usize {
     let sequence = &refinable.sequence;
     let (positions, base) = (sequence.positions(), sequence.base_vertex_count() as u32);
     loop {

@@ -10,8 +10,8 @@ use striata::strip::{StripIndices, StripSet, stripify};
 use crate::commands::extract::ViewLevel;
 use striata_command::args::Coloring;
 use striata_command::failure::Failure;
-use striata_command::fan_cover::fans_of;
-use striata_command::level::{Floor, Reached, shortfall};
+use striata_command::fan_cover::cover_with_fans;
+use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_viewer::picture::{
     Paint, Shot, Style, fan_colors, group_colors, strip_colors, triangle_colors, with_normals,
 };
@@ -57,14 +57,14 @@ impl Figure {
 
     /// The level of a view, which was to have no more than so many triangles if that was said.
     pub(super) fn of_view(model: ModelKind, level: ViewLevel, triangle_limit: Option<usize>) -> Self {
-        let reached = Reached {
+        let reached = ReachedLevel {
             vertex_count: level.mesh.vertex_count(),
             triangle_count: level.mesh.triangle_count(),
             stop_reason: level.stop_reason,
         };
         let target = triangle_limit.map(Target::Triangles);
         Self {
-            shortfall: target.and_then(|target| shortfall(target, reached, &Floor::File)),
+            shortfall: target.and_then(|target| shortfall(target, reached, &CoarseningLimit::File)),
             model: model.as_str(),
             split_count: Some(level.split_count),
             error: level.error,
@@ -88,7 +88,7 @@ impl Figure {
                 Some(strips) => strip_colors(strips),
                 None => strip_colors(&stripify(&self.mesh)?),
             },
-            Coloring::Fans => fan_colors(&fans_of(&self.mesh)),
+            Coloring::Fans => fan_colors(&cover_with_fans(&self.mesh)),
             Coloring::Triangles => triangle_colors(&self.mesh.triangles),
             Coloring::Groups => group_colors(&self.mesh),
         };

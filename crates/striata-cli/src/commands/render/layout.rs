@@ -3,8 +3,8 @@
 use striata::mesh::IndexedMesh;
 
 use super::figure::Figure;
-use super::place::Place;
 use super::source::Source;
+use super::viewpoint::Viewpoint;
 use crate::args::RenderArgs;
 use striata_command::args::Coloring;
 use striata_command::failure::Failure;
@@ -18,7 +18,7 @@ pub(super) struct Layout<'a> {
     args: &'a RenderArgs,
     original: &'a IndexedMesh,
     figures: &'a [Figure],
-    place: &'a Place,
+    viewpoint: &'a Viewpoint,
     /// Where distances are shown, those of each level.
     pub(super) heats: Vec<Heat>,
     /// The distance that has the last color.
@@ -40,7 +40,7 @@ impl<'a> Layout<'a> {
     pub(super) fn new(
         args: &'a RenderArgs,
         source: &'a Source<'_>,
-        (figures, place): (&'a [Figure], &'a Place),
+        (figures, viewpoint): (&'a [Figure], &'a Viewpoint),
     ) -> Result<Self, Failure> {
         let original = source.mesh();
         let heats = if args.heat {
@@ -59,8 +59,8 @@ impl<'a> Layout<'a> {
             }
             if args.heat { sheet.with_bar(ColorBar::up_to(heat_top, largest)) } else { sheet }
         };
-        let sheet = make(grid(args, figures.len(), place, &make));
-        Ok(Self { args, original, figures, place, heats, heat_top, diagonal, sheet })
+        let sheet = make(grid(args, figures.len(), viewpoint, &make));
+        Ok(Self { args, original, figures, viewpoint, heats, heat_top, diagonal, sheet })
     }
 
     /// Draws all panels and lays them out.
@@ -69,7 +69,7 @@ impl<'a> Layout<'a> {
     /// Where strips or fans to color cannot be made.
     pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<Finished, Failure> {
         let size = self.sheet.panel_size();
-        let camera = self.place.camera(size[0] as f32 / size[1] as f32);
+        let camera = self.viewpoint.camera(size[0] as f32 / size[1] as f32);
         let (mut panels, mut frame_secs) = (Vec::new(), 0.0);
         for &coloring in &self.args.colors {
             for (number, figure) in self.figures.iter().enumerate() {
@@ -90,7 +90,7 @@ impl<'a> Layout<'a> {
         (camera, size): (&Camera, [usize; 2]),
     ) -> Result<striata_viewer::picture::Drawn, Failure> {
         let draw = |mut shot: Shot<'_>, artist: &mut Artist| {
-            if let Some(frustum) = &self.place.frustum {
+            if let Some(frustum) = &self.viewpoint.frustum {
                 frustum.draw_into(&mut shot);
             }
             artist.draw(&shot, camera, size)
@@ -128,7 +128,7 @@ impl<'a> Layout<'a> {
 fn grid(
     args: &RenderArgs,
     count: usize,
-    place: &Place,
+    viewpoint: &Viewpoint,
     make: &impl Fn((usize, usize)) -> Sheet,
 ) -> (usize, usize) {
     if args.colors.len() > 1 {
@@ -138,7 +138,7 @@ fn grid(
         let rows = usize::from(rows).min(count);
         return (count.div_ceil(rows), rows);
     }
-    let aspect = place.aspect().unwrap_or(1.0);
+    let aspect = viewpoint.aspect().unwrap_or(1.0);
     let shown = |&columns: &usize| {
         let [width, height] = make((columns, count.div_ceil(columns))).panel_size();
         (width as f32).min(height as f32 * aspect)

@@ -2,9 +2,9 @@
 
 mod figure;
 mod layout;
-mod place;
 mod report;
 mod source;
+mod viewpoint;
 
 use std::path::Path;
 use std::time::Instant;
@@ -12,15 +12,15 @@ use std::time::Instant;
 use crate::args::{Background, RenderArgs};
 use figure::Figure;
 use layout::Layout;
-use place::Place;
 use report::{Drawing, Report};
 use source::Source;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::check_strict;
 use striata_command::output::{Bar, Output};
-use striata_command::save::{is_stdout, put};
+use striata_command::save::{is_stdout, write_bytes};
 use striata_viewer::picture::{Artist, Canvas, Theme};
+use viewpoint::Viewpoint;
 
 /// Reads, goes to the levels, draws, writes, reports.
 ///
@@ -41,8 +41,8 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
         check_strict(args.strict, name, figure.shortfall.as_deref())?;
     }
     bar.phase("draw");
-    let place = Place::new(args, &source)?;
-    let layout = Layout::new(args, &source, (&figures, &place))?;
+    let viewpoint = Viewpoint::new(args, &source)?;
+    let layout = Layout::new(args, &source, (&figures, &viewpoint))?;
     let picture = layout.draw(&mut artist, &theme(args.background))?;
     write(&args.output, &picture.canvas, &mut bar)?;
     drop(bar);
@@ -114,5 +114,5 @@ fn theme(background: Background) -> Theme {
 fn write(path: &Path, canvas: &Canvas, bar: &mut Bar) -> Result<(), Failure> {
     bar.phase("write");
     let bytes = canvas.to_png().map_err(|error| Failure::internal(format!("PNG: {error}")))?;
-    put(&bytes, path)
+    write_bytes(&bytes, path)
 }

@@ -115,7 +115,7 @@ impl Report {
             format!(", colors up to {} ({share:.4} % of the diagonal)", measured(heat.top))
         });
         let shortfalls = self.levels.iter().filter_map(|level| level.shortfall.as_ref());
-        let shortfalls: String = shortfalls.map(|text| format!("\n{}", remark(None, text))).collect();
+        let shortfalls: String = shortfalls.map(|text| format!("\n{}", shortfall_note(None, text))).collect();
         format!(
             "{}: {} x {} pixels, {}{heat}; one frame took {} on {}, all {}{shortfalls}",
             self.path,

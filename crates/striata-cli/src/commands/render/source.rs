@@ -9,12 +9,12 @@ use striata::strip::{StripSet, stripify};
 use super::figure::Figure;
 use crate::args::{DrawnModel, RenderArgs};
 use crate::commands::build::errors_are_guaranteed;
-use crate::commands::extract::{PatternsOfFile, level_of_view};
+use crate::commands::extract::{FilePatterns, level_of_view};
 use crate::strip_lists::strips_of_level;
 use striata_command::args::{Coloring, Count, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{Floor, FullMesh, Reached, shortfall};
+use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
 use striata_command::output::{Bar, Output, grouped};
 use striata_command::sequence::{SequencePlan, Steps};
 use striata_viewer::picture::with_normals;
@@ -112,7 +112,7 @@ impl<'a> Source<'a> {
         let (split_count, stop_reason) = target.resolve_in(known);
         let figure = levels.figure(split_count)?;
         let (vertex_count, triangle_count) = (figure.vertex_count, figure.mesh.triangle_count());
-        let reached = Reached { vertex_count, triangle_count, stop_reason };
+        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
         Ok(Figure { shortfall: shortfall(target, reached, &levels.floor()), ..figure })
     }
 
@@ -146,7 +146,7 @@ impl<'a> Source<'a> {
         let limit =
             args.level.level.triangle_count().map(|count| count.of_triangles(self.full().triangle_count));
         if let (Some(file), true) = (&levels.file, levels.has_patterns_only()) {
-            let level = PatternsOfFile::read(file, input)?.level_of_view(&view, camera, limit);
+            let level = FilePatterns::read(file, input)?.level_of_view(&view, camera, limit);
             return Ok(Figure::of_view(ModelKind::Patterns, level, limit));
         }
         let Steps::Collapses(refinable) = &levels.steps else {
@@ -162,10 +162,10 @@ impl<'a> Source<'a> {
 
 impl<'a> Levels<'a> {
     /// Why there is no coarser level.
-    fn floor(&self) -> Floor {
+    fn floor(&self) -> CoarseningLimit {
         match self.file {
-            Some(_) => Floor::File,
-            None => Floor::Simplified(
+            Some(_) => CoarseningLimit::File,
+            None => CoarseningLimit::Simplification(
                 "no more edges can be collapsed without losing the last triangles".to_owned(),
             ),
         }

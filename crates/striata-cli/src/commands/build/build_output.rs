@@ -11,7 +11,7 @@ use crate::args::BuildArgs;
 use striata_command::args::{OrderArg, SequenceArgs};
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
-use striata_command::level::{Floor, Reached, shortfall};
+use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::Bar;
 use striata_command::sequence::{SequencePlan, Sequenced, StepKind, Steps};
 use striata_command::strip_chain::StripPlan;
@@ -48,10 +48,10 @@ pub(crate) struct BuildPlan {
 
 impl BuildPlan {
     /// What is built where nothing is asked for.
-    pub(crate) fn usual() -> Self {
+    pub(crate) fn with_defaults() -> Self {
         Self {
             sequence: SequencePlan::default(),
-            strips: BuildArgs::usual_strip_plan(),
+            strips: BuildArgs::default_strip_plan(),
             models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
         }
@@ -60,7 +60,7 @@ impl BuildPlan {
 
 /// A mesh with all that a .striata file holds.
 #[derive(Debug)]
-pub(crate) struct Built {
+pub(crate) struct BuildOutput {
     pub(super) steps: Steps,
     pub(super) models: Models,
     pub(super) order: OrderArg,
@@ -79,7 +79,7 @@ pub(crate) fn build(
     plan: &BuildPlan,
     phases: &mut Phases,
     bar: &mut Bar,
-) -> Result<Built, Failure> {
+) -> Result<BuildOutput, Failure> {
     phases.enter("weld");
     bar.phase("weld");
     let welded = weld(mesh)?;
@@ -96,7 +96,7 @@ pub(crate) fn build(
     let report = |stripped| -> Result<StripReport, Failure> {
         let report =
             StripReport::new(plan.strips.chain.to_string(), full, stripped, plan.strips.cache_size())?;
-        Ok(report.with_bound(&plan.strips.chain, full))
+        Ok(report.with_strip_count_bound(&plan.strips.chain, full))
     };
     let strip_report = stripped.as_ref().map(report).transpose()?;
     phases.enter("models");
@@ -105,10 +105,11 @@ pub(crate) fn build(
     let models = Models::build(&plan.models, &sequenced, (strips, stream), bar)?;
     let order = plan.sequence.order();
     let Sequenced { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
-    Ok(Built { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
+    Ok(BuildOutput { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
 }
 
-/// The stream, where it is asked for; the mesh is in its order afterwards, so that all models number levels as it does.
+/// The stream, where it is asked for; the mesh is in its order afterwards, so that all models number levels
+/// as it does.
 pub(super) fn stream_of(
     sequenced: &mut Sequenced,
     plan: &BuildPlan,
@@ -121,18 +122,18 @@ pub(super) fn stream_of(
     Ok(Some(stream))
 }
 
-impl Built {
+impl BuildOutput {
     /// Why the base has more triangles than asked for, if it has.
     pub(super) fn shortfall(&self, base: usize, sequence: &SequenceArgs) -> Option<String> {
         let levels = self.steps.levels();
-        let reached = Reached {
+        let reached = ReachedLevel {
             vertex_count: levels.base_vertex_count(),
             triangle_count: levels.triangle_count_at(0),
             stop_reason: self.stop_reason,
         };
         let kind = if self.models.stream.is_some() { StepKind::Batches } else { StepKind::Single };
-        let why = sequence.what_forbids_more(kind);
-        shortfall(Target::Triangles(base), reached, &Floor::Simplified(why))
+        let why = sequence.describe_limit(kind);
+        shortfall(Target::Triangles(base), reached, &CoarseningLimit::Simplification(why))
     }
 
     /// The mesh in refinement order, and its steps.

@@ -1,7 +1,7 @@
 //! `extract --eye`: the level of a view, as fine as the screen asks for and where it does.
 //!
-//! A step is undone where its bounds can be seen, are not all turned away, and its error takes more pixels than allowed; where
-//! there are to be no more than so many triangles, those with the largest errors are.
+//! A step is undone where its bounds can be seen, are not all turned away, and its error takes more pixels
+//! than allowed; where there are to be no more than so many triangles, those with the largest errors are.
 
 use std::time::Instant;
 
@@ -13,7 +13,7 @@ use striata::view::Camera;
 use striata_command::args::ViewArgs;
 
 /// Errors of fewer pixels than this are no smaller to a budget, so that what weighs them stays a number.
-pub(crate) const LEAST_PIXELS: f64 = 1e-6;
+pub(crate) const MIN_PIXELS: f64 = 1e-6;
 
 /// A level of a view.
 pub(crate) struct ViewLevel {
@@ -31,7 +31,8 @@ pub(crate) struct ViewLevel {
     pub(crate) seek_secs: f64,
 }
 
-/// The coarsest level that shows no error of more pixels than allowed, or the finest of no more than so many triangles.
+/// The coarsest level that shows no error of more pixels than allowed, or the finest of no more than so many
+/// triangles.
 pub(crate) fn level_of_view(
     scene: &FanScene<'_>,
     refinable: &RefinableMesh,
@@ -48,7 +49,7 @@ pub(crate) fn level_of_view(
             instance
         }
         Some(limit) => {
-            let criterion = view.criterion(camera, LEAST_PIXELS).of_model(scene.sphere());
+            let criterion = view.criterion(camera, MIN_PIXELS).of_model(scene.sphere());
             let mut front = FanFront::new(scene);
             let update = front.update_to_budget(scene, &criterion, limit);
             pixels = f64::from(criterion.pixels()) * f64::from(update.threshold);

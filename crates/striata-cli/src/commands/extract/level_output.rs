@@ -1,4 +1,5 @@
-//! What the ways of extracting a level share: where it goes, how large it may be, how its triangles are written.
+//! What the ways of extracting a level share: where it goes, how large it may be, how its triangles are
+//! written.
 
 use std::path::PathBuf;
 
@@ -10,29 +11,30 @@ use crate::args::{ExtractArgs, TriangleForm};
 use crate::strip_lists::StripLists;
 use striata_command::args::{Length, LevelArgs};
 use striata_command::failure::Failure;
-use striata_command::fan_cover::fans_of;
+use striata_command::fan_cover::cover_with_fans;
 use striata_command::input::Input;
 use striata_command::level::check_paths;
-use striata_command::save::Drawn;
+use striata_command::save::Primitives;
 
 /// The parser sees to it that there is a level.
 pub(super) fn no_level() -> Failure {
     Failure::internal("no level was given")
 }
 
-/// What is written of a level. Strips come from its model, or are made anew if it has none or if new ones are shorter.
+/// What is written of a level. Strips come from its model, or are made anew if it has none or if new ones are
+/// shorter.
 ///
 /// # Errors
 /// Where the mesh's parts do not fit together.
-pub(super) fn drawn(
+pub(super) fn primitives_of(
     form: TriangleForm,
     mesh: &IndexedMesh,
     strips: Option<StripSet>,
-) -> Result<Drawn, Failure> {
+) -> Result<Primitives, Failure> {
     Ok(match form {
-        TriangleForm::List => Drawn::Triangles,
-        TriangleForm::Strips => Drawn::Strips(StripLists::of_level(mesh, strips.as_ref())?.lists),
-        TriangleForm::Fans => Drawn::Fans(fans_of(mesh)),
+        TriangleForm::List => Primitives::Triangles,
+        TriangleForm::Strips => Primitives::Strips(StripLists::of_level(mesh, strips.as_ref())?.lists),
+        TriangleForm::Fans => Primitives::Fans(cover_with_fans(mesh)),
     })
 }
 
@@ -62,7 +64,7 @@ pub(super) fn diagonal_of(level: &LevelArgs, file: &StriataFile<'_>, input: &Inp
 ///
 /// # Errors
 /// If its name has a place for a level and there is none.
-pub(super) fn path_of_place(args: &ExtractArgs) -> Result<PathBuf, Failure> {
+pub(super) fn view_output_path(args: &ExtractArgs) -> Result<PathBuf, Failure> {
     let paths = check_paths(&args.level, &args.levels, &args.output.output)?;
     paths.into_iter().next().ok_or_else(no_level)
 }

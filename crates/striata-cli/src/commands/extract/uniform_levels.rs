@@ -52,7 +52,7 @@ pub(super) fn pick_model<'a>(
 }
 
 /// One level of a file.
-pub(super) struct Extracted {
+pub(super) struct ExtractedLevel {
     pub(super) model: ModelKind,
     pub(super) mesh: IndexedMesh,
     /// Where the model has them.
@@ -61,7 +61,7 @@ pub(super) struct Extracted {
 }
 
 /// Takes a level and its number among all that were asked for.
-pub(super) type TakeLevel<'a> = dyn FnMut(usize, Extracted) -> Result<(), Failure> + 'a;
+pub(super) type LevelSink<'a> = dyn FnMut(usize, ExtractedLevel) -> Result<(), Failure> + 'a;
 
 /// Where levels come from, for messages too.
 pub(super) type Origin<'a> = (&'a StriataFile<'a>, &'a Input);
@@ -78,7 +78,7 @@ pub(super) fn each_level<M: StoredModel>(
     model: &M,
     split_counts: &[usize],
     ((file, input), strips): (Origin<'_>, &StripsOf<'_, M>),
-    take: &mut TakeLevel<'_>,
+    take: &mut LevelSink<'_>,
 ) -> Result<(), Failure> {
     let mut order: Vec<usize> = (0..split_counts.len()).collect();
     order.sort_by_key(|&number| Reverse(split_counts[number]));
@@ -88,7 +88,7 @@ pub(super) fn each_level<M: StoredModel>(
         model.move_to(&mut state, split_counts[number]);
         let seek_secs = started.elapsed().as_secs_f64();
         let mesh = file.level_of(model, &state).map_err(|error| input.damaged(&error))?;
-        take(number, Extracted { model: kind, mesh, strips: strips(&state), seek_secs })?;
+        take(number, ExtractedLevel { model: kind, mesh, strips: strips(&state), seek_secs })?;
     }
     Ok(())
 }
@@ -100,7 +100,7 @@ pub(super) fn each_level_of_strips<M: StripModel>(
     model: &M,
     split_counts: &[usize],
     from: Origin<'_>,
-    take: &mut TakeLevel<'_>,
+    take: &mut LevelSink<'_>,
 ) -> Result<(), Failure> {
     each_level(kind, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
 }

@@ -5,10 +5,10 @@ use std::time::Instant;
 use striata::file::StriataFile;
 use striata::model::{FanScene, Fans, ModelKind};
 
-use super::asked::{bounds_of, diagonal_of, drawn, path_of_place, triangle_limit};
-use super::patterns::{Budget, PatternsOfFile};
+use super::fan_view::{ViewLevel, level_of_view};
+use super::level_output::{bounds_of, diagonal_of, primitives_of, triangle_limit, view_output_path};
+use super::patterns::{Budget, FilePatterns};
 use super::report::Report;
-use super::view::{ViewLevel, level_of_view};
 use crate::args::ExtractArgs;
 use crate::commands::build::{errors_are_guaranteed, model_of_name};
 use striata_command::args::{Corners, Point};
@@ -34,8 +34,8 @@ pub(super) fn run_view(
     let camera = args.view.camera(eye, center).map_err(|error| {
         Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
     })?;
-    if asks_patterns(args, &file, input)? {
-        let model = PatternsOfFile::read(&file, input)?;
+    if uses_patterns(args, &file, input)? {
+        let model = FilePatterns::read(&file, input)?;
         let level = model.level_of_view(&args.view, camera, triangle_limit(args, &file));
         return report_patterns(args, (&model, level), input, started, output);
     }
@@ -46,9 +46,9 @@ pub(super) fn run_view(
     let scene = FanScene::new(&table, &refinable);
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
-    let (pixels, drawn) = (level.pixels, drawn(args.form, &level.mesh, None)?);
-    let report = Report::of_place(ModelKind::Fans, args, (&level, limit), started)?;
-    save(&level.mesh, drawn, &path_of_place(args)?, &args.output.format)?;
+    let (pixels, primitives) = (level.pixels, primitives_of(args.form, &level.mesh, None)?);
+    let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, limit), started)?;
+    write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format)?;
     let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
     output.summary(&report, &report.to_text(refinable.sequence.step_count()))
 }
@@ -57,7 +57,7 @@ pub(super) fn run_view(
 ///
 /// # Errors
 /// Where a model is named that knows whole levels only, or fans where there are no collapses.
-fn asks_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
+fn uses_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
     match args.model.as_deref().map(model_of_name).transpose()? {
         Some(ModelKind::Patterns) => Ok(true),
         Some(ModelKind::Fans) if !file.has_collapses() => {
@@ -89,13 +89,14 @@ pub(super) fn run_box(
     let file = input.striata()?;
     let diagonal = diagonal_of(&args.level, &file, input)?;
     let triangle_limit = triangle_limit(args, &file);
-    // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the limit.
+    // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the
+    // limit.
     let threshold = match (args.level.error, triangle_limit) {
         (Some(error), _) => error.in_units(diagonal) as f32,
         (None, Some(_)) => 0.0,
         (None, None) => f32::MAX,
     };
-    let model = PatternsOfFile::read(&file, input)?;
+    let model = FilePatterns::read(&file, input)?;
     let level = model.level_of_box(corners, Budget { triangle_limit, threshold });
     report_patterns(args, (&model, level), input, started, output)
 }
@@ -106,19 +107,26 @@ pub(super) fn run_box(
 /// Where the file is unsound or the output cannot be written.
 fn report_patterns(
     args: &ExtractArgs,
-    (model, level): (&PatternsOfFile, ViewLevel),
+    (model, level): (&FilePatterns, ViewLevel),
     input: &Input,
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
     let file = input.striata()?;
-    let report = Report::of_place(ModelKind::Patterns, args, (&level, triangle_limit(args, &file)), started)?;
-    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &path_of_place(args)?, &args.output.format)?;
+    let report =
+        Report::of_view_or_box(ModelKind::Patterns, args, (&level, triangle_limit(args, &file)), started)?;
+    write_mesh(
+        &level.mesh,
+        primitives_of(args.form, &level.mesh, None)?,
+        &view_output_path(args)?,
+        &args.output.format,
+    )?;
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let report = Report {
         patterns: Some(if model.are_stored { "stored" } else { "built" }),
         pixels: args.eye.eye.is_some().then_some(level.pixels),
-        // Built from collapses they know errors of levels only, and not what holds of each floor wherever it is shown.
+        // Built from collapses they know errors of levels only, and not what holds of each floor wherever it
+        // is shown.
         error_is_guaranteed: is_guaranteed && model.are_stored,
         ..report
     };
