@@ -1,5 +1,4 @@
-//! Errors of the command: a message, a hint, the offending line of a file, and whether the user or striata is
-//! at fault.
+//! Errors of the command: a message, a hint, the offending line of a file, and an exit code.
 
 use std::cell::Cell;
 use std::io::{self, Write};
@@ -101,7 +100,8 @@ impl Failure {
     }
 }
 
-const PLEASE_REPORT: &str = "This is a bug in striata; please report it with the command line and, if possible, \
+const PLEASE_REPORT: &str = "This is a bug in striata; please report it with the command line and, if \
+    possible, \
                              the file.\n";
 
 impl From<ReadError> for Failure {

@@ -1,5 +1,4 @@
-//! Inputs: files are memory-mapped, decompressed and recognized, and errors show the offending line; or
-//! built-in shapes.
+//! Input files, which are memory-mapped, decompressed and recognized, and built-in shapes.
 
 use std::borrow::Cow;
 use std::fs::File;

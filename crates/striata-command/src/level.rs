@@ -161,10 +161,11 @@ fn path_of_level(text: Option<&str>, output: &Path) -> Result<PathBuf, Failure> 
     match (output.to_str().filter(|pattern| pattern.contains(PLACEHOLDER)), text) {
         (None, _) => Ok(output.to_owned()),
         (Some(pattern), Some(text)) => Ok(PathBuf::from(pattern.replace(PLACEHOLDER, &file_part(text)))),
-        (Some(pattern), None) => {
-            Err(Failure::user(format!("{pattern}: {PLACEHOLDER} stands for a level, but none of --triangles, --ratio and the like was given"))
-                .with_hint(format!("remove {PLACEHOLDER} from the name")))
-        }
+        (Some(pattern), None) => Err(Failure::user(format!(
+            "{pattern}: {PLACEHOLDER} stands for a level, but none of \
+                --triangles, --ratio and the like was given"
+        ))
+        .with_hint(format!("remove {PLACEHOLDER} from the name"))),
     }
 }
 
@@ -179,7 +180,7 @@ fn file_part(text: &str) -> String {
 #[derive(Clone, Debug)]
 pub enum CoarseningLimit {
     /// The mesh was simplified as far as possible; the text says what prevents more.
-    Simplified(String),
+    Simplification(String),
     /// The file contains no coarser level.
     File,
 }

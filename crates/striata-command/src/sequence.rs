@@ -1,5 +1,4 @@
-//! Simplification of a mesh into a sequence of steps: their order, the guarantees on errors, and where it
-//! ends.
+//! Simplification of a mesh into a sequence of steps: its order, limits and error guarantees.
 
 use std::borrow::Cow;
 

@@ -93,7 +93,8 @@ fn truncation_text(name: &str, [read, whole]: [u64; 2], [split_count, step_count
     let [read, whole] = [read, whole].map(|bytes| grouped(usize::try_from(bytes).unwrap_or(usize::MAX)));
     let [split_count, step_count] = [grouped(split_count), grouped(step_count)];
     format!(
-        "{name}: cut off after {read} of {whole} bytes: it contains {split_count} of {step_count} vertex splits"
+        "{name}: cut off after {read} of {whole} bytes: it contains {split_count} of {step_count} vertex \
+         splits"
     )
 }
 

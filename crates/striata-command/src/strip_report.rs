@@ -1,5 +1,4 @@
-//! Costs of strips: indices, restarts and vertex cache misses, as JSON keys and table rows used by every
-//! verb.
+//! Report on the cost of strips, shared by all verbs: indices, restarts and vertex cache misses.
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, MeshError};

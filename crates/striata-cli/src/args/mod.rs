@@ -33,7 +33,8 @@ pub(crate) use self::strips::StripArgs;
     version,
     about = "Continuous level of detail for triangle meshes",
     // Without a usage line, which the heading of the verbs makes redundant, the help fits one screen.
-    help_template = "{about}\n{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, also .gz and .zst; `-` is stdin.",
+    help_template = "{about}\n{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, also .gz and \
+        .zst; `-` is stdin.",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` lists the options of a verb, with examples)",
     disable_help_subcommand = true,

@@ -1,4 +1,4 @@
-//! `convert`: one mesh format to another.
+//! `convert`: converts a mesh to another format.
 
 use serde::Serialize;
 
@@ -15,10 +15,10 @@ struct Report {
     format: &'static str,
 }
 
-/// Reads one file and writes the other.
+/// Reads the input and writes the output.
 ///
 /// # Errors
-/// Where either fails.
+/// If either fails.
 pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let path = args.output().ok_or_else(|| Failure::internal("no output was named"))?;
     output.check_stdout_is_free(is_stdout(path))?;

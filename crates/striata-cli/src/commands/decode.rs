@@ -1,4 +1,4 @@
-//! `decode`: the mesh of a stream, of as much of it as is there, or of one level.
+//! `decode`: decodes a stream, complete or cut off, or one level of it, into a mesh.
 
 use std::time::Instant;
 
@@ -24,24 +24,24 @@ struct Report {
     split_count: usize,
     step_count: usize,
     is_complete: bool,
-    /// Why the mesh is not the level that was asked for; null if it is, or if no level was.
+    /// How the mesh misses the requested level; null if it does not, or if no level was requested.
     shortfall: Option<String>,
     effort: &'static str,
-    /// Bytes of the stream that were read.
+    /// Number of bytes of the stream that were read.
     read_bytes: usize,
-    /// Bytes of the whole stream.
+    /// Size of the whole stream.
     stream_bytes: u64,
     error: f32,
     decode_secs: f64,
-    /// In the decoder alone.
+    /// Throughput of the decoder alone.
     triangles_per_sec: f64,
     secs: f64,
 }
 
-/// Reads, decodes, writes, reports.
+/// Reads and decodes the stream, writes the mesh, and reports.
 ///
 /// # Errors
-/// Where any of it fails.
+/// If any of this fails.
 pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
@@ -72,7 +72,7 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     output.summary(&report, &report.to_text())
 }
 
-/// What is written.
+/// The mesh to write, with its place in the sequence of levels.
 struct DecodedLevel {
     mesh: IndexedMesh,
     split_count: usize,

@@ -1,4 +1,4 @@
-//! `distance`: how far two surfaces are from each other, both ways.
+//! `distance`: measures the distance between two surfaces in both directions.
 
 use serde::Serialize;
 use striata::mesh::{DistanceError, DistanceOptions, OneSided, surface_distance};
@@ -32,10 +32,10 @@ impl From<OneSided> for OneSidedReport {
     }
 }
 
-/// Measures and reports.
+/// Measures the distance and prints it.
 ///
 /// # Errors
-/// Where a mesh cannot be read, or has no surface to measure.
+/// If a mesh cannot be read, or has no triangles.
 pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
@@ -69,8 +69,8 @@ pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
 }
 
 fn no_surface(input: &Input) -> Failure {
-    Failure::user(format!("{}: there is no triangle to measure a distance to", input.name))
-        .with_hint("`striata info` says what the file holds")
+    Failure::user(format!("{}: the mesh has no triangles to measure a distance to", input.name))
+        .with_hint("`striata info` shows what the file contains")
 }
 
 impl Report {

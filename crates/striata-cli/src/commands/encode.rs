@@ -1,4 +1,4 @@
-//! `encode`: a mesh becomes a progressive stream.
+//! `encode`: compresses a mesh into a progressive stream.
 
 use std::path::Path;
 
@@ -20,13 +20,13 @@ use striata_command::save::{
 use striata_command::sequence::{SequencePlan, Steps};
 use striata_command::stream::{precision_name, stream_facts_json};
 
-/// The phases that are reported.
+/// Phases whose times are reported.
 const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
 
-/// Reads, encodes, writes, reports.
+/// Reads and encodes the mesh, writes the stream, and reports.
 ///
 /// # Errors
-/// Where any of it fails; the output is then as it was.
+/// If any of this fails; an existing output is then left unchanged.
 pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let path = match &args.output {
         Some(path) => path.clone(),
@@ -49,14 +49,14 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let sequenced = plan.run(welded, &mut |progress| bar.show(progress));
     let sequenced = sequenced.map_err(|error| Failure::from(error).in_file(&input.name))?;
     let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) else {
-        return Err(Failure::internal("collapses come in batches"));
+        return Err(Failure::internal("the collapses are not in batches"));
     };
     phases.enter("encode");
     bar.phase("encode");
     let options = args.stream.options(mesh.diagonal());
     let stream = encode_stream(refinable, batches, &options)?;
     let bytes = match in_container {
-        true => contain(refinable, &stream, &input.file_name())?,
+        true => in_striata_file(refinable, &stream, &input.file_name())?,
         false => stream.bytes.clone(),
     };
     phases.enter("write");
@@ -69,28 +69,32 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     output.summary(&report, &report.to_text(args, &options))
 }
 
-/// Whether the name asks for a `.striata` file around the stream.
+/// Whether the name requests a `.striata` file around the stream.
 ///
 /// # Errors
-/// Where it says that the output is something else.
+/// If the name is that of another format.
 fn is_container(path: &Path) -> Result<bool, Failure> {
     match Format::from_extension(path) {
         Some(Format::Striata) => Ok(true),
         None | Some(Format::Stream) => Ok(false),
         Some(_) => Err(Failure::user(format!("{}: `encode` writes streams", path.display()))
-            .with_hint("end the name in .stri or .striata; `striata convert` writes meshes")),
+            .with_hint("use the extension .stri or .striata; `striata convert` writes meshes")),
     }
 }
 
-/// The stream as all that a `.striata` file has.
-fn contain(refinable: &RefinableMesh, stream: &EncodedStream, source: &str) -> Result<Vec<u8>, Failure> {
+/// Wraps the stream in a `.striata` file without other models.
+fn in_striata_file(
+    refinable: &RefinableMesh,
+    stream: &EncodedStream,
+    source: &str,
+) -> Result<Vec<u8>, Failure> {
     let options = WriteOptions::default()
         .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
         .with_metadata("source", source);
     Ok(to_striata(&stream.reorder(refinable), &[file_model(&stream.bytes)?], &options)?)
 }
 
-/// What a report is encoded from.
+/// The data that the report is made from.
 struct Encoded<'a> {
     mesh: &'a IndexedMesh,
     refinable: &'a RefinableMesh,
@@ -110,12 +114,12 @@ struct Report {
     error_max: f32,
     effort: Value,
     stream: Value,
-    /// All bytes of the output.
+    /// Size of the whole output.
     bits_per_vertex: f64,
     connectivity_bits_per_vertex: f64,
     position_bits_per_vertex: f64,
     attribute_bits_per_vertex: f64,
-    /// The base mesh, the head, and what a file around the stream takes.
+    /// Size of the base mesh, the header, and the file around the stream, if any.
     other_bits_per_vertex: f64,
     output_bytes: usize,
     phases: Phases,
@@ -136,7 +140,7 @@ impl Report {
         let vertex_count = encoded.mesh.vertex_count();
         let per_vertex = |bits: f64| bits / vertex_count.max(1) as f64;
         let output_bits = output_bytes as f64 * 8.0;
-        let told = sizes.connectivity_bits + sizes.position_bits + sizes.attribute_bits;
+        let coded_bits = sizes.connectivity_bits + sizes.position_bits + sizes.attribute_bits;
         Ok(Self {
             path,
             vertex_count,
@@ -155,7 +159,7 @@ impl Report {
             connectivity_bits_per_vertex: per_vertex(sizes.connectivity_bits),
             position_bits_per_vertex: per_vertex(sizes.position_bits),
             attribute_bits_per_vertex: per_vertex(sizes.attribute_bits),
-            other_bits_per_vertex: per_vertex(output_bits - told),
+            other_bits_per_vertex: per_vertex(output_bits - coded_bits),
             output_bytes,
             secs: phases.total_secs(),
             phases,
@@ -169,15 +173,15 @@ impl Report {
         row("triangles", format!("{} down to {}", grouped(self.triangle_count), self.base["triangle_count"]));
         row("vertices", grouped(self.vertex_count));
         row("levels", format!("{} in {} batches", grouped(self.step_count + 1), self.batch_count));
-        row("error of the base", measured(self.error_max.into()));
+        row("error of base mesh", measured(self.error_max.into()));
         let effort = self.effort.as_str().unwrap_or_default();
-        row("coded", format!("{}, {effort} effort", precision_name(options.precision)));
-        row("bits a vertex", format!("{:.2}", self.bits_per_vertex));
+        row("encoding", format!("{}, {effort} effort", precision_name(options.precision)));
+        row("bits per vertex", format!("{:.2}", self.bits_per_vertex));
         for (part, bits) in [
             ("  connectivity", self.connectivity_bits_per_vertex),
             ("  positions", self.position_bits_per_vertex),
             ("  attributes", self.attribute_bits_per_vertex),
-            ("  base, head, rest", self.other_bits_per_vertex),
+            ("  base and headers", self.other_bits_per_vertex),
         ] {
             row(part, format!("{bits:.2}"));
         }

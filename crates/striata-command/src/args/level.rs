@@ -1,5 +1,5 @@
-//! Flags that choose a level: by a triangle or vertex count, an error, a detail, a view, or several levels in
-//! one run.
+//! Flags that choose a level by triangle or vertex count, error, detail or view, or that choose several
+//! levels.
 
 use std::fmt;
 use std::str::FromStr;

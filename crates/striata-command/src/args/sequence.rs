@@ -228,7 +228,8 @@ fn degree_help() -> String {
 fn weight_help(weight: impl Fn(AttributeWeights) -> f32, what: &str) -> String {
     let default = weight(AttributeWeights::default());
     format!(
-        "Distance that a difference of 1 in {what} counts as, as a fraction of the diagonal; 0 ignores them [default: {default}]"
+        "Distance that a difference of 1 in {what} counts as, as a fraction of the diagonal; 0 ignores \
+         them [default: {default}]"
     )
 }
 

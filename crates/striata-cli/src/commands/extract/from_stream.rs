@@ -1,4 +1,4 @@
-//! `extract` from a stream: read as far as the level needs, or as far as there is any.
+//! `extract` from a stream, which is read only as far as the level needs.
 
 use std::time::Instant;
 
@@ -24,7 +24,7 @@ use striata_command::output::{Output, grouped, lasted, measured};
 use striata_command::save::{LevelFiles, display_name};
 use striata_command::stream::Received;
 
-/// Of several levels.
+/// Report on several levels.
 #[derive(Serialize)]
 struct LevelsReport {
     levels: Vec<Report>,
@@ -33,7 +33,7 @@ struct LevelsReport {
 
 #[derive(Serialize)]
 struct Report {
-    /// As the user wrote it, if it is one of several.
+    /// The text that the user wrote for the level, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     level: Option<String>,
     path: String,
@@ -45,25 +45,25 @@ struct Report {
     error: f32,
     error_is_guaranteed: bool,
     stop_reason: &'static str,
-    /// Why the level is not what was asked for; null if it is.
+    /// How the level misses its target; null if it does not.
     shortfall: Option<String>,
-    /// Whether all bytes of the stream are there.
+    /// Whether the stream is complete.
     is_complete: bool,
-    /// Bytes of the stream that were read.
+    /// Number of bytes of the stream that were read.
     read_bytes: usize,
-    /// Bytes of the stream after which the level is there.
+    /// Number of bytes of the stream needed for the level.
     level_bytes: Option<u64>,
-    /// Bytes of the whole stream.
+    /// Size of the whole stream.
     stream_bytes: u64,
     file_bytes: Option<usize>,
     seek_secs: f64,
     secs: f64,
 }
 
-/// Goes to the level, writes it.
+/// Decodes the requested levels, writes them, and reports.
 ///
 /// # Errors
-/// Where the stream is unsound or the output cannot be written.
+/// If the stream is damaged or an output cannot be written.
 pub(super) fn run(
     args: &ExtractArgs,
     (file, input): (&StriataFile<'_>, &Input),

@@ -1,4 +1,4 @@
-//! `extract`: one level of a .striata file, or several, as meshes.
+//! `extract`: writes one or more levels of a .striata file as meshes.
 
 mod fan_view;
 mod from_stream;
@@ -21,7 +21,7 @@ use striata::model::ModelKind;
 
 use self::level_output::{diagonal_of, no_level, primitives_of};
 use self::report::{LevelMesh, LevelsReport, Report};
-use self::uniform_levels::{ExtractedLevel, Model, each_level, each_level_of_strips, pick_model};
+use self::uniform_levels::{ExtractedLevel, Model, each_level, each_level_of_strips, read_model};
 use self::view_and_box::{run_box, run_view};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
@@ -33,10 +33,10 @@ use striata_command::level::{FullMesh, LevelRequest, check_paths, check_strict, 
 use striata_command::output::Output;
 use striata_command::save::{LevelFiles, format_of, is_stdout};
 
-/// Opens the file, goes to the level, writes it.
+/// Opens the file, extracts the requested levels, writes them, and reports.
 ///
 /// # Errors
-/// Where any of it fails.
+/// If any of this fails.
 pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
@@ -51,8 +51,8 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     }
     input.remark_on(&file, output)?;
     if args.view.is_given() && args.eye.eye.is_none() {
-        return Err(Failure::user("a view was described, but no level is asked for it")
-            .with_hint("say --eye instead of the other level, or leave the view out"));
+        return Err(Failure::user("flags of a view were given without --eye")
+            .with_hint("use --eye instead of the other level, or remove these flags"));
     }
     if let Some(eye) = args.eye.eye {
         return run_view(args, eye, &input, started, output);
@@ -71,10 +71,10 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let split_counts: Vec<usize> = resolved.iter().map(|&(split_count, _)| split_count).collect();
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut reports: Vec<Option<Report>> = requests.iter().map(|_| None).collect();
-    let mut take = |number: usize, extracted: ExtractedLevel| -> Result<(), Failure> {
+    let mut sink = |index: usize, extracted: ExtractedLevel| -> Result<(), Failure> {
         let ExtractedLevel { model, mesh, strips, seek_secs } = extracted;
         let (mesh, strips) = without_unused_vertices(mesh, strips);
-        let (request, (split_count, stop_reason)) = (&requests[number], resolved[number]);
+        let (request, (split_count, stop_reason)) = (&requests[index], resolved[index]);
         let report = Report {
             error: levels.error_at(split_count),
             error_is_guaranteed,
@@ -87,18 +87,20 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         };
         check_strict(args.strict, request.name.as_deref(), report.shortfall.as_deref())?;
         files.write(&mesh, primitives_of(args.form, &mesh, strips)?, &request.path)?;
-        reports[number] = Some(report);
+        reports[index] = Some(report);
         Ok(())
     };
-    let (from, split_counts) = ((&file, &input), &split_counts[..]);
-    match pick_model(&file, args.model.as_deref(), &input)? {
+    let (origin, split_counts) = ((&file, &input), &split_counts[..]);
+    match read_model(&file, args.model.as_deref(), &input)? {
         Model::LodStrips(model) => {
-            each_level_of_strips(ModelKind::LodStrips, &model, split_counts, from, &mut take)
+            each_level_of_strips(ModelKind::LodStrips, &model, split_counts, origin, &mut sink)
         }
-        Model::Mts(model) => each_level_of_strips(ModelKind::Mts, &model, split_counts, from, &mut take),
-        Model::Fans(model) => each_level(ModelKind::Fans, &model, split_counts, (from, &|_| None), &mut take),
+        Model::Mts(model) => each_level_of_strips(ModelKind::Mts, &model, split_counts, origin, &mut sink),
+        Model::Fans(model) => {
+            each_level(ModelKind::Fans, &model, split_counts, (origin, &|_| None), &mut sink)
+        }
         Model::Patterns(model) => {
-            each_level(ModelKind::Patterns, &model, split_counts, (from, &|_| None), &mut take)
+            each_level(ModelKind::Patterns, &model, split_counts, (origin, &|_| None), &mut sink)
         }
     }?;
     files.commit()?;
@@ -116,15 +118,17 @@ fn seconds(started: Instant) -> f64 {
     started.elapsed().as_secs_f64()
 }
 
+/// Checks that the output format supports the requested primitives.
+///
 /// # Errors
-/// Where strips or fans are asked for in a format that has none.
+/// If it does not.
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
     for path in check_paths(&args.level, &args.levels, &args.output.output)? {
         let format = format_of(&path, &args.output.format)?;
         match args.form {
             TriangleForm::List => {}
-            TriangleForm::Strips => check_form_fits("strips", &path, format, "say --as list")?,
-            TriangleForm::Fans => check_form_fits("fans", &path, format, "say --as list")?,
+            TriangleForm::Strips => check_form_fits("strips", &path, format, "use --as list")?,
+            TriangleForm::Fans => check_form_fits("fans", &path, format, "use --as list")?,
         }
     }
     Ok(())

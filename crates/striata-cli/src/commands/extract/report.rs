@@ -1,4 +1,4 @@
-//! What `extract` says of the levels that it wrote.
+//! The report of `extract`.
 
 use std::time::Instant;
 
@@ -18,7 +18,7 @@ use striata_command::level::{
 use striata_command::output::{grouped, lasted, measured};
 use striata_command::save::display_name;
 
-/// Of several levels.
+/// Report on several levels.
 #[derive(Serialize)]
 pub(super) struct LevelsReport {
     pub(super) levels: Vec<Report>,
@@ -28,35 +28,34 @@ pub(super) struct LevelsReport {
 
 #[derive(Serialize)]
 pub(super) struct Report {
-    /// As the user wrote it, if it is one of several.
+    /// The text that the user wrote for the level, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) level: Option<String>,
     pub(super) path: String,
     pub(super) model: &'static str,
-    /// Of a view: whether its fans were `stored` in the file or `built` from the sequence.
+    /// For views: whether the fans were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) fans: Option<&'static str>,
-    /// Of a view or a box: whether its patterns were `stored` in the file or `built` from the sequence.
+    /// For views and boxes: whether the patterns were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) patterns: Option<&'static str>,
-    /// Of a view: pixels that an error may take where nothing else is allowed, once the triangles are no more
-    /// than wanted.
+    /// For views: the pixel tolerance, after it was raised to respect the triangle limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) pixels: Option<f64>,
     pub(super) split_count: usize,
     pub(super) vertex_count: usize,
     pub(super) triangle_count: usize,
     pub(super) error: f32,
-    /// Whether no point of the original is farther than the error.
+    /// Whether no point of the original is farther from the level than the error.
     pub(super) error_is_guaranteed: bool,
     pub(super) stop_reason: &'static str,
-    /// Why the level is not what was asked for; null if it is.
+    /// How the level misses its target; null if it does not.
     pub(super) shortfall: Option<String>,
     pub(super) seek_secs: f64,
     pub(super) secs: f64,
 }
 
-/// A mesh, and the level that it is.
+/// The mesh of a level.
 #[derive(Clone, Copy)]
 pub(super) struct LevelMesh<'a> {
     pub(super) mesh: &'a IndexedMesh,
@@ -65,7 +64,7 @@ pub(super) struct LevelMesh<'a> {
 }
 
 impl Report {
-    /// Of a level that is the same everywhere; its error is known elsewhere.
+    /// Creates the report on a level of uniform detail; the caller fills in the error.
     pub(super) fn of_level(
         model: ModelKind,
         request: &LevelRequest,
@@ -96,10 +95,10 @@ impl Report {
         }
     }
 
-    /// Of a level that differs from place to place.
+    /// Creates the report on a level for a view or a box.
     ///
     /// # Errors
-    /// If it has more triangles than allowed and that is forbidden, or its file has no name.
+    /// If the level exceeds the triangle limit and `--strict` was given, or there is no output path.
     pub(super) fn of_view_or_box(
         model: ModelKind,
         args: &ExtractArgs,
@@ -125,7 +124,7 @@ impl Report {
         };
         let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
-            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}{}",
+            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; found in {}{origin}{}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),
@@ -144,7 +143,7 @@ impl LevelsReport {
     pub(super) fn to_text(&self) -> String {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
         let model = self.levels.first().map_or("", |level| level.model);
-        format!("{}from {model} in {}", table_of_levels(&rows), lasted(self.secs))
+        format!("{}extracted from {model} in {}", table_of_levels(&rows), lasted(self.secs))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Levels that differ from place to place: fine where a view looks, or inside a box.
+//! `extract --eye` and `--detail-box`: levels whose detail varies over the mesh.
 
 use std::time::Instant;
 
@@ -17,10 +17,10 @@ use striata_command::input::Input;
 use striata_command::output::Output;
 use striata_command::save::save;
 
-/// Opens the file, goes to the level of a view, writes it.
+/// Extracts and writes the level for a view.
 ///
 /// # Errors
-/// Where the view makes no picture, or any of it fails.
+/// If the camera is degenerate, the file is damaged, or the output cannot be written.
 pub(super) fn run_view(
     args: &ExtractArgs,
     eye: Point,
@@ -31,9 +31,10 @@ pub(super) fn run_view(
     let file = input.striata()?;
     let center =
         bounds_of(&file, input)?.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
-    let camera = args.view.camera(eye, center).map_err(|error| {
-        Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
-    })?;
+    let camera = args
+        .view
+        .camera(eye, center)
+        .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
     if uses_patterns(args, &file, input)? {
         let model = FilePatterns::read(&file, input)?;
         let level = model.level_of_view(&args.view, camera, triangle_limit(args, &file));
@@ -53,28 +54,28 @@ pub(super) fn run_view(
     output.summary(&report, &report.to_text(refinable.sequence.step_count()))
 }
 
-/// Whether a view is one of patterns: where they are named, or no fans are and these would have to be built.
+/// Whether a view uses patterns: because the user named them, or because the file has patterns but no fans.
 ///
 /// # Errors
-/// Where a model is named that knows whole levels only, or fans where there are no collapses.
+/// If the user named a model without views, or fans for a file without collapses.
 fn uses_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
     match args.model.as_deref().map(model_of_name).transpose()? {
         Some(ModelKind::Patterns) => Ok(true),
         Some(ModelKind::Fans) if !file.has_collapses() => {
-            Err(Failure::user(format!("{}: fans take collapses, and this file has none", input.name))
-                .with_hint("leave --model out, or say --model patterns"))
+            Err(Failure::user(format!("{}: fans require collapses, but this file has none", input.name))
+                .with_hint("remove --model, or use --model patterns"))
         }
         Some(ModelKind::Fans) => Ok(false),
-        Some(kind) => Err(Failure::user(format!("{kind} knows whole levels only"))
-            .with_hint("a view takes --model fans or patterns")),
+        Some(kind) => Err(Failure::user(format!("model {kind} does not support views"))
+            .with_hint("use --model fans or --model patterns")),
         None => Ok(file.fans().is_none() && file.patterns().is_some()),
     }
 }
 
-/// The same for a box.
+/// Extracts and writes the level with full detail inside a box.
 ///
 /// # Errors
-/// Where another model is asked for, or any of it fails.
+/// If the user named a model other than patterns, the file is damaged, or the output cannot be written.
 pub(super) fn run_box(
     args: &ExtractArgs,
     corners: Corners,
@@ -83,14 +84,14 @@ pub(super) fn run_box(
     output: &Output,
 ) -> Result<(), Failure> {
     if let Some(name) = args.model.as_deref().filter(|&name| name != ModelKind::Patterns.as_str()) {
-        return Err(Failure::user(format!("{name} are not asked for boxes"))
-            .with_hint("a box takes --model patterns"));
+        return Err(Failure::user(format!("model {name} does not support --detail-box"))
+            .with_hint("remove --model, or use --model patterns"));
     }
     let file = input.striata()?;
     let diagonal = diagonal_of(&args.level, &file, input)?;
     let triangle_limit = triangle_limit(args, &file);
-    // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the
-    // limit.
+    // The weight of a fragment outside the box is its error. Without a limit, all of these fragments may be
+    // left out.
     let threshold = match (args.level.error, triangle_limit) {
         (Some(error), _) => error.in_units(diagonal) as f32,
         (None, Some(_)) => 0.0,
@@ -101,10 +102,10 @@ pub(super) fn run_box(
     report_patterns(args, (&model, level), input, started, output)
 }
 
-/// Writes and reports what patterns show of a view or a box.
+/// Writes the level that patterns give for a view or a box, and reports it.
 ///
 /// # Errors
-/// Where the file is unsound or the output cannot be written.
+/// If the file is damaged or the output cannot be written.
 fn report_patterns(
     args: &ExtractArgs,
     (model, level): (&FilePatterns, ViewLevel),
@@ -125,8 +126,7 @@ fn report_patterns(
     let report = Report {
         patterns: Some(if model.are_stored { "stored" } else { "built" }),
         pixels: args.eye.eye.is_some().then_some(level.pixels),
-        // Built from collapses they know errors of levels only, and not what holds of each floor wherever it
-        // is shown.
+        // Patterns built from collapses only have errors of levels, which do not bound view-dependent states.
         error_is_guaranteed: is_guaranteed && model.are_stored,
         ..report
     };

@@ -1,4 +1,4 @@
-//! What is where on the picture, and drawing it.
+//! The layout of a picture in panels, and drawing them.
 
 use striata::mesh::IndexedMesh;
 
@@ -13,30 +13,32 @@ use striata_viewer::picture::{
     Artist, Camera, Canvas, ColorBar, Heat, Paint, Panel, Sheet, Shot, Style, Theme, significant,
 };
 
-/// The picture before it is drawn.
+/// A picture that is ready to be drawn.
 pub(super) struct Layout<'a> {
     args: &'a RenderArgs,
     original: &'a IndexedMesh,
     figures: &'a [Figure],
     viewpoint: &'a Viewpoint,
-    /// Where distances are shown, those of each level.
+    /// Distances from the original to each level, if the picture shows them.
     pub(super) heats: Vec<Heat>,
-    /// The distance that has the last color.
+    /// Distance at the end of the color scale.
     pub(super) heat_top: f64,
     diagonal: f64,
     sheet: Sheet,
 }
 
-/// The picture, and what it took.
+/// The finished picture.
 pub(super) struct Finished {
     pub(super) canvas: Canvas,
-    /// Seconds that one frame of all panels took.
+    /// Time to draw one frame of all panels, seconds.
     pub(super) frame_secs: f64,
 }
 
 impl<'a> Layout<'a> {
+    /// Chooses the arrangement of the panels and measures distances.
+    ///
     /// # Errors
-    /// Where a distance cannot be measured, which is our fault.
+    /// If a distance cannot be measured, which is an internal error.
     pub(super) fn new(
         args: &'a RenderArgs,
         source: &'a Source<'_>,
@@ -63,10 +65,10 @@ impl<'a> Layout<'a> {
         Ok(Self { args, original, figures, viewpoint, heats, heat_top, diagonal, sheet })
     }
 
-    /// Draws all panels and lays them out.
+    /// Draws all panels and assembles the picture.
     ///
     /// # Errors
-    /// Where strips or fans to color cannot be made.
+    /// If strips or fans for coloring cannot be made.
     pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<Finished, Failure> {
         let size = self.sheet.panel_size();
         let camera = self.viewpoint.camera(size[0] as f32 / size[1] as f32);
@@ -124,7 +126,8 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Columns and rows: a row for each coloring, or else as many as show the levels largest.
+/// Returns the number of columns and rows: a row per coloring, or else the arrangement that shows levels
+/// largest.
 fn grid(
     args: &RenderArgs,
     count: usize,
@@ -143,7 +146,7 @@ fn grid(
         let [width, height] = make((columns, count.div_ceil(columns))).panel_size();
         (width as f32).min(height as f32 * aspect)
     };
-    // The last of the best is the one with fewest rows.
+    // Of equally good arrangements, `max_by` returns the last one, which has the fewest rows.
     let columns = (1..=count).max_by(|a, b| shown(a).total_cmp(&shown(b))).unwrap_or(1);
     (columns, count.div_ceil(columns))
 }
