@@ -101,8 +101,7 @@ impl Failure {
 }
 
 const PLEASE_REPORT: &str = "This is a bug in striata; please report it with the command line and, if \
-    possible, \
-                             the file.\n";
+                             possible, the file.\n";
 
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {

@@ -173,7 +173,7 @@ pub fn default_output_path(input: &Path, extension: &str) -> Result<PathBuf, Fai
         if input.extension().is_some_and(is_packed) { input.with_extension("") } else { input.to_owned() };
     let output = bare.with_extension(extension);
     let is_input = output == input
-        || matches!((output.canonicalize(), input.canonicalize()), (Ok(output), Ok(input)) if output == input);
+        || output.canonicalize().is_ok_and(|output| input.canonicalize().is_ok_and(|input| output == input));
     if is_input {
         let message = format!("{}: the output would overwrite the input", input.display());
         return Err(Failure::user(message).with_hint(hint));

@@ -1,7 +1,8 @@
-//! Many clients at once, some of them slow; shared with `examples/load.rs`.
+//! Many clients at the same time, some of them slow; shared with `examples/load.rs`.
 //!
-//! Quick clients read random ranges of one file and check every byte; slow ones take the whole file, a
-//! kilobyte a second, through small windows. The server's memory is sampled meanwhile. All ends by itself.
+//! Quick clients read random ranges of one file and check every byte. Slow clients read the whole file at a
+//! kilobyte per second, through small windows. The memory of the server is sampled meanwhile. The test ends
+//! by itself.
 
 use std::io::{self, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -13,40 +14,40 @@ use socket2::{Domain, Socket, Type};
 
 use crate::serve_client::{Connection, PATIENCE, Server};
 
-/// The file that is read.
+/// Name of the file that is read.
 pub(crate) const FILE: &str = "large.stl";
-/// Its bytes: more than all buffers on the way of a slow reader hold.
+/// Size of the file: larger than all buffers between the server and a slow client.
 const FILE_BYTES: usize = 24 << 20;
-/// Longest range.
+/// Length of the longest range.
 const MAX_RANGE: u64 = 64 << 10;
-/// What a slow reader takes a second.
+/// Bytes that a slow client reads per second.
 const SLOW_BYTES: usize = 1024;
-/// How often memory is looked at.
+/// Interval between samples of the memory.
 const SAMPLED_EVERY: Duration = Duration::from_millis(200);
 
-/// How much load.
+/// The load to apply.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plan {
-    /// Clients that read ranges.
+    /// Number of clients that read ranges.
     pub(crate) quick: usize,
-    /// Clients that take a kilobyte a second.
+    /// Number of clients that read a kilobyte per second.
     pub(crate) slow: usize,
-    /// How long, and at least until every client has got something twice.
+    /// Duration, extended until every client has received something twice.
     pub(crate) lasts: Duration,
 }
 
-/// What came of it.
+/// The measurements.
 #[derive(Debug, Default)]
 pub(crate) struct Outcome {
-    /// How long each answer to a quick client took, in order of length.
+    /// Latency of each response to a quick client, in ascending order.
     pub(crate) latencies: Vec<Duration>,
-    /// Bytes that slow clients got.
+    /// Bytes received by slow clients.
     pub(crate) slow_bytes: usize,
-    /// The server's memory at each sample, kB.
+    /// Resident memory of the server at each sample, kB.
     pub(crate) resident_kb: Vec<u64>,
-    /// The most memory that the server ever held, kB.
+    /// Peak resident memory of the server, kB.
     pub(crate) peak_kb: u64,
-    /// What went wrong.
+    /// Errors of clients.
     pub(crate) errors: Vec<String>,
 }
 
@@ -133,8 +134,8 @@ fn read_slowly(address: SocketAddr, until: Instant) -> io::Result<usize> {
     Ok(taken)
 }
 
-fn byte_at(place: u64) -> u8 {
-    mixed(place / 8).to_le_bytes()[(place % 8) as usize]
+fn byte_at(offset: u64) -> u8 {
+    mixed(offset / 8).to_le_bytes()[(offset % 8) as usize]
 }
 
 fn mixed(number: u64) -> u64 {
@@ -143,7 +144,7 @@ fn mixed(number: u64) -> u64 {
     x ^ x >> 31
 }
 
-/// What Linux says of a process's memory.
+/// Returns a memory figure of a process from `/proc` (Linux).
 pub(crate) fn memory_kb(process: u32, key: &str) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(key))?;

@@ -46,9 +46,8 @@ pub(super) fn draw_all(built: &BuildOutput, artist: &mut Artist) -> Result<Vec<P
             name: "levels.png",
             what: "four levels, shaded and as strips",
             text: "Top: levels shaded with the normals of the full mesh, which remain valid because no \
-                vertex moves. Bottom: the \
-                   triangle strips that are drawn. They are made once, at full detail, and adapted to \
-                   every level.",
+                   vertex moves. Bottom: the triangle strips that are drawn. They are made once, at full \
+                   detail, and adapted to every level.",
             png: studio.levels()?,
         },
         Picture {
@@ -61,16 +60,14 @@ pub(super) fn draw_all(built: &BuildOutput, artist: &mut Artist) -> Result<Vec<P
             name: "heat.png",
             what: "how far three levels are from the original",
             text: "Distance from each vertex of the original to the level, in mesh units. The end of the \
-                color bar is the \
-                   largest distance of the three levels.",
+                   color bar is the largest distance of the three levels.",
             png: studio.heat()?,
         },
         Picture {
             name: "view.png",
             what: "a view-dependent level, seen from outside",
             text: "Detail only where one camera needs it: the region inside the outlined frustum is \
-                refined until no error \
-                   exceeds two pixels; everything else stays coarse.",
+                   refined until no error exceeds two pixels; everything else stays coarse.",
             png: studio.view()?,
         },
     ])

@@ -109,16 +109,14 @@ impl Seams {
             let share = percent(self.seam_edge_count as f64 / self.inner_edge_count.max(1) as f64);
             return Some(format!(
                 "Seams ({by}) run along {share} of the edges. Simplification crosses them at a cost. With \
-                 --keep-seams, \
-                 seams are only collapsed along themselves, and some levels may be unreachable."
+                 --keep-seams, seams are only collapsed along themselves, and some levels may be unreachable."
             ));
         }
         let is_flat = self.causes == [NORMALS];
         let shading = if is_flat { "the mesh is flat shaded" } else { "few triangles share a vertex" };
         Some(format!(
             "The {by} are split at {} of the positions: {shading}. Simplification crosses seams at a cost; \
-             with \
-             --keep-seams, almost nothing could be removed.",
+             with --keep-seams, almost nothing could be removed.",
             percent(self.split_share())
         ))
     }
@@ -158,10 +156,8 @@ impl Parts {
         (self.count > 1).then(|| {
             format!(
                 "The mesh has {count} disconnected parts. A level with fewer than {least} triangles cannot \
-                 show all of \
-                 them, and a part disappears earlier if that costs less than simplifying others. With \
-                 --keep-parts, no \
-                 level has fewer than {least} triangles."
+                 show all of them, and a part disappears earlier if that costs less than simplifying others. With \
+                 --keep-parts, no level has fewer than {least} triangles."
             )
         })
     }
@@ -212,8 +208,7 @@ pub(super) fn notes(
         let edges = counted(statistics.non_manifold_edge_count, "edge has", "edges have");
         notes.push(format!(
             "{edges} more than two triangles. Simplification removes them like others, but a stream keeps \
-             their \
-             positions at every level."
+             their positions at every level."
         ));
     }
     if statistics.duplicate_triangle_count > 0 {
