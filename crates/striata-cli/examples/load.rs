@@ -1,5 +1,4 @@
-//! Puts `striata serve` under load, on this machine only: 180 clients for half a minute, then for a minute
-//! with 20 slow ones.
+//! Puts `striata serve` under load with 180 quick clients, then also with 20 slow ones, all on this machine.
 //!
 //! Run it with `cargo run --release -p striata-cli --example load [SECS]` after building the command.
 

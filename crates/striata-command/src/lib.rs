@@ -1,5 +1,4 @@
-//! Code shared by striata's commands: flags of several verbs, reading and writing of files, progress bars and
-//! tables, and failures with hints and exit codes.
+//! Code shared by the commands of striata: flags, input and output of files, progress, tables, and failures.
 //!
 //! In reading order: [`args`] are the flags; [`failure`], [`output`] and [`clock`] report results, errors and
 //! times;

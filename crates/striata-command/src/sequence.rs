@@ -378,7 +378,7 @@ impl SequenceArgs {
     }
 
     /// Whether the user requested free retriangulation.
-    pub fn is_free(&self) -> bool {
+    pub fn wants_free_retriangulation(&self) -> bool {
         self.removal.retriangulation == Some(RetriangulationArg::Free)
     }
 }

@@ -358,7 +358,9 @@ fn textured_hill(png: Option<&[u8]>) -> String {
     let uri = |kind: &str, bytes: &[u8]| format!("data:{kind};base64,{}", STANDARD.encode(bytes));
     let mut gltf = serde_json::json!({
         "asset": { "version": "2.0" },
-        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 }] }],
+        "meshes": [{ "primitives": [
+            { "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 }
+        ] }],
         "nodes": [{ "mesh": 0 }],
         "scenes": [{ "nodes": [0] }],
         "scene": 0,

@@ -117,7 +117,7 @@ fn all_models_show_the_same_level() {
 #[test]
 fn strips_fans_and_triangles_are_colored_differently() {
     let bench = Workbench::with_ball();
-    let hues = |picture: &Decoded| {
+    let hues = |picture: &DecodedPng| {
         let pixels = picture.pixels.iter().filter(|p| p[3] > 250 && p[..3].iter().max() > Some(&60));
         let shares = pixels.map(|p| {
             let most = u32::from(p[..3].iter().copied().max().unwrap_or(1));

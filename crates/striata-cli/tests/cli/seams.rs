@@ -1,5 +1,4 @@
-//! Typical modeled meshes: flat shading, seams, materials, many parts. Every target is reached unless a flag
-//! prevents it.
+//! Meshes with flat shading, seams, materials and many parts, reach every target unless flags prevent it.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

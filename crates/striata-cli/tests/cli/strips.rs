@@ -1,5 +1,4 @@
-//! `strip`, and the strips of `build`: they contain each triangle once, and their reported costs are
-//! consistent.
+//! `strip`, and the strips of `build`: each triangle is in one strip, and reported costs are consistent.
 
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, canonical_triangles};

@@ -1,5 +1,4 @@
-//! Flags that choose a level by triangle or vertex count, error, detail or view, or that choose several
-//! levels.
+//! Flags that choose one or several levels: by triangle or vertex count, error, detail or view.
 
 use std::fmt;
 use std::str::FromStr;

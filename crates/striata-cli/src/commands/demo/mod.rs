@@ -87,7 +87,7 @@ fn render_page(
     let content = page::Content {
         intro: &intro,
         levels: "Errors are distances from the full mesh, relative to the diagonal of its bounding box. \
-                 Seek times are the times to go from full detail to the level, on the machine that ran the demo.",
+                 Seek times are those from full detail to the level, on the machine that ran the demo.",
         table: &levels::rows(levels),
         files: &folder.files,
         pictures,

@@ -51,7 +51,7 @@ pub(in crate::commands) fn full_mesh(
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::commands) enum StreamStopReason {
     /// The stream ends before the target.
-    Input,
+    InputEnded,
     /// Any other reason, as for levels of a file.
     Level(StopReason),
 }
@@ -60,7 +60,7 @@ impl StreamStopReason {
     /// Returns the name used in reports.
     pub(in crate::commands) fn as_str(self) -> &'static str {
         match self {
-            Self::Input => INPUT_ENDED,
+            Self::InputEnded => INPUT_ENDED,
             Self::Level(reason) => reason.as_str(),
         }
     }

@@ -15,7 +15,7 @@ use striata_command::args::{Corners, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
-use striata_command::save::save;
+use striata_command::save::write_mesh;
 
 /// Extracts and writes the level for a view.
 ///

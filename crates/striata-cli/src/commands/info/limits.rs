@@ -156,8 +156,8 @@ impl Parts {
         (self.count > 1).then(|| {
             format!(
                 "The mesh has {count} disconnected parts. A level with fewer than {least} triangles cannot \
-                 show all of them, and a part disappears earlier if that costs less than simplifying others. With \
-                 --keep-parts, no level has fewer than {least} triangles."
+                 show all of them, and a part disappears earlier if that costs less than simplifying others. \
+                 With --keep-parts, no level has fewer than {least} triangles."
             )
         })
     }

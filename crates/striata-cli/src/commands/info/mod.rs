@@ -335,6 +335,9 @@ fn described(layer: &AttributeLayer) -> Value {
 }
 
 fn groups(mesh: &IndexedMesh) -> Vec<Value> {
-    let described = |group: &TriangleGroup| json!({ "name": group.name, "material": group.material, "triangle_count": group.count });
+    let described = |group: &TriangleGroup| {
+        let TriangleGroup { name, material, count, .. } = group;
+        json!({ "name": name, "material": material, "triangle_count": count })
+    };
     mesh.groups.iter().map(described).collect()
 }

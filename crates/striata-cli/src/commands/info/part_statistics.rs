@@ -1,5 +1,4 @@
-//! Statistics of the connected parts of a mesh: their sizes, and the fewest triangles that can show all of
-//! them.
+//! Statistics of the connected parts of a mesh: their sizes, and the fewest triangles that show all of them.
 //!
 //! Parts share no position. A part is closed if an even number of triangles meets along each of its edges. It
 //! stays closed whatever is collapsed, since collapses only merge positions. A single triangle is not closed,

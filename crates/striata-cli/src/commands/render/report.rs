@@ -9,7 +9,7 @@ use super::figure::Figure;
 use super::layout::Layout;
 use super::source::Source;
 use crate::args::RenderArgs;
-use striata_command::level::remark;
+use striata_command::level::shortfall_note;
 use striata_command::output::{counted, lasted, measured};
 use striata_viewer::picture::Artist;
 

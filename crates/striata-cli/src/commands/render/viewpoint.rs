@@ -17,9 +17,9 @@ pub(super) struct Viewpoint {
 
 enum CameraPlacement {
     /// A fixed camera.
-    At(Camera),
+    Fixed(Camera),
     /// A camera at these angles, as close as possible with all of these points visible.
-    Around(Vec<[f32; 3]>, Angles),
+    Framing(Vec<[f32; 3]>, Angles),
 }
 
 /// Default field of view of a camera given by `--from`, degrees.
