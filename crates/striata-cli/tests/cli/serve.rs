@@ -141,9 +141,9 @@ fn no_path_leads_out_of_the_folder_or_to_hidden_files() {
         assert_eq!(status(&format!("/models/{path}")), 404, "{path}");
         assert_eq!(status(&format!("/pictures/{path}.png")), 404, "{path}");
     }
-    let asked =
+    let paths =
         ["/../../etc/passwd", "/%2e%2e/Cargo.toml", "/viewer.js/", "/models", "/pictures/", "//etc/passwd"];
-    for path in asked {
+    for path in paths {
         assert_eq!(status(path), 404, "{path}");
     }
 }
@@ -228,7 +228,7 @@ fn only_complete_text_files_are_compressed() {
         let answer = ask(&format!("/models/{name}"), "");
         assert_eq!((answer.status, answer.header("content-encoding")), (200, "gzip"), "{name}");
         let mut unpacked = Vec::new();
-        flate2::read::GzDecoder::new(answer.body.as_slice()).read_to_end(&mut unpacked).expect("sound gzip");
+        flate2::read::GzDecoder::new(answer.body.as_slice()).read_to_end(&mut unpacked).expect("valid gzip");
         assert!(unpacked == bench.read(name) && answer.body.len() < unpacked.len() / 2, "{name}");
         let again = ask(&format!("/models/{name}"), &format!("if-none-match: {}\r\n", answer.header("etag")));
         assert_eq!(again.status, 304);
@@ -276,7 +276,7 @@ fn the_viewer_is_compressed_once_and_has_a_content_security_policy() {
     let (gzip, brotli) = (packed("gzip"), packed("br"));
     assert!(gzip.body.len() < plain.body.len() && brotli.body.len() < plain.body.len());
     let mut unpacked = Vec::new();
-    flate2::read::GzDecoder::new(gzip.body.as_slice()).read_to_end(&mut unpacked).expect("sound gzip");
+    flate2::read::GzDecoder::new(gzip.body.as_slice()).read_to_end(&mut unpacked).expect("valid gzip");
     assert_eq!(unpacked, plain.body);
     let tags = [&plain, &gzip, &brotli].map(|answer| answer.header("etag").to_owned());
     assert!(tags[0] != tags[1] && tags[1] != tags[2] && tags[0] != tags[2], "{tags:?}");
@@ -331,10 +331,10 @@ fn unknown_host_names_are_refused() {
         connection.answer(true).expect("an answer").status
     };
     let port = server.address.port();
-    for good in
+    for allowed in
         ["localhost".to_owned(), format!("LOCALHOST:{port}"), format!("127.0.0.1:{port}"), "[::1]".to_owned()]
     {
-        assert_eq!(status(&format!("host: {good}\r\n")), 200, "{good}");
+        assert_eq!(status(&format!("host: {allowed}\r\n")), 200, "{allowed}");
     }
     for bad in
         ["example.com", "localhost.example.com", "127.0.0.1.nip.io:80", "user@localhost", "192.168.0.1"]
@@ -436,7 +436,7 @@ fn idle_and_stalled_connections_are_dropped() {
     while !are_free() {
         assert!(Instant::now() < until, "the places are never free");
     }
-    assert!(silent.answer(true).is_err(), "nothing was asked");
+    assert!(silent.answer(true).is_err(), "no request was sent");
     assert!(stalled.answer(true).is_err(), "the rest was given up");
 }
 

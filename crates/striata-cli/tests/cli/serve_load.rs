@@ -96,10 +96,10 @@ fn read_ranges(address: SocketAddr, seed: u64, until: Instant) -> io::Result<Vec
     while latencies.len() < 2 || Instant::now() < until {
         let length = 1 + below(MAX_RANGE);
         let start = below(FILE_BYTES as u64 - length);
-        let asked = Instant::now();
+        let sent = Instant::now();
         let range = format!("range: bytes={start}-{}\r\n", start + length - 1);
         let answer = connection.get(&format!("/models/{FILE}"), &range)?;
-        latencies.push(asked.elapsed());
+        latencies.push(sent.elapsed());
         let is_right = answer.body.iter().zip(start..).all(|(&byte, place)| byte == byte_at(place));
         if answer.status != 206 || answer.body.len() as u64 != length || !is_right {
             let [status, found] = [u64::from(answer.status), answer.body.len() as u64];
@@ -122,16 +122,16 @@ fn read_slowly(address: SocketAddr, until: Instant) -> io::Result<usize> {
         stream.read_exact(&mut byte)?;
         head.push(byte[0]);
     }
-    let (mut taken, mut piece) = (0, [0; SLOW_BYTES]);
-    while taken < 2 * SLOW_BYTES || Instant::now() < until {
+    let (mut read_count, mut piece) = (0, [0; SLOW_BYTES]);
+    while read_count < 2 * SLOW_BYTES || Instant::now() < until {
         stream.read_exact(&mut piece)?;
-        if piece.iter().zip(taken as u64..).any(|(&byte, place)| byte != byte_at(place)) {
-            return Err(io::Error::other(format!("wrong bytes after {taken}")));
+        if piece.iter().zip(read_count as u64..).any(|(&byte, offset)| byte != byte_at(offset)) {
+            return Err(io::Error::other(format!("wrong bytes after {read_count}")));
         }
-        taken += SLOW_BYTES;
+        read_count += SLOW_BYTES;
         thread::sleep(Duration::from_secs(1).min(until.saturating_duration_since(Instant::now())));
     }
-    Ok(taken)
+    Ok(read_count)
 }
 
 fn byte_at(offset: u64) -> u8 {

@@ -120,8 +120,7 @@ pub struct RemovalArgs {
     #[arg(long, value_name = "METHOD", hide_possible_values = true)]
     pub retriangulation: Option<RetriangulationArg>,
     /// Which triangulation is best: distance (closest to the original), flatness or shape (roundest
-    /// triangles)
-    /// [default: distance]
+    /// triangles) [default: distance]
     #[arg(long, hide_possible_values = true)]
     pub criterion: Option<CriterionArg>,
     #[arg(

@@ -12,10 +12,10 @@ use striata_command::output::{counted, grouped};
 /// Parts with at most this many triangles are counted as tiny.
 const TINY_PART: usize = 16;
 
-/// A mesh counts as mostly seams if at least this fraction of its positions is split, ...
+/// Smallest fraction of split positions for which a mesh counts as consisting mostly of seams.
 const MOSTLY_SPLIT: f64 = 0.9;
 
-/// ... into at least this many vertices on average.
+/// Smallest mean number of vertices per position for which a mesh counts as consisting mostly of seams.
 const MANY_WEDGES: f64 = 3.0;
 
 /// Seams, where attributes or materials split a position into several vertices.
