@@ -18,7 +18,8 @@
 //! * `rows:` are prefixes of key cells, if only some rows can be checked.
 //! * `check:` are columns that the commands print in a Markdown table with the same titles and keys.
 //! * `json:` is for commands with `--json`: a column and the address of its value (`address.rs`), one column
-//!   per line. Of several commands, the last one prints the JSON; those before it prepare temporary files. `at:` is the base of addresses that begin with a dot.
+//!   per line. Of several commands, the last one prints the JSON; those before it prepare temporary files.
+//!   `at:` is the base of addresses that begin with a dot.
 //! * `{column}` in a command or an address is replaced by the cell of the row. A part of a command in square
 //!   brackets is omitted if its cell contains no number.
 //! * `names: dragon = dragon.ply; cow = cow.obj` maps cells to the names that the command uses.

@@ -33,8 +33,8 @@ pub(crate) use self::strips::StripArgs;
     version,
     about = "Continuous level of detail for triangle meshes",
     // Without a usage line, which the heading of the verbs makes redundant, the help fits one screen.
-    help_template = "{about}\n{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, also .gz and \
-        .zst; `-` is stdin.",
+    help_template = "{about}\n{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; \
+        - is stdin or stdout.",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` lists the options of a verb, with examples)",
     disable_help_subcommand = true,
@@ -110,9 +110,9 @@ pub(crate) struct BuildArgs {
     /// File to write, or - for stdout [default: the input with extension .striata]
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: Option<PathBuf>,
-    /// Models to store: lodstrips (triangle strips; small, fast to change level), mts (strips traversed again
-    /// for each level), fans (view-dependent; without them `extract --eye` builds them every time), patterns
-    /// (view-dependent, also for detail boxes, any --order, less memory), progressive (compressed stream)
+    /// Models to store: lodstrips (strips; small, fast), mts (strips rebuilt at each level), fans (for views;
+    /// else `extract --eye` builds them), patterns (for views and boxes, with any --order), progressive
+    /// (stream)
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', default_value = "lodstrips")]
     models: Vec<String>,
     /// Store only a compressed stream, like --models progressive; --bits sets the precision
@@ -124,9 +124,8 @@ pub(crate) struct BuildArgs {
     /// Fail and write nothing if --base cannot be reached
     #[arg(long, requires = "base", help_heading = BASE)]
     pub(crate) strict: bool,
-    /// Guarantee that no point of the original is farther from a level, in mesh units or % of the bounding
-    /// box diagonal
-    #[arg(long, value_name = "DISTANCE|P%", allow_negative_numbers = true, help_heading = BASE)]
+    /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal)
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, help_heading = BASE)]
     pub(crate) max_error: Option<Length>,
     /// How the mesh is simplified.
     #[command(flatten)]
@@ -190,7 +189,7 @@ pub(crate) struct ExtractArgs {
     /// allow
     #[arg(
         long,
-        value_name = "X,Y,Z,X,Y,Z",
+        value_name = "X,Y,Z,...",
         allow_hyphen_values = true,
         group = "LevelArgs",
         help_heading = LEVEL,
@@ -232,7 +231,7 @@ pub(crate) struct SimplifyArgs {
     /// Guarantee that no point of the original is farther from the level; alone or with another of these
     #[arg(
         long,
-        value_name = "DISTANCE|P%",
+        value_name = "DISTANCE",
         allow_negative_numbers = true,
         group = "LevelArgs",
         help_heading = LEVEL,

@@ -62,9 +62,9 @@ pub(crate) struct RenderArgs {
     /// Draw the original, colored by its distance from the level
     #[arg(long, conflicts_with_all = ["colors", "model"], help_heading = APPEARANCE)]
     pub(crate) heat: bool,
-    /// Distance at the end of the color scale, in mesh units or % of the diagonal [default: the largest in
-    /// the picture]
-    #[arg(long, value_name = "DISTANCE|P%", requires = "heat", help_heading = APPEARANCE)]
+    /// Distance at the end of the color scale (mesh units, or % of the diagonal) [default: the largest in the
+    /// picture]
+    #[arg(long, value_name = "DISTANCE", requires = "heat", help_heading = APPEARANCE)]
     pub(crate) heat_max: Option<Length>,
     /// Background color: dark, light, none (transparent) or #rrggbb
     #[arg(long, value_name = "COLOR", default_value = "dark", help_heading = APPEARANCE)]
@@ -72,7 +72,7 @@ pub(crate) struct RenderArgs {
     /// Size of the picture in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x960", help_heading = APPEARANCE)]
     pub(crate) size: Viewport,
-    /// Number of rows that levels are arranged in [default: the one that shows them largest]
+    /// Number of rows of levels [default: whatever shows them largest]
     #[arg(
         long,
         value_name = "N",

@@ -49,8 +49,8 @@ pub struct LevelArgs {
         conflicts_with_all = ["error", "split_count"],
     )]
     pub detail: Option<f64>,
-    /// Largest error allowed, in mesh units or % of the bounding box diagonal
-    #[arg(long, value_name = "DISTANCE|P%", allow_negative_numbers = true, conflicts_with = "split_count")]
+    /// Largest error allowed, in mesh units or as a percentage of the diagonal: 1%
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, conflicts_with = "split_count")]
     pub error: Option<Length>,
     /// Exactly N vertex splits above the base mesh
     #[arg(long, value_name = "N", allow_negative_numbers = true)]

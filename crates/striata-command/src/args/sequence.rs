@@ -38,8 +38,8 @@ pub struct SequenceArgs {
     /// of every removed vertex; slower, best at coarse levels) [default: memoryless]
     #[arg(long, hide_possible_values = true, help_heading = QUADRIC)]
     pub cost: Option<CostArg>,
-    /// Also merge disconnected parts that are closer than this, in mesh units or % of the diagonal
-    #[arg(long, value_name = "DISTANCE|P%", allow_negative_numbers = true, help_heading = QUADRIC)]
+    /// Also merge disconnected parts that are closer than this (mesh units, or % of the diagonal)
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = QUADRIC)]
     pub pair_distance: Option<Length>,
     /// Weights of attributes.
     #[command(flatten)]
@@ -227,8 +227,8 @@ fn degree_help() -> String {
 fn weight_help(weight: impl Fn(AttributeWeights) -> f32, what: &str) -> String {
     let default = weight(AttributeWeights::default());
     format!(
-        "Distance that a difference of 1 in {what} counts as, as a fraction of the diagonal; 0 ignores \
-         them [default: {default}]"
+        "Weight of {what}: a difference of 1 counts as this fraction of the diagonal; 0 ignores them \
+         [default: {default}]"
     )
 }
 

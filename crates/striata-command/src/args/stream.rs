@@ -25,8 +25,8 @@ pub struct StreamArgs {
         conflicts_with_all = ["tolerance", "lossless"],
     )]
     bits: Option<u32>,
-    /// Instead of --bits: move no vertex farther than this, in mesh units or % of the diagonal
-    #[arg(long, value_name = "DISTANCE|P%", allow_negative_numbers = true, conflicts_with = "lossless")]
+    /// Instead of --bits: move no vertex farther than this (mesh units, or % of the diagonal)
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, conflicts_with = "lossless")]
     tolerance: Option<Length>,
     /// Instead of --bits: keep all values exactly
     #[arg(long)]
