@@ -70,7 +70,7 @@ pub(crate) fn check() -> Result<()> {
     let stamp = Stamp::read(&viewer_stamp()).context(ADVICE)?;
     if let Some(missing) = missing_tool() {
         say(&format!("{missing}: the web package is neither built nor tested"));
-        notice(&stamp);
+        print_notice(&stamp);
         return Ok(());
     }
     prepare_library()?;
@@ -81,14 +81,14 @@ pub(crate) fn check() -> Result<()> {
         assets::compare(&scratch, &viewer()).context(ADVICE)?;
     } else {
         say("the viewer was built by another rustc, so its bytes are not compared");
-        notice(&stamp);
+        print_notice(&stamp);
     }
     machine::remove_folder(&scratch)?;
     machine::npm(&folder(), &["test"])
 }
 
 /// Prints a notice if the viewer is older than its sources.
-fn notice(stamp: &Stamp) {
+fn print_notice(stamp: &Stamp) {
     let changed = stamp.changed();
     if !changed.is_empty() {
         let changed = changed.join("; ");

@@ -294,10 +294,10 @@ impl SequenceArgs {
         let seams = if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross };
         let topology = if self.keep_parts { TopologyRule::KeepParts } else { TopologyRule::Change };
         let misplaced = match self.order {
-            OrderArg::Quadric => self.removal.given(),
+            OrderArg::Quadric => self.removal.first_given_flag(),
             OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
             OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
-            OrderArg::Hausdorff => self.weights.given(),
+            OrderArg::Hausdorff => self.weights.first_given_flag(),
         };
         if let Some(flag) = misplaced {
             let order = self.order.as_str();

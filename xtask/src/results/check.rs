@@ -9,7 +9,7 @@ use super::page::{DocTable, Row, cells_of, column_of};
 
 /// Result of a check.
 #[derive(Debug, Default)]
-pub(super) struct Checked {
+pub(super) struct CheckResult {
     pub(super) cell_count: usize,
     /// One line for each cell that differs.
     pub(super) differences: Vec<String>,
@@ -20,8 +20,8 @@ impl DocTable {
     ///
     /// # Errors
     /// If a command fails, or its output is neither a table nor JSON with the values of the row.
-    pub(super) fn check(&self, output: &mut dyn FnMut(&str) -> Result<String>) -> Result<Checked> {
-        let mut found = Checked::default();
+    pub(super) fn check(&self, output: &mut dyn FnMut(&str) -> Result<String>) -> Result<CheckResult> {
+        let mut found = CheckResult::default();
         for row in self.rows.iter().filter(|row| self.is_wanted(row)) {
             let lines = self
                 .commands
@@ -169,7 +169,7 @@ Text.
 | | 10,000 | 1,300 | |
 ";
 
-    fn check(page: &str, output: &str) -> (Vec<String>, Result<Checked>) {
+    fn check(page: &str, output: &str) -> (Vec<String>, Result<CheckResult>) {
         let mut lines = Vec::new();
         let tables = tables_of("a.md", page).unwrap();
         let checked = tables[0].check(&mut |line| {

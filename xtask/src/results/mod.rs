@@ -47,7 +47,7 @@ pub(crate) struct ResultsArgs {
 pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
     let tables = all_tables()?;
     if args.list {
-        tables.iter().for_each(|table| say(&listed(table)));
+        tables.iter().for_each(|table| say(&list_entry(table)));
         return Ok(());
     }
     let mut chosen: Vec<&DocTable> = Vec::new();
@@ -79,7 +79,7 @@ pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
     Ok(())
 }
 
-fn listed(table: &DocTable) -> String {
+fn list_entry(table: &DocTable) -> String {
     let what = if table.is_checkable() { "checked" } else { "times only" };
     format!("{} ({what}), {}:{}\n    {}", table.name, table.page, table.line, table.commands.join("\n    "))
 }

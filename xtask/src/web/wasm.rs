@@ -28,7 +28,7 @@ const WASM_OPT_FEATURES: [&str; 7] = [
 ];
 
 /// Files built from `crates/striata-web`.
-pub(super) struct Built {
+pub(super) struct BuiltFiles {
     wasm: Vec<u8>,
     script: String,
     types: String,
@@ -38,7 +38,7 @@ pub(super) struct Built {
 ///
 /// # Errors
 /// If a tool fails.
-pub(super) fn build() -> Result<Built> {
+pub(super) fn build() -> Result<BuiltFiles> {
     let arguments =
         ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
     steps::run(cargo(&arguments).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f")))?;
@@ -49,14 +49,14 @@ pub(super) fn build() -> Result<Built> {
     let mut output = bindgen.generate_output().context("wasm-bindgen failed")?;
     let wasm = optimized(&output.wasm_mut().emit_wasm())?;
     let (script, types) = (output.js().to_owned(), output.ts().unwrap_or_default().to_owned());
-    Ok(Built { wasm, script, types })
+    Ok(BuiltFiles { wasm, script, types })
 }
 
 /// Writes the built files.
 ///
 /// # Errors
 /// If a file cannot be written.
-pub(super) fn write(built: &Built, dist: &Path, scripts: &Path) -> Result<()> {
+pub(super) fn write(built: &BuiltFiles, dist: &Path, scripts: &Path) -> Result<()> {
     let files = [
         (dist.join("striata.wasm"), &built.wasm[..]),
         (scripts.join("striata_web.js"), built.script.as_bytes()),

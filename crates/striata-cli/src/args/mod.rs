@@ -11,8 +11,8 @@ use striata::model::ModelKind;
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
 use striata_command::args::{
-    BUILD_STRIPS, Corners, Count, EyeArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs, OutputArgs,
-    ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, ViewArgs, strips_help,
+    AxisAlignedBox, BUILD_STRIPS, Count, EyeArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs,
+    OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, ViewArgs, strips_help,
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(all(feature = "serve", not(feature = "window")))]
@@ -195,7 +195,7 @@ pub(crate) struct ExtractArgs {
         help_heading = LEVEL,
         conflicts_with_all = ["vertices", "detail", "split_count", "levels", "eye"],
     )]
-    pub(crate) detail_box: Option<Corners>,
+    pub(crate) detail_box: Option<AxisAlignedBox>,
     /// Fail and write nothing if a level cannot be reached
     #[arg(long, help_heading = LEVEL)]
     pub(crate) strict: bool,

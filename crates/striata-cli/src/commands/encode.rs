@@ -64,7 +64,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let encoded = Encoded { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
+    let encoded = EncodeResult { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
     let report = Report::new(&encoded, (display_name(&path), bytes.len()), phases)?;
     output.summary(&report, &report.to_text(args, &options))
 }
@@ -95,7 +95,7 @@ fn in_striata_file(
 }
 
 /// The data that the report is made from.
-struct Encoded<'a> {
+struct EncodeResult<'a> {
     mesh: &'a IndexedMesh,
     refinable: &'a RefinableMesh,
     batch_count: usize,
@@ -129,7 +129,7 @@ struct Report {
 
 impl Report {
     fn new(
-        encoded: &Encoded<'_>,
+        encoded: &EncodeResult<'_>,
         (path, output_bytes): (String, usize),
         phases: Phases,
     ) -> Result<Self, Failure> {

@@ -134,7 +134,7 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
     if args.placement == PlacementArg::Subset {
         return Ok(());
     }
-    let weight = args.sequence.weights.given();
+    let weight = args.sequence.weights.first_given_flag();
     let flags = [
         ("--order hausdorff", args.sequence.order == OrderArg::Hausdorff),
         ("--max-error", args.max_error.is_some()),

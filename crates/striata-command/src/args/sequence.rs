@@ -89,7 +89,7 @@ impl WeightArgs {
     const MAX: f32 = 100.0;
 
     /// Returns the first of these flags that the user gave.
-    pub fn given(&self) -> Option<&'static str> {
+    pub fn first_given_flag(&self) -> Option<&'static str> {
         let Self { normal_weight, uv_weight, uv_contrast, color_weight } = self;
         let flags = [
             ("--normal-weight", normal_weight.is_some()),
@@ -138,7 +138,7 @@ pub struct RemovalArgs {
 
 impl RemovalArgs {
     /// Returns the first of these flags that the user gave.
-    pub fn given(&self) -> Option<&'static str> {
+    pub fn first_given_flag(&self) -> Option<&'static str> {
         let Self { retriangulation, criterion, degree_limit, feature_angle } = self;
         let flags = [
             ("--retriangulation", retriangulation.is_some()),

@@ -89,7 +89,7 @@ pub enum EffortArg {
 
 impl StreamArgs {
     /// Returns the first of these flags that the user gave.
-    pub fn given(&self) -> Option<&'static str> {
+    pub fn first_given_flag(&self) -> Option<&'static str> {
         let Self { bits, tolerance, lossless, normal_bits, uv_bits, color_bits, effort, share } = self;
         let flags = [
             ("--bits", bits.is_some()),

@@ -169,14 +169,14 @@ impl FromStr for Point {
 
 /// An axis-aligned box, written as two opposite corners: `0,0,0,1,1.5,2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Corners {
+pub struct AxisAlignedBox {
     /// Smallest coordinates.
     pub min: [f32; 3],
     /// Largest coordinates.
     pub max: [f32; 3],
 }
 
-impl FromStr for Corners {
+impl FromStr for AxisAlignedBox {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -303,9 +303,12 @@ mod tests {
         for wrong in ["", "1,2,3", "1,2,3,-1", "1,2,3,inf"] {
             assert!(wrong.parse::<Region>().is_err(), "{wrong:?} was accepted");
         }
-        assert_eq!("1,0,3,0,2,-1".parse(), Ok(Corners { min: [0.0, 0.0, -1.0], max: [1.0, 2.0, 3.0] }));
+        assert_eq!(
+            "1,0,3,0,2,-1".parse(),
+            Ok(AxisAlignedBox { min: [0.0, 0.0, -1.0], max: [1.0, 2.0, 3.0] })
+        );
         for wrong in ["", "1,2,3,4,5", "1,2,3,4,5,inf", "1,2,3,4,5,6,7"] {
-            assert!(wrong.parse::<Corners>().is_err(), "{wrong:?} was accepted");
+            assert!(wrong.parse::<AxisAlignedBox>().is_err(), "{wrong:?} was accepted");
         }
         for wrong in ["", "0", "0,1.5", "0,0,0"] {
             assert!(wrong.parse::<Gaze>().is_err(), "{wrong:?} was accepted");

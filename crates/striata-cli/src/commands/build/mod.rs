@@ -133,7 +133,7 @@ fn models_of_names(names: &[String]) -> Result<Vec<ModelKind>, Failure> {
 /// # Errors
 /// If they are given without a stream.
 fn check_stream_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
-    match args.stream_encoding.given() {
+    match args.stream_encoding.first_given_flag() {
         Some(flag) if !models.contains(&ModelKind::Progressive) => {
             Err(Failure::user(format!("{flag} has no effect without a stream"))
                 .with_hint(format!("add --models progressive, or remove {flag}")))

@@ -12,7 +12,7 @@ use striata::simplify::StopReason;
 use striata::view::{Camera, Criterion, DetailBox};
 
 use super::fan_view::{MIN_PIXELS, ViewLevel};
-use striata_command::args::{Corners, ViewArgs};
+use striata_command::args::{AxisAlignedBox, ViewArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 
@@ -84,8 +84,8 @@ impl FilePatterns {
     }
 
     /// Returns the level with full detail inside a box, and errors outside of at most the budget's threshold.
-    pub(crate) fn level_of_box(&self, corners: Corners, budget: Budget) -> ViewLevel {
-        let Corners { min, max } = corners;
+    pub(crate) fn level_of_box(&self, corners: AxisAlignedBox, budget: Budget) -> ViewLevel {
+        let AxisAlignedBox { min, max } = corners;
         let inside = DetailBox { min, max, error_outside: f32::INFINITY };
         let weight = |scene: &PatternScene<'_>, step| {
             let part = scene.part(step);

@@ -11,7 +11,7 @@ use super::patterns::{Budget, FilePatterns};
 use super::report::Report;
 use crate::args::ExtractArgs;
 use crate::commands::build::{errors_are_guaranteed, model_of_name};
-use striata_command::args::{Corners, Point};
+use striata_command::args::{AxisAlignedBox, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
@@ -78,7 +78,7 @@ fn uses_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> R
 /// If the user named a model other than patterns, the file is damaged, or the output cannot be written.
 pub(super) fn run_box(
     args: &ExtractArgs,
-    corners: Corners,
+    corners: AxisAlignedBox,
     input: &Input,
     started: Instant,
     output: &Output,

@@ -91,7 +91,7 @@ impl Seams {
         let mut rows = vec![("seam edges", format!("{} of {inner}", grouped(self.seam_edge_count)))];
         if self.split_position_count > 0 {
             let [split, all] = [self.split_position_count, self.position_count].map(grouped);
-            let causes = listed(&self.causes);
+            let causes = join_names(&self.causes);
             rows.push(("split positions", format!("{split} of {all}, by {causes}")));
             let per_position = self.wedges_per_position;
             let most = self.largest_wedge_count;
@@ -104,7 +104,7 @@ impl Seams {
         if self.split_position_count == 0 {
             return None;
         }
-        let by = listed(&self.causes);
+        let by = join_names(&self.causes);
         if self.split_share() < MOSTLY_SPLIT || self.wedges_per_position < MANY_WEDGES {
             let share = percent(self.seam_edge_count as f64 / self.inner_edge_count.max(1) as f64);
             return Some(format!(
@@ -238,7 +238,7 @@ fn name_of_cause(cause: &SeamCause) -> String {
 }
 
 /// Joins names: `normals, UVs and materials`.
-fn listed(names: &[String]) -> String {
+fn join_names(names: &[String]) -> String {
     match names {
         [all @ .., before, last] if !all.is_empty() => format!("{}, {before} and {last}", all.join(", ")),
         _ => names.join(" and "),

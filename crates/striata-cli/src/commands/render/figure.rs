@@ -78,11 +78,11 @@ impl Figure {
     ///
     /// # Errors
     /// If strips cannot be made, which is an internal error.
-    pub(super) fn painted(&self, coloring: Coloring) -> Result<Painted, Failure> {
+    pub(super) fn painted(&self, coloring: Coloring) -> Result<ColoredLevel, Failure> {
         let (triangles, colors) = match coloring {
             Coloring::Surface => {
                 let strips = self.strips.as_ref().map(StripSet::to_restart_indices);
-                return Ok(Painted { triangles: None, paint: Paint::Surface, strips });
+                return Ok(ColoredLevel { triangles: None, paint: Paint::Surface, strips });
             }
             Coloring::Strips => match &self.strips {
                 Some(strips) => strip_colors(strips),
@@ -92,19 +92,19 @@ impl Figure {
             Coloring::Triangles => triangle_colors(&self.mesh.triangles),
             Coloring::Groups => group_colors(&self.mesh),
         };
-        Ok(Painted { triangles: Some(triangles), paint: Paint::Triangles(colors), strips: None })
+        Ok(ColoredLevel { triangles: Some(triangles), paint: Paint::Triangles(colors), strips: None })
     }
 }
 
 /// A colored level.
-pub(super) struct Painted {
+pub(super) struct ColoredLevel {
     /// Triangles, if coloring requires a different order from that of the level.
     triangles: Option<Vec<[u32; 3]>>,
     paint: Paint,
     strips: Option<StripIndices>,
 }
 
-impl Painted {
+impl ColoredLevel {
     /// Returns the shot that draws the level.
     pub(super) fn shot<'s>(&'s self, mesh: &'s IndexedMesh, style: Style) -> Shot<'s> {
         let shot = Shot::of(mesh, self.paint.clone(), style);

@@ -28,7 +28,7 @@ pub(super) struct Layout<'a> {
 }
 
 /// The finished picture.
-pub(super) struct Finished {
+pub(super) struct FinishedPicture {
     pub(super) canvas: Canvas,
     /// Time to draw one frame of all panels, seconds.
     pub(super) frame_secs: f64,
@@ -69,7 +69,7 @@ impl<'a> Layout<'a> {
     ///
     /// # Errors
     /// If strips or fans for coloring cannot be made.
-    pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<Finished, Failure> {
+    pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<FinishedPicture, Failure> {
         let size = self.sheet.panel_size();
         let camera = self.viewpoint.camera(size[0] as f32 / size[1] as f32);
         let (mut panels, mut frame_secs) = (Vec::new(), 0.0);
@@ -81,7 +81,7 @@ impl<'a> Layout<'a> {
                 panels.push(Panel { canvas: drawn.canvas, title, caption });
             }
         }
-        Ok(Finished { canvas: self.sheet.assemble(&panels, theme), frame_secs })
+        Ok(FinishedPicture { canvas: self.sheet.assemble(&panels, theme), frame_secs })
     }
 
     fn draw_one(
