@@ -181,7 +181,7 @@ pub fn default_output_path(input: &Path, extension: &str) -> Result<PathBuf, Fai
     Ok(output)
 }
 
-/// Refuses names that guarantee a compression which nobody does.
+/// Checks that an output name does not end in `.gz` or `.zst`, since these outputs are not compressed again.
 ///
 /// # Errors
 /// If it does.

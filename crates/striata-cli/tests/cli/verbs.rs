@@ -364,11 +364,11 @@ fn distance_is_measured_both_ways() {
     );
     assert!(report["max"].as_f64().is_some_and(|d| d < 1e-6), "{report}");
     let container = bench.json("distance sphere.obj ball.striata");
-    assert!(container["max"].as_f64().is_some_and(|d| d < 1e-6), "a container stands for its full level");
+    assert!(container["max"].as_f64().is_some_and(|d| d < 1e-6), "a container stands for its full mesh");
 }
 
 #[test]
-fn convert_goes_through_every_format() {
+fn convert_supports_every_format() {
     let bench = Workbench::with_ball();
     let mut from = "sphere.obj".to_owned();
     for to in ["a.ply", "b.off", "c.stl", "d.glb", "e.gltf", "f.obj", "g.ply.gz", "h.ply.zst"] {
@@ -381,7 +381,7 @@ fn convert_goes_through_every_format() {
 }
 
 #[test]
-fn meshes_go_through_pipes() {
+fn meshes_can_be_piped() {
     let bench = Workbench::with_ball();
     let mesh = bench.read("sphere.obj");
     let converted = bench.command("convert - - --to off").write_stdin(mesh.clone()).assert().success();
@@ -396,21 +396,21 @@ fn meshes_go_through_pipes() {
 }
 
 #[test]
-fn seams_and_uvs_survive_a_level() {
+fn levels_preserve_seams_and_uvs() {
     let bench = Workbench::new();
     let spot = asset("spot.obj.zst");
     bench.command("build -o spot.striata").arg(&spot).assert().success();
     let level = bench.json("extract spot.striata -o level.glb --triangles 1000");
     assert!(level["triangle_count"].as_u64().is_some_and(|n| (900..=1000).contains(&n)), "{level}");
     let info = bench.json("info level.glb");
-    assert_eq!(info["boundary_edge_count"], 0, "seams are no holes: {info}");
+    assert_eq!(info["boundary_edge_count"], 0, "seams are not holes: {info}");
     assert!(info["attributes"].to_string().contains("texcoord_0"), "{info}");
     let positions = info["position_count"].as_u64().expect("a count");
     assert!(info["vertex_count"].as_u64().is_some_and(|n| n > positions), "seams have two wedges: {info}");
 }
 
 #[test]
-fn the_demo_leaves_a_page_and_the_files_it_names() {
+fn the_demo_writes_a_page_and_its_files() {
     let bench = Workbench::new();
     let report = bench.json("demo show");
     assert_keys(&report, &["dir", "files", "levels"]);
@@ -421,14 +421,14 @@ fn the_demo_leaves_a_page_and_the_files_it_names() {
         assert!(path.metadata().is_ok_and(|m| m.len() > 100), "{} is missing", path.display());
     }
     let page = String::from_utf8(bench.read("show/index.html")).expect("text");
-    assert!(!page.contains("{{"), "a place of the template is left");
+    assert!(!page.contains("{{"), "a placeholder is left");
     assert!(
         page.contains("href=\"viewer.html\"") && page.matches("<img ").count() == 4,
         "viewer and pictures"
     );
     let viewer = String::from_utf8(bench.read("show/viewer.html")).expect("text");
-    assert!(viewer.contains("data-name=\"nefertiti.stri\""), "the viewer has no stream inside");
-    assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page needs a network");
+    assert!(viewer.contains("data-name=\"nefertiti.stri\""), "the viewer contains no stream");
+    assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page refers to the network");
     let triangles: Vec<u64> = report["levels"]
         .as_array()
         .expect("a list")
