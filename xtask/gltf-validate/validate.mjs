@@ -1,4 +1,4 @@
-// Judges each GLB or glTF file named on the command line; fails on errors and on warnings.
+// Validates each GLB or glTF file on the command line; fails if there are errors or warnings.
 import { readFile } from "node:fs/promises";
 import { basename } from "node:path";
 import { validateBytes } from "gltf-validator";

@@ -1,7 +1,8 @@
-//! The first command of the README on machines that have a Vulkan driver, only OpenGL, or nothing: the demo must end well, leave
-//! the same files, and draw the same pictures.
+//! Runs the demo as on machines with Vulkan, with only OpenGL, and without any graphics drivers.
 //!
-//! It is the release build, as a newcomer makes it, and it runs before anything is installed.
+//! The demo is the first command of the README. It must succeed in each case, write the same files, and draw
+//! the same pictures. This uses the release build, as a new user would, and runs before anything is
+//! installed.
 
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -13,7 +14,7 @@ use anyhow::{Context, Result, ensure};
 use crate::steps::{self, cargo, say};
 use crate::{machine, target_folder};
 
-/// A kind of machine: its name, and what makes this one look like it.
+/// A kind of machine: its name, and the environment variables that simulate it.
 struct Kind {
     name: &'static str,
     environment: &'static [(&'static str, &'static str)],
@@ -32,20 +33,22 @@ const KINDS: [Kind; 3] = [
     },
 ];
 
-/// Files that hold no times, which must be the same to the byte.
+/// Extensions of files without times, which must be identical.
 const SAME_BYTES: [&str; 4] = ["striata", "stri", "glb", "ply"];
 
-/// Pixels whose channels may differ by more than [`FAR`], of a thousand: drivers disagree where triangles begin and end.
+/// Pixels per thousand whose channels may differ by more than [`FAR`]: drivers disagree about the edges of
+/// triangles.
 const FAR_PER_MILLE: usize = 15;
+/// Difference of channels that counts as large, of 255.
 const FAR: u8 = 32;
 
-/// How much channels may differ on average, of 255.
+/// Largest mean difference of channels, of 255.
 const MEAN: f64 = 1.0;
 
-/// Builds the command and runs the demo on each kind of machine.
+/// Builds the command and runs the demo for each kind of machine.
 ///
 /// # Errors
-/// The kind that failed or differs, and how.
+/// If the demo fails on a kind of machine, or its files differ.
 pub(crate) fn run() -> Result<()> {
     steps::run(&mut cargo(&["build", "--release", "--package", "striata-cli"]))?;
     let command = target_folder()?.join("release").join(format!("striata{}", std::env::consts::EXE_SUFFIX));
@@ -61,7 +64,7 @@ pub(crate) fn run() -> Result<()> {
     machine::remove_folder(&scratch)
 }
 
-/// Runs the demo as a newcomer would; talk of drivers that nobody asked for is a failure.
+/// Runs the demo as a new user would; messages of drivers are a failure.
 fn demo(command: &Path, kind: &Kind, folder: &Path) -> Result<()> {
     say(&format!("$ striata demo   ({})", kind.name));
     let mut run = std::process::Command::new(command);
@@ -71,16 +74,16 @@ fn demo(command: &Path, kind: &Kind, folder: &Path) -> Result<()> {
     // Bare machines have no session.
     run.env_remove("XDG_RUNTIME_DIR").arg("demo").arg(folder).envs(kind.environment.iter().copied());
     let output = run.output()?;
-    let said = String::from_utf8_lossy(&output.stderr);
-    ensure!(output.status.success(), "it ended with {}: {said}", output.status);
-    for line in said.lines().take_while(|line| !line.starts_with("Open ")) {
-        ensure!(line.is_empty() || line.starts_with("note: "), "it said: {line}");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "the demo ended with {}: {stderr}", output.status);
+    for line in stderr.lines().take_while(|line| !line.starts_with("Open ")) {
+        ensure!(line.is_empty() || line.starts_with("note: "), "unexpected message: {line}");
         say(line);
     }
     Ok(())
 }
 
-/// Holds what one machine made against what another did.
+/// Compares the files of two kinds of machines.
 fn compare(expected: &Path, found: &Path) -> Result<()> {
     let names = names(expected)?;
     ensure!(names == self::names(found)?, "the files are {:?}, not {names:?}", self::names(found)?);
@@ -127,7 +130,8 @@ impl Picture {
         let far = pixels.filter(|(a, b)| a.iter().zip(*b).any(|(x, y)| x.abs_diff(*y) > FAR)).count();
         let per_mille = 1000.0 * (far * self.channels) as f64 / self.bytes.len().max(1) as f64;
         say(&format!(
-            "  channels differ by {mean:.2} of 255 on average, {per_mille:.1} ‰ of the pixels by more than {FAR}"
+            "  channels differ by {mean:.2} of 255 on average, {per_mille:.1} ‰ of the pixels by more than \
+             {FAR}"
         ));
         ensure!(mean <= MEAN && per_mille <= FAR_PER_MILLE as f64, "the pictures differ");
         Ok(())
@@ -147,7 +151,7 @@ mod tests {
         let gray = picture(|_| 100);
         gray.expect_like(&picture(|_| 101)).expect("rounding");
         gray.expect_like(&picture(|i| if i < 30 { 200 } else { 100 })).expect("a few pixels");
-        assert!(gray.expect_like(&picture(|_| 102)).is_err(), "all of it is lighter");
+        assert!(gray.expect_like(&picture(|_| 102)).is_err(), "all pixels are lighter");
         assert!(
             gray.expect_like(&picture(|i| if i < 60 { 140 } else { 100 })).is_err(),
             "20 pixels are far off"

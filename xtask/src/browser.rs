@@ -1,4 +1,4 @@
-//! The viewer in Chromium, over the command that was just built: `web/tests`.
+//! Runs the browser tests in `web/tests`: the viewer in Chromium, served by the command.
 
 use std::process::Command;
 
@@ -7,15 +7,15 @@ use anyhow::Result;
 use crate::steps;
 use crate::{machine, workspace};
 
-/// Runs the browser tests; they leave nothing behind.
+/// Runs the browser tests, which leave no files behind.
 ///
 /// # Errors
-/// The tests that failed, or what is missing.
+/// If tests fail or a tool is missing.
 pub(crate) fn run() -> Result<()> {
     let command = crate::command::built_command()?;
     let web = workspace().join("web");
     machine::npm_install(&web)?;
-    // A page among the tests imports it.
+    // A test page imports the library.
     crate::web::prepare_library()?;
     steps::run(Command::new("node").arg("tests/run.mjs").current_dir(web).env("STRIATA_BIN", command))
 }

@@ -1,4 +1,4 @@
-//! The command with all its features, as the tests build it.
+//! Builds the striata command with all features, as the tests use it.
 
 use std::path::PathBuf;
 
@@ -7,17 +7,17 @@ use anyhow::{Result, ensure};
 use crate::steps::{self, cargo};
 use crate::target_folder;
 
-/// All of the command, its window included.
+/// Features of the complete command, including its window.
 pub(crate) const FULL: &str = "striata-cli/full";
 
-/// Builds the command with all its features, if the tests have not done it, and says where it lies.
+/// Builds the command with all features, unless the tests have built it, and returns its path.
 ///
 /// # Errors
-/// Where it does not compile.
+/// If it does not compile.
 pub(crate) fn built_command() -> Result<PathBuf> {
-    // The whole workspace is named so that dependencies get the features that they have in the tests.
+    // Building the whole workspace gives dependencies the same features as in the tests.
     steps::run(&mut cargo(&["build", "--workspace", "--features", FULL, "--bin", "striata"]))?;
     let command = target_folder()?.join("debug").join(format!("striata{}", std::env::consts::EXE_SUFFIX));
-    ensure!(command.is_file(), "there is no {}", command.display());
+    ensure!(command.is_file(), "{} does not exist", command.display());
     Ok(command)
 }

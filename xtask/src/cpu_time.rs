@@ -1,24 +1,25 @@
-//! Processor time of the commands that were run, which tells on a busy machine what the clock cannot.
+//! Processor time used by commands, which is more meaningful than elapsed time on a busy machine.
 
-/// Ticks a second in which Linux counts the time of processes, on every machine that it runs on.
+/// Number of ticks per second in which Linux reports process times; it is the same on all architectures.
 const TICKS_PER_SEC: f64 = 100.0;
 
-/// What all commands that have ended took until some moment; unknown on other systems than Linux.
+/// Processor time of all finished commands at some moment; unknown on systems other than Linux.
 pub(crate) struct CpuTime(Option<f64>);
 
 impl CpuTime {
-    /// Until now.
+    /// Returns the time used so far.
     pub(crate) fn now() -> Self {
         Self(std::fs::read_to_string("/proc/self/stat").ok().and_then(|stat| children_secs(&stat)))
     }
 
-    /// Seconds that commands have taken since.
+    /// Returns the seconds used since then.
     pub(crate) fn secs_since(&self) -> Option<f64> {
         Some(Self::now().0? - self.0?)
     }
 }
 
-/// User and system time of children that were waited for: fields 16 and 17, counted after the name in brackets.
+/// Returns user and system time of finished children: fields 16 and 17 of `/proc/self/stat`, counted after
+/// the name in parentheses.
 fn children_secs(stat: &str) -> Option<f64> {
     let (_, fields) = stat.rsplit_once(')')?;
     let ticks: Vec<f64> =
@@ -31,7 +32,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_found_behind_any_name() {
+    fn times_are_found_after_names_with_parentheses() {
         let stat = "7 (a (b) c) S 1 7 7 0 -1 4194560 1 2 3 4 50 60 250 125 20 0 1 0 9 9 9";
         assert_eq!(children_secs(stat), Some(3.75));
         assert_eq!(children_secs("nonsense"), None);

@@ -1,4 +1,4 @@
-//! The demo from end to end, and its files judged by others: every GLB by Khronos' glTF validator.
+//! Runs the demo and checks its files; all GLB files are checked with the glTF validator of Khronos.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -9,17 +9,17 @@ use anyhow::{Result, ensure};
 use crate::steps;
 use crate::{machine, workspace};
 
-/// Files that the demo must leave, among others.
+/// Some of the files that the demo must write.
 const EXPECTED: [&str; 6] =
     ["index.html", "viewer.html", "nefertiti.striata", "nefertiti.stri", "levels.png", "view.png"];
 
-/// Meshes of the repository that are also written as triangle strips; the latter has seams.
+/// Meshes that are also written as triangle strips; the second one has seams.
 const STRIPPED: [&str; 2] = ["crates/striata-cli/assets/nefertiti.ply.zst", "assets/spot.obj.zst"];
 
-/// Runs the demo into a folder of its own and checks what it wrote.
+/// Runs the demo in a temporary folder and checks the files.
 ///
 /// # Errors
-/// What is missing or wrong.
+/// If a file is missing or invalid.
 pub(crate) fn run() -> Result<()> {
     let folder = scratch_folder();
     machine::remove_folder(&folder)?;
@@ -27,7 +27,7 @@ pub(crate) fn run() -> Result<()> {
     steps::run(Command::new(&command).arg("demo").arg(&folder))?;
     for name in EXPECTED {
         let file = folder.join(name);
-        ensure!(file.metadata().is_ok_and(|m| m.len() > 0), "the demo wrote no {name}");
+        ensure!(file.metadata().is_ok_and(|m| m.len() > 0), "the demo did not write {name}");
     }
     strip_scenes(&command, &folder)?;
     let mut scenes: Vec<OsString> = Vec::new();
@@ -47,7 +47,7 @@ pub(crate) fn run() -> Result<()> {
     machine::remove_folder(&folder)
 }
 
-/// Writes triangle strips as GLB, one file an asset.
+/// Writes each mesh as triangle strips to a GLB file.
 fn strip_scenes(command: &Path, folder: &Path) -> Result<()> {
     for asset in STRIPPED {
         let asset = workspace().join(asset);

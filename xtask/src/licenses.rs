@@ -1,19 +1,20 @@
-//! Licenses, sources and duplicates of what the workspace depends on, by `cargo deny`; `deny.toml` says what is allowed.
+//! Checks licenses, sources and duplicates of all dependencies with `cargo deny` (see `deny.toml`).
 
 use anyhow::Result;
 
 use crate::machine::starts;
 use crate::steps::{self, cargo};
 
-/// Why they cannot be checked here, if they cannot.
+/// Returns why this cannot be checked on this machine, if it cannot.
 pub(crate) fn obstacle() -> Option<&'static str> {
-    (!starts("cargo-deny")).then_some("there is no cargo-deny; `cargo install cargo-deny --locked` gets it")
+    (!starts("cargo-deny")).then_some("cargo-deny is not installed; run `cargo install cargo-deny --locked`")
 }
 
-/// Checks all but advisories, which need the network and change without any change here.
+/// Checks everything except advisories, which require the network and change independently of this
+/// repository.
 ///
 /// # Errors
-/// What is not allowed.
+/// If a dependency violates a rule.
 pub(crate) fn check() -> Result<()> {
     steps::run(&mut cargo(&["deny", "check", "--hide-inclusion-graph", "licenses", "bans", "sources"]))
 }

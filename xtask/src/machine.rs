@@ -1,4 +1,4 @@
-//! What the machine must have beside Rust and git, and how a bare Debian or Ubuntu gets it.
+//! Checks for the tools and libraries that the tests need, and installs them on Debian and Ubuntu.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -7,87 +7,92 @@ use anyhow::{Result, bail};
 
 use crate::steps::{run, run_twice, say};
 
-/// What one package brings, and how to tell that it is there.
-struct Wanted {
-    sign: Sign,
+/// A required system package, and how to detect that it is installed.
+struct Requirement {
+    evidence: Evidence,
     package: &'static str,
 }
 
-enum Sign {
+enum Evidence {
     /// One of these programs starts.
     Program(&'static [&'static str]),
-    /// One of these programs is in the path; those that know no `--version`.
+    /// One of these programs is in the path (for programs without `--version`).
     InPath(&'static [&'static str]),
-    /// The linker knows a library of this name.
+    /// The dynamic linker finds this library.
     Library(&'static str),
-    /// A folder of this name holds a file.
-    Filled(&'static str),
+    /// This folder is not empty.
+    NonEmptyFolder(&'static str),
 }
 
-const WANTED: [Wanted; 12] = [
-    // The simplifier's yardstick, a dev-dependency, is C++.
-    Wanted { sign: Sign::Program(&["c++", "g++", "clang++"]), package: "g++" },
+const REQUIREMENTS: [Requirement; 12] = [
+    // A dev-dependency that the simplifier is compared with is written in C++.
+    Requirement { evidence: Evidence::Program(&["c++", "g++", "clang++"]), package: "g++" },
     // The glTF validator and the browser tests run on Node.js.
-    Wanted { sign: Sign::Program(&["node"]), package: "nodejs" },
-    Wanted { sign: Sign::Program(&["npm"]), package: "npm" },
+    Requirement { evidence: Evidence::Program(&["node"]), package: "nodejs" },
+    Requirement { evidence: Evidence::Program(&["npm"]), package: "npm" },
     // The viewer page is tested in a browser.
-    Wanted { sign: Sign::InPath(&["chromium"]), package: "chromium" },
-    // Pictures are tested on a graphics driver that draws on the processor.
-    Wanted { sign: Sign::Library("libvulkan.so.1"), package: "libvulkan1" },
-    Wanted { sign: Sign::Filled("/usr/share/vulkan/icd.d"), package: "mesa-vulkan-drivers" },
-    // The window is tested on a display without a screen, with the libraries that every desktop has.
-    Wanted { sign: Sign::InPath(&["xvfb-run"]), package: "xvfb" },
-    Wanted { sign: Sign::InPath(&["xauth"]), package: "xauth" },
-    Wanted { sign: Sign::Library("libxkbcommon-x11.so.0"), package: "libxkbcommon-x11-0" },
-    Wanted { sign: Sign::Library("libXcursor.so.1"), package: "libxcursor1" },
-    Wanted { sign: Sign::Library("libXi.so.6"), package: "libxi6" },
-    Wanted { sign: Sign::Library("libXrandr.so.2"), package: "libxrandr2" },
+    Requirement { evidence: Evidence::InPath(&["chromium"]), package: "chromium" },
+    // Pictures are tested with a graphics driver that renders on the CPU.
+    Requirement { evidence: Evidence::Library("libvulkan.so.1"), package: "libvulkan1" },
+    Requirement {
+        evidence: Evidence::NonEmptyFolder("/usr/share/vulkan/icd.d"),
+        package: "mesa-vulkan-drivers",
+    },
+    // The window is tested on a virtual display, with libraries that every desktop system has.
+    Requirement { evidence: Evidence::InPath(&["xvfb-run"]), package: "xvfb" },
+    Requirement { evidence: Evidence::InPath(&["xauth"]), package: "xauth" },
+    Requirement { evidence: Evidence::Library("libxkbcommon-x11.so.0"), package: "libxkbcommon-x11-0" },
+    Requirement { evidence: Evidence::Library("libXcursor.so.1"), package: "libxcursor1" },
+    Requirement { evidence: Evidence::Library("libXi.so.6"), package: "libxi6" },
+    Requirement { evidence: Evidence::Library("libXrandr.so.2"), package: "libxrandr2" },
 ];
 
-impl Wanted {
-    fn is_there(&self) -> bool {
-        match self.sign {
-            Sign::Program(programs) => programs.iter().any(|program| starts(program)),
-            Sign::InPath(programs) => programs.iter().any(|program| is_in_path(program)),
-            Sign::Library(name) => {
+impl Requirement {
+    fn is_installed(&self) -> bool {
+        match self.evidence {
+            Evidence::Program(programs) => programs.iter().any(|program| starts(program)),
+            Evidence::InPath(programs) => programs.iter().any(|program| is_in_path(program)),
+            Evidence::Library(name) => {
                 let known = Command::new("ldconfig").arg("-p").env("PATH", "/usr/sbin:/sbin").output();
                 known.is_ok_and(|o| String::from_utf8_lossy(&o.stdout).contains(name))
             }
-            Sign::Filled(folder) => std::fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some()),
+            Evidence::NonEmptyFolder(folder) => {
+                std::fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
+            }
         }
     }
 }
 
-/// Installs what is missing.
+/// Installs missing packages.
 ///
 /// # Errors
-/// Where something is missing and cannot be installed.
+/// If a package is missing and cannot be installed.
 pub(crate) fn prepare() -> Result<()> {
-    let missing: Vec<&str> = WANTED.iter().filter(|w| !w.is_there()).map(|w| w.package).collect();
+    let missing: Vec<&str> = REQUIREMENTS.iter().filter(|r| !r.is_installed()).map(|r| r.package).collect();
     if missing.is_empty() {
-        say("compilers, node, chromium, a display and a graphics driver are there");
+        say("compilers, node, chromium, a display and a graphics driver are available");
         return Ok(());
     }
     if !starts("apt-get") {
-        bail!("missing: {}; please install them, there is no apt-get to do it with", missing.join(", "));
+        bail!("missing packages: {}; please install them (apt-get is not available)", missing.join(", "));
     }
     run_twice(as_root("apt-get").args(["update", "-q"]))?;
     run_twice(as_root("apt-get").args(["install", "-y", "-q", "--no-install-recommends"]).args(missing))
 }
 
-/// True where the compiler can make wasm32 code; adds the target where rustup can.
+/// Whether the compiler has the wasm32 target; adds it if rustup can.
 pub(crate) fn has_wasm_target() -> bool {
     if target_is_installed() {
         return true;
     }
     if starts("rustup") {
-        // The answer is whether it is there afterwards.
+        // Success is checked below.
         let _ = run_twice(Command::new("rustup").args(["target", "add", WASM_TARGET]));
     }
     target_is_installed()
 }
 
-/// The target that web pages run.
+/// Compilation target for web pages.
 pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
 
 fn target_is_installed() -> bool {
@@ -96,10 +101,10 @@ fn target_is_installed() -> bool {
     output.is_ok_and(|o| Path::new(String::from_utf8_lossy(&o.stdout).trim()).is_dir())
 }
 
-/// Removes a folder with all it holds; one that is not there is fine.
+/// Removes a folder with its contents, if it exists.
 ///
 /// # Errors
-/// What the system reports.
+/// If the folder cannot be removed.
 pub(crate) fn remove_folder(folder: &Path) -> Result<()> {
     match std::fs::remove_dir_all(folder) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(error.into()),
@@ -107,10 +112,10 @@ pub(crate) fn remove_folder(folder: &Path) -> Result<()> {
     }
 }
 
-/// Packages of the folder's lock file, into its `node_modules`.
+/// Installs the npm packages of a folder's lock file.
 ///
 /// # Errors
-/// Where npm fails twice.
+/// If npm fails twice.
 pub(crate) fn npm_install(folder: &Path) -> Result<()> {
     run_twice(Command::new("npm").args(["ci", "--no-audit", "--no-fund"]).current_dir(folder))
 }
@@ -118,7 +123,7 @@ pub(crate) fn npm_install(folder: &Path) -> Result<()> {
 /// Runs npm in a folder.
 ///
 /// # Errors
-/// Where it fails.
+/// If it fails.
 pub(crate) fn npm(folder: &Path, arguments: &[&str]) -> Result<()> {
     run(Command::new("npm").args(arguments).current_dir(folder))
 }
@@ -126,7 +131,7 @@ pub(crate) fn npm(folder: &Path, arguments: &[&str]) -> Result<()> {
 /// Runs a script with Node.js.
 ///
 /// # Errors
-/// Where it fails.
+/// If it fails.
 pub(crate) fn node(folder: &Path, arguments: &[std::ffi::OsString]) -> Result<()> {
     run(Command::new("node").args(arguments).current_dir(folder))
 }
@@ -148,7 +153,7 @@ fn is_in_path(program: &str) -> bool {
         .is_some_and(|path| std::env::split_paths(&path).any(|folder| folder.join(program).is_file()))
 }
 
-/// Whether a program is there and says its version.
+/// Whether a program can be started with `--version`.
 pub(crate) fn starts(program: &str) -> bool {
     let quiet = || Stdio::null();
     let status =

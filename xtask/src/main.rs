@@ -1,4 +1,4 @@
-//! Chores of the workspace; `cargo xtask test` is what continuous integration runs.
+//! Maintenance tasks of the workspace; continuous integration runs `cargo xtask test`.
 
 mod bare;
 mod browser;
@@ -20,50 +20,50 @@ use std::process::ExitCode;
 use anyhow::Context as _;
 use clap::{Parser, Subcommand};
 
-/// Chores of the striata workspace.
+/// Maintenance tasks of the striata workspace
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask")]
-struct Chores {
+struct Cli {
     #[command(subcommand)]
-    chore: Chore,
+    task: Task,
 }
 
 #[derive(Debug, Subcommand)]
-enum Chore {
-    /// Format, lints, tests, docs, features, wasm32, golden files and browser: all that must pass
+enum Task {
+    /// Run every check: format, lints, tests, docs, features, wasm32, golden files, browser
     Test,
-    /// The first part alone: the demo on machines with Vulkan, with OpenGL alone, and without drivers
+    /// Run only the demo check: with Vulkan, with only OpenGL, and without graphics drivers
     Bare,
-    /// The golden part alone: run the demo and check what it writes
+    /// Run only the golden check: run the demo and validate its files
     Golden,
-    /// The browser part alone: the viewer page in Chromium, over `striata serve`
+    /// Run only the browser tests: the viewer page in Chromium, served by `striata serve`
     Browser,
-    /// Builds the wasm, the npm package and the viewer page, which is committed, into their places
+    /// Build the wasm, the npm package and the viewer page (which is committed)
     Web,
-    /// The web part alone: build and test the package, and check that the viewer is what the sources make
+    /// Run only the web checks: build and test the npm package, check that the viewer is up to date
     WebCheck,
-    /// The packages alone: pack what would be published, and check that nothing is missing in it
+    /// Run only the package check: pack the published crates, check that no file is missing
     Packages,
-    /// The licenses alone: `cargo deny` over all dependencies
+    /// Run only the license check: `cargo deny` for all dependencies
     Licenses,
-    /// The oldest Rust alone: compile with the one that `rust-version` claims
+    /// Run only the check of the oldest Rust: compile with the version in `rust-version`
     OldestRust,
-    /// The tables of the docs: run their commands again and compare counts and bytes
+    /// List or verify the tables in the docs: run their commands, compare counts and sizes
     Results(results::ResultsArgs),
 }
 
 fn main() -> ExitCode {
-    let outcome = match Chores::parse().chore {
-        Chore::Test => test::run(),
-        Chore::Bare => bare::run(),
-        Chore::Golden => golden::run(),
-        Chore::Browser => browser::run(),
-        Chore::Web => web::build(),
-        Chore::WebCheck => web::check(),
-        Chore::Packages => packages::run(),
-        Chore::Licenses => licenses::check(),
-        Chore::OldestRust => oldest_rust::check(),
-        Chore::Results(args) => results::run(&args),
+    let outcome = match Cli::parse().task {
+        Task::Test => test::run(),
+        Task::Bare => bare::run(),
+        Task::Golden => golden::run(),
+        Task::Browser => browser::run(),
+        Task::Web => web::build(),
+        Task::WebCheck => web::check(),
+        Task::Packages => packages::run(),
+        Task::Licenses => licenses::check(),
+        Task::OldestRust => oldest_rust::check(),
+        Task::Results(args) => results::run(&args),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -74,17 +74,17 @@ fn main() -> ExitCode {
     }
 }
 
-/// The folder of the workspace.
+/// Returns the folder of the workspace.
 fn workspace() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The folder that cargo builds into: this program lies in one of its folders.
+/// Returns the target folder of cargo, which contains this program.
 ///
 /// # Errors
-/// Where the system does not say where this program is.
+/// If the path of this program is unknown.
 fn target_folder() -> anyhow::Result<PathBuf> {
     let program = std::env::current_exe()?;
-    let folder = program.ancestors().nth(2).context("this program lies in no target folder")?;
+    let folder = program.ancestors().nth(2).context("this program is not in a target folder")?;
     Ok(folder.to_owned())
 }

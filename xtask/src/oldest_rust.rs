@@ -1,4 +1,4 @@
-//! The oldest Rust that compiles the workspace, which `rust-version` claims.
+//! Checks that the workspace compiles with the oldest supported Rust, which is `rust-version`.
 
 use std::process::Command;
 
@@ -7,31 +7,35 @@ use anyhow::Result;
 use crate::command::FULL;
 use crate::machine::starts;
 use crate::steps::{self, say};
-use crate::web::said_by_rustc;
+use crate::web::rustc_output;
 use crate::workspace;
 
-/// What is claimed; this crate takes it from the workspace, as all do.
-pub(crate) const CLAIMED: &str = env!("CARGO_PKG_RUST_VERSION");
+/// The oldest supported Rust version, inherited from the workspace like in every crate.
+pub(crate) const RUST_VERSION: &str = env!("CARGO_PKG_RUST_VERSION");
 
-/// Why the claim cannot be checked here, if it cannot.
+/// Returns why this cannot be checked on this machine, if it cannot.
 pub(crate) fn obstacle() -> Option<String> {
     let is_checkable = is_this_rust() || starts("rustup");
-    (!is_checkable).then(|| format!("this is not Rust {CLAIMED}, and there is no rustup to get it with"))
+    (!is_checkable)
+        .then(|| format!("this is not Rust {RUST_VERSION}, and rustup is not available to install it"))
 }
 
-/// Compiles the workspace with the Rust that is claimed, if that is not the one that compiles it anyway.
+/// Compiles the workspace with the oldest supported Rust, unless that is the current one.
 ///
 /// # Errors
-/// What cannot be installed or does not compile.
+/// If the toolchain cannot be installed or the workspace does not compile.
 pub(crate) fn check() -> Result<()> {
     if is_this_rust() {
-        say(&format!("this is Rust {CLAIMED}, so all that compiles here confirms the claim"));
+        say(&format!("this is Rust {RUST_VERSION}, so the other checks already cover it"));
         return Ok(());
     }
-    let toolchain =
-        if CLAIMED.matches('.').count() == 1 { format!("{CLAIMED}.0") } else { CLAIMED.to_owned() };
-    let is_there = Command::new("rustup").args(["run", &toolchain, "rustc", "--version"]).output();
-    if !is_there.is_ok_and(|output| output.status.success()) {
+    let toolchain = if RUST_VERSION.matches('.').count() == 1 {
+        format!("{RUST_VERSION}.0")
+    } else {
+        RUST_VERSION.to_owned()
+    };
+    let is_installed = Command::new("rustup").args(["run", &toolchain, "rustc", "--version"]).output();
+    if !is_installed.is_ok_and(|output| output.status.success()) {
         let install = ["toolchain", "install", &toolchain, "--profile", "minimal", "--no-self-update"];
         steps::run_twice(Command::new("rustup").args(install))?;
     }
@@ -40,14 +44,14 @@ pub(crate) fn check() -> Result<()> {
 }
 
 fn is_this_rust() -> bool {
-    said_by_rustc(&["--version"]).is_ok_and(|said| is_release_of(&said, CLAIMED))
+    rustc_output(&["--version"]).is_ok_and(|output| is_release_of(&output, RUST_VERSION))
 }
 
-/// Whether a compiler that says this about itself is the claimed one, whatever its last number.
-fn is_release_of(said: &str, claimed: &str) -> bool {
+/// Whether the output of `rustc --version` is that of a release of a version, ignoring the patch number.
+fn is_release_of(version_output: &str, expected: &str) -> bool {
     let minor = |version: &str| version.split('.').take(2).map(str::to_owned).collect::<Vec<_>>();
-    let version = said.split_whitespace().nth(1).unwrap_or_default();
-    !version.contains('-') && minor(version) == minor(claimed)
+    let version = version_output.split_whitespace().nth(1).unwrap_or_default();
+    !version.contains('-') && minor(version) == minor(expected)
 }
 
 #[cfg(test)]
@@ -55,7 +59,7 @@ mod tests {
     use super::is_release_of;
 
     #[test]
-    fn the_claimed_rust_is_known_by_its_words() {
+    fn releases_are_recognized_by_major_and_minor_version() {
         assert!(is_release_of("rustc 1.95.0 (59807616e 2026-04-14)", "1.95"));
         assert!(is_release_of("rustc 1.95.2", "1.95.0"));
         assert!(!is_release_of("rustc 1.96.0 (59807616e 2026-04-14)", "1.95"));

@@ -1,7 +1,8 @@
-//! What would be published: cargo packs each crate without a warning, and files that its code includes are in the package.
+//! Packs every published crate, and checks for warnings of cargo and files missing in the package.
 //!
-//! Cargo's own verification compiles each package with all that it depends on once more, which takes longer than all tests; what
-//! it finds beyond the tests is files outside of a crate's folder, and these are looked for here.
+//! The verification of cargo itself would compile each package with all dependencies again, which takes
+//! longer than all tests. Beyond the tests it would only detect included files outside the folder of the
+//! crate, which this module checks directly.
 
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
@@ -12,19 +13,20 @@ use serde_json::Value;
 
 use crate::steps::{cargo, say};
 
-/// Packs all crates that are not marked as unpublished.
+/// Packs all published crates.
 ///
 /// # Errors
-/// What cargo reports, warnings among it, and files that a package lacks.
+/// If cargo fails or warns, or a package lacks an included file.
 pub(crate) fn run() -> Result<()> {
     let (published, unpublished) = members()?;
-    // What is not committed yet is packed too: the check is about the files, and continuous integration has no others.
+    // `--allow-dirty` packs uncommitted changes, too; continuous integration has none.
     let mut arguments = vec!["package", "--workspace", "--no-verify", "--allow-dirty"];
     arguments.extend(unpublished.iter().flat_map(|name| ["--exclude", name]));
-    // Whoever has compiled the workspace has all that it takes.
-    let said = said_by(cargo(&arguments).arg("--offline")).or_else(|_| said_by(&mut cargo(&arguments)))?;
-    say(said.trim_end());
-    ensure!(!said.contains("warning:"), "cargo warns of the packages");
+    // Offline works if the workspace has been compiled before.
+    let messages =
+        stderr_of(cargo(&arguments).arg("--offline")).or_else(|_| stderr_of(&mut cargo(&arguments)))?;
+    say(messages.trim_end());
+    ensure!(!messages.contains("warning:"), "cargo printed warnings about the packages");
     for package in &published {
         check_includes(package).with_context(|| package.name.clone())?;
     }
@@ -36,7 +38,7 @@ struct Package {
     folder: PathBuf,
 }
 
-/// Published crates, and names of those that are not.
+/// Returns the published crates, and the names of the unpublished ones.
 fn members() -> Result<(Vec<Package>, Vec<String>)> {
     let output = cargo(&["metadata", "--format-version", "1", "--no-deps"]).output()?;
     let metadata: Value = serde_json::from_slice(&output.stdout).context("cargo metadata")?;
@@ -47,24 +49,24 @@ fn members() -> Result<(Vec<Package>, Vec<String>)> {
             unpublished.push(name);
         } else {
             let manifest = Path::new(package["manifest_path"].as_str().unwrap_or_default());
-            let folder = manifest.parent().context("a manifest lies in no folder")?.to_owned();
+            let folder = manifest.parent().context("a manifest is not in a folder")?.to_owned();
             published.push(Package { name, folder });
         }
     }
     Ok((published, unpublished))
 }
 
-/// What a command writes to stderr.
-fn said_by(command: &mut Command) -> Result<String> {
+/// Returns the stderr of a command.
+fn stderr_of(command: &mut Command) -> Result<String> {
     let output = command.output().context("cannot start cargo")?;
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let messages = String::from_utf8_lossy(&output.stderr).into_owned();
     if !output.status.success() {
-        bail!("{}", said.trim_end());
+        bail!("{}", messages.trim_end());
     }
-    Ok(said)
+    Ok(messages)
 }
 
-/// Looks for each file that code includes among those of the package.
+/// Checks that each file included by the code is part of the package.
 fn check_includes(package: &Package) -> Result<()> {
     let arguments = ["package", "--list", "--allow-dirty", "--package", &package.name];
     let output = cargo(&arguments).output()?;
@@ -76,18 +78,18 @@ fn check_includes(package: &Package) -> Result<()> {
             std::fs::read_to_string(package.folder.join(file)).with_context(|| file.display().to_string())?;
         let folder = file.parent().unwrap_or(Path::new(""));
         for path in included(&code) {
-            let is_there = within(folder, path).is_some_and(|path| files.contains(&path));
-            ensure!(is_there, "{} includes {path}, which is not in the package", file.display());
+            let is_in_package = resolve(folder, path).is_some_and(|path| files.contains(&path));
+            ensure!(is_in_package, "{} includes {path}, which is not in the package", file.display());
         }
         for path in quoted_after(&code, "#[folder = \"") {
-            let is_there = files.iter().any(|file| file.starts_with(path));
-            ensure!(is_there, "{} embeds {path}, which is not in the package", file.display());
+            let is_in_package = files.iter().any(|file| file.starts_with(path));
+            ensure!(is_in_package, "{} embeds {path}, which is not in the package", file.display());
         }
     }
     Ok(())
 }
 
-/// Paths that code includes when it is built. Readmes whose examples are tested are not among them.
+/// Returns the paths that code includes when it is built, without READMEs that are included as doc tests.
 fn included(code: &str) -> Vec<&str> {
     let lines = code.lines().filter(|line| !line.trim_start().starts_with("#[doc = "));
     let of_line = |line| {
@@ -102,22 +104,22 @@ fn quoted_after<'a>(text: &'a str, opening: &str) -> Vec<&'a str> {
     text.split(opening).skip(1).filter_map(|rest| rest.split('"').next()).collect()
 }
 
-/// The path that one in a folder leads to; none if it leaves the package.
-fn within(folder: &Path, path: &str) -> Option<PathBuf> {
-    let mut place = PathBuf::new();
+/// Resolves a path relative to a folder of the package; `None` if it leaves the package.
+fn resolve(folder: &Path, path: &str) -> Option<PathBuf> {
+    let mut resolved = PathBuf::new();
     for component in folder.join(path).components() {
         match component {
-            Component::Normal(name) => place.push(name),
+            Component::Normal(name) => resolved.push(name),
             Component::CurDir => {}
             Component::ParentDir => {
-                if !place.pop() {
+                if !resolved.pop() {
                     return None;
                 }
             }
             Component::RootDir | Component::Prefix(_) => return None,
         }
     }
-    Some(place)
+    Some(resolved)
 }
 
 #[cfg(test)]
@@ -125,13 +127,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_outside_of_a_package_are_found() {
+    fn included_files_outside_the_package_are_detected() {
         let code = "const A: &[u8] = include_bytes!(\"../a.bin\");\n\
                     const B: &str = concat!(include_str!(\"b.txt\"), include_str!(\"../../c.txt\"));\n\
                     #[doc = include_str!(\"../../../README.md\")]\n";
         let src = Path::new("src");
-        let places: Vec<_> = included(code).into_iter().map(|path| within(src, path)).collect();
-        assert_eq!(places, [Some("a.bin".into()), Some("src/b.txt".into()), None]);
+        let paths: Vec<_> = included(code).into_iter().map(|path| resolve(src, path)).collect();
+        assert_eq!(paths, [Some("a.bin".into()), Some("src/b.txt".into()), None]);
     }
 
     #[test]

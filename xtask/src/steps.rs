@@ -1,4 +1,4 @@
-//! Running commands one after the other, with headings, timings and a summary.
+//! Runs commands and steps, with headings, times and a summary.
 
 use std::ffi::OsStr;
 use std::fmt::Write as _;
@@ -11,13 +11,13 @@ use anyhow::{Context, Result, bail};
 use crate::cpu_time::CpuTime;
 use crate::workspace;
 
-/// One line of talk, to stderr, where the tools below write theirs.
+/// Prints a line to stderr, where other tools also print their messages.
 pub(crate) fn say(text: &str) {
-    // A closed stderr is no reason to stop testing.
+    // A closed stderr is no reason to stop.
     let _ = writeln!(stderr(), "{text}");
 }
 
-/// The steps done so far.
+/// The steps run so far, with their times.
 #[derive(Debug, Default)]
 pub(crate) struct Steps {
     done: Vec<(String, Duration, Option<f64>)>,
@@ -25,10 +25,10 @@ pub(crate) struct Steps {
 }
 
 impl Steps {
-    /// Runs one step under its heading.
+    /// Runs a step under a heading.
     ///
     /// # Errors
-    /// What the step reports, with its name.
+    /// The error of the step, with its name.
     pub(crate) fn step(&mut self, name: &str, work: impl FnOnce() -> Result<()>) -> Result<()> {
         say(&format!("\n=== {name}"));
         let (started, cpu) = (Instant::now(), CpuTime::now());
@@ -40,13 +40,13 @@ impl Steps {
         Ok(())
     }
 
-    /// Says loudly that something was not checked.
+    /// Reports prominently that a step was skipped.
     pub(crate) fn skip(&mut self, name: &str, reason: &str) {
         say(&format!("\n!!! {name} SKIPPED: {reason}"));
         self.skipped.push(format!("{name}: {reason}"));
     }
 
-    /// All steps with their times.
+    /// Returns a summary of all steps with their times.
     pub(crate) fn summary(&self) -> String {
         let mut text = String::from("\n=== all steps passed\n");
         for (name, took, cpu_secs) in &self.done {
@@ -55,7 +55,7 @@ impl Steps {
         }
         let total: Duration = self.done.iter().map(|(_, took, _)| *took).sum();
         let cpu_total: Option<f64> = self.done.iter().map(|(_, _, cpu_secs)| *cpu_secs).sum();
-        let _ = write!(text, "{}  in all", times(total, cpu_total));
+        let _ = write!(text, "{}  total", times(total, cpu_total));
         for skipped in &self.skipped {
             let _ = write!(text, "\n!!! SKIPPED {skipped}");
         }
@@ -63,25 +63,25 @@ impl Steps {
     }
 }
 
-/// Seconds by the clock, and those of processors where they are known.
+/// Formats elapsed seconds, and processor seconds if known.
 fn times(took: Duration, cpu_secs: Option<f64>) -> String {
     let cpu = cpu_secs.map_or(String::new(), |secs| format!("  {secs:>7.1} CPU s"));
     format!("{:>7.1} s{cpu}", took.as_secs_f64())
 }
 
-/// The cargo that runs us, in the workspace.
+/// Returns a cargo command in the workspace, with the same cargo that runs this program.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(workspace());
     command
 }
 
-/// Runs a command to its end.
+/// Runs a command and waits for it.
 ///
 /// # Errors
-/// Where it cannot start or reports failure.
+/// If it cannot start or fails.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
-    let line = shown(command);
+    let line = command_line(command);
     say(&format!("$ {line}"));
     let status = command.status().with_context(|| format!("cannot start `{line}`"))?;
     if !status.success() {
@@ -90,20 +90,20 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// The same, tried twice: networks and package managers fail now and then.
+/// Runs a command and tries once more if it fails, as networks and package managers occasionally do.
 ///
 /// # Errors
-/// Where it fails both times.
+/// If it fails twice.
 pub(crate) fn run_twice(command: &mut Command) -> Result<()> {
     if let Err(error) = run(command) {
-        say(&format!("{error:#}; once more in 10 s"));
+        say(&format!("{error:#}; trying again in 10 s"));
         std::thread::sleep(Duration::from_secs(10));
         return run(command);
     }
     Ok(())
 }
 
-fn shown(command: &Command) -> String {
+fn command_line(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
     words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ")
 }

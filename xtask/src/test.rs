@@ -1,7 +1,8 @@
-//! Everything that must pass before a change lands.
+//! Runs all checks that must pass before a change is merged.
 //!
-//! The release build of the command comes first, on the machine as it was found. Then one profile throughout, so that nothing is
-//! compiled twice: `clippy` shares what `check` makes, and the golden run uses the command that the tests have built.
+//! The release build of the command comes first, before anything is installed on the machine. All other steps
+//! use the same profile, so that nothing is compiled twice: `clippy` reuses the results of `check`, and the
+//! golden step uses the command that the tests have built.
 
 use anyhow::Result;
 
@@ -10,7 +11,7 @@ use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
 use crate::{bare, browser, golden, licenses, oldest_rust, packages, web};
 
-/// Each feature that must compile by itself: the crate and the features.
+/// Crates and feature sets that must compile separately.
 const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata", ""),
     ("striata", "parallel"),
@@ -33,12 +34,12 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-lab", "peers"),
 ];
 
-/// Runs all steps and stops at the first that fails.
+/// Runs all steps and stops at the first failure.
 ///
 /// # Errors
-/// The step that failed, and why.
+/// The failure of that step.
 fn run_all(steps: &mut Steps) -> Result<()> {
-    // Before anything is installed that hides what newcomers lack.
+    // This comes first, since the next step may install libraries that a new machine lacks.
     steps.step("bare machines", bare::run)?;
     steps.step("machine", machine::prepare)?;
     steps.step("format", || steps::run(&mut cargo(&["fmt", "--all", "--check"])))?;
@@ -54,7 +55,7 @@ fn run_all(steps: &mut Steps) -> Result<()> {
             "warnings",
         ]))
     })?;
-    // Mesa's device chooser looks for a Wayland display and complains aloud where there is none.
+    // Mesa's device selection layer looks for a Wayland display, and prints errors if there is none.
     let quiet = ("NODEVICE_SELECT", "1");
     steps.step("tests and doc tests", || {
         steps::run(cargo(&["test", "--workspace", "--features", FULL]).env(quiet.0, quiet.1))
@@ -76,7 +77,7 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     if machine::has_wasm_target() {
         steps.step("wasm32", check_wasm)?;
     } else {
-        steps.skip(WASM_TARGET, "this Rust has no such target and rustup could not add it");
+        steps.skip(WASM_TARGET, "the target is not installed and rustup could not add it");
     }
     steps.step("web assets", web::check)?;
     steps.step("fuzz targets", check_fuzz)?;
@@ -84,10 +85,10 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     steps.step("browser", browser::run)
 }
 
-/// `cargo xtask test`.
+/// Runs `cargo xtask test`.
 ///
 /// # Errors
-/// The step that failed, and why.
+/// The failure of the first step that fails.
 pub(crate) fn run() -> Result<()> {
     let mut steps = Steps::default();
     run_all(&mut steps)?;
@@ -102,7 +103,7 @@ fn check_features() -> Result<()> {
     Ok(())
 }
 
-/// Fuzz targets are a workspace of their own; running them takes a nightly toolchain, checking them does not.
+/// Checks the fuzz targets, which are a separate workspace. Running them requires a nightly toolchain.
 fn check_fuzz() -> Result<()> {
     let arguments = ["clippy", "--manifest-path", "fuzz/Cargo.toml", "--all-targets", "--", "-D", "warnings"];
     steps::run(&mut cargo(&arguments))

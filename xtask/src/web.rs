@@ -1,18 +1,19 @@
-//! The web assets: the wasm, the npm package and the viewer page.
+//! Builds the web assets: the wasm, the npm package and the viewer page.
 //!
 //! ```text
-//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (the script that calls it)
-//! web/src            --vite, tsc-----------------------> web/dist
-//! web/viewer         --vite----------------------------> crates/striata-viewer/viewer, which the command embeds
+//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (its script)
+//! web/src            --vite, tsc----------------------> web/dist
+//! web/viewer         --vite---------------------------> crates/striata-viewer/viewer (embedded)
 //! ```
 //!
-//! The viewer is committed, so that whoever builds the command needs neither a wasm target nor Node.js; a file next to it says
-//! what it was built from. All else is built when it is needed.
+//! The viewer is committed, so that building the command requires neither a wasm target nor Node.js. A file
+//! next to it records what it was built from. Everything else is built when it is needed.
 //!
-//! The same toolchain makes the same bytes in any folder (paths are remapped, the lock files fix the rest), so if rustc is the
-//! one that the viewer was built with, the check builds it anew and compares, and comments in the library change nothing. With
-//! another rustc the bytes would differ for no fault of anybody's; then, and if there are no tools to build with, the check
-//! compares digests of the sources and says if they differ, which is no failure.
+//! The same toolchain makes the same bytes in any folder (paths are remapped, lock files fix the rest). So if
+//! the current rustc is the one that the viewer was built with, the check builds the viewer again and
+//! compares the bytes; comments in the library make no difference. With another rustc the bytes would differ
+//! without being wrong. In that case, and if there are no tools to build with, the check compares digests of
+//! the sources and only prints a notice if they differ.
 
 mod assets;
 mod stamp;
@@ -28,15 +29,16 @@ use crate::steps::{self, say};
 use crate::workspace;
 use stamp::Stamp;
 
-pub(crate) use wasm::said_by_rustc;
+pub(crate) use wasm::rustc_output;
 
-/// What the check says if it fails.
-const CURE: &str = "run `cargo xtask web` and commit what it writes";
+/// Advice if the check fails.
+const ADVICE: &str = "run `cargo xtask web` and commit what it writes";
 
-/// `cargo xtask web`: builds everything into its place; the npm package only if it is not there or older than its sources.
+/// Runs `cargo xtask web`: builds all web assets; the npm package only if it is missing or older than its
+/// sources.
 ///
 /// # Errors
-/// What the tools lack or report.
+/// If a tool is missing or fails.
 pub(crate) fn build() -> Result<()> {
     prepare_library()?;
     build_viewer(&viewer())?;
@@ -45,13 +47,13 @@ pub(crate) fn build() -> Result<()> {
     Ok(())
 }
 
-/// Builds the npm package, unless it is there and was built from the same sources.
+/// Builds the npm package, unless it exists and was built from the same sources.
 ///
 /// # Errors
-/// What the tools lack or report.
+/// If a tool is missing or fails.
 pub(crate) fn prepare_library() -> Result<()> {
-    let is_there = dist().join("striata.js").is_file();
-    if is_there && Stamp::read(&dist_stamp()).is_ok_and(|stamp| stamp.is_fresh()) {
+    let exists = dist().join("striata.js").is_file();
+    if exists && Stamp::read(&dist_stamp()).is_ok_and(|stamp| stamp.is_fresh()) {
         return Ok(());
     }
     if let Some(missing) = missing_tool() {
@@ -60,15 +62,15 @@ pub(crate) fn prepare_library() -> Result<()> {
     build_library()
 }
 
-/// Builds the package, runs its tests, and checks that the committed viewer is what the sources make.
+/// Builds the package, runs its tests, and checks that the committed viewer matches its sources.
 ///
 /// # Errors
-/// What is stale, and what the tests report.
+/// If the viewer is out of date, or tests fail.
 pub(crate) fn check() -> Result<()> {
-    let stamp = Stamp::read(&viewer_stamp()).context(CURE)?;
+    let stamp = Stamp::read(&viewer_stamp()).context(ADVICE)?;
     if let Some(missing) = missing_tool() {
         say(&format!("{missing}: the web package is neither built nor tested"));
-        notice(&stamp);
+        print_notice(&stamp);
         return Ok(());
     }
     prepare_library()?;
@@ -76,38 +78,38 @@ pub(crate) fn check() -> Result<()> {
     machine::remove_folder(&scratch)?;
     build_viewer(&scratch)?;
     if stamp.is_of_this_rust() {
-        assets::compare(&scratch, &viewer()).context(CURE)?;
+        assets::compare(&scratch, &viewer()).context(ADVICE)?;
     } else {
-        say("another rustc built the viewer, so the bytes are not compared");
-        notice(&stamp);
+        say("the viewer was built by another rustc, so its bytes are not compared");
+        print_notice(&stamp);
     }
     machine::remove_folder(&scratch)?;
     machine::npm(&folder(), &["test"])
 }
 
-/// Says if the viewer is older than its sources.
-fn notice(stamp: &Stamp) {
+/// Prints a notice if the viewer is older than its sources.
+fn print_notice(stamp: &Stamp) {
     let changed = stamp.changed();
     if !changed.is_empty() {
         let changed = changed.join("; ");
         say(&format!(
-            "notice: these have changed since the committed viewer was built: {changed}. Continuous integration, or \
-             whoever has {} and Node.js, can tell whether it makes a difference",
+            "notice: these have changed since the committed viewer was built: {changed}. Whether the viewer \
+             must be built again can be checked with {} and Node.js, as continuous integration does",
             stamp.rustc()
         ));
     }
 }
 
-/// What there is nothing to build with, as a sentence.
+/// Returns a message about a tool that is missing, if one is.
 fn missing_tool() -> Option<String> {
     if !machine::has_wasm_target() {
-        return Some(format!("this Rust cannot make {WASM_TARGET} code, and rustup could not add it"));
+        return Some(format!("the target {WASM_TARGET} is not installed and rustup could not add it"));
     }
     let missing = ["node", "npm"].into_iter().find(|program| !machine::starts(program))?;
-    Some(format!("there is no {missing}"))
+    Some(format!("{missing} is not installed"))
 }
 
-/// The wasm, then types and bundles of the package.
+/// Builds the wasm, then the types and bundles of the npm package.
 fn build_library() -> Result<()> {
     machine::npm_install(&folder())?;
     let built = wasm::build()?;
@@ -120,7 +122,7 @@ fn build_library() -> Result<()> {
     stamp::write(&dist_stamp())
 }
 
-/// The page, of the wasm in `dist`.
+/// Builds the viewer page with the wasm in `dist`.
 fn build_viewer(into: &Path) -> Result<()> {
     let mut command = Command::new("npm");
     command.args(["run", "--silent", "build:viewer"]).current_dir(folder());
@@ -135,7 +137,7 @@ fn dist() -> PathBuf {
     folder().join("dist")
 }
 
-/// Not in `dist`, all of which is published.
+/// Path of the stamp of the npm package; not in `dist`, which is published completely.
 fn dist_stamp() -> PathBuf {
     folder().join("src/wasm/built-from.txt")
 }
@@ -144,7 +146,7 @@ fn viewer() -> PathBuf {
     workspace().join("crates/striata-viewer/viewer")
 }
 
-/// Outside of the folder, since all that is in there is embedded.
+/// Path of the stamp of the viewer; not in its folder, which is embedded completely.
 fn viewer_stamp() -> PathBuf {
     workspace().join("crates/striata-viewer/viewer-built-from.txt")
 }

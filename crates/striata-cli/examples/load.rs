@@ -1,7 +1,6 @@
-//! Puts `striata serve` under load, on this machine alone: 180 clients for half a minute, then a minute with
-//! 20 slow ones beside them.
+//! Puts `striata serve` under load with 180 quick clients, then also with 20 slow ones, all on this machine.
 //!
-//! `cargo run --release -p striata-cli --example load [SECS]`, once the command itself is built.
+//! Run it with `cargo run --release -p striata-cli --example load [SECS]` after building the command.
 
 #[path = "../tests/cli/serve_client.rs"]
 mod serve_client;
@@ -14,22 +13,24 @@ use std::time::Duration;
 use serve_client::{Connection, Server};
 use serve_load::{Plan, run, write_file};
 
-/// Longer runs tell no more.
+/// Longer runs give no more information.
 const MAX_SECS: u64 = 600;
 
 fn main() {
     let secs = std::env::args().nth(1).map_or(60, |text| text.parse().expect("seconds, a whole number"));
-    let lasts = Duration::from_secs(secs.min(MAX_SECS));
+    let duration = Duration::from_secs(secs.min(MAX_SECS));
     let example = std::env::current_exe().expect("a path");
     let program = example.with_file_name("").join("../striata");
     let folder = tempfile::tempdir().expect("a temporary folder");
     write_file(folder.path());
     let server = Server::start(&program, folder.path(), &[]);
     let list = Connection::open(server.address).and_then(|mut c| c.get("/models.json", "")).expect("a list");
-    tell(&format!("{}: {}", server.report["url"], String::from_utf8_lossy(&list.body)));
+    print(&format!("{}: {}", server.report["url"], String::from_utf8_lossy(&list.body)));
     let is_there = !list.header("etag").is_empty() && list.status == 200;
-    assert!(is_there, "the server does not work");
-    for plan in [Plan { quick: 180, slow: 0, lasts: lasts / 2 }, Plan { quick: 180, slow: 20, lasts }] {
+    assert!(is_there, "the server does not respond correctly");
+    for plan in
+        [Plan { quick: 180, slow: 0, lasts: duration / 2 }, Plan { quick: 180, slow: 20, lasts: duration }]
+    {
         let outcome = run(&server, plan);
         let last = outcome.latencies.len().saturating_sub(1);
         let ms = |per_mille: usize| {
@@ -37,9 +38,11 @@ fn main() {
             latency.as_secs_f64() * 1e3
         };
         let resident = &outcome.resident_kb;
-        tell(&format!(
-            "{} quick, {} slow, {:.0} s: {} answers, {} errors {:?}; latency 50 % {:.2} ms, 95 % {:.2} ms, 99 % {:.2} ms, \
-             longest {:.2} ms; slow ones got {} bytes; memory {} to {} kB, at the end {} kB, peak {} kB",
+        print(&format!(
+            "{} quick, {} slow, {:.0} s: {} responses, {} errors {:?}; latency 50 % {:.2} ms, 95 % {:.2} \
+             ms, 99 % {:.2} ms, \
+             longest {:.2} ms; slow clients received {} bytes; memory {} to {} kB, at the end {} kB, peak \
+             {} kB",
             plan.quick,
             plan.slow,
             plan.lasts.as_secs_f64(),
@@ -57,10 +60,10 @@ fn main() {
             outcome.peak_kb,
         ));
     }
-    tell(&format!("asked to end: {}", server.end()));
+    print(&format!("exit after termination: {}", server.end()));
 }
 
-fn tell(text: &str) {
-    // A reader that has gone away needs no answer.
+fn print(text: &str) {
+    // A closed stdout is no reason to fail.
     let _ = writeln!(std::io::stdout(), "{text}");
 }

@@ -1,9 +1,11 @@
 //! The `striata` command.
 //!
-//! In reading order: `args` says what can be asked, `commands` holds the verbs (`build`, `info` and `extract` in folders of their own,
-//! each with its report), and `strip_lists` the strips of levels for those that write them.
+//! In reading order: `args` defines the command line; `commands` contains a module for each verb, and a
+//! folder for those with several parts (`build`, `demo`, `extract`, `info`, `render`); `strip_lists` prepares
+//! strips for glTF files.
 //!
-//! Data goes to stdout, talk and progress bars to stderr. Exit codes: 0 done, 1 the user can fix it, 2 our fault.
+//! Data goes to stdout; messages and progress bars go to stderr. Exit codes: 0 is success, 1 an error that
+//! the user can fix, 2 an internal error.
 
 mod args;
 mod commands;

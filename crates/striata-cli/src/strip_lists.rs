@@ -1,20 +1,21 @@
-//! Strips as glTF holds them: one list of indices for each group, without restarts.
+//! Strips in the form that glTF requires: one index list per group, without restart indices.
 //!
-//! glTF knows no restart index, so the strips of a group are joined by degenerate triangles. A strip of one triangle then
-//! takes six indices, and groups of such strips (flat shading, soups, coarse levels) are shorter as single triangles.
+//! glTF has no restart index, so the strips of a group are joined by degenerate triangles. A strip of one
+//! triangle then takes six indices, and groups of such strips (flat shading, soups, coarse levels) are
+//! shorter as single triangles.
 
 use striata::mesh::{IndexedMesh, MeshError};
 use striata::model::StripModel;
 use striata::strip::{RESTART, StripSet, stripify};
 
-/// One list of indices for each group: a single strip, or nothing if single triangles take fewer indices.
+/// One index list per group: a single strip, or an empty list if a triangle list takes fewer indices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct StripLists {
-    /// The lists; an empty one stands for single triangles.
+    /// The lists; an empty one stands for a triangle list.
     pub(crate) lists: Vec<Vec<u32>>,
-    /// Indices that drawing all groups takes.
+    /// Number of indices needed to draw all groups.
     pub(crate) index_count: usize,
-    /// Groups that are written as single triangles.
+    /// Number of groups that are written as triangle lists.
     pub(crate) plain_group_count: usize,
 }
 
@@ -34,18 +35,19 @@ impl StripLists {
         out
     }
 
-    /// The strips that a level's model shows, or new strips if it has none or if new ones are shorter.
+    /// Returns the strips that the model has for a level, or new ones if there are none or new ones are
+    /// shorter.
     ///
     /// # Errors
-    /// If the mesh's parts do not fit together.
-    pub(crate) fn of_level(mesh: &IndexedMesh, shown: Option<&StripSet>) -> Result<Self, MeshError> {
-        let anew = Self::new(mesh, &stripify(mesh)?);
-        let shown = shown.map(|strips| Self::new(mesh, strips));
-        Ok(shown.filter(|shown| shown.index_count <= anew.index_count).unwrap_or(anew))
+    /// If the mesh is inconsistent.
+    pub(crate) fn of_level(mesh: &IndexedMesh, model_strips: Option<&StripSet>) -> Result<Self, MeshError> {
+        let restripified = Self::new(mesh, &stripify(mesh)?);
+        let from_model = model_strips.map(|strips| Self::new(mesh, strips));
+        Ok(from_model.filter(|lists| lists.index_count <= restripified.index_count).unwrap_or(restripified))
     }
 }
 
-/// One list of indices for each group, its strips joined by degenerate triangles.
+/// Returns one index list per group, with the strips of the group joined by degenerate triangles.
 pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
     let joined = strips.to_stitched_indices();
     let of_group =
@@ -53,7 +55,7 @@ pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
     joined.group_ranges.iter().map(of_group).collect()
 }
 
-/// The strips that a level shows, group by group; dead ones are left out.
+/// Returns the strips of a level, group by group, without those that have no triangle left.
 pub(crate) fn strips_of_level<M: StripModel>(model: &M, state: &M::State) -> StripSet {
     let mut strips = StripSet::new();
     for group in 0..model.group_count() {
@@ -66,7 +68,8 @@ pub(crate) fn strips_of_level<M: StripModel>(model: &M, state: &M::State) -> Str
     strips
 }
 
-/// A level without the vertices that none of its triangles use, and its strips over what is left; no strips if they use others.
+/// A level without the vertices that none of its triangles use, and its strips over what is left; no strips
+/// if they use others.
 pub(crate) fn without_unused_vertices(
     mesh: IndexedMesh,
     strips: Option<StripSet>,
@@ -76,7 +79,7 @@ pub(crate) fn without_unused_vertices(
     if is_used.iter().all(|&is_used| is_used) {
         return (mesh, strips);
     }
-    // Vertices that stay keep their order.
+    // The remaining vertices keep their order.
     let new_index: Vec<Option<u32>> = is_used
         .into_iter()
         .scan(0, |next, is_used| {
@@ -112,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn groups_of_lone_triangles_are_no_strips() {
+    fn groups_of_separate_triangles_become_triangle_lists() {
         let mut mesh = shapes::grid(4, 1);
         let (strip_count, first) = (mesh.triangle_count() as u32, mesh.positions.len() as u32);
         for i in 0..3 {
@@ -121,36 +124,36 @@ mod tests {
             mesh.triangles.push([first + 3 * i, first + 3 * i + 1, first + 3 * i + 2]);
         }
         mesh.groups = vec![group(0, strip_count), group(strip_count, 3), group(strip_count + 3, 0)];
-        let strips = stripify(&mesh).expect("it is sound");
+        let strips = stripify(&mesh).expect("the mesh is consistent");
         let lists = StripLists::new(&mesh, &strips);
         assert_eq!((lists.lists[1].len(), lists.lists[2].len(), lists.plain_group_count), (0, 0, 1));
         assert_eq!(lists.index_count, lists.lists[0].len() + 9);
-        assert_eq!(StripLists::of_level(&mesh, Some(&strips)).expect("it is sound"), lists);
+        assert_eq!(StripLists::of_level(&mesh, Some(&strips)).expect("the mesh is consistent"), lists);
     }
 
     #[test]
-    fn long_strips_of_a_level_give_way_to_new_ones() {
+    fn a_level_is_restripified_if_that_saves_indices() {
         let mesh = shapes::grid(8, 8);
-        let mut alone = StripSet::new();
-        mesh.triangles.iter().for_each(|triangle| alone.push(triangle));
-        alone.end_group();
-        let found = StripLists::of_level(&mesh, Some(&alone)).expect("it is sound");
+        let mut single_triangles = StripSet::new();
+        mesh.triangles.iter().for_each(|triangle| single_triangles.push(triangle));
+        single_triangles.end_group();
+        let found = StripLists::of_level(&mesh, Some(&single_triangles)).expect("the mesh is consistent");
         assert!(found.index_count < 2 * mesh.triangle_count(), "{}", found.index_count);
-        assert_eq!(found, StripLists::of_level(&mesh, None).expect("it is sound"));
+        assert_eq!(found, StripLists::of_level(&mesh, None).expect("the mesh is consistent"));
     }
 
     #[test]
-    fn strips_follow_the_vertices_that_stay() {
+    fn strips_are_renumbered_when_unused_vertices_are_removed() {
         let mut mesh = shapes::grid(2, 1);
         mesh.positions.insert(0, [7.0; 3]);
         mesh.triangles.iter_mut().flatten().for_each(|v| *v += 1);
-        let strips = stripify(&mesh).expect("it is sound");
+        let strips = stripify(&mesh).expect("the mesh is consistent");
         let (less, renumbered) = without_unused_vertices(mesh.clone(), Some(strips));
         assert_eq!(less.vertex_count() + 1, mesh.vertex_count());
         let mut triangles = Vec::new();
-        renumbered.expect("all of its vertices stay").triangles_into(&mut triangles);
+        renumbered.expect("all of its vertices are used").triangles_into(&mut triangles);
         assert_eq!(canonical_triangles(&triangles), canonical_triangles(&less.triangles));
-        // A strip over a vertex without a triangle is no strip of what is left.
+        // A strip that passes through an unused vertex cannot be kept.
         let mut others = StripSet::new();
         others.push(&[1, 0, 0, 2]);
         others.end_group();

@@ -1,11 +1,11 @@
-//! Seconds by phase, and the most memory that was ever in use.
+//! Time spent in each phase of a run, and its peak memory.
 
 use std::time::Instant;
 
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-/// Times the phases of one run; a phase lasts until the next one begins.
+/// A clock that times the phases of one run; a phase lasts until the next one begins.
 #[derive(Debug)]
 pub struct Phases {
     started: Instant,
@@ -15,13 +15,13 @@ pub struct Phases {
 }
 
 impl Phases {
-    /// A clock for phases known by name; all are reported, whether entered or not.
+    /// Starts a clock for the named phases; all of them are reported, whether entered or not.
     pub fn new(names: &[&'static str]) -> Self {
         let now = Instant::now();
         Self { started: now, entered: now, current: None, secs: names.iter().map(|&n| (n, 0.0)).collect() }
     }
 
-    /// Ends the current phase and begins another; names that nobody announced count to the current one.
+    /// Ends the current phase and begins another; does nothing if the name is unknown or already current.
     pub fn enter(&mut self, name: &str) {
         let Some(next) = self.secs.iter().position(|&(known, _)| known == name) else { return };
         if self.current == Some(next) {
@@ -40,12 +40,12 @@ impl Phases {
         self.entered = now;
     }
 
-    /// Seconds spent in a phase so far.
+    /// Returns the seconds spent in a phase so far.
     pub fn secs_of(&self, name: &str) -> f64 {
         self.secs.iter().filter(|(known, _)| *known == name).map(|&(_, secs)| secs).sum()
     }
 
-    /// Seconds since the clock was made.
+    /// Returns the seconds since the clock was started.
     pub fn total_secs(&self) -> f64 {
         self.started.elapsed().as_secs_f64()
     }
@@ -61,7 +61,7 @@ impl Serialize for Phases {
     }
 }
 
-/// The most memory that the process ever held, where the system tells (Linux).
+/// Returns the peak resident memory of the process in bytes, if the system reports it (Linux does).
 pub fn peak_rss_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn phases_add_up_and_unknown_names_change_nothing() {
+    fn phases_are_timed_and_unknown_names_ignored() {
         let mut phases = Phases::new(&["read", "write"]);
         phases.enter("read");
         std::thread::sleep(std::time::Duration::from_millis(5));

@@ -1,4 +1,4 @@
-//! Why the command stops: a message, whose fault it is, what would cure it, and the place in the file.
+//! Errors of the command: a message, a hint, the offending line of a file, and an exit code.
 
 use std::cell::Cell;
 use std::io::{self, Write};
@@ -13,70 +13,76 @@ use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
 use striata_stream::StreamError;
 
-/// A failure as the user gets to see it.
+/// A failure as it is shown to the user.
 #[derive(Debug)]
 pub struct Failure {
     message: String,
     hint: Option<String>,
     excerpt: Option<Excerpt>,
-    is_ours: bool,
-    lacks_file: bool,
+    is_internal: bool,
+    needs_file_name: bool,
 }
 
-/// A line of a text file that is to blame, with its neighbors.
+/// The offending line of a text file, with the lines before and after it.
 #[derive(Debug)]
 pub struct Excerpt {
     name: String,
     lines: Vec<String>,
     first_line: usize,
-    blamed: usize,
+    marked_line: usize,
 }
 
 impl Failure {
     /// Exit code of failures that the user can fix.
-    pub const USERS: u8 = 1;
-    /// Exit code of failures that are our fault.
-    pub const OURS: u8 = 2;
+    pub const USER_ERROR: u8 = 1;
+    /// Exit code of internal errors.
+    pub const INTERNAL_ERROR: u8 = 2;
 
-    /// A failure that the user can fix.
+    /// Creates a failure that the user can fix.
     pub fn user(message: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: None, excerpt: None, is_ours: false, lacks_file: false }
+        Self {
+            message: message.into(),
+            hint: None,
+            excerpt: None,
+            is_internal: false,
+            needs_file_name: false,
+        }
     }
 
-    /// A failure of our own.
+    /// Creates an internal error.
     pub fn internal(message: impl Into<String>) -> Self {
-        Self { is_ours: true, ..Self::user(message) }
+        Self { is_internal: true, ..Self::user(message) }
     }
 
-    /// Adds what would cure it.
+    /// Adds a hint how to fix the failure.
     pub fn with_hint(self, hint: impl Into<String>) -> Self {
         Self { hint: Some(hint.into()), ..self }
     }
 
-    /// Names the file to blame, where what the library said about its mesh leaves it out.
+    /// Puts the file name before the message if the message, like those of mesh errors, lacks one.
     pub fn in_file(self, name: &str) -> Self {
-        if !self.lacks_file {
+        if !self.needs_file_name {
             return self;
         }
-        Self { message: format!("{name}: {}", self.message), lacks_file: false, ..self }
+        Self { message: format!("{name}: {}", self.message), needs_file_name: false, ..self }
     }
 
-    /// Adds the line to blame.
+    /// Adds the offending line.
     pub fn with_excerpt(self, excerpt: Option<Excerpt>) -> Self {
         Self { excerpt, ..self }
     }
 
-    /// What is wrong.
+    /// Returns the message.
     pub fn message(&self) -> &str {
         &self.message
     }
 
-    /// What would cure it, where that is known.
+    /// Returns the hint, if there is one.
     pub fn hint(&self) -> Option<&str> {
         self.hint.as_deref()
     }
 
-    /// Tells the user, and gives the exit code.
+    /// Prints the failure to stderr and returns the exit code.
     pub fn announce(&self) -> ExitCode {
         let mut text = format!("error: {}\n", self.message);
         if let Some(excerpt) = &self.excerpt {
@@ -85,17 +91,17 @@ impl Failure {
         if let Some(hint) = &self.hint {
             text.push_str(&format!("hint: {hint}\n"));
         }
-        if self.is_ours {
+        if self.is_internal {
             text.push_str(PLEASE_REPORT);
         }
-        // A closed stderr leaves the exit code to tell.
+        // If stderr is closed, the exit code still reports the failure.
         let _ = io::stderr().write_all(text.as_bytes());
-        ExitCode::from(if self.is_ours { Self::OURS } else { Self::USERS })
+        ExitCode::from(if self.is_internal { Self::INTERNAL_ERROR } else { Self::USER_ERROR })
     }
 }
 
-const PLEASE_REPORT: &str = "This is a fault of striata, not yours; please report it with the command line \
-                             and, if you can, the file.\n";
+const PLEASE_REPORT: &str = "This is a bug in striata; please report it with the command line and, if \
+                             possible, the file.\n";
 
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
@@ -104,11 +110,15 @@ impl From<ReadError> for Failure {
             ReadError::Malformed { place: Place::Byte(_), .. } => {
                 failure.with_hint("the file is damaged or cut off; copy it or export it again")
             }
-            ReadError::Malformed { .. } => failure.with_hint("correct the file there, or export it again"),
-            ReadError::NotInBlocks { .. } => {
-                failure.with_hint("`striata convert IN OUT.ply` makes one, with the whole mesh in memory")
+            ReadError::Malformed { .. } => {
+                failure.with_hint("correct that line of the file, or export the file again")
             }
-            ReadError::UnsupportedExtension { .. } => failure.with_hint("export the file without it"),
+            ReadError::NotInBlocks { .. } => failure.with_hint(
+                "convert the file with `striata convert IN OUT.ply`, which loads the whole mesh into memory",
+            ),
+            ReadError::UnsupportedExtension { .. } => {
+                failure.with_hint("export the file without this extension")
+            }
             _ => failure,
         }
     }
@@ -120,8 +130,8 @@ impl From<WriteError> for Failure {
         let WriteError::Io { source, .. } = error else { return failure };
         match source.kind() {
             io::ErrorKind::NotFound => failure.with_hint("make the output's folder first"),
-            io::ErrorKind::PermissionDenied => failure.with_hint("choose a folder that you may write"),
-            io::ErrorKind::IsADirectory => failure.with_hint("name a file inside the folder"),
+            io::ErrorKind::PermissionDenied => failure.with_hint("choose a folder that you can write to"),
+            io::ErrorKind::IsADirectory => failure.with_hint("name a file in that folder"),
             _ => failure,
         }
     }
@@ -131,11 +141,11 @@ impl From<MeshError> for Failure {
     fn from(error: MeshError) -> Self {
         let hint = match error {
             MeshError::NonFinitePosition { .. } => {
-                "remove or repair the vertex; `striata info` counts such defects"
+                "repair or remove the vertex; `striata info` lists such defects"
             }
-            _ => "the file contradicts itself; export it again",
+            _ => "the file is inconsistent; export it again",
         };
-        Self { lacks_file: true, ..Self::user(error.to_string()).with_hint(hint) }
+        Self { needs_file_name: true, ..Self::user(error.to_string()).with_hint(hint) }
     }
 }
 
@@ -149,9 +159,9 @@ impl From<SimplifyError> for Failure {
     }
 }
 
-/// Failures of parts that were made here and fit together by construction; what comes from a user's file is
-/// told by `Input::damaged`.
-macro_rules! ours {
+/// Converts errors of data that striata itself created, which are therefore bugs. For errors in the data of a
+/// user's file, use `Input::damaged`.
+macro_rules! internal_errors {
     ($($error:ty),*) => {
         $(impl From<$error> for Failure {
             fn from(error: $error) -> Self {
@@ -161,13 +171,13 @@ macro_rules! ours {
     };
 }
 
-ours!(ModelError, DecodeError, striata_stream::DecodeError);
+internal_errors!(ModelError, DecodeError, striata_stream::DecodeError);
 
 impl From<EncodeError> for Failure {
     fn from(error: EncodeError) -> Self {
         match error {
             EncodeError::Unstorable { .. } => {
-                Self::user(error.to_string()).with_hint("store another model with --models")
+                Self::user(error.to_string()).with_hint("choose another model with --models")
             }
             error => Self::internal(error.to_string()),
         }
@@ -179,7 +189,7 @@ impl From<StreamError> for Failure {
         match error {
             StreamError::Mesh(error) => error.into(),
             StreamError::Grid(_) => {
-                Self::user(error.to_string()).with_hint("say --bits, 1 to 24, or --lossless")
+                Self::user(error.to_string()).with_hint("use --bits with 1 to 24, or --lossless")
             }
             error => Self::internal(error.to_string()),
         }
@@ -192,38 +202,39 @@ impl From<striata_gpu::GpuError> for Failure {
         use striata_gpu::GpuError;
         let failure = Self::user(error.to_string());
         match error {
-            GpuError::NoSuchAdapter { .. } => failure.with_hint("name another, or leave --adapter out"),
+            GpuError::NoSuchAdapter { .. } => failure.with_hint("name another adapter, or remove --adapter"),
             GpuError::NoAdapter { .. } | GpuError::NoUsableAdapter { .. } | GpuError::NoDevice { .. } => {
-                failure.with_hint(no_driver())
+                failure.with_hint(driver_hint())
             }
             GpuError::TooLarge { .. } => {
-                failure.with_hint("take a coarser level, or another adapter with --adapter")
+                failure.with_hint("use a coarser level, or another adapter with --adapter")
             }
             _ => failure,
         }
     }
 }
 
-/// What gives a machine an adapter, or lets the one that it has be found.
+/// Returns the hint for machines without a usable graphics adapter.
 #[cfg(feature = "gpu")]
-fn no_driver() -> String {
-    let install = "install a Vulkan driver; one that draws on the processor comes by `apt-get install mesa-vulkan-drivers`";
+fn driver_hint() -> String {
+    let install =
+        "install a Vulkan driver; `apt-get install mesa-vulkan-drivers` includes one that renders on the CPU";
     match std::env::var("WGPU_BACKEND") {
-        Ok(named) => format!("{install}; WGPU_BACKEND={named} narrows the search"),
+        Ok(named) => format!("{install}; note that WGPU_BACKEND={named} restricts the search"),
         Err(_) => install.to_owned(),
     }
 }
 
 thread_local! {
-    /// Whether a panic of this thread is caught and reported by whoever called.
+    /// Whether panics of this thread are caught by [`caught`], whose caller reports them.
     static IS_CAUGHT: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs `work`; the error is the message of a panic, which nobody else reports.
+/// Runs `work` and returns the first line of the message if it panics; the panic is not reported otherwise.
 #[cfg(feature = "gpu")]
 pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     let before = IS_CAUGHT.replace(true);
-    // What a panic leaves half-done is dropped by the callers.
+    // Callers drop whatever state a panic leaves inconsistent.
     let result = catch_unwind(AssertUnwindSafe(work));
     IS_CAUGHT.set(before);
     result.map_err(|panic| {
@@ -233,37 +244,38 @@ pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
-/// Prints a panic as what it is: our fault.
-pub fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
+/// Panic hook: prints a panic as an internal error.
+pub fn report_panic(info: &std::panic::PanicHookInfo<'_>) {
     if IS_CAUGHT.get() {
         return;
     }
     let message = info.payload_as_str().unwrap_or("no message");
-    let place = info.location().map(|l| format!(" ({}:{})", l.file(), l.line())).unwrap_or_default();
-    let _ = write!(io::stderr(), "internal error: {message}{place}\n{PLEASE_REPORT}");
+    let location = info.location().map(|l| format!(" ({}:{})", l.file(), l.line())).unwrap_or_default();
+    let _ = write!(io::stderr(), "internal error: {message}{location}\n{PLEASE_REPORT}");
 }
 
 impl Excerpt {
-    /// Longer lines are no text that a person would look at.
+    /// Lines longer than this are not text that a person would read.
     const MAX_LINE_BYTES: usize = 400;
 
-    /// The line, counted from 1, between its neighbors; `None` where the text has no such line.
+    /// Returns the line (counted from 1) and its neighbors; `None` if the text has no such line or a line is
+    /// too long.
     pub fn around(name: &str, text: &str, line: usize) -> Option<Self> {
         let first_line = line.checked_sub(1)?.max(1);
         let shown = text.lines().skip(first_line - 1).take(line + 2 - first_line);
         let lines: Vec<String> = shown.map(str::to_owned).collect();
         let has_line = first_line + lines.len() > line;
         let is_text = lines.iter().all(|line| line.len() <= Self::MAX_LINE_BYTES);
-        (has_line && is_text).then(|| Self { name: name.to_owned(), lines, first_line, blamed: line })
+        (has_line && is_text).then(|| Self { name: name.to_owned(), lines, first_line, marked_line: line })
     }
 
-    /// The lines with their numbers, and the one to blame marked below, as compilers do it.
+    /// Formats the lines with their numbers, the offending one underlined, as compilers do.
     fn render(&self) -> String {
         let margin = (self.first_line + self.lines.len() - 1).to_string().len();
-        let mut text = format!("{:>margin$} --> {}:{}\n", "", self.name, self.blamed);
+        let mut text = format!("{:>margin$} --> {}:{}\n", "", self.name, self.marked_line);
         for (number, line) in (self.first_line..).zip(&self.lines) {
             text.push_str(&format!("{number:>margin$} | {line}\n"));
-            if number == self.blamed {
+            if number == self.marked_line {
                 text.push_str(&format!("{:>margin$} | {}\n", "", "^".repeat(line.chars().count().max(1))));
             }
         }
@@ -271,7 +283,7 @@ impl Excerpt {
     }
 }
 
-/// The failure of a name that is none of `known`; `what` says what it should name.
+/// Returns the failure for a name that is not one of `known`; `what` is the kind of thing it should name.
 pub fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
     let hint = format!("this version has: {}", known.join(", "));
     Failure::user(format!("there is no {what} {name:?}")).with_hint(hint)
@@ -282,7 +294,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_excerpt_marks_the_line_between_its_neighbors() {
+    fn an_excerpt_underlines_the_line() {
         let excerpt = Excerpt::around("x.obj", "v 0 0 0\nv 1\nv 2 2 2\nf 1 2 3\n", 2).expect("line 2");
         assert_eq!(excerpt.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | v 1\n  | ^^^\n3 | v 2 2 2\n");
         let last = Excerpt::around("x.obj", "v 0 0 0\nf", 2).expect("line 2");
@@ -291,13 +303,13 @@ mod tests {
 
     #[cfg(feature = "gpu")]
     #[test]
-    fn a_panic_that_is_caught_becomes_the_first_line_of_its_message() {
+    fn a_caught_panic_returns_the_first_line_of_its_message() {
         assert_eq!(caught(|| 7), Ok(7));
         assert_eq!(caught(|| panic!("lost {}\nand more", "device")), Err::<(), _>("lost device".into()));
     }
 
     #[test]
-    fn lines_that_are_not_there_or_too_long_are_not_shown() {
+    fn missing_or_long_lines_give_no_excerpt() {
         assert!(Excerpt::around("x", "one\n", 0).is_none());
         assert!(Excerpt::around("x", "one\n", 2).is_none());
         assert!(Excerpt::around("x", &"y".repeat(5000), 1).is_none());

@@ -1,7 +1,8 @@
-//! Fans that cover a mesh: around the vertex with most triangles first, until none is left.
+//! Covers a mesh with triangle fans, greedily: the vertex with the most uncovered triangles comes first.
 //!
-//! A vertex inside of a surface has some six triangles, and its neighbors have fewer once these are taken; that makes half to
-//! two thirds as many fans as vertices, however the triangles came. Cost: linear but for the queue.
+//! A vertex inside a surface has about six triangles, and covering them leaves fewer for its neighbors. The
+//! result has half to two thirds as many fans as vertices, whatever the order of the triangles. Takes linear
+//! time, except for the priority queue.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -9,23 +10,25 @@ use std::ops::Range;
 
 use striata::mesh::IndexedMesh;
 
-/// The fans of each group, a pivot and the nodes around it each; triangles without area are left out.
-pub fn fans_of(mesh: &IndexedMesh) -> Vec<Vec<Vec<u32>>> {
-    let mut cover = Cover::new(mesh);
-    mesh.groups_or_whole().into_iter().map(|group| cover.of_group(group.range())).collect()
+/// Returns the fans of each group: the pivot, then the vertices around it. Triangles with two equal corners
+/// are left out.
+pub fn cover_with_fans(mesh: &IndexedMesh) -> Vec<Vec<Vec<u32>>> {
+    let mut cover = FanCover::new(mesh);
+    mesh.groups_or_whole().into_iter().map(|group| cover.cover_group(group.range())).collect()
 }
 
-struct Cover<'m> {
+struct FanCover<'m> {
     triangles: &'m [[u32; 3]],
-    /// Triangles around each vertex, and where they begin.
+    /// Triangles around each vertex, one list after another.
     around: Vec<u32>,
+    /// Start of the list of each vertex in `around`.
     firsts: Vec<usize>,
-    /// How many of each vertex are left in the group.
-    left: Vec<u32>,
+    /// Number of uncovered triangles of each vertex in the current group.
+    uncovered_counts: Vec<u32>,
     is_covered: Vec<bool>,
 }
 
-impl<'m> Cover<'m> {
+impl<'m> FanCover<'m> {
     fn new(mesh: &'m IndexedMesh) -> Self {
         let triangles = &mesh.triangles;
         let is_covered: Vec<bool> = triangles.iter().map(|&[a, b, c]| a == b || b == c || c == a).collect();
@@ -43,57 +46,58 @@ impl<'m> Cover<'m> {
                 next[v as usize] += 1;
             }
         }
-        Self { triangles, around, firsts, left: vec![0; mesh.vertex_count()], is_covered }
+        Self { triangles, around, firsts, uncovered_counts: vec![0; mesh.vertex_count()], is_covered }
     }
 
-    fn of_group(&mut self, range: Range<usize>) -> Vec<Vec<u32>> {
+    /// Covers the triangles of one group.
+    fn cover_group(&mut self, range: Range<usize>) -> Vec<Vec<u32>> {
         let drawn = range.clone().filter(|&t| !self.is_covered[t]);
         let mut vertices: Vec<u32> = drawn.flat_map(|t| self.triangles[t]).collect();
-        vertices.iter().for_each(|&v| self.left[v as usize] += 1);
+        vertices.iter().for_each(|&v| self.uncovered_counts[v as usize] += 1);
         vertices.sort_unstable();
         vertices.dedup();
         let mut queue: BinaryHeap<(u32, Reverse<u32>)> =
-            vertices.into_iter().map(|v| (self.left[v as usize], Reverse(v))).collect();
+            vertices.into_iter().map(|v| (self.uncovered_counts[v as usize], Reverse(v))).collect();
         let mut fans = Vec::new();
         while let Some((count, Reverse(pivot))) = queue.pop() {
-            let left = self.left[pivot as usize];
-            if left == count {
-                self.cover(pivot, &range, &mut fans);
-            } else if left > 0 {
-                queue.push((left, Reverse(pivot)));
+            let uncovered_count = self.uncovered_counts[pivot as usize];
+            if uncovered_count == count {
+                self.cover_vertex(pivot, &range, &mut fans);
+            } else if uncovered_count > 0 {
+                queue.push((uncovered_count, Reverse(pivot)));
             }
         }
         fans
     }
 
-    /// Covers what is left around a vertex by fans, as few as there are runs.
-    fn cover(&mut self, pivot: u32, range: &Range<usize>, fans: &mut Vec<Vec<u32>>) {
+    /// Covers the remaining triangles around a vertex, with one fan per connected run.
+    fn cover_vertex(&mut self, pivot: u32, range: &Range<usize>, fans: &mut Vec<Vec<u32>>) {
         let mut arcs: Vec<[u32; 2]> = Vec::new();
         for at in self.firsts[pivot as usize]..self.firsts[pivot as usize + 1] {
             let t = self.around[at] as usize;
             if range.contains(&t) && !self.is_covered[t] {
                 self.is_covered[t] = true;
                 let corners = self.triangles[t];
-                corners.iter().for_each(|&v| self.left[v as usize] -= 1);
+                corners.iter().for_each(|&v| self.uncovered_counts[v as usize] -= 1);
                 let turn = corners.iter().position(|&v| v == pivot).unwrap_or(0);
                 arcs.push([corners[(turn + 1) % 3], corners[(turn + 2) % 3]]);
             }
         }
         arcs.sort_unstable();
-        let is_entered = |node: u32| arcs.iter().any(|arc| arc[1] == node);
-        let mut starts: Vec<usize> = (0..arcs.len()).filter(|&i| !is_entered(arcs[i][0])).collect();
+        let has_incoming_arc = |node: u32| arcs.iter().any(|arc| arc[1] == node);
+        let mut starts: Vec<usize> = (0..arcs.len()).filter(|&i| !has_incoming_arc(arcs[i][0])).collect();
         starts.extend(0..arcs.len());
-        let mut is_walked = vec![false; arcs.len()];
+        let mut is_used = vec![false; arcs.len()];
         for start in starts {
             let mut fan = vec![pivot, arcs[start][0]];
-            let mut at = Some(start).filter(|&start| !is_walked[start]);
+            let mut at = Some(start).filter(|&start| !is_used[start]);
             while let Some(arc) = at {
-                is_walked[arc] = true;
+                is_used[arc] = true;
                 let node = arcs[arc][1];
                 fan.push(node);
                 let first = arcs.partition_point(|arc| arc[0] < node);
                 let leaving = arcs[first..].iter().take_while(|arc| arc[0] == node).count();
-                at = (first..first + leaving).find(|&arc| !is_walked[arc]);
+                at = (first..first + leaving).find(|&arc| !is_used[arc]);
             }
             if fan.len() > 2 {
                 fans.push(fan);
@@ -123,7 +127,7 @@ mod tests {
             }
             let mut drawn = mesh.triangles.clone();
             drawn.retain(|&[a, b, c]| a != b && b != c && c != a);
-            let fans: Vec<Vec<u32>> = fans_of(&mesh).into_iter().flatten().collect();
+            let fans: Vec<Vec<u32>> = cover_with_fans(&mesh).into_iter().flatten().collect();
             assert_eq!(triangles_of(&fans), canonical_triangles(&drawn), "{name}");
         }
     }
@@ -139,13 +143,13 @@ mod tests {
             count: count as u32,
         };
         mesh.groups = vec![group(0, half), group(half, mesh.triangle_count() - half)];
-        let fans = fans_of(&mesh);
+        let fans = cover_with_fans(&mesh);
         for (group, fans) in mesh.groups.iter().zip(&fans) {
             assert_eq!(triangles_of(fans), canonical_triangles(&mesh.triangles[group.range()]));
         }
         let fan_count: usize = fans.iter().map(Vec::len).sum();
         assert!(fan_count < mesh.vertex_count() * 7 / 10, "{fan_count} fans");
         let ring = shapes::grid(2, 2);
-        assert_eq!(fans_of(&ring).concat()[0].len(), 8, "a closed ring is one fan");
+        assert_eq!(cover_with_fans(&ring).concat()[0].len(), 8, "a closed ring is one fan");
     }
 }

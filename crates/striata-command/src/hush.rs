@@ -1,42 +1,43 @@
 //! Keeps the messages of graphics drivers off the terminal.
 //!
-//! Drivers and the libraries below them write to the process's standard error themselves, about things that a user cannot do
-//! anything about (`XDG_RUNTIME_DIR is invalid or not set`). While adapters are tried, file descriptor 2 leads nowhere; what was
-//! found is then reported in one line of our own. `--verbose` leaves everything as it is.
+//! Drivers and the libraries below them write directly to the standard error of the process, about things
+//! that a user cannot change (`XDG_RUNTIME_DIR is invalid or not set`). While adapters are probed, file
+//! descriptor 2 is redirected to `/dev/null`; afterwards striata reports in one line what was found. With
+//! `--verbose` nothing is redirected.
 
 use crate::output::Output;
 
-/// Runs `work` with the standard error of the process leading nowhere, unless the user asked for details.
+/// Runs `work` with the standard error of the process discarded, unless the user gave `--verbose`.
 pub fn hushed<T>(output: &Output, work: impl FnOnce() -> T) -> T {
     if output.is_verbose() {
         return work();
     }
-    let _hush = Hush::new();
+    let _guard = StderrSilencer::new();
     work()
 }
 
-/// Standard error leads nowhere as long as this lives.
+/// Discards standard error until it is dropped.
 #[cfg(unix)]
-struct Hush {
-    /// Where it led before.
+struct StderrSilencer {
+    /// The original standard error.
     before: Option<rustix::fd::OwnedFd>,
 }
 
 #[cfg(unix)]
-impl Hush {
+impl StderrSilencer {
     fn new() -> Self {
-        // If any of this fails, the messages are seen, which is no reason to stop.
+        // If any of this fails, the messages are shown, which is no reason to stop.
         let before = rustix::io::fcntl_dupfd_cloexec(rustix::stdio::stderr(), 3).ok();
-        let nowhere = std::fs::OpenOptions::new().write(true).open("/dev/null").ok();
-        if let (Some(_), Some(nowhere)) = (&before, nowhere) {
-            let _ = rustix::stdio::dup2_stderr(nowhere);
+        let null = std::fs::OpenOptions::new().write(true).open("/dev/null").ok();
+        if let (Some(_), Some(null)) = (&before, null) {
+            let _ = rustix::stdio::dup2_stderr(null);
         }
         Self { before }
     }
 }
 
 #[cfg(unix)]
-impl Drop for Hush {
+impl Drop for StderrSilencer {
     fn drop(&mut self) {
         if let Some(before) = self.before.take() {
             let _ = rustix::stdio::dup2_stderr(before);
@@ -44,12 +45,12 @@ impl Drop for Hush {
     }
 }
 
-/// Drivers of other systems keep their messages to themselves.
+/// Does nothing: drivers on other systems do not write to standard error.
 #[cfg(not(unix))]
-struct Hush;
+struct StderrSilencer;
 
 #[cfg(not(unix))]
-impl Hush {
+impl StderrSilencer {
     fn new() -> Self {
         Self
     }

@@ -1,4 +1,4 @@
-//! Files in: mapped into memory, unpacked, recognized, and blamed line by line where they are wrong; and shapes.
+//! Input files, which are memory-mapped, decompressed and recognized, and built-in shapes.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -13,12 +13,12 @@ use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes};
 use crate::failure::{Excerpt, Failure};
 use crate::output::Output;
 use crate::shapes::Shape;
-use crate::stream::remark_on;
+use crate::stream::truncation_note;
 
-/// A file whose bytes are at hand and whose kind is known, or a shape.
+/// An input file that has been opened and recognized, or a built-in shape.
 #[derive(Debug)]
 pub struct Input {
-    /// The name that messages show.
+    /// Name shown in messages.
     pub name: String,
     content: Content,
 }
@@ -32,7 +32,7 @@ enum Content {
 #[derive(Debug)]
 struct FileContent {
     format: Format,
-    /// As they lie on disk.
+    /// Size on disk, before decompression.
     file_bytes: usize,
     folder: Option<PathBuf>,
     bytes: Bytes,
@@ -54,12 +54,13 @@ impl Bytes {
 }
 
 impl Input {
-    /// Opens a file, or stdin for `-`, takes gzip and zstd off, and recognizes what is inside; or finds a shape.
+    /// Opens a file (stdin for `-`), decompresses gzip and zstd, and detects the format; or finds a built-in
+    /// shape.
     ///
     /// # Errors
-    /// Where it cannot be read, is no file that we know, or there is no such shape.
+    /// If the file cannot be read or its format is unknown, or if there is no such shape.
     pub fn open(path: &Path) -> Result<Self, Failure> {
-        if let Some(shape) = Shape::named(path)? {
+        if let Some(shape) = Shape::from_input_name(path)? {
             return Ok(Self { name: path.display().to_string(), content: Content::Shape(shape) });
         }
         let is_stdin = path == Path::new("-");
@@ -79,12 +80,12 @@ impl Input {
         Ok(Self { name, content: Content::File(FileContent { format, file_bytes, folder, bytes }) })
     }
 
-    /// Looks whether there is such a file or shape, without reading it.
+    /// Checks that the file or shape exists, without reading it.
     ///
     /// # Errors
-    /// Where there is not.
+    /// If it does not exist.
     pub fn expect_there(path: &Path) -> Result<(), Failure> {
-        if path == Path::new("-") || Shape::named(path)?.is_some() {
+        if path == Path::new("-") || Shape::from_input_name(path)?.is_some() {
             return Ok(());
         }
         match std::fs::metadata(path) {
@@ -94,7 +95,7 @@ impl Input {
         .map_err(|error| unreadable(&path.display().to_string(), &error))
     }
 
-    /// What it is, in a word.
+    /// Returns the kind of input: a file extension such as `ply`, or `shape`.
     pub fn kind(&self) -> &'static str {
         match &self.content {
             Content::File(file) => file.format.extension(),
@@ -102,12 +103,12 @@ impl Input {
         }
     }
 
-    /// Whether it is a .striata file or a stream.
+    /// Whether the input is a .striata file or a stream.
     pub fn has_levels(&self) -> bool {
         matches!(&self.content, Content::File(file) if has_levels(file.format))
     }
 
-    /// Bytes as they lie on disk; none of a shape.
+    /// Returns the size of the file on disk; `None` for a shape.
     pub fn file_bytes(&self) -> Option<usize> {
         match &self.content {
             Content::File(file) => Some(file.file_bytes),
@@ -115,17 +116,18 @@ impl Input {
         }
     }
 
-    /// The name without its folder: what may be told to others.
+    /// Returns the name without its folder, so that files and reports do not reveal local paths.
     pub fn file_name(&self) -> String {
         let name = Path::new(&self.name).file_name();
         name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// The mesh of a mesh file or a shape, or the full level of a .striata file or stream; where that is cut off, what is
-    /// there of it, which the user is told.
+    /// Returns the mesh of a mesh file or shape, or the full mesh of a .striata file or stream.
+    ///
+    /// If a stream is cut off, returns the finest level that it contains and warns the user.
     ///
     /// # Errors
-    /// Where the bytes are no such thing; the message names the place.
+    /// If the file is malformed; the message says where.
     pub fn mesh(&self, output: &Output) -> Result<IndexedMesh, Failure> {
         let file = match &self.content {
             Content::File(file) => file,
@@ -147,23 +149,24 @@ impl Input {
         })
     }
 
-    /// Tells the user where a file ends within its stream.
+    /// Warns the user if the stream of a file is cut off.
     ///
     /// # Errors
-    /// Where what is there of the stream is unsound.
+    /// If the part of the stream that is present is malformed.
     pub fn remark_on(&self, file: &StriataFile<'_>, output: &Output) -> Result<(), Failure> {
-        if let Some(remark) = remark_on(file, &self.name).map_err(|error| self.damaged(&error))? {
+        if let Some(remark) = truncation_note(file, &self.name).map_err(|error| self.damaged(&error))? {
             output.say(&remark);
         }
         Ok(())
     }
 
-    /// The container, its tables read and checked; a stream stands for one that holds nothing else.
+    /// Opens the input as a .striata file and checks its tables; a stream counts as a file that contains only
+    /// a stream.
     ///
-    /// Either may be cut off within its stream.
+    /// The stream may be cut off.
     ///
     /// # Errors
-    /// Where the file is a mesh, or a container that is damaged or too new.
+    /// If the input is a mesh, or the file is damaged or of a newer version.
     pub fn striata(&self) -> Result<StriataFile<'_>, Failure> {
         let parsed = match &self.content {
             Content::File(file) if file.format == Format::Striata => {
@@ -175,16 +178,16 @@ impl Input {
             _ => {
                 let message = format!("{}: this is a mesh ({}), not a .striata file", self.name, self.kind());
                 return Err(Failure::user(message)
-                    .with_hint("make one with `striata build`, or use `striata simplify` on the mesh"));
+                    .with_hint("build one with `striata build`, or use `striata simplify` on the mesh"));
             }
         };
         parsed.map_err(|error| self.damaged(&error))
     }
 
-    /// A failure to decode this file.
+    /// Returns the failure for an error in the contents of this file.
     pub fn damaged(&self, error: &striata::file::DecodeError) -> Failure {
         Failure::user(format!("{}: {error}", self.name))
-            .with_hint("the file is damaged or cut off; build it again, or copy it again")
+            .with_hint("the file is damaged or cut off; copy it again, or build it again")
     }
 }
 
@@ -192,7 +195,7 @@ fn has_levels(format: Format) -> bool {
     matches!(format, Format::Striata | Format::Stream)
 }
 
-/// The line to blame, where the file is text and the error knows its line.
+/// Returns the offending line if the file is text and the error knows the line.
 fn excerpt(name: &str, bytes: &[u8], error: &ReadError) -> Option<Excerpt> {
     let ReadError::Malformed { place: Place::Line(line), .. } = error else { return None };
     Excerpt::around(name, std::str::from_utf8(bytes).ok()?, usize::try_from(*line).ok()?)
@@ -208,8 +211,10 @@ fn folder_of(path: &Path) -> PathBuf {
 fn unreadable(name: &str, error: &io::Error) -> Failure {
     let failure = Failure::user(format!("{name}: {error}"));
     match error.kind() {
-        io::ErrorKind::NotFound => failure.with_hint("check the path; a relative one starts at this folder"),
-        io::ErrorKind::IsADirectory => failure.with_hint("name a file inside the folder"),
+        io::ErrorKind::NotFound => {
+            failure.with_hint("check the path; relative paths start at the current folder")
+        }
+        io::ErrorKind::IsADirectory => failure.with_hint("name a file in that folder"),
         _ => failure,
     }
 }
@@ -233,9 +238,10 @@ fn map(path: &Path) -> io::Result<Bytes> {
         return Ok(Bytes::Owned(bytes));
     }
     #[expect(unsafe_code, reason = "mapping a file is unsafe by nature; there is no safe way to do it")]
-    // SAFETY: the map is only ever read as bytes, and every reader takes any bytes. Another process that
-    // changes the file meanwhile can make us read old or new bytes, and one that cuts it off can end us by a
-    // signal; outputs are written beside their target and renamed, so no file is lost to either.
+    // SAFETY: the map is only ever read as bytes, and every reader accepts arbitrary bytes. If another
+    // process changes the file meanwhile, we may read old or new bytes, and if it truncates the file, a
+    // signal may end this process. Outputs are written to a temporary file and then renamed, so neither case
+    // can damage a file.
     unsafe {
         Mmap::map(&file).map(Bytes::Mapped)
     }

@@ -1,4 +1,4 @@
-//! Which level the user means, which files levels go to, and whether they came out as asked.
+//! Requested levels: their targets, the files that they are written to, and whether they were reached.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -10,32 +10,32 @@ use crate::args::{Count, Level, LevelArgs, LevelsArgs};
 use crate::failure::Failure;
 use crate::output::{Table, counted, grouped, measured};
 
-/// What stands for a level in the name of an output.
-const PLACE: &str = "{}";
+/// Placeholder for the level in the name of an output file.
+const PLACEHOLDER: &str = "{}";
 
-/// What targets are shares of: numbers of the full mesh.
+/// Sizes of the full mesh, which percentages of targets refer to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FullMesh {
-    /// The diagonal of its bounds, mesh units.
+    /// Diagonal of the bounding box, mesh units.
     pub diagonal: f64,
-    /// Its vertices, equal ones merged.
+    /// Number of vertices after equal ones were merged.
     pub vertex_count: usize,
-    /// Its triangles, without degenerate ones.
+    /// Number of triangles, without degenerate ones.
     pub triangle_count: usize,
 }
 
 impl FullMesh {
-    /// Numbers of a mesh as `simplify` and `build` see it.
+    /// Returns the sizes of a mesh after welding, as `simplify` and `build` use it.
     ///
     /// # Errors
-    /// If the mesh's parts do not fit together.
+    /// If the mesh is inconsistent.
     pub fn of(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         let welded = weld(mesh)?.mesh;
         let (vertex_count, triangle_count) = (welded.vertex_count(), welded.triangle_count());
         Ok(Self { diagonal: mesh.diagonal(), vertex_count, triangle_count })
     }
 
-    /// Numbers of the finest of some levels; the diagonal is known elsewhere.
+    /// Returns the sizes of the finest level, with a diagonal that the caller knows.
     pub fn of_levels(levels: &Levels, diagonal: f64) -> Self {
         let last = levels.step_count();
         let (vertex_count, triangle_count) = (levels.vertex_count_at(last), levels.triangle_count_at(last));
@@ -44,7 +44,7 @@ impl FullMesh {
 }
 
 impl LevelArgs {
-    /// The target in mesh units, if one is given.
+    /// Returns the target if one was given, with lengths in mesh units.
     pub fn target(&self, full: FullMesh) -> Option<Target> {
         let targets = [
             self.triangle_count().map(|count| Target::Triangles(count.of_triangles(full.triangle_count))),
@@ -56,62 +56,64 @@ impl LevelArgs {
         targets.into_iter().flatten().next()
     }
 
-    /// Whether the target depends on how many vertices or triangles the full mesh has.
+    /// Whether the target is a percentage, which depends on the size of the full mesh.
     pub fn has_share(&self) -> bool {
         self.triangle_count().or(self.vertices).is_some_and(Count::is_share)
     }
 }
 
 impl LevelsArgs {
-    /// Whether a level depends on how many triangles the full mesh has.
+    /// Whether any level is a percentage, which depends on the size of the full mesh.
     pub fn has_share(&self) -> bool {
         self.levels.iter().flatten().any(|level| level.triangles.is_share())
     }
 }
 
-/// A level that was asked for, and the file that it goes to.
+/// A requested level and the file that it is written to.
 #[derive(Clone, Debug)]
-pub struct Wanted {
-    /// The level as the user wrote it, if it is one of several.
+pub struct LevelRequest {
+    /// The text that the user wrote for this level, if there are several.
     pub name: Option<String>,
-    /// The level; `None` is the coarsest that there is.
+    /// The target of the level; `None` requests the coarsest level.
     pub target: Option<Target>,
-    /// Where it goes.
+    /// The output file.
     pub path: PathBuf,
 }
 
-/// All levels that were asked for, in the user's order, with the files that they go to.
+/// Returns all requested levels in the order of the user, with their output files.
 ///
 /// # Errors
-/// If several levels would go to one file, or a name has a place for a level and there is none.
-pub fn wanted_levels(
+/// If several levels would be written to the same file, or a file name has a placeholder and there is no
+/// level for it.
+pub fn level_requests(
     level: &LevelArgs,
     levels: &LevelsArgs,
     full: FullMesh,
     output: &Path,
-) -> Result<Vec<Wanted>, Failure> {
+) -> Result<Vec<LevelRequest>, Failure> {
     match &levels.levels {
         Some(levels) => {
             let paths = paths_of_levels(levels, output)?;
             let target = |level: &Level| Target::Triangles(level.triangles.of_triangles(full.triangle_count));
-            let wanted = levels.iter().zip(paths).map(|(level, path)| Wanted {
+            let requests = levels.iter().zip(paths).map(|(level, path)| LevelRequest {
                 name: Some(level.text.clone()),
                 target: Some(target(level)),
                 path,
             });
-            Ok(wanted.collect())
+            Ok(requests.collect())
         }
         None => {
             let path = path_of_level(level.text().as_deref(), output)?;
-            Ok(vec![Wanted { name: None, target: level.target(full), path }])
+            Ok(vec![LevelRequest { name: None, target: level.target(full), path }])
         }
     }
 }
 
-/// Checks the names of all files before the work begins; gives them in the order of the levels.
+/// Returns the output files in the order of the levels, so that their names can be checked before the work
+/// begins.
 ///
 /// # Errors
-/// As [`wanted_levels`].
+/// Under the same conditions as [`level_requests`].
 pub fn check_paths(level: &LevelArgs, levels: &LevelsArgs, output: &Path) -> Result<Vec<PathBuf>, Failure> {
     match &levels.levels {
         Some(levels) => paths_of_levels(levels, output),
@@ -120,79 +122,84 @@ pub fn check_paths(level: &LevelArgs, levels: &LevelsArgs, output: &Path) -> Res
 }
 
 fn paths_of_levels(levels: &[Level], output: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let Some(pattern) = output.to_str().filter(|pattern| pattern.contains(PLACE)) else {
+    let Some(pattern) = output.to_str().filter(|pattern| pattern.contains(PLACEHOLDER)) else {
         let hint = match (output.file_stem(), output.extension()) {
             (Some(stem), Some(extension)) if output != Path::new("-") => {
-                let name = format!("{}-{PLACE}.{}", stem.to_string_lossy(), extension.to_string_lossy());
+                let name =
+                    format!("{}-{PLACEHOLDER}.{}", stem.to_string_lossy(), extension.to_string_lossy());
                 output.with_file_name(name).display().to_string()
             }
-            _ => format!("level-{PLACE}.glb"),
+            _ => format!("level-{PLACEHOLDER}.glb"),
         };
         return Err(Failure::user(format!(
-            "{}: --levels needs {PLACE} in the name of the output",
+            "{}: --levels needs {PLACEHOLDER} in the output name",
             output.display()
         ))
-        .with_hint(format!("{PLACE} stands for the level: -o '{hint}'")));
+        .with_hint(format!("{PLACEHOLDER} is replaced by the level: -o '{hint}'")));
     };
     let mut seen = BTreeSet::new();
     let mut paths = Vec::new();
     for level in levels {
-        let path = PathBuf::from(pattern.replace(PLACE, &file_part(&level.text)));
+        let path = PathBuf::from(pattern.replace(PLACEHOLDER, &file_part(&level.text)));
         if !seen.insert(path.clone()) {
-            return Err(Failure::user(format!("{}: more than one level goes to this file", path.display()))
-                .with_hint(format!("leave {} out, or write it by a command of its own", level.text)));
+            return Err(Failure::user(format!(
+                "{}: several levels would be written to this file",
+                path.display()
+            ))
+            .with_hint(format!("remove {}, or write it with a separate command", level.text)));
         }
         paths.push(path);
     }
     Ok(paths)
 }
 
-/// The name of the output with a level's text in its place.
+/// Returns the output path with the placeholder replaced by the text of the level.
 ///
 /// # Errors
-/// If it has such a place and the level has no text.
+/// If the path has a placeholder and the level has no text.
 fn path_of_level(text: Option<&str>, output: &Path) -> Result<PathBuf, Failure> {
-    match (output.to_str().filter(|pattern| pattern.contains(PLACE)), text) {
+    match (output.to_str().filter(|pattern| pattern.contains(PLACEHOLDER)), text) {
         (None, _) => Ok(output.to_owned()),
-        (Some(pattern), Some(text)) => Ok(PathBuf::from(pattern.replace(PLACE, &file_part(text)))),
-        (Some(pattern), None) => {
-            Err(Failure::user(format!("{pattern}: {PLACE} stands for a level, and this one has no number"))
-                .with_hint(format!("leave {PLACE} out of the name")))
-        }
+        (Some(pattern), Some(text)) => Ok(PathBuf::from(pattern.replace(PLACEHOLDER, &file_part(text)))),
+        (Some(pattern), None) => Err(Failure::user(format!(
+            "{pattern}: {PLACEHOLDER} stands for a level, but none of \
+                --triangles, --ratio and the like was given"
+        ))
+        .with_hint(format!("remove {PLACEHOLDER} from the name"))),
     }
 }
 
-/// A level's text as a part of a file name: `50%` is `50`.
+/// Converts the text of a level to a part of a file name: `50%` becomes `50`.
 fn file_part(text: &str) -> String {
-    let is_fit = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '_');
+    let is_allowed = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '_');
     let number = text.trim_end_matches('%').trim();
-    number.chars().map(|c| if is_fit(c) { c } else { '-' }).collect()
+    number.chars().map(|c| if is_allowed(c) { c } else { '-' }).collect()
 }
 
-/// Why no coarser level than the last one can be made.
+/// Why no coarser level exists than the coarsest one.
 #[derive(Clone, Debug)]
-pub enum Floor {
-    /// The mesh was simplified as far as it goes; the text says what forbids more.
-    Simplified(String),
-    /// The file holds nothing coarser.
+pub enum CoarseningLimit {
+    /// The mesh was simplified as far as possible; the text says what prevents more.
+    Simplification(String),
+    /// The file contains no coarser level.
     File,
 }
 
-/// A level as it came out.
+/// The level that was reached for a target.
 #[derive(Clone, Copy, Debug)]
-pub struct Reached {
-    /// Its vertices.
+pub struct ReachedLevel {
+    /// Number of vertices.
     pub vertex_count: usize,
-    /// Its triangles.
+    /// Number of triangles.
     pub triangle_count: usize,
-    /// Why it is this one.
+    /// Why the level is neither finer nor coarser.
     pub stop_reason: StopReason,
 }
 
-/// Why a level is not what was asked for; `None` if it is.
-pub fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Option<String> {
-    let Reached { vertex_count, triangle_count, stop_reason } = reached;
-    let (wanted, found) = match target {
+/// Explains how a level misses its target; `None` if it meets it.
+pub fn shortfall(target: Target, reached: ReachedLevel, limit: &CoarseningLimit) -> Option<String> {
+    let ReachedLevel { vertex_count, triangle_count, stop_reason } = reached;
+    let (requested, found) = match target {
         Target::Triangles(n) if triangle_count > n => (
             format!("at most {}", counted(n, "triangle", "triangles")),
             format!("{} are left", grouped(triangle_count)),
@@ -202,7 +209,7 @@ pub fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Option<Stri
             format!("{} are left", grouped(vertex_count)),
         ),
         Target::SplitCount(n) if stop_reason == StopReason::FullMesh => {
-            return Some(format!("there are fewer than {} vertex splits: this is the full mesh", grouped(n)));
+            return Some(format!("there are fewer than {} vertex splits; this is the full mesh", grouped(n)));
         }
         Target::SplitCount(_) | Target::Detail(_)
             if matches!(stop_reason, StopReason::BaseReached | StopReason::ErrorLimit) =>
@@ -211,50 +218,52 @@ pub fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Option<Stri
         }
         _ => return None,
     };
-    let why = match (floor, stop_reason) {
-        (Floor::Simplified(_), StopReason::ErrorLimit) => "the next step would exceed the error limit",
-        (Floor::Simplified(why), _) => why,
-        (Floor::File, _) => "the file holds no coarser level",
+    let why = match (limit, stop_reason) {
+        (CoarseningLimit::Simplification(_), StopReason::ErrorLimit) => {
+            "the next step would exceed the error limit"
+        }
+        (CoarseningLimit::Simplification(why), _) => why,
+        (CoarseningLimit::File, _) => "the file has no coarser level",
     };
-    Some(format!("asked for {wanted}, but {found}: {why}"))
+    Some(format!("requested {requested}, but {found}: {why}"))
 }
 
-/// A line for people about a level that is not what was asked for.
-pub fn remark(name: Option<&str>, shortfall: &str) -> String {
+/// Formats a message about a level that misses its target.
+pub fn shortfall_note(name: Option<&str>, shortfall: &str) -> String {
     let level = name.map_or_else(|| "the level".to_owned(), |name| format!("level {name}"));
     format!("{level} was not reached: {shortfall}")
 }
 
-/// With `--strict`, a level that was not reached is a failure.
+/// Turns a level that misses its target into a failure if `--strict` was given.
 ///
 /// # Errors
-/// If it was not and that is forbidden.
+/// If `is_strict` is set and there is a shortfall.
 pub fn check_strict(is_strict: bool, name: Option<&str>, shortfall: Option<&str>) -> Result<(), Failure> {
     match shortfall.filter(|_| is_strict) {
         None => Ok(()),
-        Some(shortfall) => Err(Failure::user(format!("--strict: {}", remark(name, shortfall)))
-            .with_hint("leave --strict out to get the nearest level")),
+        Some(shortfall) => Err(Failure::user(format!("--strict: {}", shortfall_note(name, shortfall)))
+            .with_hint("remove --strict to get the closest level")),
     }
 }
 
-/// One of several levels, for people.
+/// A row of the table of levels.
 #[derive(Clone, Debug)]
 pub struct LevelRow<'a> {
-    /// As the user wrote it.
+    /// The text that the user wrote for the level.
     pub name: &'a str,
-    /// Its triangles.
+    /// Number of triangles.
     pub triangle_count: usize,
-    /// Its vertices.
+    /// Number of vertices.
     pub vertex_count: usize,
-    /// Its error, mesh units.
+    /// Error of the level, mesh units.
     pub error: f64,
-    /// Where it went.
+    /// The output file.
     pub path: &'a str,
-    /// Why it is not what was asked for.
+    /// How the level misses its target, if it does.
     pub shortfall: Option<&'a str>,
 }
 
-/// Several levels as a table, and below it those that were not reached.
+/// Formats several levels as a table, followed by messages about those that miss their target.
 pub fn table_of_levels(rows: &[LevelRow<'_>]) -> String {
     let mut table = Table::with_head(&["level", "triangles", "vertices", "error", "file"]);
     for row in rows {
@@ -269,7 +278,7 @@ pub fn table_of_levels(rows: &[LevelRow<'_>]) -> String {
     let mut text = table.to_text();
     for row in rows {
         if let Some(shortfall) = row.shortfall {
-            text.push_str(&remark(Some(row.name), shortfall));
+            text.push_str(&shortfall_note(Some(row.name), shortfall));
             text.push('\n');
         }
     }
@@ -285,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn levels_name_their_files() {
+    fn each_level_has_its_own_file() {
         let paths = paths_of_levels(&levels(&["50%", "12.5 %", "500"]), Path::new("out/a-{}.glb"));
         let expected = ["out/a-50.glb", "out/a-12.5.glb", "out/a-500.glb"].map(PathBuf::from);
         assert_eq!(paths.expect("names"), expected);
@@ -300,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn one_level_may_name_its_file() {
+    fn a_single_level_may_fill_the_placeholder() {
         let path = |text, output: &str| path_of_level(text, Path::new(output)).ok();
         assert_eq!(path(Some("0.1%"), "a-{}.ply"), Some("a-0.1.ply".into()));
         assert_eq!(path(Some("0.1%"), "a.ply"), Some("a.ply".into()));
@@ -309,17 +318,19 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_reached_says_why() {
-        let reached = |triangle_count, stop_reason| Reached { vertex_count: 60, triangle_count, stop_reason };
-        let floor = Floor::Simplified("no edge can go".to_owned());
-        let said = |target, reached| shortfall(target, reached, &floor);
-        assert_eq!(said(Target::Triangles(100), reached(99, StopReason::TargetReached)), None);
-        assert_eq!(said(Target::Triangles(1000), reached(99, StopReason::FullMesh)), None);
-        let base = said(Target::Triangles(50), reached(99, StopReason::BaseReached)).expect("a shortfall");
-        assert!(base.contains("99 are left") && base.ends_with("no edge can go"), "{base}");
-        let limit = said(Target::Vertices(50), reached(99, StopReason::ErrorLimit)).expect("a shortfall");
-        assert!(limit.contains("60 are left") && limit.ends_with("error limit"), "{limit}");
-        assert!(said(Target::SplitCount(9), reached(99, StopReason::FullMesh)).is_some());
-        assert_eq!(said(Target::Error(0.1), reached(99, StopReason::BaseReached)), None);
+    fn a_shortfall_gives_the_reason() {
+        let reached =
+            |triangle_count, stop_reason| ReachedLevel { vertex_count: 60, triangle_count, stop_reason };
+        let limit = CoarseningLimit::Simplification("no edge can be collapsed".to_owned());
+        let message = |target, reached| shortfall(target, reached, &limit);
+        assert_eq!(message(Target::Triangles(100), reached(99, StopReason::TargetReached)), None);
+        assert_eq!(message(Target::Triangles(1000), reached(99, StopReason::FullMesh)), None);
+        let base = message(Target::Triangles(50), reached(99, StopReason::BaseReached)).expect("a shortfall");
+        assert!(base.contains("99 are left") && base.ends_with("no edge can be collapsed"), "{base}");
+        let error_limit =
+            message(Target::Vertices(50), reached(99, StopReason::ErrorLimit)).expect("a shortfall");
+        assert!(error_limit.contains("60 are left") && error_limit.ends_with("error limit"), "{error_limit}");
+        assert!(message(Target::SplitCount(9), reached(99, StopReason::FullMesh)).is_some());
+        assert_eq!(message(Target::Error(0.1), reached(99, StopReason::BaseReached)), None);
     }
 }

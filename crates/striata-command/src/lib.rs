@@ -1,11 +1,12 @@
-//! What striata's commands share: the flags that several verbs take, reading and writing of files, progress bars and
-//! tables, and failures with their hints and exit codes.
+//! Code shared by the commands of striata: flags, input and output of files, progress, tables, and failures.
 //!
-//! In reading order: [`args`] are the flags; [`failure`], [`output`] and [`clock`] say how it goes; [`input`], [`shapes`] and [`save`]
-//! read and write; [`sequence`], [`texture_contrast`], [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] do what
-//! the flags ask; [`page`] lays reports out for a browser.
+//! In reading order: [`args`] are the flags; [`failure`], [`output`] and [`clock`] report results, errors and
+//! times; [`input`], [`shapes`] and [`save`] read and write meshes; [`sequence`], [`texture_contrast`],
+//! [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] carry out what the flags ask
+//! for; [`page`] formats reports as HTML.
 //!
-//! Data goes to stdout; progress and messages go to stderr. Exit codes: 0 done, 1 the user can fix it, 2 our fault.
+//! Data goes to stdout; progress and messages go to stderr. Exit codes: 0 is success, 1 an error that the
+//! user can fix, 2 an internal error.
 
 pub mod args;
 pub mod clock;
@@ -30,31 +31,31 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::failure::{Failure, announce_panic};
+use crate::failure::{Failure, report_panic};
 
-/// Reads the command line, does what it asks, and turns what comes of it into an exit code.
+/// Parses the command line, runs `work`, and turns the result into an exit code.
 pub fn run<C: Parser>(work: impl FnOnce(&C) -> Result<(), Failure>) -> ExitCode {
     let cli = match C::try_parse() {
         Ok(cli) => cli,
-        Err(error) => return refuse_arguments(&error),
+        Err(error) => return print_parser_message(&error),
     };
-    std::panic::set_hook(Box::new(announce_panic));
-    // State that a panic may leave half-done is not used again: only the exit code is.
+    std::panic::set_hook(Box::new(report_panic));
+    // After a panic only the exit code is used, so inconsistent state cannot be observed.
     match catch_unwind(AssertUnwindSafe(|| work(&cli))) {
         Ok(Ok(())) => ExitCode::SUCCESS,
         Ok(Err(failure)) => failure.announce(),
-        Err(_) => ExitCode::from(Failure::OURS),
+        Err(_) => ExitCode::from(Failure::INTERNAL_ERROR),
     }
 }
 
-/// `--help` and `--version` come this way too, and are no failure.
-fn refuse_arguments(error: &clap::Error) -> ExitCode {
-    // Nothing is left to do if even the terminal is gone.
+/// Prints what the parser returned instead of arguments: an error, or the text of `--help` or `--version`.
+fn print_parser_message(error: &clap::Error) -> ExitCode {
+    // If even the terminal is gone, nothing is left to do.
     let _ = error.print();
-    if error.use_stderr() { ExitCode::from(Failure::USERS) } else { ExitCode::SUCCESS }
+    if error.use_stderr() { ExitCode::from(Failure::USER_ERROR) } else { ExitCode::SUCCESS }
 }
 
-/// The readme's example, compiled with the documentation's tests.
+/// The example of the README, compiled as a documentation test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! What the command says, and where: data to stdout, talk to stderr, bars only on a terminal.
+//! Printing: data goes to stdout, messages to stderr, and progress bars only to a terminal.
 
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
@@ -13,7 +13,7 @@ use crate::args::DriverArgs;
 use crate::args::ReportArgs;
 use crate::failure::Failure;
 
-/// Knows how the user wants to be told.
+/// Prints reports and messages in the way that the user asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Output {
     json: bool,
@@ -24,7 +24,7 @@ pub struct Output {
 }
 
 impl Output {
-    /// As the user asked, with bars only where stderr is a terminal.
+    /// Follows the flags of the user, with progress bars only if stderr is a terminal.
     pub fn new(args: ReportArgs) -> Self {
         let draws_bars = !args.quiet && io::stderr().is_terminal();
         Self {
@@ -36,7 +36,7 @@ impl Output {
         }
     }
 
-    /// Says nothing.
+    /// Prints no messages and no progress.
     pub fn quiet() -> Self {
         Self {
             json: false,
@@ -47,47 +47,47 @@ impl Output {
         }
     }
 
-    /// The same, with the messages of graphics drivers and libraries if they are wanted.
+    /// Adds the flag for messages of graphics drivers, and starts logging if it is set.
     #[cfg(feature = "gpu")]
     pub fn with_drivers(self, args: DriverArgs) -> Self {
         if args.verbose {
-            let usual = env_logger::Env::default().default_filter_or("info");
-            // Fails only where messages are shown already.
-            let _ = env_logger::Builder::from_env(usual).try_init();
+            let env = env_logger::Env::default().default_filter_or("info");
+            // Fails only if a logger is running already.
+            let _ = env_logger::Builder::from_env(env).try_init();
         }
         Self { verbose: args.verbose, ..self }
     }
 
-    /// Whether messages of drivers and libraries are wanted.
+    /// Whether to show messages of graphics drivers and libraries.
     #[cfg(feature = "gpu")]
     pub fn is_verbose(&self) -> bool {
         self.verbose
     }
 
-    /// Refuses to mix a JSON report with a mesh or page on stdout.
+    /// Checks that stdout does not have to take both a JSON report and the output.
     ///
     /// # Errors
-    /// Where both would go there.
+    /// If it does.
     pub fn check_stdout_is_free(&self, output_to_stdout: bool) -> Result<(), Failure> {
         if self.json && output_to_stdout {
             return Err(Failure::user("--json and the output cannot both go to stdout")
-                .with_hint("give the output a file name"));
+                .with_hint("write the output to a file"));
         }
         Ok(())
     }
 
-    /// What the verb was asked for: to stdout, as text or JSON.
+    /// Prints the result of a verb whose result is a report: to stdout, as text or JSON.
     ///
     /// # Errors
-    /// Where stdout cannot be written.
+    /// If stdout cannot be written to.
     pub fn data(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
         if self.json { self.json_object(report) } else { to_stdout(text.as_bytes()) }
     }
 
-    /// What the verb achieved besides the file it wrote: JSON to stdout, text to stderr.
+    /// Prints a report about a file that was written: JSON to stdout, or text to stderr.
     ///
     /// # Errors
-    /// Where stdout cannot be written.
+    /// If stdout cannot be written to.
     pub fn summary(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
         if self.json {
             return self.json_object(report);
@@ -96,7 +96,7 @@ impl Output {
         Ok(())
     }
 
-    /// A remark to stderr.
+    /// Prints a message to stderr, unless the user wants errors only.
     pub fn say(&self, text: &str) {
         if !self.quiet {
             // A closed stderr is no reason to fail.
@@ -104,7 +104,8 @@ impl Output {
         }
     }
 
-    /// A progress bar that the library's callback can move; invisible unless stderr is a terminal.
+    /// Creates a progress bar for the progress callbacks of the library; invisible unless stderr is a
+    /// terminal.
     pub fn bar(&self) -> Bar {
         let target =
             if self.draws_bars { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
@@ -129,17 +130,17 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// Shows that a phase without parts has begun.
+    /// Shows that a phase of unknown length has begun.
     pub fn phase(&mut self, phase: &'static str) {
         let _ = self.show(Progress { phase, done: 0, total: 1 });
     }
 
-    /// Shows which share of a phase is done.
+    /// Shows the completed fraction of a phase, 0 to 1.
     pub fn share(&mut self, phase: &'static str, share: f64) {
         let _ = self.show(Progress { phase, done: (1000.0 * share) as u64, total: 1000 });
     }
 
-    /// Shows how far the library has come; never cancels.
+    /// Shows the progress that the library reports; never cancels.
     pub fn show(&mut self, progress: Progress) -> ControlFlow<()> {
         if self.phase != progress.phase {
             self.phase = progress.phase;
@@ -158,10 +159,10 @@ impl Drop for Bar {
     }
 }
 
-/// Bytes to stdout; a reader that has gone away (`| head`) is no failure.
+/// Writes bytes to stdout. A reader that has gone away (`| head`) is not an error.
 ///
 /// # Errors
-/// Where stdout cannot be written.
+/// If stdout cannot be written to.
 pub fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
@@ -172,7 +173,7 @@ pub fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
     }
 }
 
-/// A number with thin groups of three digits, for people.
+/// Formats a number with commas between groups of three digits.
 pub fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut out = String::new();
@@ -185,12 +186,12 @@ pub fn grouped(number: usize) -> String {
     out
 }
 
-/// So many of something, for people.
+/// Formats a count with its noun: `1 triangle`, `1,000 triangles`.
 pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{} {}", grouped(count), if count == 1 { one } else { many })
 }
 
-/// A size in bytes for people.
+/// Formats a size in bytes, in B, kB or MB.
 pub fn sized(bytes: usize) -> String {
     match bytes {
         0..10_000 => format!("{bytes} B"),
@@ -199,7 +200,7 @@ pub fn sized(bytes: usize) -> String {
     }
 }
 
-/// A length in mesh units for people: digits that tell something at any scale.
+/// Formats a length in mesh units with enough significant digits at any scale.
 pub fn measured(length: f64) -> String {
     match length.abs() {
         size if size == 0.0 || (1e-4..1e7).contains(&size) => format!("{length:.6}"),
@@ -207,7 +208,7 @@ pub fn measured(length: f64) -> String {
     }
 }
 
-/// A duration for people.
+/// Formats a duration in seconds, in µs, ms or s.
 pub fn lasted(secs: f64) -> String {
     if secs < 0.001 {
         format!("{:.0} µs", secs * 1e6)
@@ -218,17 +219,17 @@ pub fn lasted(secs: f64) -> String {
     }
 }
 
-/// Rows of cells in columns: the first column to the left, the others to the right.
+/// A text table: the first column is aligned to the left, the others to the right.
 #[derive(Debug, Default)]
 pub struct Table {
     rows: Vec<Vec<String>>,
 }
 
 impl Table {
-    /// Longer cells stick out instead of pushing all others to the right.
+    /// Widest column. Longer cells overflow instead of moving all others to the right.
     const MAX_WIDTH: usize = 64;
 
-    /// A table with its head.
+    /// Creates a table with a header row.
     pub fn with_head(head: &[&str]) -> Self {
         Self { rows: vec![head.iter().map(|&cell| cell.to_owned()).collect()] }
     }
@@ -238,7 +239,7 @@ impl Table {
         self.rows.push(cells);
     }
 
-    /// The table as text, every line ended.
+    /// Formats the table; every line ends with a newline.
     pub fn to_text(&self) -> String {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
         let width = |c: usize| self.rows.iter().filter_map(move |r| r.get(c)).map(|s| s.chars().count());
@@ -277,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_tell_something_at_any_scale() {
+    fn lengths_have_significant_digits_at_any_scale() {
         assert_eq!(measured(0.0), "0.000000");
         assert_eq!(measured(1.25), "1.250000");
         assert_eq!(measured(8.76e-11), "8.760e-11");
@@ -285,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_cell_pushes_no_other() {
+    fn a_long_cell_does_not_move_others() {
         let mut table = Table::default();
         table.row(vec!["names".to_owned(), "x".repeat(200)]);
         table.row(vec!["count".to_owned(), "7".to_owned()]);

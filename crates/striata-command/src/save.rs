@@ -1,4 +1,4 @@
-//! Meshes out: to a file in one step, or to stdout.
+//! Writes meshes to stdout, or to files that appear complete or not at all.
 
 use std::path::{Path, PathBuf};
 
@@ -10,145 +10,162 @@ use crate::failure::Failure;
 use crate::output::to_stdout;
 use crate::shapes::Shape;
 
-/// True where the output is stdout.
+/// Whether the path is `-`, which stands for stdout (or stdin).
 pub fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// The format that a mesh will be written in.
+/// Returns the format that a mesh will be written in; called before the work begins, to fail early.
 ///
 /// # Errors
-/// Where neither `--to` nor the extension tells, so that it is known before the work begins.
+/// If neither `--to` nor the extension names a mesh format.
 pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
     let format = match args.to {
         Some(to) => to.into(),
         None if is_stdout(path) => Format::Ply,
         None => Format::from_extension(path).ok_or_else(|| {
-            Failure::user(format!("{}: the extension names no mesh format", path.display()))
-                .with_hint("end the name in .ply .obj .stl .off .gltf or .glb, or add --to FORMAT")
+            Failure::user(format!("{}: the extension is not that of a mesh format", path.display()))
+                .with_hint("use the extension .ply, .obj, .stl, .off, .gltf or .glb, or add --to FORMAT")
         })?,
     };
     if format == Format::Stream {
-        return Err(Failure::user(format!("{}: one level is no stream", path.display()))
-            .with_hint("`striata encode MESH -o OUT.stri` makes one from a mesh"));
+        return Err(Failure::user(format!(
+            "{}: a single level cannot be written as a stream",
+            path.display()
+        ))
+        .with_hint("`striata encode MESH -o OUT.stri` writes streams"));
     }
     if format == Format::Striata {
-        return Err(Failure::user(format!("{}: one level is no .striata file", path.display()))
-            .with_hint("`striata build MESH -o OUT.striata` makes one from a mesh"));
+        return Err(Failure::user(format!(
+            "{}: a single level cannot be written as a .striata file",
+            path.display()
+        ))
+        .with_hint("`striata build MESH -o OUT.striata` writes .striata files"));
     }
     if args.ascii && format != Format::Ply {
         return Err(Failure::user(format!(
-            "--ascii is for PLY, and {} is written as {format}",
-            name_of(path)
+            "--ascii is for PLY, but {} is written as {format}",
+            display_name(path)
         ))
-        .with_hint("leave --ascii out, or end the name in .ply"));
+        .with_hint("remove --ascii, or use the extension .ply"));
     }
     Ok(format)
 }
 
-/// How the triangles of a mesh are written, group by group.
+/// The primitives that the triangles of a mesh are written as, group by group.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Drawn {
-    /// Three indices each.
+pub enum Primitives {
+    /// A triangle list.
     Triangles,
-    /// As one strip a group, joined by degenerate triangles; a group without one as single triangles.
+    /// One strip per group, joined by degenerate triangles; an empty strip stands for a triangle list.
     Strips(Vec<Vec<u32>>),
-    /// As fans.
+    /// The fans of each group.
     Fans(Vec<Vec<Vec<u32>>>),
 }
 
-/// The bytes of the file that a mesh goes to.
+/// Returns the contents of the file that a mesh is written to.
 ///
 /// # Errors
-/// If the format cannot hold it.
-fn bytes_of(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<Vec<u8>, Failure> {
+/// If the format cannot represent the mesh.
+fn bytes_of(
+    mesh: &IndexedMesh,
+    primitives: Primitives,
+    path: &Path,
+    args: &FormatArgs,
+) -> Result<Vec<u8>, Failure> {
     let format = format_of(path, args)?;
     let mut options = WriteOptions::default().with_ascii(args.ascii);
-    match drawn {
-        Drawn::Triangles => {}
-        Drawn::Strips(strips) => options = options.with_strips(strips),
-        Drawn::Fans(fans) => options = options.with_fans(fans),
+    match primitives {
+        Primitives::Triangles => {}
+        Primitives::Strips(strips) => options = options.with_strips(strips),
+        Primitives::Fans(fans) => options = options.with_fans(fans),
     }
     Ok(to_file_bytes(path, format, mesh, &options)?)
 }
 
-/// Writes the mesh.
+/// Writes a mesh to a file or to stdout.
 ///
 /// # Errors
-/// If the format cannot hold it or the system refuses; a file that was there is then as it was.
-pub fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<(), Failure> {
-    put(&bytes_of(mesh, drawn, path, args)?, path)
+/// If the format cannot represent the mesh or writing fails; an existing file is then left unchanged.
+pub fn write_mesh(
+    mesh: &IndexedMesh,
+    primitives: Primitives,
+    path: &Path,
+    args: &FormatArgs,
+) -> Result<(), Failure> {
+    write_bytes(&bytes_of(mesh, primitives, path, args)?, path)
 }
 
-/// Writes bytes to a file in one step, or to stdout.
+/// Writes bytes to a file, atomically, or to stdout.
 ///
 /// # Errors
-/// If the system refuses; a file that was there is then as it was.
-pub fn put(bytes: &[u8], path: &Path) -> Result<(), Failure> {
+/// If writing fails; an existing file is then left unchanged.
+pub fn write_bytes(bytes: &[u8], path: &Path) -> Result<(), Failure> {
     if is_stdout(path) {
         return to_stdout(bytes);
     }
     Ok(write_atomically(path, |out| out.write_all(bytes))?)
 }
 
-/// The files of several levels, which are there together or not at all; a single one may go to stdout.
+/// The output files of several levels, which appear all together or not at all; a single level may go to
+/// stdout.
 #[derive(Debug)]
 pub struct LevelFiles<'a> {
     format: &'a FormatArgs,
-    /// Of several levels.
+    /// The files written so far, if there are several levels.
     batch: Option<FileBatch>,
 }
 
 impl<'a> LevelFiles<'a> {
-    /// No files yet.
-    pub fn new(format: &'a FormatArgs, are_several: bool) -> Self {
-        Self { format, batch: are_several.then(FileBatch::default) }
+    /// Starts without any files.
+    pub fn new(format: &'a FormatArgs, has_several: bool) -> Self {
+        Self { format, batch: has_several.then(FileBatch::default) }
     }
 
-    /// Writes a level.
+    /// Writes a level; one of several is visible under its name only after [`commit`](Self::commit).
     ///
     /// # Errors
-    /// If the format cannot hold it or the system refuses.
-    pub fn save(&mut self, mesh: &IndexedMesh, drawn: Drawn, path: &Path) -> Result<(), Failure> {
-        let bytes = bytes_of(mesh, drawn, path, self.format)?;
+    /// If the format cannot represent the mesh or writing fails.
+    pub fn write(&mut self, mesh: &IndexedMesh, primitives: Primitives, path: &Path) -> Result<(), Failure> {
+        let bytes = bytes_of(mesh, primitives, path, self.format)?;
         match &mut self.batch {
             Some(batch) => Ok(batch.write(path, |out| out.write_all(&bytes))?),
-            None => put(&bytes, path),
+            None => write_bytes(&bytes, path),
         }
     }
 
-    /// Gives several files their names.
+    /// Gives all files their final names.
     ///
     /// # Errors
-    /// If the system refuses; all files that were there are then as they were.
+    /// If renaming fails; all existing files are then left unchanged.
     pub fn commit(self) -> Result<(), Failure> {
         Ok(self.batch.map_or(Ok(()), FileBatch::commit)?)
     }
 }
 
-/// A path for people.
-pub fn name_of(path: &Path) -> String {
+/// Returns a path for messages: `stdout` for `-`.
+pub fn display_name(path: &Path) -> String {
     if is_stdout(path) { "stdout".to_owned() } else { path.display().to_string() }
 }
 
-/// What is said of a name that the user did not give.
-pub const CHOSEN_NAME: &str = "; -o names another";
+/// Note after an output name that the user did not choose.
+pub const DEFAULT_NAME_NOTE: &str = "; use -o to choose another name";
 
-/// The name that an output has if the user gives none: that of the input with another extension, in the same folder; that of
-/// a shape in the current one.
+/// Returns the default name of an output: the input with another extension, in the same folder. Outputs of
+/// built-in shapes go to the current folder.
 ///
 /// # Errors
-/// If the input has no name, or that would be the input itself.
-pub fn beside(input: &Path, extension: &str) -> Result<PathBuf, Failure> {
+/// If the input has no file name, or the output would overwrite it.
+pub fn default_output_path(input: &Path, extension: &str) -> Result<PathBuf, Failure> {
     let hint = format!("name the output: -o OUT.{extension}");
     if is_stdout(input) {
-        return Err(Failure::user("stdin has no name that the output could take").with_hint(hint));
+        return Err(Failure::user("the input is stdin, which gives the output no name").with_hint(hint));
     }
-    if let Some(shape) = Shape::named(input)? {
+    if let Some(shape) = Shape::from_input_name(input)? {
         return Ok(PathBuf::from(format!("{}.{extension}", shape.name())));
     }
     if std::fs::metadata(input).is_ok_and(|there| !there.is_file()) {
-        let message = format!("{}: this is no plain file that the output could lie next to", input.display());
+        let message = format!("{}: this is not a regular file, so the output needs a name", input.display());
         return Err(Failure::user(message).with_hint(hint));
     }
     let is_packed = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case("gz") || e.eq_ignore_ascii_case("zst");
@@ -156,26 +173,26 @@ pub fn beside(input: &Path, extension: &str) -> Result<PathBuf, Failure> {
         if input.extension().is_some_and(is_packed) { input.with_extension("") } else { input.to_owned() };
     let output = bare.with_extension(extension);
     let is_input = output == input
-        || matches!((output.canonicalize(), input.canonicalize()), (Ok(output), Ok(input)) if output == input);
+        || output.canonicalize().is_ok_and(|output| input.canonicalize().is_ok_and(|input| output == input));
     if is_input {
-        let message = format!("{}: the output would take the place of the input", input.display());
+        let message = format!("{}: the output would overwrite the input", input.display());
         return Err(Failure::user(message).with_hint(hint));
     }
     Ok(output)
 }
 
-/// Refuses names that promise a compression which nobody does.
+/// Checks that an output name does not end in `.gz` or `.zst`, since these outputs are not compressed again.
 ///
 /// # Errors
-/// If the name ends in `.gz` or `.zst`.
-pub fn check_not_packed(path: &Path, what: &str) -> Result<(), Failure> {
+/// If it does.
+pub fn check_not_compressed(path: &Path, what: &str) -> Result<(), Failure> {
     let is_packed =
         path.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz") || e.eq_ignore_ascii_case("zst"));
     if !is_packed || is_stdout(path) {
         return Ok(());
     }
-    Err(Failure::user(format!("{}: {what} are not compressed any further", path.display()))
-        .with_hint("leave .gz or .zst out of the name"))
+    Err(Failure::user(format!("{}: {what} are already compressed", path.display()))
+        .with_hint("remove .gz or .zst from the name"))
 }
 
 impl From<FormatArg> for Format {

@@ -1,4 +1,4 @@
-//! How a mesh becomes a sequence of steps: what goes first, which errors hold, and how far it goes.
+//! Simplification of a mesh into a sequence of steps: its order, limits and error guarantees.
 
 use std::borrow::Cow;
 
@@ -19,56 +19,56 @@ use crate::texture_contrast::texture_contrasts;
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
 pub enum SequencePlan {
-    /// By half-edge collapses in the order of quadrics.
+    /// Half-edge collapses in the order of their quadric cost.
     Quadric {
-        /// How they are ordered and what they must respect.
+        /// Cost function and constraints.
         options: SequenceOptions,
-        /// Which states errors are to hold for.
-        promise: Promise,
-        /// Where they come in batches, as a stream needs them.
-        batches: Option<BatchTerms>,
+        /// Whether errors are guaranteed, and for which states of the mesh.
+        guarantee: ErrorGuarantee,
+        /// Settings of batches, if collapses are grouped in batches as a stream needs them.
+        batches: Option<BatchSettings>,
     },
-    /// By removing vertices in the order of the distance that is left.
+    /// Vertex removals in the order of the distance that remains.
     Hausdorff(RemovalOptions),
 }
 
 /// How far a simplification goes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Limits {
-    /// Not below so many triangles.
+    /// Number of triangles at which simplification stops.
     pub base_triangle_count: usize,
-    /// Never farther than this from the original.
+    /// Largest distance from the original, mesh units.
     pub max_error: Option<f64>,
 }
 
 impl Default for SequencePlan {
     fn default() -> Self {
-        Self::Quadric { options: SequenceOptions::default(), promise: Promise::Estimates, batches: None }
+        Self::Quadric { options: SequenceOptions::default(), guarantee: ErrorGuarantee::None, batches: None }
     }
 }
 
-/// How steps are chosen, as far as it decides where they end.
+/// How steps are chosen, as far as this affects how coarse a mesh can get.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepKind {
-    /// One by one, among the vertices of the input.
+    /// One by one, keeping vertices of the input.
     Single,
     /// In batches, as a stream needs them.
     Batches,
-    /// With vertices placed freely.
+    /// One by one, with new vertex positions.
     Optimal,
 }
 
-/// The steps of a mesh.
+/// The simplification steps of a mesh.
 #[derive(Debug)]
 pub enum Steps {
-    /// Each is a half-edge collapse.
+    /// Half-edge collapses only.
     Collapses(RefinableMesh),
-    /// Any.
+    /// Steps that retriangulate holes freely.
     Fragments(FragmentedMesh),
 }
 
 impl Steps {
-    /// The mesh in refinement order.
+    /// Returns the full mesh in refinement order.
     pub fn mesh(&self) -> &IndexedMesh {
         match self {
             Self::Collapses(refinable) => &refinable.mesh,
@@ -76,7 +76,7 @@ impl Steps {
         }
     }
 
-    /// What is known of each level.
+    /// Returns the counts and errors of all levels.
     pub fn levels(&self) -> &Levels {
         match self {
             Self::Collapses(refinable) => refinable.sequence.levels(),
@@ -84,7 +84,7 @@ impl Steps {
         }
     }
 
-    /// The mesh that a level shows.
+    /// Returns the mesh of a level.
     pub fn level(&self, split_count: usize) -> IndexedMesh {
         match self {
             Self::Collapses(refinable) => replay(refinable, split_count),
@@ -93,26 +93,26 @@ impl Steps {
     }
 }
 
-/// A mesh with its steps.
+/// A mesh with its simplification steps.
 #[derive(Debug)]
 pub struct Sequenced {
     /// The steps.
     pub steps: Steps,
-    /// Why there are no more.
+    /// Why simplification stopped.
     pub stop_reason: StopReason,
     /// Whether no point of the original is farther from a level than its error.
     pub error_is_guaranteed: bool,
-    /// Split counts at which batches begin, closed by the number of steps; where there are batches.
+    /// Split counts at which batches begin, followed by the number of steps; `None` without batches.
     pub batches: Option<Vec<u32>>,
-    /// The same steps as fragments, where they are known beside collapses: with the errors of single floors.
+    /// The same steps as fragments with an error for each floor, if they are known in addition to collapses.
     floors: Option<FragmentedMesh>,
 }
 
 impl Sequenced {
-    /// The steps as fragments; where errors are guaranteed, so are those of single floors.
+    /// Returns the steps as fragments; if errors are guaranteed, the errors of single floors are, too.
     ///
     /// # Errors
-    /// Where the callback asks to stop.
+    /// If the callback cancels.
     pub fn fragments(&self, progress: &mut ProgressFn<'_>) -> Result<Cow<'_, FragmentedMesh>, SimplifyError> {
         Ok(match (&self.steps, &self.floors) {
             (Steps::Fragments(fragmented), _) | (_, Some(fragmented)) => Cow::Borrowed(fragmented),
@@ -128,50 +128,50 @@ impl Sequenced {
     }
 }
 
-/// What batches of collapses are made of.
+/// Settings for batches of collapses.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct BatchTerms {
-    /// The share of vertices that a batch takes from; the usual one where none is named.
+pub struct BatchSettings {
+    /// Fraction of the vertices, cheapest first, that each batch may use; `None` for the default.
     pub share: Option<f64>,
-    /// What the shape of what is left should weigh, mesh units.
+    /// Weight of triangle shape in the cost, as a length in mesh units.
     pub shape_step: Option<f64>,
 }
 
-/// What errors of collapses hold for.
+/// Which states of a mesh the errors of its collapses are guaranteed for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Promise {
-    /// Nothing: they are estimates.
-    Estimates,
-    /// Levels that are the same everywhere.
+pub enum ErrorGuarantee {
+    /// Errors are estimates.
+    None,
+    /// Levels of uniform detail.
     Levels,
-    /// Whatever a view shows too, at the price of larger errors.
+    /// View-dependent states too, at the price of larger errors.
     AnyState,
 }
 
 impl SequencePlan {
-    /// Makes errors that are to hold for levels hold for whatever a view shows.
-    pub fn hold_in_any_state(&mut self) {
-        if let Self::Quadric { promise, .. } = self
-            && *promise == Promise::Levels
+    /// Extends a guarantee for levels to every view-dependent state.
+    pub fn guarantee_any_state(&mut self) {
+        if let Self::Quadric { guarantee, .. } = self
+            && *guarantee == ErrorGuarantee::Levels
         {
-            *promise = Promise::AnyState;
+            *guarantee = ErrorGuarantee::AnyState;
         }
     }
 
-    /// Lets collapses come in batches.
+    /// Groups collapses in batches.
     ///
     /// # Errors
-    /// Where there are no such collapses.
-    pub fn come_in_batches(&mut self, terms: BatchTerms) -> Result<(), Failure> {
+    /// If the plan is not in quadric order.
+    pub fn use_batches(&mut self, terms: BatchSettings) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
-            return Err(Failure::user("a stream is made of collapses in quadric order")
-                .with_hint("leave --order hausdorff out, or the stream"));
+            return Err(Failure::user("streams require quadric order")
+                .with_hint("remove --order hausdorff, or do not make a stream"));
         };
         *batches = Some(terms);
         Ok(())
     }
 
-    /// What goes first.
+    /// Returns the order of the steps.
     pub fn order(&self) -> OrderArg {
         match self {
             Self::Quadric { .. } => OrderArg::Quadric,
@@ -179,28 +179,28 @@ impl SequencePlan {
         }
     }
 
-    /// Whether no point of the original will be farther from a level than its error.
+    /// Whether errors will be guaranteed: no point of the original is farther from a level than its error.
     pub fn guarantees_errors(&self) -> bool {
-        !matches!(self, Self::Quadric { promise: Promise::Estimates, .. })
+        !matches!(self, Self::Quadric { guarantee: ErrorGuarantee::None, .. })
     }
 
-    /// Builds the steps of a mesh.
+    /// Simplifies a mesh.
     ///
     /// # Errors
-    /// Where an option is out of range.
+    /// If an option is out of range, or the callback cancels.
     pub fn run(&self, welded: Welded, progress: &mut ProgressFn<'_>) -> Result<Sequenced, SimplifyError> {
         match self {
-            Self::Quadric { options, promise: Promise::Estimates, batches } => {
+            Self::Quadric { options, guarantee: ErrorGuarantee::None, batches } => {
                 let (built, batches) = collapses(welded, options.clone(), *batches, progress)?;
                 let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
                 Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, batches, floors: None })
             }
-            Self::Quadric { options, promise, batches } => {
-                // Estimates would stop it elsewhere.
+            Self::Quadric { options, guarantee, batches } => {
+                // Applied to estimates, the limit would stop simplification at a different step.
                 let mut unlimited = options.clone();
                 unlimited.max_error = None;
-                let made = collapses(welded, unlimited, *batches, progress)?;
-                certified(made, options.max_error, *promise, progress)
+                let unlimited = collapses(welded, unlimited, *batches, progress)?;
+                certified(unlimited, options.max_error, *guarantee, progress)
             }
             Self::Hausdorff(options) => {
                 let built = build_welded_fragments_with_progress(welded, options, progress)?;
@@ -215,14 +215,14 @@ impl SequencePlan {
     }
 }
 
-/// Collapses in the order of quadrics, one by one or in batches.
+/// Runs collapses in quadric order, one by one or in batches.
 fn collapses(
     welded: Welded,
     options: SequenceOptions,
-    batches: Option<BatchTerms>,
+    batches: Option<BatchSettings>,
     progress: &mut ProgressFn<'_>,
-) -> Result<Made, SimplifyError> {
-    let Some(BatchTerms { share, shape_step }) = batches else {
+) -> Result<CollapsesAndBatches, SimplifyError> {
+    let Some(BatchSettings { share, shape_step }) = batches else {
         return Ok((build_welded_sequence_with_progress(welded, &options, progress)?, None));
     };
     let mut options = BatchOptions::default().with_sequence(options).with_shape_step(shape_step);
@@ -231,23 +231,23 @@ fn collapses(
     Ok((made.built, Some(made.batches)))
 }
 
-/// A sequence, and its batches where it has any.
-type Made = (BuiltSequence, Option<Vec<u32>>);
+/// A sequence of collapses, and where its batches begin, if it has batches.
+type CollapsesAndBatches = (BuiltSequence, Option<Vec<u32>>);
 
-/// Collapses whose errors hold, as far as they stay within the limit.
+/// Computes guaranteed errors of collapses, and drops the levels whose error exceeds the limit.
 fn certified(
-    (built, mut batches): Made,
+    (built, mut batches): CollapsesAndBatches,
     max_error: Option<f64>,
-    promise: Promise,
+    guarantee: ErrorGuarantee,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Sequenced, SimplifyError> {
-    let refinable = match promise {
-        Promise::AnyState => certify_collapses_in_any_state_with_progress(&built.refinable, progress)?,
+    let refinable = match guarantee {
+        ErrorGuarantee::AnyState => certify_collapses_in_any_state_with_progress(&built.refinable, progress)?,
         _ => certify_collapses_with_progress(&built.refinable, progress)?,
     };
     let first = max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
     if let Some(batches) = &mut batches {
-        // What is left of the first batch is one, too.
+        // The rest of a batch that is cut by the limit is a batch, too.
         let later = batches.iter().filter(|&&begin| begin as usize > first).map(|begin| begin - first as u32);
         *batches = std::iter::once(0).chain(later).collect();
     }
@@ -257,10 +257,10 @@ fn certified(
 }
 
 impl SequenceArgs {
-    /// What was asked for, in mesh units.
+    /// Returns the plan for a mesh; warns if a flag has no effect on it.
     ///
     /// # Errors
-    /// Where a flag belongs to the other order.
+    /// If a flag belongs to the other order.
     pub fn plan_for(
         &self,
         mesh: &IndexedMesh,
@@ -274,7 +274,7 @@ impl SequenceArgs {
             let contrasts = texture_contrasts(mesh);
             if contrasts.iter().all(Option::is_none) {
                 output.say(
-                    "warning: --uv-contrast changes nothing: no material has a readable base color texture",
+                    "warning: --uv-contrast has no effect: no material has a readable base color texture",
                 );
             }
             options.texcoord_factors =
@@ -283,7 +283,7 @@ impl SequenceArgs {
         Ok(plan)
     }
 
-    /// The plan without what depends on the mesh's textures.
+    /// Returns the plan without the parts that depend on textures.
     ///
     /// # Errors
     /// If a flag belongs to the other order.
@@ -293,17 +293,17 @@ impl SequenceArgs {
         let (boundary, group_borders) = (rule(self.lock_boundary), rule(self.lock_groups));
         let seams = if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross };
         let topology = if self.keep_parts { TopologyRule::KeepParts } else { TopologyRule::Change };
-        let foreign = match self.order {
-            OrderArg::Quadric => self.removal.given(),
+        let misplaced = match self.order {
+            OrderArg::Quadric => self.removal.first_given_flag(),
             OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
             OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
-            OrderArg::Hausdorff => self.weights.given(),
+            OrderArg::Hausdorff => self.weights.first_given_flag(),
         };
-        if let Some(flag) = foreign {
+        if let Some(flag) = misplaced {
             let order = self.order.as_str();
             let other = if self.order == OrderArg::Quadric { "hausdorff" } else { "quadric" };
-            return Err(Failure::user(format!("{flag} means nothing in {order} order"))
-                .with_hint(format!("say --order {other}, or leave {flag} out")));
+            return Err(Failure::user(format!("{flag} has no meaning in {order} order"))
+                .with_hint(format!("use --order {other}, or remove {flag}")));
         }
         match self.order {
             OrderArg::Quadric => {
@@ -318,8 +318,8 @@ impl SequenceArgs {
                 options.max_error = max_error;
                 options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
                 let is_certified = self.certify || max_error.is_some();
-                let promise = if is_certified { Promise::Levels } else { Promise::Estimates };
-                Ok(SequencePlan::Quadric { options, promise, batches: None })
+                let guarantee = if is_certified { ErrorGuarantee::Levels } else { ErrorGuarantee::None };
+                Ok(SequencePlan::Quadric { options, guarantee, batches: None })
             }
             OrderArg::Hausdorff => {
                 let mut options = RemovalOptions::default()
@@ -339,14 +339,14 @@ impl SequenceArgs {
         }
     }
 
-    /// Why a mesh cannot be simplified any further, once nothing but the rules forbids it.
-    pub fn what_forbids_more(&self, kind: StepKind) -> String {
+    /// Explains why a mesh cannot be simplified further, if only the constraints prevent it.
+    pub fn describe_limit(&self, kind: StepKind) -> String {
         let step = match self.order {
             OrderArg::Quadric => "no more edges can be collapsed",
             OrderArg::Hausdorff => "no more vertices can be removed",
         };
         let loss = match kind {
-            StepKind::Single | StepKind::Optimal => "losing the last triangles",
+            StepKind::Single | StepKind::Optimal => "removing the last triangles",
             StepKind::Batches => "changing the topology",
         };
         let mut text = format!("{step} without {loss}");
@@ -365,25 +365,25 @@ impl SequenceArgs {
             text.push_str(&format!(" or changing what {all} {verb}"));
         }
         if matches!(kind, StepKind::Batches) {
-            text.push_str(", and a stream takes whole batches of collapses");
+            text.push_str("; a stream only uses whole batches of collapses");
         }
         text
     }
 
-    /// Says so if groups are to be locked and the mesh has no borders between any.
-    pub fn remark_on(&self, mesh: &IndexedMesh, output: &Output) {
+    /// Warns if groups should be locked but the mesh has no borders between groups.
+    pub fn warn_about_groups(&self, mesh: &IndexedMesh, output: &Output) {
         if self.lock_groups && mesh.groups.len() < 2 {
-            output.say("--lock-groups changes nothing: the mesh has only one group");
+            output.say("warning: --lock-groups has no effect: the mesh has only one group");
         }
     }
 
-    /// Whether holes were asked to be filled in any way.
-    pub fn is_free(&self) -> bool {
+    /// Whether the user requested free retriangulation.
+    pub fn wants_free_retriangulation(&self) -> bool {
         self.removal.retriangulation == Some(RetriangulationArg::Free)
     }
 }
 
-/// A limit in mesh units.
+/// Converts an optional limit to mesh units.
 pub fn limit_in_units(limit: Option<Length>, diagonal: f64) -> Option<f64> {
     limit.map(|error| error.in_units(diagonal))
 }

@@ -1,4 +1,4 @@
-//! Meshes that need no file: `shape:NAME` wherever a mesh is read.
+//! Built-in shapes, which can be used instead of a mesh file under the name `shape:NAME`.
 
 use std::path::Path;
 
@@ -6,17 +6,17 @@ use striata::mesh::{IndexedMesh, shapes};
 
 use crate::failure::Failure;
 
-/// What the name of a shape begins with; a file of that name can be read as `./shape:...`.
+/// Prefix of the names of shapes; files with such a name can be read as `./shape:...`.
 const PREFIX: &str = "shape:";
 
-/// A mesh that is made, not read.
+/// A built-in mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
     name: &'static str,
     make: fn() -> IndexedMesh,
 }
 
-/// All shapes by name; those of the papers come first.
+/// All shapes; those used in the papers come first.
 const SHAPES: [Shape; 11] = [
     Shape { name: "sphere", make: shapes::paper_sphere },
     Shape { name: "torus", make: || shapes::torus(192, 96, 1.0, 0.4) },
@@ -32,26 +32,28 @@ const SHAPES: [Shape; 11] = [
 ];
 
 impl Shape {
-    /// The shape that an input's name asks for; `None` where it is the name of a file.
+    /// Returns the shape that an input name stands for; `None` if it is the name of a file.
     ///
     /// # Errors
-    /// Where there is no such shape.
-    pub fn named(input: &Path) -> Result<Option<Self>, Failure> {
+    /// If the name has the prefix, but there is no such shape.
+    pub fn from_input_name(input: &Path) -> Result<Option<Self>, Failure> {
         let Some(name) = input.to_str().and_then(|input| input.strip_prefix(PREFIX)) else { return Ok(None) };
         if let Some(&shape) = SHAPES.iter().find(|shape| shape.name == name) {
             return Ok(Some(shape));
         }
         let names: Vec<&str> = SHAPES.iter().map(|shape| shape.name).collect();
-        Err(Failure::user(format!("there is no shape {name:?}"))
-            .with_hint(format!("there are: {}; a file of that name is ./{PREFIX}{name}", names.join(", "))))
+        Err(Failure::user(format!("there is no shape {name:?}")).with_hint(format!(
+            "there are: {}; to read a file with this name, write ./{PREFIX}{name}",
+            names.join(", ")
+        )))
     }
 
-    /// The name, without what it begins with.
+    /// Returns the name without the prefix.
     pub fn name(self) -> &'static str {
         self.name
     }
 
-    /// The mesh; the same every time.
+    /// Creates the mesh; it is the same every time.
     pub fn mesh(self) -> IndexedMesh {
         (self.make)()
     }
@@ -62,9 +64,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_shape_is_a_mesh_that_fits_together() {
+    fn every_shape_is_a_consistent_mesh() {
         for shape in SHAPES {
-            let named = Shape::named(Path::new(&format!("{PREFIX}{}", shape.name))).unwrap().unwrap();
+            let named =
+                Shape::from_input_name(Path::new(&format!("{PREFIX}{}", shape.name))).unwrap().unwrap();
             let mesh = named.mesh();
             assert!(mesh.check().is_ok() && mesh.triangle_count() >= 4, "{}", shape.name);
         }
@@ -72,12 +75,12 @@ mod tests {
     }
 
     #[test]
-    fn files_and_unknown_shapes_are_told_apart() {
+    fn file_names_are_not_shapes_and_unknown_shapes_fail() {
         for file in ["sphere", "./shape:sphere", "meshes/shape:sphere", "Shape:sphere"] {
-            assert!(matches!(Shape::named(Path::new(file)), Ok(None)), "{file}");
+            assert!(matches!(Shape::from_input_name(Path::new(file)), Ok(None)), "{file}");
         }
         for wrong in ["shape:", "shape:ball", "shape:Sphere"] {
-            assert!(Shape::named(Path::new(wrong)).is_err(), "{wrong}");
+            assert!(Shape::from_input_name(Path::new(wrong)).is_err(), "{wrong}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Streams in: decoded chunk by chunk, as far as they are there or as far as somebody needs them.
+//! Decodes streams chunk by chunk, until they end or enough has been read.
 
 use std::time::Instant;
 
@@ -10,26 +10,26 @@ use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamFacts
 use crate::args::EffortArg;
 use crate::output::grouped;
 
-/// What some bytes of a stream have told.
+/// The decoded part of a stream.
 #[derive(Debug)]
 pub struct Received {
-    /// What the head says of the whole stream.
+    /// Facts about the whole stream, from its header.
     pub facts: StreamFacts,
     /// The decoder after the last byte that was read.
     pub decoder: StreamDecoder,
-    /// Bytes that were read, all that are there at most.
+    /// Number of bytes that were read.
     pub read_bytes: usize,
-    /// Whether the bytes end before the stream does, and all of them were read.
+    /// Whether the stream is cut off, and everything before the cut was read.
     pub is_cut: bool,
-    /// Seconds in the decoder.
+    /// Time spent in the decoder, seconds.
     pub decode_secs: f64,
 }
 
 impl Received {
-    /// Reads chunk by chunk until there is no more or it is enough.
+    /// Reads chunk by chunk until the bytes end or `is_enough` returns true.
     ///
     /// # Errors
-    /// Where the bytes are no sound stream, or end before its base mesh does.
+    /// If the stream is malformed, or cut off within its base mesh.
     pub fn read(
         bytes: &[u8],
         mut is_enough: impl FnMut(&StreamDecoder) -> bool,
@@ -59,28 +59,28 @@ impl Received {
         Ok(Self { facts, decoder, read_bytes, is_cut, decode_secs })
     }
 
-    /// All that is there.
+    /// Reads all bytes.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Under the same conditions as [`read`](Self::read).
     pub fn read_all(bytes: &[u8]) -> Result<Self, DecodeError> {
         Self::read(bytes, |_| false)
     }
 
-    /// The mesh that came, with the sequence that leads to it.
+    /// Returns the finest decoded mesh, with the sequence from the base mesh to it.
     ///
     /// # Errors
-    /// Where there is none, or its parts make no sense.
+    /// If there is no base mesh, or the mesh is inconsistent.
     pub fn refinable(&self) -> Result<RefinableMesh, DecodeError> {
         let refinable = self.decoder.refinable_mesh().ok_or(StreamDefect::NoBase)?;
         refinable.mesh.check()?;
         Ok(refinable)
     }
 
-    /// What is to be said of a stream that is cut off.
-    pub fn remark(&self, name: &str) -> Option<String> {
+    /// Returns a message for the user if the stream is cut off.
+    pub fn truncation_note(&self, name: &str) -> Option<String> {
         let counts = [self.decoder.split_count(), self.facts.step_count];
-        self.is_cut.then(|| cut_remark(name, [self.read_bytes as u64, self.facts.stream_bytes], counts))
+        self.is_cut.then(|| truncation_text(name, [self.read_bytes as u64, self.facts.stream_bytes], counts))
     }
 }
 
@@ -89,31 +89,33 @@ fn end_within(bytes: &[u8], end: Option<u64>) -> usize {
     end.min(bytes.len())
 }
 
-fn cut_remark(name: &str, [read, whole]: [u64; 2], [split_count, step_count]: [usize; 2]) -> String {
+fn truncation_text(name: &str, [read, whole]: [u64; 2], [split_count, step_count]: [usize; 2]) -> String {
     let [read, whole] = [read, whole].map(|bytes| grouped(usize::try_from(bytes).unwrap_or(usize::MAX)));
     let [split_count, step_count] = [grouped(split_count), grouped(step_count)];
     format!(
-        "{name}: cut off after {read} of {whole} bytes: {split_count} of {step_count} vertex splits are there"
+        "{name}: cut off after {read} of {whole} bytes: it contains {split_count} of {step_count} vertex \
+         splits"
     )
 }
 
-/// What is to be said of a file whose mesh is a stream that is cut off, or that has one beside its mesh.
+/// Returns a message for the user if the stream of a file is cut off, whether or not the file contains
+/// anything else.
 ///
 /// # Errors
-/// Where what is there of the stream is unsound.
-pub fn remark_on(file: &StriataFile<'_>, name: &str) -> Result<Option<String>, DecodeError> {
+/// If the part of the stream that is present is malformed.
+pub fn truncation_note(file: &StriataFile<'_>, name: &str) -> Result<Option<String>, DecodeError> {
     let Some(stream) = file.stream().filter(|_| file.is_cut()) else { return Ok(None) };
     let stream = stream?;
     if !file.is_stream_only() {
-        return Ok(Some(format!("{name}: cut off within its stream; all else is there")));
+        return Ok(Some(format!("{name}: cut off within its stream; everything else is complete")));
     }
     let whole = StreamFacts::read(stream)?.map_or(0, |facts| facts.stream_bytes);
     let counts = [file.levels()?.step_count(), file.summary().step_count];
-    Ok(Some(cut_remark(name, [stream.len() as u64, whole], counts)))
+    Ok(Some(truncation_text(name, [stream.len() as u64, whole], counts)))
 }
 
-/// What the head of a stream says, for JSON.
-pub fn facts_in_json(facts: &StreamFacts) -> Value {
+/// Returns the facts from the header of a stream as JSON.
+pub fn stream_facts_json(facts: &StreamFacts) -> Value {
     json!({
         "bytes": facts.stream_bytes,
         "head_bytes": facts.head_bytes,
@@ -128,7 +130,7 @@ pub fn facts_in_json(facts: &StreamFacts) -> Value {
     })
 }
 
-/// An effort as the flag spells it.
+/// Returns an effort as it is spelled on the command line.
 pub fn effort_name(effort: Effort) -> &'static str {
     match effort {
         Effort::Fast => "fast",
@@ -137,10 +139,10 @@ pub fn effort_name(effort: Effort) -> &'static str {
     }
 }
 
-/// How exact a stream is, for people.
+/// Describes the precision of a stream in words.
 pub fn precision_name(precision: Precision) -> String {
     match precision {
-        Precision::Bits(bits) => format!("{bits} bits a coordinate"),
+        Precision::Bits(bits) => format!("{bits} bits per coordinate"),
         Precision::Tolerance(tolerance) => format!("positions within {tolerance}"),
         _ => "lossless".to_owned(),
     }

@@ -1,6 +1,7 @@
-//! Stripifiers in a chain: each begins with the strips of the one before.
+//! Chains of stripifiers, each of which starts from the strips of the one before.
 //!
-//! Written `greedy+tunnel:17`; the names are the library's own, so what it learns the command knows.
+//! A chain is written `greedy+tunnel:17`. The names are those of the library, so new stripifiers need no
+//! change here.
 
 use std::fmt;
 use std::str::FromStr;
@@ -12,7 +13,7 @@ use striata_strip::{StripOptions, Stripifier, stripify_from};
 
 use crate::args::StripSearchArgs;
 
-/// Stripifiers in the order in which they work; at least one.
+/// One or more stripifiers, in the order in which they run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StripChain {
     stripifiers: Vec<Stripifier>,
@@ -43,44 +44,45 @@ impl fmt::Display for StripChain {
     }
 }
 
-/// A chain, and how its stripifiers search.
+/// A chain of stripifiers with search options.
 #[derive(Clone, Debug)]
 pub struct StripPlan {
-    /// The stripifiers.
+    /// The stripifiers to run.
     pub chain: StripChain,
-    /// How long and with which chances they search.
+    /// Options of stripifiers that search.
     pub search: StripSearchArgs,
 }
 
-/// Strips, and how long the stripifiers took to make them.
+/// Strips, with the time that it took to make them.
 #[derive(Clone, Debug)]
 pub struct Stripped {
     /// The strips.
     pub strips: StripSet,
-    /// Seconds.
+    /// Time spent by all stripifiers, seconds.
     pub secs: f64,
 }
 
 impl StripPlan {
-    /// Entries of the vertex cache that strips are made and measured for.
+    /// Returns the number of vertex cache entries that strips are optimized and measured for.
     pub fn cache_size(&self) -> usize {
         self.search.cache_size as usize
     }
 
-    /// The same with another seed.
+    /// Returns the plan with another seed.
     pub fn with_seed(&self, seed: u64) -> Self {
         Self { chain: self.chain.clone(), search: StripSearchArgs { seed, ..self.search } }
     }
 
-    /// The same with a budget in seconds.
+    /// Returns the plan with a time budget in seconds.
     pub fn with_budget(&self, secs: f64) -> Self {
         Self { chain: self.chain.clone(), search: StripSearchArgs { budget: Some(secs), ..self.search } }
     }
 
-    /// Lets each stripifier work on the strips of the one before; `show` is told which share of the work is done.
+    /// Runs each stripifier on the strips of the one before; calls `show` with the completed fraction of the
+    /// work.
     ///
     /// # Errors
-    /// Where the mesh's parts do not fit together.
+    /// If the mesh is inconsistent.
     pub fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<Stripped, MeshError> {
         let started = Instant::now();
         let mut strips = StripSet::new();
@@ -88,7 +90,7 @@ impl StripPlan {
             let is_last = i + 1 == self.chain.stripifiers.len();
             let mut options = self.search.options(stripifier);
             if !is_last {
-                // The next one would take strips for a cache apart.
+                // The next stripifier would break up strips that are optimized for the cache.
                 options.cache_weight = 0.0;
             }
             let allowed = options.allowed_moves(mesh.triangle_count());
@@ -108,7 +110,7 @@ impl StripPlan {
 }
 
 impl StripChain {
-    /// The stripifier of a chain of one.
+    /// Returns the only stripifier of a chain of one.
     pub fn only(&self) -> Option<Stripifier> {
         match self.stripifiers[..] {
             [only] => Some(only),
@@ -116,31 +118,31 @@ impl StripChain {
         }
     }
 
-    /// The stripifier whose strips come out.
+    /// Returns the last stripifier, which makes the final strips.
     pub fn last(&self) -> Stripifier {
         self.stripifiers.last().copied().unwrap_or(StripOptions::default().stripifier)
     }
 
-    /// Whether a budget changes what comes out: one of the stripifiers goes on as long as it may.
+    /// Whether a time budget affects the result, because one of the stripifiers searches as long as it may.
     pub fn searches(&self) -> bool {
         self.stripifiers.iter().any(|&stripifier| {
             StripOptions::default().with_stripifier(stripifier).allowed_moves(1).is_finite()
         })
     }
 
-    /// Whether few strips are what counts at last.
-    pub fn wants_few_strips(&self) -> bool {
+    /// Whether the last stripifier minimizes the number of strips.
+    pub fn minimizes_strip_count(&self) -> bool {
         self.last() == Stripifier::Fewest
     }
 }
 
-/// All of it where nothing is allowed.
+/// Returns the spent fraction of a budget; an empty budget is always spent.
 fn share_of(spent: f64, allowed: f64) -> f64 {
     if allowed > 0.0 { spent / allowed } else { 1.0 }
 }
 
 impl StripSearchArgs {
-    /// Options of one stripifier.
+    /// Returns the options of one stripifier.
     pub fn options(&self, stripifier: Stripifier) -> StripOptions {
         StripOptions::default()
             .with_stripifier(stripifier)
@@ -155,19 +157,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn chains_are_written_as_they_are_read() {
+    fn chains_display_as_they_were_written() {
         for text in ["greedy", "greedy+greedy"] {
             assert_eq!(text.parse::<StripChain>().map(|chain| chain.to_string()), Ok(text.to_owned()));
         }
         assert_eq!("greedy + greedy".parse::<StripChain>(), "greedy+greedy".parse());
         for wrong in ["", "+", "greedy+", "greedy,greedy", "greed"] {
-            let said = wrong.parse::<StripChain>().expect_err("no such chain");
-            assert!(said.contains("greedy"), "{said}");
+            let message = wrong.parse::<StripChain>().expect_err("no such chain");
+            assert!(message.contains("greedy"), "{message}");
         }
     }
 
     #[test]
-    fn a_budget_of_nothing_is_spent_at_once() {
+    fn an_empty_budget_is_spent_immediately() {
         assert_eq!(share_of(0.0, 0.0), 1.0);
         assert_eq!(share_of(1.0, 4.0), 0.25);
         assert_eq!(share_of(7.0, f64::INFINITY), 0.0);

@@ -1,4 +1,4 @@
-//! What strips cost, in the keys and rows that every verb tells it in.
+//! Report on the cost of strips, shared by all verbs: indices, restarts and vertex cache misses.
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, MeshError};
@@ -8,58 +8,58 @@ use striata_strip::strip_count_bound;
 use crate::output::{Table, grouped, lasted};
 use crate::strip_chain::{StripChain, Stripped};
 
-/// What strips cost.
+/// Costs of the strips of a mesh.
 #[derive(Clone, Debug, Serialize)]
 pub struct StripReport {
-    /// What made the strips.
+    /// Name of the stripifiers that made the strips.
     pub algorithm: String,
-    /// Triangles of the mesh.
+    /// Number of triangles in strips.
     pub triangle_count: usize,
-    /// Triangles with two equal corners, which are in no strip.
+    /// Number of triangles with two equal corners, which are in no strip.
     pub degenerate_triangle_count: usize,
-    /// Connected parts of the mesh.
+    /// Number of connected parts of the mesh.
     pub component_count: usize,
-    /// Strips.
+    /// Number of strips.
     pub strip_count: usize,
-    /// Told where few strips are what was wanted.
+    /// Lower bound on the number of strips; given if the last stripifier minimizes that number.
     pub strip_count_bound: Option<usize>,
-    /// Indices repeated to turn a strip.
+    /// Number of indices repeated to turn a strip.
     pub swap_count: usize,
-    /// Restart indices between strips.
+    /// Number of restart indices between strips.
     pub restart_count: usize,
-    /// Indices, restarts included.
+    /// Number of indices, including restarts.
     pub index_count: usize,
-    /// Indices, restarts included, for each triangle.
+    /// Indices per triangle, including restarts.
     pub indices_per_triangle: f64,
-    /// Indices of the longest strip.
+    /// Number of indices of the longest strip.
     pub longest_strip: usize,
-    /// Entries of the vertex cache that the next four figures hold for.
+    /// Number of vertex cache entries for the next four figures.
     pub cache_size: usize,
-    /// Misses per triangle, first in first out.
+    /// Misses per triangle with a FIFO cache.
     pub acmr: f64,
-    /// Misses per vertex, first in first out.
+    /// Misses per vertex with a FIFO cache.
     pub atvr: f64,
-    /// Misses per triangle, least recently used out.
+    /// Misses per triangle with an LRU cache.
     pub acmr_lru: f64,
-    /// Misses per vertex, least recently used out.
+    /// Misses per vertex with an LRU cache.
     pub atvr_lru: f64,
-    /// For 16 entries, whatever the cache asked for.
+    /// Misses per triangle with a FIFO cache of 16 entries, regardless of `cache_size`.
     pub acmr_16: f64,
-    /// Misses per vertex with 16 entries, first in first out.
+    /// Misses per vertex with a FIFO cache of 16 entries.
     pub atvr_16: f64,
-    /// Misses per triangle with 16 entries, least recently used out.
+    /// Misses per triangle with an LRU cache of 16 entries.
     pub acmr_lru_16: f64,
-    /// Misses per vertex with 16 entries, least recently used out.
+    /// Misses per vertex with an LRU cache of 16 entries.
     pub atvr_lru_16: f64,
-    /// Time that the stripifier took, seconds.
+    /// Time spent by the stripifiers, seconds.
     pub stripify_secs: f64,
 }
 
 impl StripReport {
-    /// Measures the strips of a mesh; `algorithm` is what made them, and vertex caches have `cache_size` entries.
+    /// Measures the strips that `algorithm` made of a mesh, with vertex caches of `cache_size` entries.
     ///
     /// # Errors
-    /// Where the mesh's parts do not fit together.
+    /// If the mesh is inconsistent.
     pub fn new(
         algorithm: String,
         mesh: &IndexedMesh,
@@ -67,10 +67,10 @@ impl StripReport {
         cache_size: usize,
     ) -> Result<Self, MeshError> {
         let cost = stripped.strips.cost();
-        let drawn = stripped.strips.to_restart_indices().indices;
+        let indices = stripped.strips.to_restart_indices().indices;
         let caches = |size| {
-            let fifo = fifo_cache_cost(&drawn, cost.triangle_count, size);
-            (fifo, lru_cache_cost(&drawn, cost.triangle_count, size))
+            let fifo = fifo_cache_cost(&indices, cost.triangle_count, size);
+            (fifo, lru_cache_cost(&indices, cost.triangle_count, size))
         };
         let (fifo_16, lru_16) = caches(16);
         let (fifo, lru) = if cache_size == 16 { (fifo_16, lru_16) } else { caches(cache_size) };
@@ -82,7 +82,7 @@ impl StripReport {
             strip_count: cost.strip_count,
             strip_count_bound: None,
             swap_count: cost.swap_count,
-            restart_count: drawn.iter().filter(|&&index| index == RESTART).count(),
+            restart_count: indices.iter().filter(|&&index| index == RESTART).count(),
             index_count: cost.index_count,
             indices_per_triangle: cost.indices_per_triangle,
             longest_strip: cost.longest_strip,
@@ -99,36 +99,36 @@ impl StripReport {
         })
     }
 
-    /// Adds how many strips along the edges of the mesh there are at least, where the chain ends with fewest strips.
-    pub fn with_bound(self, chain: &StripChain, mesh: &IndexedMesh) -> Self {
-        Self { strip_count_bound: chain.wants_few_strips().then(|| strip_count_bound(mesh)), ..self }
+    /// Adds a lower bound on the number of strips if the last stripifier minimizes that number.
+    pub fn with_strip_count_bound(self, chain: &StripChain, mesh: &IndexedMesh) -> Self {
+        Self { strip_count_bound: chain.minimizes_strip_count().then(|| strip_count_bound(mesh)), ..self }
     }
 
-    /// The same for people.
+    /// Formats the report as a table.
     pub fn to_text(&self) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
         row("algorithm", self.algorithm.clone());
         row("triangles", grouped(self.triangle_count));
         if self.degenerate_triangle_count > 0 {
-            row("degenerate, left out", grouped(self.degenerate_triangle_count));
+            row("degenerate triangles skipped", grouped(self.degenerate_triangle_count));
         }
-        row("components", grouped(self.component_count));
+        row("connected parts", grouped(self.component_count));
         row("strips", grouped(self.strip_count));
         if let Some(bound) = self.strip_count_bound {
-            row("strips, at the very least", grouped(bound));
+            row("strips, lower bound", grouped(bound));
         }
         row("swaps", grouped(self.swap_count));
         row("restarts", grouped(self.restart_count));
         row("indices", grouped(self.index_count));
-        row("indices a triangle", format!("{:.4}", self.indices_per_triangle));
-        row("longest strip, indices", grouped(self.longest_strip));
+        row("indices per triangle", format!("{:.4}", self.indices_per_triangle));
+        row("indices of longest strip", grouped(self.longest_strip));
         let size = self.cache_size;
-        row(&format!("misses a triangle, FIFO {size}"), format!("{:.4}", self.acmr));
-        row(&format!("misses a vertex, FIFO {size}"), format!("{:.4}", self.atvr));
-        row(&format!("misses a triangle, LRU {size}"), format!("{:.4}", self.acmr_lru));
-        row(&format!("misses a vertex, LRU {size}"), format!("{:.4}", self.atvr_lru));
-        row("time of the stripifier", lasted(self.stripify_secs));
+        row(&format!("misses per triangle, FIFO {size}"), format!("{:.4}", self.acmr));
+        row(&format!("misses per vertex, FIFO {size}"), format!("{:.4}", self.atvr));
+        row(&format!("misses per triangle, LRU {size}"), format!("{:.4}", self.acmr_lru));
+        row(&format!("misses per vertex, LRU {size}"), format!("{:.4}", self.atvr_lru));
+        row("stripification time", lasted(self.stripify_secs));
         table.to_text()
     }
 }

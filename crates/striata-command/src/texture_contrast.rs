@@ -1,4 +1,4 @@
-//! Contrast of base color textures: how visible it is if a texture slides on the surface.
+//! Contrast of base color textures, which determines how visible it is if a texture slides on the surface.
 
 use std::collections::HashMap;
 use std::io::Cursor;
@@ -9,51 +9,53 @@ use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 
-/// Range of factors.
-const LEAST: f32 = 0.1;
-const MOST: f32 = 2.0;
-/// Contrast that gives factor 1.
+/// Smallest factor.
+const MIN_FACTOR: f32 = 0.1;
+/// Largest factor.
+const MAX_FACTOR: f32 = 2.0;
+/// Contrast that gives a factor of 1.
 const TYPICAL_CONTRAST: f32 = 0.1;
-/// Distances at which pixels are compared, as shares of the width or height. Several, so that no regular pattern escapes by
-/// repeating at one of them.
+/// Distances at which pixels are compared, as fractions of the width or height. There are several, so that a
+/// regular pattern whose period is one of them is still detected.
 const DISTANCES: [f32; 3] = [0.01, 0.02, 0.04];
-/// Images are averaged down to at most this width and height, pixels, so that fine noise counts little.
+/// Width and height in pixels to which larger images are averaged down, so that fine noise has little effect.
 const MAX_SIDE: usize = 256;
 /// Largest width and height that are decoded, pixels.
 const MAX_DECODED_SIDE: usize = 8192;
-/// Memory that the PNG decoder may take for itself, bytes.
+/// Memory limit of the PNG decoder, bytes.
 const PNG_LIMIT: usize = 1 << 29;
 
-/// For each material, the contrast of its base color texture divided by a typical contrast, 0.1 to 2; `None` if it has no such
-/// texture or the image cannot be decoded (neither PNG nor JPEG, damaged, missing, or larger than 8192 pixels).
+/// Returns the contrast of the base color texture of each material, divided by a typical contrast of 0.1 and
+/// clamped to 0.1 to 2. The value is `None` if the material has no such texture or the image cannot be
+/// decoded (neither PNG nor JPEG, damaged, missing, or larger than 8192 pixels).
 ///
-/// The contrast is the root mean square of the differences between pixels that are 1, 2 and 4 % of the width or height apart,
-/// the mean of red, green and blue as stored (sRGB) in [0, 1]. That is what shows if the texture slides by so much. If the
-/// material is masked or blended, colors are multiplied by alpha and alpha counts as another channel. A contrast of 0.1 is
-/// typical; a uniform texture gets 0.1, the least. The whole image counts, used or not.
+/// The contrast is the root mean square difference of pixels that are 1, 2 and 4 % of the width or height
+/// apart, averaged over red, green and blue as stored (sRGB) in [0, 1]. This is the visible change if the
+/// texture slides by that distance. If the material is masked or blended, colors are multiplied by alpha, and
+/// alpha counts as another channel. The whole image counts, whether or not the mesh uses all of it.
 pub fn texture_contrasts(mesh: &IndexedMesh) -> Vec<Option<f32>> {
-    let looks = &mesh.appearance;
+    let appearance = &mesh.appearance;
     let mut known = HashMap::new();
     let mut factor = |material: &Material| {
-        let (image, has_alpha) = base_color_image(looks, material)?;
+        let (image, has_alpha) = base_color_image(appearance, material)?;
         *known.entry((image, has_alpha)).or_insert_with(|| {
-            let pixels = decode(&looks.images.get(image)?.bytes)?;
-            Some((pixels.contrast(has_alpha) / TYPICAL_CONTRAST).clamp(LEAST, MOST))
+            let pixels = decode(&appearance.images.get(image)?.bytes)?;
+            Some((pixels.contrast(has_alpha) / TYPICAL_CONTRAST).clamp(MIN_FACTOR, MAX_FACTOR))
         })
     };
-    looks.materials.iter().map(&mut factor).collect()
+    appearance.materials.iter().map(&mut factor).collect()
 }
 
-/// The index of a material's base color image, and whether its alpha is visible.
-fn base_color_image(looks: &Appearance, material: &Material) -> Option<(usize, bool)> {
+/// Returns the index of a material's base color image, and whether its alpha is visible.
+fn base_color_image(appearance: &Appearance, material: &Material) -> Option<(usize, bool)> {
     let json: Value = serde_json::from_str(&material.gltf_json).ok()?;
     let texture = json.pointer("/pbrMetallicRoughness/baseColorTexture/index")?.as_u64()?;
-    let texture: Value = serde_json::from_str(looks.textures_json.get(texture as usize)?).ok()?;
+    let texture: Value = serde_json::from_str(appearance.textures_json.get(texture as usize)?).ok()?;
     let has_alpha = matches!(json["alphaMode"].as_str(), Some("MASK" | "BLEND"));
     Some((texture["source"].as_u64()? as usize, has_alpha))
 }
 
-/// An image, red, green, blue and alpha in [0, 1].
+/// An RGBA image with values in [0, 1].
 struct Pixels {
     width: usize,
     height: usize,
@@ -61,7 +63,8 @@ struct Pixels {
 }
 
 impl Pixels {
-    /// Averages an image of 1 to 4 channels of a byte each down to at most [`MAX_SIDE`]; `None` if the bytes do not fill it.
+    /// Averages an image with 1 to 4 channels of 8 bits down to at most [`MAX_SIDE`]; `None` if there are too
+    /// few bytes.
     fn new(bytes: &[u8], (source_width, source_height): (usize, usize), channels: usize) -> Option<Self> {
         if bytes.len() < source_width.checked_mul(source_height)?.checked_mul(channels)? || bytes.is_empty() {
             return None;
@@ -87,9 +90,9 @@ impl Pixels {
         Some(Self { width, height, rgba: sums.into_iter().map(mean).collect() })
     }
 
-    /// Root mean square of the differences between pixels some percent of the width or height apart, 0 to about 1.
+    /// Returns the root mean square difference of pixels at all [`DISTANCES`], 0 to about 1.
     fn contrast(&self, has_alpha: bool) -> f32 {
-        let seen = |x: usize, y: usize| {
+        let visible = |x: usize, y: usize| {
             let [red, green, blue, alpha] = self.rgba[y * self.width + x];
             if has_alpha {
                 [red * alpha, green * alpha, blue * alpha, alpha]
@@ -103,7 +106,7 @@ impl Pixels {
             for (dx, dy) in [(apart(self.width), 0), (0, apart(self.height))] {
                 for y in 0..self.height.saturating_sub(dy) {
                     for x in 0..self.width.saturating_sub(dx) {
-                        let pairs = seen(x, y).into_iter().zip(seen(x + dx, y + dy));
+                        let pairs = visible(x, y).into_iter().zip(visible(x + dx, y + dy));
                         sum += pairs.map(|(a, b)| f64::from((a - b) * (a - b))).sum::<f64>();
                         count += 1;
                     }
@@ -114,7 +117,7 @@ impl Pixels {
     }
 }
 
-/// Decodes a PNG or JPEG file, by its first bytes; `None` if that fails.
+/// Decodes a PNG or JPEG file, which it recognizes by its first bytes; `None` if that fails.
 fn decode(bytes: &[u8]) -> Option<Pixels> {
     match bytes {
         [0x89, b'P', b'N', b'G', ..] => decode_png(bytes),
@@ -159,14 +162,14 @@ mod tests {
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, SIDE, SIDE);
         encoder.set_color(png::ColorType::Grayscale);
-        let mut writer = encoder.write_header().expect("memory takes it");
+        let mut writer = encoder.write_header().expect("writing to memory succeeds");
         let pixels: Vec<u8> = (0..SIDE * SIDE).map(|i| gray(i % SIDE, i / SIDE)).collect();
-        writer.write_image_data(&pixels).expect("memory takes it");
-        writer.finish().expect("memory takes it");
+        writer.write_image_data(&pixels).expect("writing to memory succeeds");
+        writer.finish().expect("writing to memory succeeds");
         file
     }
 
-    /// What a material with this file as its base color texture gets.
+    /// Returns the factor of a material with this file as its base color texture.
     fn factor_of(bytes: Vec<u8>) -> Option<f32> {
         let mut mesh = IndexedMesh::new(Vec::new(), Vec::new());
         let gltf_json = r#"{"pbrMetallicRoughness":{"baseColorTexture":{"index":1}}}"#.to_owned();
@@ -179,18 +182,19 @@ mod tests {
     }
 
     #[test]
-    fn contrast_tells_textures_apart() {
+    fn contrast_distinguishes_textures() {
         let uniform = factor_of(png_of(|_, _| 200));
-        assert_eq!(uniform, Some(LEAST));
+        assert_eq!(uniform, Some(MIN_FACTOR));
         let gradient = factor_of(png_of(|x, y| (x + y) as u8)).expect("a PNG");
         let checkerboard = factor_of(png_of(|x, y| 255 * ((x / 10 + y / 10) % 2) as u8)).expect("a PNG");
         assert!(gradient < 0.5 && 2.0 * gradient < checkerboard, "{gradient}, {checkerboard}");
-        assert_eq!(checkerboard, MOST);
+        assert_eq!(checkerboard, MAX_FACTOR);
     }
 
     #[test]
     fn jpeg_files_are_read() {
-        // One gray block of 8 by 8 pixels: both Huffman tables hold one code, the bit 0, for "nothing differs".
+        // One gray block of 8 by 8 pixels: both Huffman tables have a single code, the bit 0, for "no
+        // difference".
         let huffman = |class: u8| [&[0xff, 0xc4, 0, 20, class, 1][..], &[0; 16]].concat();
         let file = [
             &[0xff, 0xd8, 0xff, 0xdb, 0, 67, 0][..],
@@ -200,7 +204,7 @@ mod tests {
             &huffman(0x10),
             &[0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0x3f, 0xff, 0xd9],
         ];
-        assert_eq!(factor_of(file.concat()), Some(LEAST));
+        assert_eq!(factor_of(file.concat()), Some(MIN_FACTOR));
     }
 
     #[test]
@@ -214,9 +218,9 @@ mod tests {
     }
 
     #[test]
-    fn alpha_counts_only_if_it_is_seen() {
+    fn alpha_counts_only_if_it_is_visible() {
         let bytes: Vec<u8> = (0..400).flat_map(|i| [90, 90, 90, 255 * (i / 10 % 2) as u8]).collect();
-        let pixels = Pixels::new(&bytes, (20, 20), 4).expect("all pixels are there");
+        let pixels = Pixels::new(&bytes, (20, 20), 4).expect("the pixels are complete");
         assert!(pixels.contrast(false) < 1e-6 && pixels.contrast(true) > 0.1);
     }
 }

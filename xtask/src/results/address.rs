@@ -1,15 +1,16 @@
 //! Addresses of values in JSON: `meshes[name=bunny.ply].models[name=mts].bytes / 1000000`.
 //!
-//! Names are separated by dots. Brackets after the name of an array choose an element, by its place or by the values of some of its
-//! keys. A value may be divided by another one or by a number. An address that begins with a dot goes on from `base`.
+//! Keys are separated by dots. Brackets after the key of an array select an element, by its index or by the
+//! values of some of its keys. A value may be divided by another one or by a number. An address that begins
+//! with a dot is relative to `base`.
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
-/// The values of addresses that `+` separates, or numbers that stand for themselves.
+/// Returns the values of addresses or numbers that are separated by `+`.
 ///
 /// # Errors
-/// If an address leads nowhere or to something that is no number.
+/// If an address does not exist or its value is not a number.
 pub(super) fn values(json: &Value, base: &str, addresses: &str) -> Result<Vec<f64>> {
     split(addresses, " + ").into_iter().map(|address| quotient(json, base, address.trim())).collect()
 }
@@ -31,10 +32,10 @@ fn number(json: &Value, base: &str, address: &str) -> Result<f64> {
     for segment in split(address, ".") {
         at = step(at, segment).with_context(|| format!("`{segment}` of `{address}` is not in the JSON"))?;
     }
-    at.as_f64().with_context(|| format!("`{address}` is no number in the JSON"))
+    at.as_f64().with_context(|| format!("`{address}` is not a number in the JSON"))
 }
 
-/// Parts between separators that do not stand in brackets.
+/// Splits text at separators that are not inside brackets.
 fn split<'a>(text: &'a str, separator: &str) -> Vec<&'a str> {
     let (mut parts, mut from, mut depth) = (Vec::new(), 0, 0);
     for (at, c) in text.char_indices() {
@@ -59,13 +60,13 @@ fn step<'a>(at: &'a Value, segment: &str) -> Result<&'a Value> {
     };
     let value = at.get(name).context("no such key")?;
     let Some(chosen) = chosen else { return Ok(value) };
-    let array = value.as_array().context("no array")?;
-    if let Ok(place) = chosen.parse::<usize>() {
-        return array.get(place).context("too few elements");
+    let array = value.as_array().context("not an array")?;
+    if let Ok(index) = chosen.parse::<usize>() {
+        return array.get(index).context("too few elements");
     }
     let mut pairs = Vec::new();
     for pair in chosen.split('&') {
-        let (key, wanted) = pair.split_once('=').context("brackets hold a place or key=value")?;
+        let (key, wanted) = pair.split_once('=').context("brackets must contain an index or key=value")?;
         pairs.push((key.trim(), wanted.trim()));
     }
     ensure!(!pairs.is_empty(), "empty brackets");
@@ -87,10 +88,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn addresses_lead_to_numbers() {
+    fn addresses_give_numbers() {
         let json = serde_json::json!({
             "n": 7,
-            "rows": [{ "name": "a.ply", "px": 1.0, "x": [{ "y": 3 }] }, { "name": "b + c / d", "y": 6 }, { "name": "a.ply", "px": 5.0, "x": [{ "y": 4 }] }],
+            "rows": [{ "name": "a.ply", "px": 1.0, "x": [{ "y": 3 }] }, { "name": "b + c / \
+             d", "y": 6 }, { "name": "a.ply", "px": 5.0, "x": [{ "y": 4 }] }],
         });
         let one = |address| values(&json, "rows[2]", address).unwrap();
         assert_eq!(one("n"), [7.0]);

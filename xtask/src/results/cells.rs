@@ -1,41 +1,41 @@
-//! Cells of tables: the numbers in them, and whether those are the numbers that a command gave.
+//! Cells of tables: the numbers in them, and whether they equal measured values.
 
-/// A number as a page shows it.
+/// A number in a cell, with its precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shown {
+pub(super) struct CellNumber {
     value: f64,
-    /// Digits after the point.
+    /// Number of digits after the decimal point.
     digits: usize,
 }
 
-impl Shown {
-    /// Whether a measured value, rounded to as many digits, is this number.
-    fn is(self, measured: f64) -> bool {
+impl CellNumber {
+    /// Whether a measured value, rounded to the same number of digits, equals this number.
+    fn matches(self, measured: f64) -> bool {
         let digits = self.digits;
         format!("{:.digits$}", self.value) == format!("{measured:.digits$}")
     }
 }
 
-/// The numbers of a cell in order: `1,234 (5.60 MB)` has 1234 and 5.60.
-pub(super) fn numbers(cell: &str) -> Vec<Shown> {
+/// Returns the numbers of a cell in order: `1,234 (5.60 MB)` has 1234 and 5.60.
+pub(super) fn numbers(cell: &str) -> Vec<CellNumber> {
     let is_part = |c: char| c.is_ascii_digit() || c == ',' || c == '.';
     let mut numbers = Vec::new();
     for word in cell.split(|c| !is_part(c)) {
         let plain = word.trim_end_matches([',', '.']).trim_start_matches(',').replace(',', "");
         if let Ok(value) = plain.parse() {
             let digits = plain.split_once('.').map_or(0, |(_, digits)| digits.len());
-            numbers.push(Shown { value, digits });
+            numbers.push(CellNumber { value, digits });
         }
     }
     numbers
 }
 
-/// A cell without emphasis and code marks, as labels and placeholders take it.
+/// Removes emphasis and code marks from a cell, for labels and placeholders.
 pub(super) fn label(cell: &str) -> String {
     cell.replace("**", "").replace('`', "").trim().to_owned()
 }
 
-/// The label of a cell; a number loses its thousands separators.
+/// Returns the label of a cell; numbers without thousands separators.
 pub(super) fn argument(cell: &str) -> String {
     let label = label(cell);
     let is_number = label.starts_with(|c: char| c.is_ascii_digit())
@@ -43,14 +43,14 @@ pub(super) fn argument(cell: &str) -> String {
     if is_number { label.replace(',', "") } else { label }
 }
 
-/// Whether a page's cell shows these values; a cell without numbers shows nothing, and is right.
+/// Whether a cell shows these values; a cell without numbers always does.
 pub(super) fn shows(cell: &str, measured: &[f64]) -> bool {
     let shown = numbers(cell);
-    let is_same = |(shown, &measured): (&Shown, &f64)| shown.is(measured);
+    let is_same = |(shown, &measured): (&CellNumber, &f64)| shown.matches(measured);
     shown.is_empty() || (shown.len() == measured.len() && shown.iter().zip(measured).all(is_same))
 }
 
-/// Whether a page's cell shows what a printed one does, with as many digits or fewer.
+/// Whether a cell shows the same numbers as a printed one, with the same number of digits or fewer.
 pub(super) fn shows_printed(cell: &str, printed: &str) -> bool {
     let measured: Vec<f64> = numbers(printed).iter().map(|number| number.value).collect();
     shows(cell, &measured)
@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_found_in_any_dress() {
+    fn numbers_are_found_in_formatted_cells() {
         let values = |cell| numbers(cell).iter().map(|n| (n.value, n.digits)).collect::<Vec<_>>();
         assert_eq!(values("**1,234** (5.60 MB)"), [(1234.0, 0), (5.6, 2)]);
         assert_eq!(values(".51 / 0.6, 7"), [(0.51, 2), (0.6, 1), (7.0, 0)]);
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn arguments_are_plain() {
+    fn arguments_have_no_formatting() {
         assert_eq!(argument("10,000"), "10000");
         assert_eq!(argument("**dragon**"), "dragon");
         assert_eq!(argument("1, 2 and 3"), "1, 2 and 3");

@@ -1,4 +1,4 @@
-//! A table of the docs against what its commands print.
+//! Compares a table of the docs with the output of its commands.
 
 use anyhow::{Context, Result};
 use serde_json::Value;
@@ -7,21 +7,21 @@ use super::address::values;
 use super::cells::{argument, numbers, shows, shows_printed};
 use super::page::{DocTable, Row, cells_of, column_of};
 
-/// What a check found.
+/// Result of a check.
 #[derive(Debug, Default)]
-pub(super) struct Checked {
+pub(super) struct CheckResult {
     pub(super) cell_count: usize,
-    /// A line for each cell that differs.
+    /// One line for each cell that differs.
     pub(super) differences: Vec<String>,
 }
 
 impl DocTable {
-    /// Compares the table with what its commands print.
+    /// Compares the table with the output of its commands.
     ///
     /// # Errors
-    /// If a command fails or prints something else than a table or JSON with the row's values.
-    pub(super) fn check(&self, output: &mut dyn FnMut(&str) -> Result<String>) -> Result<Checked> {
-        let mut found = Checked::default();
+    /// If a command fails, or its output is neither a table nor JSON with the values of the row.
+    pub(super) fn check(&self, output: &mut dyn FnMut(&str) -> Result<String>) -> Result<CheckResult> {
+        let mut found = CheckResult::default();
         for row in self.rows.iter().filter(|row| self.is_wanted(row)) {
             let lines = self
                 .commands
@@ -31,7 +31,7 @@ impl DocTable {
             let mut differs = |column: &str, cell: &str, measured: &str| {
                 let keys: Vec<String> = self.keys.iter().map(|key| self.cell(row, key)).collect();
                 found.differences.push(format!(
-                    "{}:{}: {}: {}: {column}: the page says `{cell}`, the command `{measured}`",
+                    "{}:{}: {}: {}: {column}: the page has `{cell}`, the command printed `{measured}`",
                     self.page,
                     row.line,
                     self.name,
@@ -74,7 +74,7 @@ impl DocTable {
         self.beginnings.is_empty() || self.keys.iter().any(begins)
     }
 
-    /// The cell of a column in the printed row that has the same keys.
+    /// Returns the cell of a column in the printed row with the same keys.
     fn printed_cell(
         &self,
         lines: &[String],
@@ -86,10 +86,10 @@ impl DocTable {
         for line in lines {
             tables.extend(printed_tables(&output(line)?));
         }
-        // The most alike first: a command may print two tables with some of the same titles.
+        // The most similar table comes first: a command may print two tables that share some titles.
         tables.sort_by_key(|(head, _)| head.iter().filter(|title| !self.head.contains(title)).count());
         for (head, rows) in tables {
-            // One that has all columns, not only this one: titles repeat from table to table.
+            // The table must have all checked columns, since titles repeat from table to table.
             let has_all = self.checked.iter().all(|column| column_of(&head, column).is_ok());
             let Ok(at) = column_of(&head, column) else { continue };
             if !has_all {
@@ -110,7 +110,7 @@ impl DocTable {
     }
 }
 
-/// A command whose optional parts, ` [--flag VALUE]`, are there if they hold a number.
+/// Resolves the optional parts of a command, ` [--flag VALUE]`: those that contain a number are kept.
 fn without_options(line: &str) -> String {
     let mut text = String::new();
     let mut rest = line;
@@ -127,7 +127,7 @@ fn without_options(line: &str) -> String {
     text
 }
 
-/// Head and rows of the Markdown tables in what a command printed.
+/// Returns the header and the rows of each Markdown table in the output of a command.
 fn printed_tables(text: &str) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
     let mut tables: Vec<(Vec<String>, Vec<Vec<String>>)> = Vec::new();
     let mut is_inside = false;
@@ -169,7 +169,7 @@ Text.
 | | 10,000 | 1,300 | |
 ";
 
-    fn check(page: &str, output: &str) -> (Vec<String>, Result<Checked>) {
+    fn check(page: &str, output: &str) -> (Vec<String>, Result<CheckResult>) {
         let mut lines = Vec::new();
         let tables = tables_of("a.md", page).unwrap();
         let checked = tables[0].check(&mut |line| {
@@ -206,7 +206,8 @@ Text.
         let page = "<!-- table: t; -->\n";
         assert!(tables_of("a.md", page).is_err());
         let page = "<!-- table: t\ncommand: cargo bench\nkeys: mesh; tool\ncheck: strips\n-->\n\
-            | mesh | tool | strips | ms |\n| --- | --- | --- | --- |\n| cow | a | 3 | 9 |\n| cow | b | 4 | 9 |\n";
+            | mesh | tool | strips | ms |\n| --- | --- | --- | --- |\n| cow | a | 3 | 9 |\n| cow | b | 4 | \
+            9 |\n";
         let printed = "Title\n\n| x |\n| - |\n| 1 |\n\n| mesh | tool | ms | strips |\n|---|---|---|---|\n\
             | cow | a | 1.0 | 3 |\n| cow | c | 1.0 | 4 |\n";
         let differences = check(page, printed).1.unwrap().differences;

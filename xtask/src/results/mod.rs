@@ -1,6 +1,7 @@
-//! The tables of the docs, measured again: runs the command of each table and compares counts and bytes with what the page says.
+//! Verifies the tables in the docs: runs their commands and compares counts and sizes with the page.
 //!
-//! A marker in front of a table says what can be compared; `page.rs` explains and reads it, `check.rs` compares. Nothing here knows any table by name.
+//! A marker before a table states what can be compared; `page.rs` documents and parses it, `check.rs`
+//! compares. No code here depends on a particular table.
 
 mod address;
 mod cells;
@@ -18,23 +19,23 @@ use self::source::Commands;
 use crate::steps::say;
 use crate::workspace;
 
-/// Pages with tables, relative to the workspace; of `docs` all pages.
+/// Pages with tables, relative to the workspace, in addition to all pages in `docs`.
 const PAGES: [&str; 2] = ["README.md", "web/README.md"];
 
-/// What to do with the tables of the docs.
+/// Arguments of `cargo xtask results`.
 #[derive(Debug, Args)]
 #[command(group = clap::ArgGroup::new("what").required(true))]
 pub(crate) struct ResultsArgs {
-    /// Lists all marked tables with their commands
+    /// List all marked tables with their commands
     #[arg(long, group = "what")]
     list: bool,
-    /// Runs the commands of these tables again and compares counts and bytes with the docs; all tables if none is named
+    /// Run the commands of these tables and compare counts and sizes with the docs [default: all tables]
     #[arg(long, group = "what", value_name = "TABLE", num_args = 0..)]
     check: Option<Vec<String>>,
     /// Folder that `$MESHES` stands for in commands
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
-    /// A `striata` that is already built, instead of a release build of this workspace
+    /// Use this `striata` instead of a release build of this workspace
     #[arg(long, value_name = "PATH")]
     striata: Option<PathBuf>,
 }
@@ -46,7 +47,7 @@ pub(crate) struct ResultsArgs {
 pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
     let tables = all_tables()?;
     if args.list {
-        tables.iter().for_each(|table| say(&listed(table)));
+        tables.iter().for_each(|table| say(&list_entry(table)));
         return Ok(());
     }
     let mut chosen: Vec<&DocTable> = Vec::new();
@@ -62,7 +63,7 @@ pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
     for table in chosen {
         ensure!(
             table.is_checkable(),
-            "table `{}` has no `check` or `json` columns: it holds times only",
+            "table `{}` has no `check` or `json` columns, because it only contains times",
             table.name
         );
         let checked = table.check(&mut |words| commands.output(words));
@@ -74,11 +75,11 @@ pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
         differences.extend(checked.differences);
     }
     ensure!(differences.is_empty(), "{} of {cell_count} cells differ from the docs", differences.len());
-    say(&format!("all {cell_count} cells are as the docs say"));
+    say(&format!("all {cell_count} cells match the docs"));
     Ok(())
 }
 
-fn listed(table: &DocTable) -> String {
+fn list_entry(table: &DocTable) -> String {
     let what = if table.is_checkable() { "checked" } else { "times only" };
     format!("{} ({what}), {}:{}\n    {}", table.name, table.page, table.line, table.commands.join("\n    "))
 }
@@ -95,7 +96,7 @@ fn all_tables() -> Result<Vec<DocTable>> {
     Ok(tables)
 }
 
-/// Adds the Markdown files of a folder and the folders in it, sorted.
+/// Adds the Markdown files of a folder and its subfolders, sorted.
 fn add_pages(folder: &Path, pages: &mut Vec<PathBuf>) -> Result<()> {
     let mut names = Vec::new();
     for entry in std::fs::read_dir(workspace().join(folder))? {
@@ -118,13 +119,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn markers_of_the_docs_can_be_read_and_name_columns_that_are_there() {
+    fn all_markers_of_the_docs_are_valid() {
         let tables = all_tables().unwrap();
         assert!(tables.iter().any(DocTable::is_checkable));
         for table in &tables {
             assert!(!table.commands.is_empty(), "{} has no command", table.name);
             let same_name = tables.iter().filter(|other| other.name == table.name);
-            assert_eq!(same_name.count(), 1, "{} is there twice", table.name);
+            assert_eq!(same_name.count(), 1, "{} occurs twice", table.name);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Tables of a Markdown page that a marker stands in front of.
+//! Tables of a Markdown page that are preceded by a marker.
 //!
 //! ```text
 //! <!-- table: strip-blocks
@@ -11,16 +11,18 @@
 //! | mesh | stripifier | blocks of | strips |
 //! ```
 //!
-//! * The command stands in the code block between marker and table, or in the marker: `command: striata ...`, or
+//! * The command is in the code block between marker and table, or in the marker: `command: striata ...`, or
 //!   `command of: NAME` if another table has it.
-//! * `keys:` are the columns that tell rows apart (the first one if nothing is said); an empty cell there repeats the one above.
-//! * `rows:` are the beginnings of key cells if only some rows can be checked.
-//! * `check:` names columns that the commands print in a Markdown table with the same titles and keys.
-//! * `json:` is for commands that take `--json`: a column and the address of its value (`address.rs`), one column a line. Of
-//!   several commands the last one is asked; those before it prepare files in a scratch folder.
-//!   `at:` is an address that those beginning with a dot go on from.
-//! * `{column}` in a command or an address is the row's cell. A part of a command in square brackets is left out if the
-//!   cell in it holds no number. `names: dragon = dragon.ply; cow = cow.obj` replaces what a cell says by what the command calls it.
+//! * `keys:` are the columns that identify a row (by default the first one); an empty cell repeats the one
+//!   above.
+//! * `rows:` are prefixes of key cells, if only some rows can be checked.
+//! * `check:` are columns that the commands print in a Markdown table with the same titles and keys.
+//! * `json:` is for commands with `--json`: a column and the address of its value (`address.rs`), one column
+//!   per line. Of several commands, the last one prints the JSON; those before it prepare temporary files.
+//!   `at:` is the base of addresses that begin with a dot.
+//! * `{column}` in a command or an address is replaced by the cell of the row. A part of a command in square
+//!   brackets is omitted if its cell contains no number.
+//! * `names: dragon = dragon.ply; cow = cow.obj` maps cells to the names that the command uses.
 
 use anyhow::{Context, Result, bail, ensure};
 
@@ -31,10 +33,10 @@ use super::cells::{argument, label};
 pub(super) struct DocTable {
     pub(super) name: String,
     pub(super) page: String,
-    /// Line of the marker, from 1.
+    /// Line of the marker, counted from 1.
     pub(super) line: usize,
     pub(super) commands: Vec<String>,
-    /// The table that has the command, if this one has not.
+    /// Name of the table whose commands this one shares.
     command_of: Option<String>,
     pub(super) keys: Vec<String>,
     pub(super) checked: Vec<String>,
@@ -49,15 +51,15 @@ pub(super) struct DocTable {
 /// A row of a table.
 #[derive(Debug)]
 pub(super) struct Row {
-    /// From 1.
+    /// Line of the row, counted from 1.
     pub(super) line: usize,
     cells: Vec<String>,
 }
 
-/// The marked tables of a page.
+/// Returns the marked tables of a page.
 ///
 /// # Errors
-/// If a marker cannot be read, or no table with its columns follows.
+/// If a marker cannot be parsed, or is not followed by a table with its columns.
 pub(super) fn tables_of(page: &str, text: &str) -> Result<Vec<DocTable>> {
     let lines: Vec<&str> = text.lines().collect();
     let starts = (0..lines.len()).filter(|&at| lines[at].starts_with("<!-- table:"));
@@ -65,7 +67,7 @@ pub(super) fn tables_of(page: &str, text: &str) -> Result<Vec<DocTable>> {
     starts.map(table).collect()
 }
 
-/// Gives tables the commands of those that they name.
+/// Copies commands to the tables that share those of another table.
 ///
 /// # Errors
 /// If there is no such table.
@@ -86,7 +88,7 @@ impl DocTable {
         for line in &lines[start..=start + length] {
             let line = line.trim_start_matches("<!--").trim().trim_end_matches("-->").trim();
             if !line.is_empty() {
-                table.take(line)?;
+                table.parse_line(line)?;
             }
         }
         let mut at = start + length + 1;
@@ -99,7 +101,7 @@ impl DocTable {
                 table.commands = commands_of(&lines[at + 1..at + 1 + end]);
                 at += end + 1;
             }
-            ensure!(!lines[at].starts_with("<!-- table:"), "another marker stands in front of the table");
+            ensure!(!lines[at].starts_with("<!-- table:"), "there is another marker before the table");
             at += 1;
         }
         table.head = cells_of(lines[at]);
@@ -115,8 +117,8 @@ impl DocTable {
         Ok(table)
     }
 
-    /// Takes a line of the marker.
-    fn take(&mut self, line: &str) -> Result<()> {
+    /// Parses a line of the marker.
+    fn parse_line(&mut self, line: &str) -> Result<()> {
         let (word, rest) = line.split_once(':').context("a line of the marker has no colon")?;
         let rest = rest.trim();
         let list = || rest.split("; ").map(|name| name.trim().to_owned());
@@ -134,7 +136,7 @@ impl DocTable {
             "check" => self.checked = list().collect(),
             "json" => self.addresses.push(pair(rest)?),
             "names" => self.names = rest.split("; ").map(pair).collect::<Result<_>>()?,
-            other => bail!("the marker says `{other}`, which means nothing"),
+            other => bail!("unknown entry `{other}` in the marker"),
         }
         Ok(())
     }
@@ -151,7 +153,7 @@ impl DocTable {
         Ok(())
     }
 
-    /// Whether a command can tell if it is right.
+    /// Whether the table can be compared with the output of its commands.
     pub(super) fn is_checkable(&self) -> bool {
         !self.checked.is_empty() || !self.addresses.is_empty()
     }
@@ -165,7 +167,7 @@ impl DocTable {
         self.names.iter().find(|(from, _)| *from == name).map_or(name, |(_, to)| to.clone())
     }
 
-    /// A template with the cells of a row.
+    /// Replaces the placeholders of a template by the cells of a row.
     pub(super) fn filled(&self, template: &str, row: &Row) -> Result<String> {
         let mut text = String::new();
         let mut rest = template;
@@ -181,7 +183,7 @@ impl DocTable {
     }
 }
 
-/// Commands of a code block: continued lines joined, comments left out.
+/// Returns the commands of a code block, with continued lines joined and comments removed.
 fn commands_of(lines: &[&str]) -> Vec<String> {
     let mut commands: Vec<String> = Vec::new();
     let mut is_continued = false;
@@ -201,7 +203,7 @@ fn commands_of(lines: &[&str]) -> Vec<String> {
     commands
 }
 
-/// The cells of a line.
+/// Returns the cells of a line.
 pub(super) fn cells_of(line: &str) -> Vec<String> {
     let line = line.trim();
     let inner = line.strip_prefix('|').unwrap_or(line);
@@ -209,15 +211,15 @@ pub(super) fn cells_of(line: &str) -> Vec<String> {
     inner.split('|').map(label).collect()
 }
 
-/// The place of the one column of a title.
+/// Returns the index of the column with a title.
 ///
 /// # Errors
-/// If there is none, or more than one.
+/// If there is no such column, or more than one.
 pub(super) fn column_of(head: &[String], title: &str) -> Result<usize> {
-    let mut places = (0..head.len()).filter(|&at| head[at] == title);
-    let place = places.next().with_context(|| format!("there is no column `{title}`"))?;
-    ensure!(places.next().is_none(), "there are two columns `{title}`");
-    Ok(place)
+    let mut indices = (0..head.len()).filter(|&at| head[at] == title);
+    let index = indices.next().with_context(|| format!("there is no column `{title}`"))?;
+    ensure!(indices.next().is_none(), "there are two columns `{title}`");
+    Ok(index)
 }
 
 #[cfg(test)]
@@ -225,7 +227,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn markers_that_mean_nothing_are_refused() {
+    fn malformed_markers_are_refused() {
         let table = "| a |\n| - |\n| 1 |\n";
         let read = |marker: &str| tables_of("a.md", &format!("<!-- table: t\n{marker}\n-->\n{table}"));
         assert!(read("check: a").is_ok());
@@ -235,8 +237,9 @@ mod tests {
     }
 
     #[test]
-    fn commands_may_be_shared_and_continued() {
-        let page = "<!-- table: a\n-->\n```sh\n# first\nstriata a \\\n    b\nstriata c # d\n```\n| x |\n| - |\n\
+    fn commands_can_be_shared_and_continued() {
+        let page = "<!-- table: a\n-->\n```sh\n# first\nstriata a \\\n    b\nstriata c # d\n```\n| x |\n| \
+            - |\n\
             <!-- table: b\ncommand of: a\n-->\n| x |\n| - |\n";
         let mut tables = tables_of("a.md", page).unwrap();
         share_commands(&mut tables).unwrap();

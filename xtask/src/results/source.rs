@@ -1,4 +1,4 @@
-//! Commands of tables, and what they print: each is run once.
+//! Runs the commands of tables, each only once, and keeps their output.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,27 +10,27 @@ use crate::machine::remove_folder;
 use crate::steps::{cargo, say};
 use crate::workspace;
 
-/// Runs commands and keeps what they printed.
+/// Runs commands and keeps their output.
 pub(super) struct Commands {
     meshes: Option<PathBuf>,
     striata: Option<PathBuf>,
-    /// Where `striata` runs, so that commands may write files; removed at the end.
+    /// Temporary folder in which `striata` runs, so that commands may write files.
     scratch: PathBuf,
     printed: BTreeMap<String, String>,
 }
 
 impl Drop for Commands {
     fn drop(&mut self) {
-        // What is left in the folder for temporary files does no harm.
+        // If this fails, files are left in the folder for temporary files, which does no harm.
         let _ = remove_folder(&self.scratch);
     }
 }
 
 impl Commands {
-    /// With the folder of meshes, and a `striata` that is already built.
+    /// Sets the folder of meshes, and the `striata` to use.
     ///
     /// # Errors
-    /// If one of them is not there.
+    /// If one of them does not exist.
     pub(super) fn new(meshes: Option<&Path>, striata: Option<&Path>) -> Result<Self> {
         let found = |path: &Path| path.canonicalize().with_context(|| format!("no {}", path.display()));
         let (meshes, striata) = (meshes.map(found).transpose()?, striata.map(found).transpose()?);
@@ -38,10 +38,10 @@ impl Commands {
         Ok(Self { meshes, striata, scratch, printed: BTreeMap::new() })
     }
 
-    /// What a command prints to stdout.
+    /// Returns the stdout of a command.
     ///
     /// # Errors
-    /// If it is none of `striata`, `striata-lab` and `cargo bench`, cannot start, or fails.
+    /// If the command is not `striata`, `striata-lab` or `cargo bench`, cannot start, or fails.
     pub(super) fn output(&mut self, line: &str) -> Result<String> {
         if let Some(printed) = self.printed.get(line) {
             return Ok(printed.clone());
@@ -74,11 +74,11 @@ impl Commands {
                 Ok(self.built("striata-lab", &["--features", "peers"], rest)?)
             }
             (["cargo", "bench", ..], _) => Ok(cargo(&arguments[1..])),
-            _ => bail!("`{}` is none of `striata`, `striata-lab` and `cargo bench`", arguments.join(" ")),
+            _ => bail!("`{}` is not `striata`, `striata-lab` or `cargo bench`", arguments.join(" ")),
         }
     }
 
-    /// A command of this workspace, compiled when it runs.
+    /// Returns a command of this workspace, which is compiled when it runs.
     fn built(&self, package: &str, features: &[&str], arguments: &[&str]) -> Result<Command> {
         let mut command = cargo(&["run", "--release", "--quiet", "--package", package]);
         command.args(features).arg("--manifest-path").arg(workspace().canonicalize()?.join("Cargo.toml"));
@@ -86,11 +86,11 @@ impl Commands {
         Ok(command)
     }
 
-    /// A word with `$MESHES` replaced; `NAME.*` becomes the one file of that name.
+    /// Replaces `$MESHES` in a word; `NAME.*` becomes the first file with that name.
     fn resolved(&self, word: &str) -> Result<String> {
         let Some(name) = word.strip_prefix("$MESHES/") else { return Ok(word.to_owned()) };
         let folder =
-            self.meshes.as_ref().context("the command reads meshes: name their folder with --meshes DIR")?;
+            self.meshes.as_ref().context("the command needs meshes: give their folder with --meshes DIR")?;
         let file = match name.strip_suffix('*') {
             Some(beginning) => first_file(folder, beginning)?,
             None => folder.join(name),
@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn meshes_are_found_by_the_beginning_of_their_names() {
+    fn meshes_are_found_without_their_extension() {
         let commands =
             Commands::new(Some(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../assets"))), None).unwrap();
         assert!(commands.resolved("$MESHES/spot.*").unwrap().ends_with("spot.obj.zst"));
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_else_is_run() {
+    fn other_commands_are_refused() {
         let commands = Commands::new(None, None).unwrap();
         assert!(commands.command(&["rm".to_owned(), "-r".to_owned()]).is_err());
         assert!(commands.command(&["cargo".to_owned(), "publish".to_owned()]).is_err());

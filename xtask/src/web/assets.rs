@@ -1,4 +1,4 @@
-//! Built files: how large they are, and whether they are those that are committed.
+//! Compares built assets with the committed ones, and reports their sizes.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -6,10 +6,10 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 
-/// Compares two folders, built and committed.
+/// Compares the built folder with the committed one.
 ///
 /// # Errors
-/// Names of the files that differ, or that only one of them has.
+/// If files differ, or only one of the folders has them.
 pub(super) fn compare(built: &Path, committed: &Path) -> Result<()> {
     let mut names = BTreeSet::new();
     for folder in [built, committed] {
@@ -23,7 +23,7 @@ pub(super) fn compare(built: &Path, committed: &Path) -> Result<()> {
     if stale.is_empty() {
         return Ok(());
     }
-    bail!("{} is not what the sources make: {}", committed.display(), stale.join(", "))
+    bail!("{} does not match its sources: {}", committed.display(), stale.join(", "))
 }
 
 fn list(folder: &Path, prefix: &str, names: &mut BTreeSet<String>) -> Result<()> {
@@ -39,10 +39,10 @@ fn list(folder: &Path, prefix: &str, names: &mut BTreeSet<String>) -> Result<()>
     Ok(())
 }
 
-/// What a page has to fetch, one line a file.
+/// Returns the sizes of the files that a page must download, one line per file.
 ///
 /// # Errors
-/// What keeps Node.js from measuring them.
+/// If Node.js cannot measure them.
 pub(super) fn sizes(dist: &Path) -> Result<String> {
     const SCRIPT: &str = "const z = require('node:zlib'), fs = require('node:fs');
 for (const file of process.argv.slice(1)) {

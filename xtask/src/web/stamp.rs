@@ -1,4 +1,4 @@
-//! What something was built from: the Rust, and digests of the sources.
+//! Stamps that record what an asset was built from: the Rust version, and digests of the sources.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use sha2::{Digest as _, Sha256};
 use super::wasm;
 use crate::workspace;
 
-/// Sources by name; folders count with all that is in them. What is not there counts as nothing.
+/// Sources by name. Folders include all of their contents; missing paths are ignored.
 const SOURCES: [(&str, &[&str]); 8] = [
     ("library", &["crates/striata/src", "crates/striata/Cargo.toml"]),
     ("streams", &["crates/striata-stream/src", "crates/striata-stream/Cargo.toml"]),
@@ -31,17 +31,19 @@ const SOURCES: [(&str, &[&str]); 8] = [
     ),
 ];
 
-/// Folders among them that do not count: what is built, and tests.
-const NO_SOURCES: [&str; 2] = ["web/src/wasm", "web/src/tests"];
+/// Excluded folders: built files and tests.
+const EXCLUDED: [&str; 2] = ["web/src/wasm", "web/src/tests"];
 
-/// The stamp of what was built: lines of a name and a value.
+/// The stamp of an asset: lines of a name and a value.
 pub(super) struct Stamp {
     text: String,
 }
 
 impl Stamp {
+    /// Reads a stamp.
+    ///
     /// # Errors
-    /// That there is none.
+    /// If it does not exist.
     pub(super) fn read(path: &Path) -> Result<Self> {
         let text = std::fs::read_to_string(path).with_context(|| path.display().to_string())?;
         Ok(Self { text })
@@ -51,32 +53,32 @@ impl Stamp {
         self.text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "))
     }
 
-    /// The compiler, in its own words.
+    /// Returns the version of the compiler, as printed by rustc.
     pub(super) fn rustc(&self) -> &str {
         self.value("rustc").unwrap_or("an unknown rustc")
     }
 
-    /// Whether the rustc of today is the one that built it.
+    /// Whether the asset was built by the current rustc.
     pub(super) fn is_of_this_rust(&self) -> bool {
         rustc().is_ok_and(|rustc| self.value("rustc") == Some(&rustc))
     }
 
-    /// Names of the sources that have changed since.
+    /// Returns the names of the sources that have changed since.
     pub(super) fn changed(&self) -> Vec<&'static str> {
         let is_same = |name, paths| digest(paths).is_ok_and(|digest| self.value(name) == Some(&digest));
         SOURCES.iter().filter(|(name, paths)| !is_same(name, paths)).map(|(name, _)| *name).collect()
     }
 
-    /// Whether building again would make the same.
+    /// Whether building again would give the same result.
     pub(super) fn is_fresh(&self) -> bool {
         self.is_of_this_rust() && self.changed().is_empty()
     }
 }
 
-/// Stamps what has just been built.
+/// Writes the stamp of an asset that has just been built.
 ///
 /// # Errors
-/// What the system reports.
+/// If a source cannot be read or the stamp cannot be written.
 pub(super) fn write(path: &Path) -> Result<()> {
     let mut text = format!("rustc: {}\n", rustc()?);
     for (name, paths) in SOURCES {
@@ -87,10 +89,10 @@ pub(super) fn write(path: &Path) -> Result<()> {
 }
 
 fn rustc() -> Result<String> {
-    wasm::said_by_rustc(&["--version"])
+    wasm::rustc_output(&["--version"])
 }
 
-/// The digest of files by their names and bytes, in the order of their names.
+/// Computes a digest of the names and bytes of files, in the order of their names.
 fn digest(paths: &[&str]) -> Result<String> {
     let mut files = Vec::new();
     for path in paths {
@@ -118,7 +120,7 @@ fn list(path: &Path, name: &Path, files: &mut Vec<(String, PathBuf)>) -> Result<
         files.push((name.to_string_lossy().replace('\\', "/"), path.to_owned()));
         return Ok(());
     }
-    if !path.is_dir() || NO_SOURCES.iter().any(|folder| name == Path::new(folder)) {
+    if !path.is_dir() || EXCLUDED.iter().any(|folder| name == Path::new(folder)) {
         return Ok(());
     }
     for entry in std::fs::read_dir(path)? {

@@ -1,4 +1,4 @@
-//! The wasm and the script that calls it.
+//! Builds the wasm and the script that calls it.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,11 +11,12 @@ use crate::machine::WASM_TARGET;
 use crate::steps::{self, cargo};
 use crate::workspace;
 
-/// Instructions that all browsers of the last years have: Chrome 91, Firefox 89, Safari 16.4.
+/// Instruction sets that all recent browsers support: Chrome 91, Firefox 89, Safari 16.4.
 const TARGET_FEATURES: &str =
     "-Ctarget-feature=+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint,+mutable-globals";
 
-/// The same in the words of wasm-opt, with what wasm-bindgen adds. With all features it writes what browsers refuse.
+/// The same features as flags of wasm-opt, with those that wasm-bindgen adds. If all features were enabled,
+/// wasm-opt would write code that browsers reject.
 const WASM_OPT_FEATURES: [&str; 7] = [
     "--enable-simd",
     "--enable-bulk-memory",
@@ -26,16 +27,18 @@ const WASM_OPT_FEATURES: [&str; 7] = [
     "--enable-multivalue",
 ];
 
-/// What is made of `crates/striata-web`.
-pub(super) struct Built {
+/// Files built from `crates/striata-web`.
+pub(super) struct BuiltFiles {
     wasm: Vec<u8>,
     script: String,
     types: String,
 }
 
+/// Builds the wasm and its script.
+///
 /// # Errors
-/// What the tools report.
-pub(super) fn build() -> Result<Built> {
+/// If a tool fails.
+pub(super) fn build() -> Result<BuiltFiles> {
     let arguments =
         ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
     steps::run(cargo(&arguments).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f")))?;
@@ -46,12 +49,14 @@ pub(super) fn build() -> Result<Built> {
     let mut output = bindgen.generate_output().context("wasm-bindgen failed")?;
     let wasm = optimized(&output.wasm_mut().emit_wasm())?;
     let (script, types) = (output.js().to_owned(), output.ts().unwrap_or_default().to_owned());
-    Ok(Built { wasm, script, types })
+    Ok(BuiltFiles { wasm, script, types })
 }
 
+/// Writes the built files.
+///
 /// # Errors
-/// What the system reports.
-pub(super) fn write(built: &Built, dist: &Path, scripts: &Path) -> Result<()> {
+/// If a file cannot be written.
+pub(super) fn write(built: &BuiltFiles, dist: &Path, scripts: &Path) -> Result<()> {
     let files = [
         (dist.join("striata.wasm"), &built.wasm[..]),
         (scripts.join("striata_web.js"), built.script.as_bytes()),
@@ -64,12 +69,12 @@ pub(super) fn write(built: &Built, dist: &Path, scripts: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Features of the code, and nothing of this machine in it.
+/// Returns compiler flags that enable the features and remove paths of this machine.
 fn flags() -> Result<Vec<String>> {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(PathBuf::from(std::env::var_os("HOME")?).join(".cargo")));
     let home = home.context("neither CARGO_HOME nor HOME is set")?;
-    let sysroot = said_by_rustc(&["--print", "sysroot"])?;
+    let sysroot = rustc_output(&["--print", "sysroot"])?;
     let remap = |from: &str, to: &str| format!("--remap-path-prefix={from}={to}");
     Ok(vec![
         TARGET_FEATURES.to_owned(),
@@ -79,17 +84,18 @@ fn flags() -> Result<Vec<String>> {
     ])
 }
 
-/// What rustc answers to a question.
+/// Returns the output of rustc.
 ///
 /// # Errors
-/// Where it does not start.
-pub(crate) fn said_by_rustc(arguments: &[&str]) -> Result<String> {
+/// If it does not start.
+pub(crate) fn rustc_output(arguments: &[&str]) -> Result<String> {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).args(arguments).output().context("cannot start rustc")?;
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// Where cargo builds: its own variables and files decide, so it is asked.
+/// Returns the target folder, according to cargo, since environment variables and configuration files affect
+/// it.
 fn target_folder() -> Result<PathBuf> {
     let output = cargo(&["metadata", "--format-version", "1", "--no-deps"]).output()?;
     let text = String::from_utf8_lossy(&output.stdout);
@@ -99,7 +105,7 @@ fn target_folder() -> Result<PathBuf> {
     Ok(PathBuf::from(folder.replace("\\\\", "\\")))
 }
 
-/// Does what wasm-opt can.
+/// Optimizes the wasm with wasm-opt.
 fn optimized(wasm: &[u8]) -> Result<Vec<u8>> {
     let scratch = std::env::temp_dir().join(format!("striata-wasm-{}", std::process::id()));
     std::fs::create_dir_all(&scratch)?;

@@ -1,4 +1,4 @@
-//! The arguments of the command: one type per verb, and the values that flags take.
+//! Command-line arguments: one type per verb, and the types of flag values.
 
 mod render;
 mod stream;
@@ -11,8 +11,8 @@ use striata::model::ModelKind;
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
 use striata_command::args::{
-    BUILD_STRIPS, Corners, Count, EyeArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs, OutputArgs,
-    ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, ViewArgs, strips_help,
+    AxisAlignedBox, BUILD_STRIPS, Count, EyeArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs,
+    OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, ViewArgs, strips_help,
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(all(feature = "serve", not(feature = "window")))]
@@ -26,64 +26,65 @@ pub(crate) use self::render::{Background, DrawnModel, RenderArgs};
 pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
 pub(crate) use self::strips::StripArgs;
 
-/// Everything on the command line.
+/// The complete command line.
 #[derive(Debug, Parser)]
 #[command(
     name = "striata",
     version,
     about = "Continuous level of detail for triangle meshes",
-    // No line for the usage, which the verbs' heading tells: all of it fits one screen.
-    help_template = "{about}\n{all-args}\nMeshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
+    // Without a usage line, which the heading of the verbs makes redundant, the help fits one screen.
+    help_template = "{about}\n{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; \
+        - is stdin or stdout.",
     subcommand_value_name = "VERB",
-    subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
+    subcommand_help_heading = "Verbs (`striata VERB --help` lists the options of a verb, with examples)",
     disable_help_subcommand = true,
     disable_help_flag = true,
     max_term_width = 100
 )]
 pub(crate) struct Cli {
-    /// What to do.
+    /// The verb and its arguments.
     #[command(subcommand)]
     pub(crate) verb: Verb,
-    /// How to report.
+    /// Flags for what is printed.
     #[command(flatten)]
     pub(crate) report: ReportArgs,
 }
 
-/// The verbs.
+/// The verbs of the command.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
-    /// Turn a mesh into one .striata file that holds every level
+    /// Build a .striata file with every level of detail of a mesh
     Build(BuildArgs),
-    /// Say what is inside a mesh or a .striata file
+    /// Show what a mesh, .striata file or stream contains
     Info(InfoArgs),
-    /// Write one level of a .striata file as a mesh
+    /// Write one or more levels of a .striata file as meshes
     Extract(ExtractArgs),
-    /// Simplify a mesh to one level
+    /// Simplify a mesh to one or more levels
     Simplify(SimplifyArgs),
-    /// Cover a mesh by triangle strips
+    /// Convert a mesh to triangle strips
     Strip(StripArgs),
     /// Measure the distance between two surfaces
     Distance(DistanceArgs),
     /// Convert between mesh formats
     Convert(ConvertArgs),
-    /// Compress a mesh into a stream that shows it from the first bytes
+    /// Compress a mesh into a progressive stream
     Encode(EncodeArgs),
-    /// Write the mesh of a stream, or of as much of it as is there
+    /// Decode a progressive stream, complete or cut off, into a mesh
     Decode(DecodeArgs),
-    /// Draw a picture of a mesh, of some of its levels, or of a view
+    /// Render a mesh, its levels or a view to a PNG file
     Render(Box<RenderArgs>),
     /// Serve a folder of models and the viewer over HTTP
     #[cfg(feature = "serve")]
     Serve(ServeArgs),
-    /// Look at a mesh at any level, in a window or a browser
+    /// View a mesh at any level, in a window or a browser
     #[cfg(feature = "window")]
     View(WindowArgs),
-    /// Look at a mesh at any level, in a window or a browser
+    /// View a mesh at any level, in a window or a browser
     #[cfg(all(feature = "serve", not(feature = "window")))]
     View(BrowserArgs),
-    /// Show it all on a mesh that the command carries
+    /// Create a demo: levels, pictures and a viewer of a built-in mesh
     Demo(DemoArgs),
-    /// Draw a small picture of a mesh, without a GPU
+    /// Render a small picture of a mesh, without a GPU
     #[cfg(feature = "serve")]
     #[command(hide = true)]
     Thumbnail(ThumbnailArgs),
@@ -92,58 +93,66 @@ pub(crate) enum Verb {
     Completions(CompletionsArgs),
 }
 
+/// Help heading of the flags of `build` that limit the base mesh.
+const BASE: &str = "Base mesh (the coarsest level)";
+
 /// Arguments of `build`.
 #[derive(Debug, Args)]
 #[command(
     override_usage = "striata build [OPTIONS] <INPUT> [-o <OUT.striata>]",
     after_help = "Examples:\n  \
-    striata build bunny.ply -o bunny.striata\n  \
-    striata build helmet.glb -o helmet.striata --base 500 --max-error 1%"
+    striata build shape:torus -o torus.striata\n  \
+    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%"
 )]
 pub(crate) struct BuildArgs {
-    /// The mesh, or - for stdin
+    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// The file to write, or - for stdout [default: the name of the input with .striata, in the same folder]
+    /// File to write, or - for stdout [default: the input with extension .striata]
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: Option<PathBuf>,
-    /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew), fans (finer
-    /// where a view asks for it; without them `extract --eye` builds them each time), patterns (the same for views and boxes,
-    /// in less memory, of any order), progressive (a compressed stream, last in the file; alone it is the file)
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
+    /// Models to store: lodstrips (strips; small, fast), mts (strips rebuilt at each level), fans (for views;
+    /// else `extract --eye` builds them), patterns (for views and boxes, with any --order), progressive
+    /// (stream)
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', default_value = "lodstrips")]
     models: Vec<String>,
-    /// Store a stream alone, as --models progressive does: the mesh is compressed, as exact as --bits says
+    /// Store only a compressed stream, like --models progressive; --bits sets the precision
     #[arg(long, conflicts_with = "models")]
     stream: bool,
-    /// Stop when at most this many triangles are left, or this share of them [default: as far as it goes]
-    #[arg(long, value_name = "N|P%", allow_hyphen_values = true)]
+    /// Stop at N triangles, or P% of the input [default: as few as possible]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, help_heading = BASE)]
     pub(crate) base: Option<Count>,
-    /// Fail, and write nothing, if --base cannot be reached
-    #[arg(long, requires = "base")]
+    /// Fail and write nothing if --base cannot be reached
+    #[arg(long, requires = "base", help_heading = BASE)]
     pub(crate) strict: bool,
-    /// Never let the original be farther than this from a level, which is guaranteed: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal)
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, help_heading = BASE)]
     pub(crate) max_error: Option<Length>,
-    /// What is simplified first.
+    /// How the mesh is simplified.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
-    /// How the strips at full detail are made.
-    #[arg(long, value_name = "SPEC", help = format!("{} [default: {BUILD_STRIPS}]", strips_help()), help_heading = STRIPS)]
+    /// Stripifiers of the full mesh.
+    #[arg(
+        long,
+        value_name = "SPEC",
+        help = format!("{} [default: {BUILD_STRIPS}]", strips_help()),
+        help_heading = STRIPS,
+    )]
     pub(crate) strips: Option<StripChain>,
-    /// How long, and with which chances, strips are searched.
+    /// Options of stripifiers that search.
     #[command(flatten)]
     pub(crate) search: StripSearchArgs,
-    /// How the stream is coded.
+    /// How the stream is encoded.
     #[command(flatten)]
-    pub(crate) stream_terms: StreamArgs,
+    pub(crate) stream_encoding: StreamArgs,
 }
 
 /// Arguments of `info`.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  striata info bunny.striata\n  striata info scan.ply.gz --json")]
+#[command(after_help = "Examples:\n  striata info torus.striata\n  striata info shape:torus --models --json")]
 pub(crate) struct InfoArgs {
-    /// A mesh, a .striata file or a stream, or - for stdin
+    /// Mesh, .striata file or stream to read, or - for stdin
     pub(crate) input: PathBuf,
-    /// Also build every model and report what each would cost on this mesh
+    /// Also build every model and report its size and build time
     #[arg(long)]
     pub(crate) models: bool,
 }
@@ -153,39 +162,47 @@ pub(crate) struct InfoArgs {
 #[command(
     override_usage = "striata extract [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
-    striata extract bunny.striata -o bunny-{}.glb --levels 50%,25%,10%\n  \
-    striata extract bunny.striata -o seen.glb --eye 0,0.1,0.3 --pixels 2"
+    striata extract torus.striata -o torus-{}.glb --levels 50%,25%,10%\n  \
+    striata extract torus.striata -o view.glb --eye 0,2,3 --pixels 2"
 )]
 pub(crate) struct ExtractArgs {
-    /// A .striata file or a stream, which may be cut off, or - for stdin
+    /// .striata file or stream to read, possibly cut off, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which model of the file to use: lodstrips, mts, fans, patterns, progressive [default: for a view fans or patterns, for a
-    /// box patterns, else the first of these that the file has]
+    /// Model to use: lodstrips, mts, fans, patterns or progressive [default: fans or patterns for --eye,
+    /// patterns for --detail-box, else the first of these in the file]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
-    /// How triangles are written; strips and fans need .glb or .gltf, where each fan is a primitive of its own: a
-    /// few thousand make a large file that is slow to draw
-    #[arg(long = "as", value_name = "FORM", default_value = "list")]
+    /// Write triangles as list, strips or fans; strips and fans need .glb or .gltf, and since each fan is a
+    /// primitive of its own, files with thousands of fans are large and slow to draw
+    #[arg(long = "as", value_name = "FORM", default_value = "list", hide_possible_values = true)]
     pub(crate) form: TriangleForm,
-    /// Which level.
+    /// The level to produce.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
-    /// Which levels.
+    /// Several levels to produce.
     #[command(flatten)]
     pub(crate) levels: LevelsArgs,
-    /// From where.
+    /// The eye of a view.
     #[command(flatten)]
     pub(crate) eye: EyeArgs,
-    /// Full detail in this box, by two of its corners; outside the base, or what --error or --triangles leave
-    #[arg(long, value_name = "X,Y,Z,X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", help_heading = LEVEL, conflicts_with_all = ["vertices", "detail", "split_count", "levels", "eye"])]
-    pub(crate) detail_box: Option<Corners>,
-    /// Fail, and write nothing, if a level cannot be reached
+    /// Full detail in this box (two opposite corners); outside, the base mesh or what --error or --triangles
+    /// allow
+    #[arg(
+        long,
+        value_name = "X,Y,Z,...",
+        allow_hyphen_values = true,
+        group = "LevelArgs",
+        help_heading = LEVEL,
+        conflicts_with_all = ["vertices", "detail", "split_count", "levels", "eye"],
+    )]
+    pub(crate) detail_box: Option<AxisAlignedBox>,
+    /// Fail and write nothing if a level cannot be reached
     #[arg(long, help_heading = LEVEL)]
     pub(crate) strict: bool,
-    /// What a view needs beside its eye.
+    /// The rest of the view.
     #[command(flatten)]
     pub(crate) view: ViewArgs,
-    /// Where the mesh goes.
+    /// The output file.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 }
@@ -195,32 +212,38 @@ pub(crate) struct ExtractArgs {
 #[command(
     override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
-    striata simplify bunny.ply -o small.ply --triangles 10%\n  \
+    striata simplify shape:torus -o small.ply --triangles 10%\n  \
     striata simplify scan.obj -o scan.glb --max-error 0.5% --order hausdorff"
 )]
 pub(crate) struct SimplifyArgs {
-    /// The mesh, or - for stdin
+    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// Where vertices may lie: those of the input, or anywhere (nearer, attributes interpolated)
-    #[arg(long, default_value = "subset")]
+    /// Where vertices may lie: subset (vertices of the input) or optimal (anywhere; closer to the original,
+    /// with interpolated attributes)
+    #[arg(long, default_value = "subset", hide_possible_values = true)]
     pub(crate) placement: PlacementArg,
-    /// Which level.
+    /// The level to produce.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
-    /// Which levels.
+    /// Several levels to produce.
     #[command(flatten)]
     pub(crate) levels: LevelsArgs,
-    /// Never let the original be farther than this, which is guaranteed; alone or with another level: mesh units, or `1%` of
-    /// the diagonal
-    #[arg(long, value_name = "E", allow_negative_numbers = true, group = "LevelArgs", help_heading = LEVEL)]
+    /// Guarantee that no point of the original is farther from the level; alone or with another of these
+    #[arg(
+        long,
+        value_name = "DISTANCE",
+        allow_negative_numbers = true,
+        group = "LevelArgs",
+        help_heading = LEVEL,
+    )]
     pub(crate) max_error: Option<Length>,
-    /// Fail, and write nothing, if a level cannot be reached
+    /// Fail and write nothing if a level cannot be reached
     #[arg(long, help_heading = LEVEL)]
     pub(crate) strict: bool,
-    /// What is simplified first.
+    /// How the mesh is simplified.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
-    /// Where the mesh goes.
+    /// The output file.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 }
@@ -228,17 +251,17 @@ pub(crate) struct SimplifyArgs {
 /// Arguments of `distance`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
-    striata distance bunny.ply bunny-5k.glb\n  \
-    striata distance a.ply b.ply --samples 2000000 --json")]
+    striata distance shape:torus small.ply\n  \
+    striata distance scan.ply scan-small.glb --samples 2000000 --json")]
 pub(crate) struct DistanceArgs {
-    /// One mesh (a .striata file stands for its full level)
+    /// First mesh, or .striata file (its full mesh)
     pub(crate) a: PathBuf,
-    /// The other mesh
+    /// Second mesh
     pub(crate) b: PathBuf,
-    /// Samples taken on each surface
+    /// Number of sample points on each surface [default: 500000]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) samples: Option<usize>,
-    /// Seed of the samples' places
+    /// Random seed of the sample points [default: 0]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) seed: Option<u64>,
 }
@@ -246,26 +269,32 @@ pub(crate) struct DistanceArgs {
 /// Arguments of `convert`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
-    striata convert scan.stl scan.glb\n  \
-    striata convert helmet.gltf - --to ply --ascii")]
+    striata convert shape:torus torus.glb\n  \
+    striata convert scan.stl - --to ply --ascii")]
 pub(crate) struct ConvertArgs {
-    /// The mesh, or - for stdin
+    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// The file to write, or - for stdout
+    /// File to write, or - for stdout
     #[arg(value_name = "OUT", required_unless_present = "output_flag")]
-    output_place: Option<PathBuf>,
-    /// The same as OUT
-    #[arg(id = "output_flag", short, long = "output", value_name = "OUT", conflicts_with = "output_place")]
+    positional_output: Option<PathBuf>,
+    /// File to write, as an alternative to OUT
+    #[arg(
+        id = "output_flag",
+        short,
+        long = "output",
+        value_name = "OUT",
+        conflicts_with = "positional_output"
+    )]
     output_flag: Option<PathBuf>,
-    /// How it is written.
+    /// The format of the output.
     #[command(flatten)]
     pub(crate) format: FormatArgs,
 }
 
 impl ConvertArgs {
-    /// The file to write.
+    /// Returns the file to write.
     pub(crate) fn output(&self) -> Option<&Path> {
-        self.output_flag.as_deref().or(self.output_place.as_deref())
+        self.output_flag.as_deref().or(self.positional_output.as_deref())
     }
 }
 
@@ -273,20 +302,20 @@ impl ConvertArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  striata demo\n  striata demo /srv/www/striata --json")]
 pub(crate) struct DemoArgs {
-    /// The folder to fill
+    /// Folder to create and fill
     #[arg(value_name = "DIR", default_value = "striata-demo")]
     dir: PathBuf,
-    /// The same as DIR
+    /// Folder to create and fill, as an alternative to DIR
     #[arg(short, long, value_name = "DIR", conflicts_with = "dir")]
     output: Option<PathBuf>,
-    /// How graphics drivers report.
+    /// What graphics drivers print.
     #[cfg(feature = "gpu")]
     #[command(flatten)]
     pub(crate) drivers: DriverArgs,
 }
 
 impl DemoArgs {
-    /// The folder to fill.
+    /// Returns the folder to fill.
     pub(crate) fn dir(&self) -> &Path {
         self.output.as_ref().unwrap_or(&self.dir)
     }
@@ -298,50 +327,51 @@ impl DemoArgs {
     striata completions bash > ~/.local/share/bash-completion/completions/striata\n  \
     striata completions fish > ~/.config/fish/completions/striata.fish")]
 pub(crate) struct CompletionsArgs {
-    /// The shell
+    /// Shell to write the script for
     pub(crate) shell: clap_complete::Shell,
 }
 
-/// How triangles are written.
+/// Primitive type that triangles are written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum TriangleForm {
-    /// Three indices a triangle
+    /// Triangle list: three indices per triangle
     List,
-    /// Triangle strips joined by degenerate triangles; single triangles for groups where these take fewer indices
+    /// Triangle strips, joined by degenerate triangles; triangle lists for groups that need fewer indices
+    /// that way
     Strips,
     /// Triangle fans
     Fans,
 }
 
-/// Where vertices may lie.
+/// Where vertices of a simplified mesh may lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PlacementArg {
-    /// Only at vertices of the input, attributes untouched
+    /// Only at vertices of the input, with their attributes
     Subset,
-    /// Anywhere: nearer to the surface, attributes interpolated
+    /// Anywhere: closer to the surface, with interpolated attributes
     Optimal,
 }
 
 impl BuildArgs {
-    /// The strips asked for.
+    /// Returns the plan for the strips of the full mesh.
     pub(crate) fn strip_plan(&self) -> StripPlan {
         let chain = self.strips.clone().unwrap_or_else(|| BUILD_STRIPS.into());
         StripPlan { chain, search: self.search }
     }
 
-    /// The first flag that only strips need.
+    /// Returns the first given flag that has no effect without strips.
     pub(crate) fn strip_flag(&self) -> Option<&'static str> {
         let flags = [("--strips", self.strips.is_some()), ("--budget", self.search.budget.is_some())];
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
     }
 
-    /// The models asked for, as they were spelled.
+    /// Returns the names of the models to store, as the user spelled them.
     pub(crate) fn model_names(&self) -> Vec<String> {
         if self.stream { vec![ModelKind::Progressive.to_string()] } else { self.models.clone() }
     }
 
-    /// The strips that are made where nothing is asked for.
-    pub(crate) fn usual_strip_plan() -> StripPlan {
+    /// Returns the plan for strips that is used without any flags.
+    pub(crate) fn default_strip_plan() -> StripPlan {
         StripPlan { chain: BUILD_STRIPS.into(), search: StripSearchArgs::default() }
     }
 }
@@ -353,7 +383,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_tree_of_arguments_is_consistent() {
+    fn clap_accepts_the_arguments() {
         Cli::command().debug_assert();
     }
 }

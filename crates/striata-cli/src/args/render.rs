@@ -1,4 +1,4 @@
-//! The arguments of `render`: what is drawn, from where, and how it looks.
+//! Arguments of `render`: what is drawn, from where, and how it looks.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -11,103 +11,143 @@ use striata::model::ModelKind;
 use striata_command::args::DriverArgs;
 use striata_command::args::{Coloring, Count, Length, LevelChoice, Point, ViewArgs, Viewport};
 
-/// The heading of the camera's flags.
+/// Help heading of the camera flags.
 const CAMERA: &str = "Camera";
 
-/// The heading of what a picture looks like.
-const LOOK: &str = "Look";
+/// Help heading of the flags for how the picture looks.
+const APPEARANCE: &str = "Appearance";
 
 /// Arguments of `render`.
 #[derive(Debug, Args)]
 #[command(
     override_usage = "striata render [OPTIONS] <INPUT> -o <OUT.png> [LEVEL]",
     after_help = "Examples:\n  \
-    striata render bunny.ply -o levels.png --levels 100%,10%,1%\n  \
-    striata render bunny.striata -o view.png --eye 0,0.1,0.3 --turn 70"
+    striata render shape:torus -o levels.png --levels 100%,10%,1%\n  \
+    striata render torus.striata -o view.png --eye 0,2,3 --turn 70"
 )]
 pub(crate) struct RenderArgs {
-    /// A mesh, a .striata file or a stream, or - for stdin; or a shape: shape:torus
+    /// Mesh, .striata file or stream to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// The picture to write, or - for stdout
+    /// PNG file to write, or - for stdout
     #[arg(short, long, value_name = "OUT.png")]
     pub(crate) output: PathBuf,
-    /// Levels side by side, by their share of the triangles or their number: 100%,10%,500
-    #[arg(long, value_name = "LEVELS", value_delimiter = ',', conflicts_with = "LevelArgs")]
+    /// Several levels in one picture, each as in --triangles: 100%,10%,500
+    #[arg(long, value_name = "N|P%,...", value_delimiter = ',', conflicts_with = "LevelArgs")]
     pub(crate) levels: Option<Vec<Count>>,
-    /// Fail, and write nothing, if a level cannot be reached
+    /// Fail and write nothing if a level cannot be reached
     #[arg(long)]
     pub(crate) strict: bool,
-    /// Which model hands over what is drawn: lodstrips or mts as strips, fans, or a list [default: the first of these that
-    /// the file has, else a list]
+    /// Model that provides the triangles: lodstrips, mts, fans or list (the mesh itself) [default: the first
+    /// of these in the file, else list]
     #[arg(long, value_name = "NAME", hide_possible_values = true)]
     pub(crate) model: Option<DrawnModel>,
-    /// Colors of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups; of several, each
-    /// gets a row
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', alias = "colours", default_value = "surface", hide_possible_values = true, help_heading = LOOK)]
+    /// Color by surface (vertex colors, or plain stone), strips, fans, triangles or groups; several get a row
+    /// each
+    #[arg(
+        long,
+        value_name = "NAME,...",
+        value_delimiter = ',',
+        alias = "colours",
+        default_value = "surface",
+        hide_possible_values = true,
+        help_heading = APPEARANCE,
+    )]
     pub(crate) colors: Vec<Coloring>,
-    /// Show the edges of triangles
-    #[arg(long, help_heading = LOOK)]
+    /// Draw the edges of triangles
+    #[arg(long, help_heading = APPEARANCE)]
     pub(crate) wireframe: bool,
-    /// One normal a triangle
-    #[arg(long, help_heading = LOOK)]
+    /// Shade each triangle with its own normal
+    #[arg(long, help_heading = APPEARANCE)]
     pub(crate) flat: bool,
-    /// Show the original, colored by how far it is from the level
-    #[arg(long, conflicts_with_all = ["colors", "model"], help_heading = LOOK)]
+    /// Draw the original, colored by its distance from the level
+    #[arg(long, conflicts_with_all = ["colors", "model"], help_heading = APPEARANCE)]
     pub(crate) heat: bool,
-    /// The distance that has the last color: mesh units, or `1%` of the diagonal [default: the largest on the picture]
-    #[arg(long, value_name = "D", requires = "heat", help_heading = LOOK)]
+    /// Distance at the end of the color scale (mesh units, or % of the diagonal) [default: the largest in the
+    /// picture]
+    #[arg(long, value_name = "DISTANCE", requires = "heat", help_heading = APPEARANCE)]
     pub(crate) heat_max: Option<Length>,
-    /// dark, light, none (see-through) or #rrggbb
-    #[arg(long, value_name = "COLOR", default_value = "dark", help_heading = LOOK)]
+    /// Background color: dark, light, none (transparent) or #rrggbb
+    #[arg(long, value_name = "COLOR", default_value = "dark", help_heading = APPEARANCE)]
     pub(crate) background: Background,
-    /// Pixels of the picture
-    #[arg(long, value_name = "WxH", default_value = "1280x960", help_heading = LOOK)]
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x960", help_heading = APPEARANCE)]
     pub(crate) size: Viewport,
-    /// Rows that levels stand in [default: as many as show them largest]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64), help_heading = LOOK)]
+    /// Number of rows of levels [default: whatever shows them largest]
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u16).range(1..=64),
+        help_heading = APPEARANCE,
+    )]
     pub(crate) rows: Option<u16>,
-    /// Where the picture is taken from; of a view, too, which is then seen from outside
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["turn", "rise"], help_heading = CAMERA)]
+    /// Position of the camera; with --eye, shows the level of that view from here
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        allow_hyphen_values = true,
+        conflicts_with_all = ["turn", "rise"],
+        help_heading = CAMERA,
+    )]
     pub(crate) from: Option<Point>,
-    /// Turned around the mesh, degrees from its front to its right [default: -35]
-    #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
+    /// Azimuth of the camera, from the front of the mesh to its right [default: -35]
+    #[arg(
+        long,
+        value_name = "DEG",
+        allow_hyphen_values = true,
+        value_parser = parse_degrees,
+        help_heading = CAMERA,
+    )]
     pub(crate) turn: Option<f32>,
-    /// Degrees above the mesh [default: 8; 40 of what lies flat along z, which is up then]
-    #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
+    /// Elevation of the camera [default: 8; 40 for a mesh that is flat along z, with z up]
+    #[arg(
+        long,
+        value_name = "DEG",
+        allow_hyphen_values = true,
+        value_parser = parse_degrees,
+        help_heading = CAMERA,
+    )]
     pub(crate) rise: Option<f32>,
-    /// Times as large
-    #[arg(long, value_name = "F", allow_hyphen_values = true, default_value_t = 1.0, value_parser = parse_zoom, help_heading = CAMERA)]
+    /// Magnification
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        allow_hyphen_values = true,
+        default_value_t = 1.0,
+        value_parser = parse_zoom,
+        help_heading = CAMERA,
+    )]
     pub(crate) zoom: f32,
-    /// What a view needs beside its eye; of other pictures, the camera.
+    /// The rest of the view; without `--eye`, parameters of the camera.
     #[command(flatten)]
     pub(crate) view: ViewArgs,
-    /// Which level; after the view, whose help it completes.
+    /// The level to draw. Must come after `view`, because it changes the help of `--viewport`.
     #[command(flatten)]
     pub(crate) level: LevelChoice,
-    /// The graphics adapter whose name holds this [default: the quickest]
+    /// Use the graphics adapter whose name contains this [default: the fastest]
     #[cfg(feature = "gpu")]
     #[arg(long, value_name = "NAME", conflicts_with = "software", help_heading = "Adapter")]
     pub(crate) adapter: Option<String>,
-    /// Draw without a graphics adapter
+    /// Render on the CPU
     #[arg(long, help_heading = "Adapter")]
     pub(crate) software: bool,
-    /// How graphics drivers report.
+    /// What graphics drivers print.
     #[cfg(feature = "gpu")]
     #[command(flatten)]
     pub(crate) drivers: DriverArgs,
 }
 
-/// What hands over the triangles that are drawn.
+/// The source of the triangles that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DrawnModel {
-    /// A model of the file, or one that is built.
+    /// A model, from the file or built for the picture.
     Model(ModelKind),
-    /// The mesh itself.
+    /// The mesh itself, as a triangle list.
     List,
 }
 
 impl DrawnModel {
-    /// As the flag spells it.
+    /// Returns the name as it is spelled on the command line.
     pub(crate) const fn as_str(self) -> &'static str {
         match self {
             Self::Model(kind) => kind.as_str(),
@@ -130,9 +170,9 @@ impl ValueEnum for DrawnModel {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         let help = match self {
-            Self::Model(ModelKind::LodStrips) => "Strips, edited in place",
-            Self::Model(ModelKind::Mts) => "Strips, walked anew",
-            Self::Model(ModelKind::Fans) => "Fans, as a list of triangles",
+            Self::Model(ModelKind::LodStrips) => "Strips that are edited in place",
+            Self::Model(ModelKind::Mts) => "Strips that are traversed again for each level",
+            Self::Model(ModelKind::Fans) => "Fans, drawn as a triangle list",
             Self::Model(_) => return None,
             Self::List => "The mesh itself",
         };
@@ -140,14 +180,14 @@ impl ValueEnum for DrawnModel {
     }
 }
 
-/// What is behind the mesh.
+/// The background of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Background {
     /// Nearly black.
     Dark,
     /// Nearly white.
     Light,
-    /// Nothing.
+    /// Transparent.
     None,
     /// A color in sRGB.
     Color([u8; 3]),
@@ -168,7 +208,7 @@ impl FromStr for Background {
                 let [_, r, g, b] = color.to_be_bytes();
                 Ok(Self::Color([r, g, b]))
             }
-            _ => Err(format!("{text:?} is no background; say dark, light, none or a color: #203040")),
+            _ => Err(format!("{text:?} is not a background; use dark, light, none or a color: #203040")),
         }
     }
 }
@@ -176,7 +216,7 @@ impl FromStr for Background {
 fn parse_degrees(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(angle) if angle.abs() <= 360.0 => Ok(angle),
-        _ => Err("must be an angle from -360 to 360".to_owned()),
+        _ => Err("must be an angle from -360 to 360 degrees".to_owned()),
     }
 }
 
@@ -196,7 +236,7 @@ mod tests {
         assert_eq!("none".parse(), Ok(Background::None));
         assert_eq!("#0a1bFF".parse(), Ok(Background::Color([10, 27, 255])));
         for wrong in ["", "black", "#", "#12345", "#1234567", "#12345g", "#+12345", "123456"] {
-            assert!(wrong.parse::<Background>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<Background>().is_err(), "{wrong:?} was accepted");
         }
     }
 

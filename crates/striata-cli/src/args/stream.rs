@@ -1,4 +1,4 @@
-//! The arguments of `encode` and `decode`.
+//! Arguments of `encode` and `decode`.
 
 use std::path::PathBuf;
 
@@ -10,17 +10,17 @@ use striata_command::args::{OptionalLevel, OutputArgs, StreamArgs};
 #[command(
     override_usage = "striata encode [OPTIONS] <INPUT> [-o <OUT.stri>]",
     after_help = "Examples:\n  \
-    striata encode bunny.ply -o bunny.stri\n  \
-    striata encode scan.obj -o scan.striata --bits 16 --effort small"
+    striata encode shape:torus -o torus.stri\n  \
+    striata encode scan.obj --bits 16 --effort small"
 )]
 pub(crate) struct EncodeArgs {
-    /// The mesh, or - for stdin
+    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// The file to write, or - for stdout: a stream (.stri), or a .striata file with nothing else [default: the name of the
-    /// input with .stri, in the same folder]
+    /// File to write, or - for stdout: a stream (.stri), or a .striata file that contains only the stream
+    /// [default: the input with extension .stri]
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
-    /// How it is coded.
+    /// How the stream is encoded.
     #[command(flatten)]
     pub(crate) stream: StreamArgs,
 }
@@ -30,16 +30,16 @@ pub(crate) struct EncodeArgs {
 #[command(
     override_usage = "striata decode [OPTIONS] <INPUT> -o <OUT>",
     after_help = "Examples:\n  \
-    striata decode bunny.stri -o preview.ply --triangles 5000\n  \
-    striata decode - -o so-far.glb < unfinished-download.stri"
+    striata decode torus.stri -o preview.ply --triangles 5000\n  \
+    striata decode - -o partial.glb < torus.stri"
 )]
 pub(crate) struct DecodeArgs {
-    /// A stream, or a .striata file that has one, whole or cut off anywhere; or - for stdin
+    /// Stream or .striata file with a stream, possibly cut off, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which level; no more of the stream is read than it needs.
+    /// The level to decode; no more of the stream is read than it needs.
     #[command(flatten)]
     pub(crate) level: OptionalLevel,
-    /// Where the mesh goes.
+    /// The output file.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 }

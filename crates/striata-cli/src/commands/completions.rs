@@ -1,4 +1,4 @@
-//! `completions`: a script that completes verbs and flags in the user's shell.
+//! `completions`: prints a script that completes verbs and flags in the user's shell.
 
 use clap::CommandFactory;
 
@@ -9,7 +9,7 @@ use striata_command::output::to_stdout;
 /// Prints the script.
 ///
 /// # Errors
-/// Where stdout cannot be written.
+/// If stdout cannot be written to.
 pub(crate) fn run(args: &CompletionsArgs) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "striata", &mut script);

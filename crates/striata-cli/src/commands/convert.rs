@@ -1,4 +1,4 @@
-//! `convert`: one mesh format to another.
+//! `convert`: converts a mesh to another format.
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use crate::args::ConvertArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, grouped};
-use striata_command::save::{Drawn, format_of, is_stdout, name_of, save};
+use striata_command::save::{Primitives, display_name, format_of, is_stdout, write_mesh};
 
 #[derive(Serialize)]
 struct Report {
@@ -15,17 +15,17 @@ struct Report {
     format: &'static str,
 }
 
-/// Reads one file and writes the other.
+/// Reads the input and writes the output.
 ///
 /// # Errors
-/// Where either fails.
+/// If either fails.
 pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let path = args.output().ok_or_else(|| Failure::internal("no output was named"))?;
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.format)?;
     let input = Input::open(&args.input)?;
     let mesh = input.mesh(output)?;
-    save(&mesh, Drawn::Triangles, path, &args.format)?;
+    write_mesh(&mesh, Primitives::Triangles, path, &args.format)?;
     let report = Report {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
@@ -33,7 +33,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     };
     let text = format!(
         "{}: {} vertices, {} triangles",
-        name_of(path),
+        display_name(path),
         grouped(report.vertex_count),
         grouped(report.triangle_count)
     );

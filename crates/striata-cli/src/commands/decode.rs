@@ -1,4 +1,4 @@
-//! `decode`: the mesh of a stream, of as much of it as is there, or of one level.
+//! `decode`: decodes a stream, complete or cut off, or one level of it, into a mesh.
 
 use std::time::Instant;
 
@@ -6,13 +6,15 @@ use serde::Serialize;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay};
 use striata::simplify::Target;
 
-use super::extract::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve, stream_of};
+use super::extract::{
+    INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
+};
 use crate::args::DecodeArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{Floor, Reached, remark, shortfall};
+use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall, shortfall_note};
 use striata_command::output::{Output, grouped, lasted, measured};
-use striata_command::save::{Drawn, format_of, is_stdout, save};
+use striata_command::save::{Primitives, format_of, is_stdout, write_mesh};
 use striata_command::stream::{Received, effort_name};
 
 #[derive(Serialize)]
@@ -22,24 +24,24 @@ struct Report {
     split_count: usize,
     step_count: usize,
     is_complete: bool,
-    /// Why the mesh is not the level that was asked for; null if it is, or if no level was.
+    /// How the mesh misses the requested level; null if it does not, or if no level was requested.
     shortfall: Option<String>,
     effort: &'static str,
-    /// Bytes of the stream that were read.
+    /// Number of bytes of the stream that were read.
     read_bytes: usize,
-    /// Bytes of the whole stream.
+    /// Size of the whole stream.
     stream_bytes: u64,
     error: f32,
     decode_secs: f64,
-    /// In the decoder alone.
+    /// Throughput of the decoder alone.
     triangles_per_sec: f64,
     secs: f64,
 }
 
-/// Reads, decodes, writes, reports.
+/// Reads and decodes the stream, writes the mesh, and reports.
 ///
 /// # Errors
-/// Where any of it fails.
+/// If any of this fails.
 pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
@@ -52,33 +54,33 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("decode");
     let step_count = file.summary().step_count;
     let target = args.level.level.target(full_mesh(&args.level.level, &file, &input)?);
-    let target = target.map(|target| in_splits(target, step_count));
-    let received = Received::read(stream, |decoder| target.is_some_and(|target| is_enough(decoder, target)));
+    let target = target.map(|target| detail_to_splits(target, step_count));
+    let received = Received::read(stream, |decoder| target.is_some_and(|target| has_level(decoder, target)));
     let received = received.map_err(|error| input.damaged(&error))?;
     let refinable = received.refinable().map_err(|error| input.damaged(&error))?;
     let decoded = match target {
-        Some(target) => Decoded::at_level(&refinable, &received, target),
-        None => Decoded::of_all(refinable, &received),
+        Some(target) => DecodedLevel::at_level(&refinable, &received, target),
+        None => DecodedLevel::of_all(refinable, &received),
     };
     bar.phase("write");
-    save(&decoded.mesh, Drawn::Triangles, &args.output.output, &args.output.format)?;
+    write_mesh(&decoded.mesh, Primitives::Triangles, &args.output.output, &args.output.format)?;
     drop(bar);
-    if let Some(remark) = received.remark(&input.name) {
+    if let Some(remark) = received.truncation_note(&input.name) {
         output.say(&remark);
     }
     let report = Report::new(decoded, &received, started);
     output.summary(&report, &report.to_text())
 }
 
-/// What is written.
-struct Decoded {
+/// The mesh to write, with its place in the sequence of levels.
+struct DecodedLevel {
     mesh: IndexedMesh,
     split_count: usize,
     error: f32,
     shortfall: Option<String>,
 }
 
-impl Decoded {
+impl DecodedLevel {
     fn of_all(refinable: RefinableMesh, received: &Received) -> Self {
         let (split_count, error) = (received.decoder.split_count(), received.decoder.error());
         Self { mesh: refinable.mesh, split_count, error: error.unwrap_or_default(), shortfall: None }
@@ -89,10 +91,12 @@ impl Decoded {
         let mesh = replay(refinable, split_count).without_unused_vertices();
         let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
         let shortfall = match end {
-            End::Input => Some(INPUT_ENDS.to_owned()),
-            End::Level(stop_reason) => {
-                shortfall(target, Reached { vertex_count, triangle_count, stop_reason }, &Floor::File)
-            }
+            StreamStopReason::InputEnded => Some(INPUT_ENDED_TEXT.to_owned()),
+            StreamStopReason::Level(stop_reason) => shortfall(
+                target,
+                ReachedLevel { vertex_count, triangle_count, stop_reason },
+                &CoarseningLimit::File,
+            ),
         };
         let error = received.decoder.error_at(split_count).unwrap_or_default();
         Self { mesh, split_count, error, shortfall }
@@ -100,7 +104,7 @@ impl Decoded {
 }
 
 impl Report {
-    fn new(decoded: Decoded, received: &Received, started: Instant) -> Self {
+    fn new(decoded: DecodedLevel, received: &Received, started: Instant) -> Self {
         Self {
             vertex_count: decoded.mesh.vertex_count(),
             triangle_count: decoded.mesh.triangle_count(),
@@ -128,7 +132,9 @@ impl Report {
             measured(self.error.into()),
             lasted(self.decode_secs),
             self.triangles_per_sec / 1e6,
-            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
+            self.shortfall
+                .as_ref()
+                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
         )
     }
 }

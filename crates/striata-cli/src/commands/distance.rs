@@ -1,4 +1,4 @@
-//! `distance`: how far two surfaces are from each other, both ways.
+//! `distance`: measures the distance between two surfaces in both directions.
 
 use serde::Serialize;
 use striata::mesh::{DistanceError, DistanceOptions, OneSided, surface_distance};
@@ -13,29 +13,29 @@ struct Report {
     max: f64,
     rms: f64,
     mean: f64,
-    a_to_b: Way,
-    b_to_a: Way,
+    a_to_b: OneSidedReport,
+    b_to_a: OneSidedReport,
     diagonal: f64,
     sample_count: usize,
 }
 
 #[derive(Serialize)]
-struct Way {
+struct OneSidedReport {
     max: f64,
     rms: f64,
     mean: f64,
 }
 
-impl From<OneSided> for Way {
+impl From<OneSided> for OneSidedReport {
     fn from(way: OneSided) -> Self {
         Self { max: way.max, rms: way.rms, mean: way.mean }
     }
 }
 
-/// Measures and reports.
+/// Measures the distance and prints it.
 ///
 /// # Errors
-/// Where a mesh cannot be read, or has no surface to measure.
+/// If a mesh cannot be read, or has no triangles.
 pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
@@ -69,14 +69,14 @@ pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
 }
 
 fn no_surface(input: &Input) -> Failure {
-    Failure::user(format!("{}: there is no triangle to measure a distance to", input.name))
-        .with_hint("`striata info` says what the file holds")
+    Failure::user(format!("{}: the mesh has no triangles to measure a distance to", input.name))
+        .with_hint("`striata info` shows what the file contains")
 }
 
 impl Report {
     fn to_text(&self) -> String {
         let mut table = Table::with_head(&["", "max", "rms", "mean", "rms / diagonal"]);
-        let both = Way { max: self.max, rms: self.rms, mean: self.mean };
+        let both = OneSidedReport { max: self.max, rms: self.rms, mean: self.mean };
         for (name, way) in [("a to b", &self.a_to_b), ("b to a", &self.b_to_a), ("both", &both)] {
             let share = if self.diagonal > 0.0 { way.rms / self.diagonal } else { 0.0 };
             table.row(vec![

@@ -1,4 +1,4 @@
-//! `encode`: a mesh becomes a progressive stream.
+//! `encode`: compresses a mesh into a progressive stream.
 
 use std::path::Path;
 
@@ -14,24 +14,26 @@ use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, grouped, lasted, measured, sized};
-use striata_command::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
+use striata_command::save::{
+    DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
+};
 use striata_command::sequence::{SequencePlan, Steps};
-use striata_command::stream::{facts_in_json, precision_name};
+use striata_command::stream::{precision_name, stream_facts_json};
 
-/// The phases that are reported.
+/// Phases whose times are reported.
 const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
 
-/// Reads, encodes, writes, reports.
+/// Reads and encodes the mesh, writes the stream, and reports.
 ///
 /// # Errors
-/// Where any of it fails; the output is then as it was.
+/// If any of this fails; an existing output is then left unchanged.
 pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let path = match &args.output {
         Some(path) => path.clone(),
-        None => beside(&args.input, "stri")?,
+        None => default_output_path(&args.input, "stri")?,
     };
     output.check_stdout_is_free(is_stdout(&path))?;
-    check_not_packed(&path, "streams")?;
+    check_not_compressed(&path, "streams")?;
     let in_container = is_container(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
@@ -43,53 +45,57 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let welded = weld(&mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     phases.enter("simplify");
     let mut plan = SequencePlan::default();
-    plan.come_in_batches(args.stream.batches(&mesh)?)?;
+    plan.use_batches(args.stream.batches(&mesh)?)?;
     let sequenced = plan.run(welded, &mut |progress| bar.show(progress));
     let sequenced = sequenced.map_err(|error| Failure::from(error).in_file(&input.name))?;
     let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) else {
-        return Err(Failure::internal("collapses come in batches"));
+        return Err(Failure::internal("the collapses are not in batches"));
     };
     phases.enter("encode");
     bar.phase("encode");
     let options = args.stream.options(mesh.diagonal());
     let stream = encode_stream(refinable, batches, &options)?;
     let bytes = match in_container {
-        true => contained(refinable, &stream, &input.file_name())?,
+        true => in_striata_file(refinable, &stream, &input.file_name())?,
         false => stream.bytes.clone(),
     };
     phases.enter("write");
     bar.phase("write");
-    put(&bytes, &path)?;
+    write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let made = Made { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
-    let report = Report::new(&made, (name_of(&path), bytes.len()), phases)?;
+    let encoded = EncodeResult { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
+    let report = Report::new(&encoded, (display_name(&path), bytes.len()), phases)?;
     output.summary(&report, &report.to_text(args, &options))
 }
 
-/// Whether the name asks for a `.striata` file around the stream.
+/// Whether the name requests a `.striata` file around the stream.
 ///
 /// # Errors
-/// Where it says that the output is something else.
+/// If the name is that of another format.
 fn is_container(path: &Path) -> Result<bool, Failure> {
     match Format::from_extension(path) {
         Some(Format::Striata) => Ok(true),
         None | Some(Format::Stream) => Ok(false),
         Some(_) => Err(Failure::user(format!("{}: `encode` writes streams", path.display()))
-            .with_hint("end the name in .stri or .striata; `striata convert` writes meshes")),
+            .with_hint("use the extension .stri or .striata; `striata convert` writes meshes")),
     }
 }
 
-/// The stream as all that a `.striata` file has.
-fn contained(refinable: &RefinableMesh, stream: &EncodedStream, source: &str) -> Result<Vec<u8>, Failure> {
+/// Wraps the stream in a `.striata` file without other models.
+fn in_striata_file(
+    refinable: &RefinableMesh,
+    stream: &EncodedStream,
+    source: &str,
+) -> Result<Vec<u8>, Failure> {
     let options = WriteOptions::default()
         .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
         .with_metadata("source", source);
     Ok(to_striata(&stream.reorder(refinable), &[file_model(&stream.bytes)?], &options)?)
 }
 
-/// What a report is made from.
-struct Made<'a> {
+/// The data that the report is made from.
+struct EncodeResult<'a> {
     mesh: &'a IndexedMesh,
     refinable: &'a RefinableMesh,
     batch_count: usize,
@@ -108,12 +114,12 @@ struct Report {
     error_max: f32,
     effort: Value,
     stream: Value,
-    /// All bytes of the output.
+    /// Size of the whole output.
     bits_per_vertex: f64,
     connectivity_bits_per_vertex: f64,
     position_bits_per_vertex: f64,
     attribute_bits_per_vertex: f64,
-    /// The base mesh, the head, and what a file around the stream takes.
+    /// Size of the base mesh, the header, and the file around the stream, if any.
     other_bits_per_vertex: f64,
     output_bytes: usize,
     phases: Phases,
@@ -122,22 +128,26 @@ struct Report {
 }
 
 impl Report {
-    fn new(made: &Made<'_>, (path, output_bytes): (String, usize), phases: Phases) -> Result<Self, Failure> {
-        let sequence = &made.refinable.sequence;
-        let facts = StreamFacts::read(&made.stream.bytes)?.unwrap_or_default();
-        let stream = facts_in_json(&facts);
-        let sizes = &made.stream.sizes;
-        let vertex_count = made.mesh.vertex_count();
+    fn new(
+        encoded: &EncodeResult<'_>,
+        (path, output_bytes): (String, usize),
+        phases: Phases,
+    ) -> Result<Self, Failure> {
+        let sequence = &encoded.refinable.sequence;
+        let facts = StreamFacts::read(&encoded.stream.bytes)?.unwrap_or_default();
+        let stream = stream_facts_json(&facts);
+        let sizes = &encoded.stream.sizes;
+        let vertex_count = encoded.mesh.vertex_count();
         let per_vertex = |bits: f64| bits / vertex_count.max(1) as f64;
         let output_bits = output_bytes as f64 * 8.0;
-        let told = sizes.connectivity_bits + sizes.position_bits + sizes.attribute_bits;
+        let coded_bits = sizes.connectivity_bits + sizes.position_bits + sizes.attribute_bits;
         Ok(Self {
             path,
             vertex_count,
-            triangle_count: made.mesh.triangle_count(),
+            triangle_count: encoded.mesh.triangle_count(),
             position_count: sequence.positions().position_count(),
             step_count: sequence.step_count(),
-            batch_count: made.batch_count,
+            batch_count: encoded.batch_count,
             base: json!({
                 "vertex_count": sequence.base_vertex_count(),
                 "triangle_count": sequence.triangle_count_at(0),
@@ -149,7 +159,7 @@ impl Report {
             connectivity_bits_per_vertex: per_vertex(sizes.connectivity_bits),
             position_bits_per_vertex: per_vertex(sizes.position_bits),
             attribute_bits_per_vertex: per_vertex(sizes.attribute_bits),
-            other_bits_per_vertex: per_vertex(output_bits - told),
+            other_bits_per_vertex: per_vertex(output_bits - coded_bits),
             output_bytes,
             secs: phases.total_secs(),
             phases,
@@ -163,19 +173,19 @@ impl Report {
         row("triangles", format!("{} down to {}", grouped(self.triangle_count), self.base["triangle_count"]));
         row("vertices", grouped(self.vertex_count));
         row("levels", format!("{} in {} batches", grouped(self.step_count + 1), self.batch_count));
-        row("error of the base", measured(self.error_max.into()));
+        row("error of base mesh", measured(self.error_max.into()));
         let effort = self.effort.as_str().unwrap_or_default();
-        row("coded", format!("{}, {effort} effort", precision_name(options.precision)));
-        row("bits a vertex", format!("{:.2}", self.bits_per_vertex));
+        row("encoding", format!("{}, {effort} effort", precision_name(options.precision)));
+        row("bits per vertex", format!("{:.2}", self.bits_per_vertex));
         for (part, bits) in [
             ("  connectivity", self.connectivity_bits_per_vertex),
             ("  positions", self.position_bits_per_vertex),
             ("  attributes", self.attribute_bits_per_vertex),
-            ("  base, head, rest", self.other_bits_per_vertex),
+            ("  base and headers", self.other_bits_per_vertex),
         ] {
             row(part, format!("{bits:.2}"));
         }
-        let chosen = if args.output.is_none() { CHOSEN_NAME } else { "" };
+        let chosen = if args.output.is_none() { DEFAULT_NAME_NOTE } else { "" };
         row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
         row("time", lasted(self.secs));
         table.to_text()

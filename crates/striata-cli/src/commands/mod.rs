@@ -1,4 +1,4 @@
-//! The verbs, one file each.
+//! The verbs, one file or folder each.
 
 mod build;
 mod completions;
@@ -22,13 +22,13 @@ use striata_viewer::serve;
 #[cfg(feature = "window")]
 use striata_viewer::window;
 
-/// Does what the command line asks.
+/// Runs the verb on the command line.
 ///
 /// # Errors
-/// Whatever kept the verb from doing it.
+/// If the verb fails.
 pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
     let output = Output::new(cli.report);
-    check_reports(cli)?;
+    check_json(cli)?;
     match &cli.verb {
         Verb::Build(args) => build::run(args, &output),
         Verb::Info(args) => info::run(args, &output),
@@ -59,9 +59,11 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
     }
 }
 
+/// Checks that `--json` is given only to verbs that report something.
+///
 /// # Errors
-/// If JSON is asked of a verb that has nothing to report.
-fn check_reports(cli: &Cli) -> Result<(), Failure> {
+/// If it is given to another verb.
+fn check_json(cli: &Cli) -> Result<(), Failure> {
     let verb = match &cli.verb {
         Verb::Completions(_) => "completions",
         #[cfg(feature = "serve")]
@@ -73,5 +75,5 @@ fn check_reports(cli: &Cli) -> Result<(), Failure> {
     if !cli.report.json {
         return Ok(());
     }
-    Err(Failure::user(format!("`{verb}` has nothing to report as JSON")).with_hint("leave --json out"))
+    Err(Failure::user(format!("`{verb}` has no JSON report")).with_hint("remove --json"))
 }

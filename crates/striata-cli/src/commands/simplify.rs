@@ -1,4 +1,4 @@
-//! `simplify`: one level of a mesh, or several, without a .striata file.
+//! `simplify`: simplifies a mesh to one or more levels, without a .striata file.
 
 use std::time::Instant;
 
@@ -14,14 +14,14 @@ use striata_command::args::OrderArg;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
-    Floor, FullMesh, LevelRow, Reached, Wanted, check_paths, check_strict, remark, shortfall,
-    table_of_levels, wanted_levels,
+    CoarseningLimit, FullMesh, LevelRequest, LevelRow, ReachedLevel, check_paths, check_strict,
+    level_requests, shortfall, shortfall_note, table_of_levels,
 };
 use striata_command::output::{Bar, Output, grouped, lasted, measured};
-use striata_command::save::{Drawn, LevelFiles, format_of, is_stdout, name_of};
+use striata_command::save::{LevelFiles, Primitives, display_name, format_of, is_stdout};
 use striata_command::sequence::{Limits, SequencePlan, Sequenced, StepKind, limit_in_units};
 
-/// Samples of each surface for the way back.
+/// Sample points on each surface for the distance from the level to the original.
 const REVERSE_SAMPLES: usize = 100_000;
 
 #[derive(Serialize)]
@@ -34,7 +34,7 @@ struct Report {
     secs: f64,
 }
 
-/// Of several levels.
+/// Report on several levels.
 #[derive(Serialize)]
 struct LevelsReport {
     levels: Vec<LevelReport>,
@@ -46,26 +46,27 @@ struct LevelsReport {
 
 #[derive(Serialize)]
 struct LevelReport {
-    /// As the user wrote it, if it is one of several.
+    /// The text that the user wrote for the level, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     level: Option<String>,
     path: String,
     vertex_count: usize,
     triangle_count: usize,
     error: f64,
-    /// Where the error is guaranteed, which says nothing of the way back: the largest distance from the level to the original
-    /// at many points; null where one of them has no surface.
+    /// Largest sampled distance from the level to the original; null if one of them has no surface. Only
+    /// reported if errors are guaranteed, since that guarantee covers only distances from the original to the
+    /// level.
     #[serde(skip_serializing_if = "Option::is_none")]
     reverse_error: Option<Option<f64>>,
     stop_reason: &'static str,
-    /// Why the level is not what was asked for; null if it is.
+    /// How the level misses its target; null if it does not.
     shortfall: Option<String>,
 }
 
-/// Reads, simplifies, writes, reports.
+/// Reads and simplifies the mesh, writes the levels, and reports.
 ///
 /// # Errors
-/// Where any of it fails; nothing is written then.
+/// If any of this fails; nothing is written then.
 pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
@@ -77,37 +78,38 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("read");
     let input = Input::open(&args.input)?;
     let mesh = input.mesh(output)?;
-    args.sequence.remark_on(&mesh, output);
+    args.sequence.warn_about_groups(&mesh, output);
     let in_file = |failure: Failure| failure.in_file(&input.name);
     let full = if args.level.has_share() || args.levels.has_share() {
         FullMesh::of(&mesh).map_err(|error| in_file(error.into()))?
     } else {
         FullMesh { diagonal: mesh.diagonal(), ..FullMesh::default() }
     };
-    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
-    let limits = limits(args, &wanted, full.diagonal);
+    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let limits = limits(args, &requests, full.diagonal);
     let plan = args.sequence.plan_for(&mesh, limits, output)?;
     let simplify_started = Instant::now();
-    let maker = Maker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
+    let level_maker = LevelMaker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
     let kind = match args.placement {
         PlacementArg::Subset => StepKind::Single,
         PlacementArg::Optimal => StepKind::Optimal,
     };
-    let floor = Floor::Simplified(args.sequence.what_forbids_more(kind));
+    let coarsening_limit = CoarseningLimit::Simplification(args.sequence.describe_limit(kind));
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut levels = Vec::new();
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
-    for wanted in &wanted {
+    for request in &requests {
         let level_started = Instant::now();
-        let made = maker.level(wanted.target, &mut bar).map_err(|error| in_file(error.into()))?;
+        let simplified =
+            level_maker.level(request.target, &mut bar).map_err(|error| in_file(error.into()))?;
         simplify_secs += level_started.elapsed().as_secs_f64();
-        let mut level = LevelReport::new(wanted, &made, &floor);
-        check_strict(args.strict, wanted.name.as_deref(), level.shortfall.as_deref())?;
+        let mut level = LevelReport::new(request, &simplified, &coarsening_limit);
+        check_strict(args.strict, request.name.as_deref(), level.shortfall.as_deref())?;
         bar.phase("write");
-        files.save(&made.mesh, Drawn::Triangles, &wanted.path)?;
+        files.write(&simplified.mesh, Primitives::Triangles, &request.path)?;
         if plan.guarantees_errors() {
             bar.phase("distance");
-            level.reverse_error = Some(farthest_of_level(&mesh, &made.mesh));
+            level.reverse_error = Some(reverse_distance(&mesh, &simplified.mesh));
         }
         levels.push(level);
     }
@@ -124,13 +126,15 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     output.summary(&report, &report.to_text(mesh.triangle_count(), full.diagonal))
 }
 
+/// Checks that no flag is given that does not work with `--placement optimal`.
+///
 /// # Errors
-/// Where vertices may lie anywhere, and something was asked for that is known of the input's vertices only.
+/// If there is such a flag.
 fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
     if args.placement == PlacementArg::Subset {
         return Ok(());
     }
-    let weight = args.sequence.weights.given();
+    let weight = args.sequence.weights.first_given_flag();
     let flags = [
         ("--order hausdorff", args.sequence.order == OrderArg::Hausdorff),
         ("--max-error", args.max_error.is_some()),
@@ -141,42 +145,43 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
     ];
     match flags.into_iter().find(|&(_, is_given)| is_given) {
         None => Ok(()),
-        Some((flag, _)) => {
-            Err(Failure::user(format!("{flag} takes vertices of the input, not optimal ones"))
-                .with_hint(format!("leave --placement optimal out, or {flag}")))
-        }
+        Some((flag, _)) => Err(Failure::user(format!("{flag} does not work with --placement optimal"))
+            .with_hint(format!("remove --placement optimal or {flag}"))),
     }
 }
 
-/// How far any of the wanted levels needs the simplification to go.
-fn limits(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Limits {
+/// Returns how far the mesh must be simplified for the requested levels.
+fn limits(args: &SimplifyArgs, requests: &[LevelRequest], diagonal: f64) -> Limits {
     let mut limits = Limits { max_error: limit_in_units(args.max_error, diagonal), ..Limits::default() };
-    let triangles = wanted.iter().map(|wanted| match wanted.target {
+    let triangles = requests.iter().map(|request| match request.target {
         Some(Target::Triangles(count)) => count,
         _ => 0,
     });
-    // Nothing beyond the coarsest target is needed.
+    // No level coarser than the coarsest target is needed.
     limits.base_triangle_count = triangles.min().unwrap_or(0);
-    if let ([Wanted { target: Some(Target::Error(error)), .. }], OrderArg::Hausdorff) =
-        (wanted, args.sequence.order)
+    if let ([LevelRequest { target: Some(Target::Error(error)), .. }], OrderArg::Hausdorff) =
+        (requests, args.sequence.order)
     {
-        // What would exceed the error is left, and what is left besides goes on.
+        // With the error as a limit, the Hausdorff order skips vertices that would exceed it and continues
+        // with others.
         limits.max_error = Some(limits.max_error.map_or(*error, |limit| limit.min(*error)));
     }
     limits
 }
 
 /// Makes levels of a mesh.
-enum Maker<'a> {
-    /// The mesh has been simplified once, as far as any level needs.
+enum LevelMaker<'a> {
+    /// The mesh was simplified once, as far as any level needs.
     Sequenced(Box<Sequenced>),
-    /// Vertices may lie anywhere: each level is a simplification of its own.
+    /// With optimal placement, each level is simplified separately.
     Optimal(&'a IndexedMesh, SequenceOptions),
 }
 
-impl<'a> Maker<'a> {
+impl<'a> LevelMaker<'a> {
+    /// Simplifies the mesh, unless each level is simplified separately.
+    ///
     /// # Errors
-    /// If the mesh's parts do not fit together or an option is out of range.
+    /// If the mesh is inconsistent or an option is out of range.
     fn new(
         args: &SimplifyArgs,
         plan: &SequencePlan,
@@ -185,7 +190,7 @@ impl<'a> Maker<'a> {
     ) -> Result<Self, SimplifyError> {
         match (args.placement, plan) {
             (PlacementArg::Optimal, SequencePlan::Quadric { options, .. }) => {
-                // The target is the level's own.
+                // Each level has its own target.
                 Ok(Self::Optimal(mesh, options.clone().with_base_triangle_count(0)))
             }
             _ => {
@@ -195,7 +200,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// One level; the coarsest if none is asked for.
+    /// Returns a level; the coarsest one if there is no target.
     ///
     /// # Errors
     /// If an option is out of range.
@@ -213,14 +218,15 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// One level of a sequence; the coarsest if none is asked for.
+/// Returns a level of a sequence; the coarsest one if there is no target.
 fn level_of(sequenced: &Sequenced, target: Option<Target>) -> Simplified {
     let Sequenced { steps, stop_reason: end_reason, .. } = sequenced;
     let (levels, end_reason) = (steps.levels(), *end_reason);
     let (split_count, stop_reason) = match target {
         None => (0, end_reason),
         Some(target) => match (target.resolve_in(levels), target) {
-            // That no vertex could go any more without exceeding it is what the target asks for.
+            // Simplification stopped because every further step would exceed the error: the target is
+            // reached.
             ((at, StopReason::BaseReached), Target::Error(_)) if end_reason == StopReason::ErrorLimit => {
                 (at, StopReason::TargetReached)
             }
@@ -232,29 +238,29 @@ fn level_of(sequenced: &Sequenced, target: Option<Target>) -> Simplified {
     Simplified { mesh: steps.level(split_count).without_unused_vertices(), error, stop_reason }
 }
 
-/// The largest distance from a level to the original, at many points; none where one of them has no surface.
-fn farthest_of_level(original: &IndexedMesh, level: &IndexedMesh) -> Option<f64> {
+/// Returns the largest sampled distance from a level to the original; `None` if one of them has no surface.
+fn reverse_distance(original: &IndexedMesh, level: &IndexedMesh) -> Option<f64> {
     let options = DistanceOptions::default().with_sample_count(REVERSE_SAMPLES);
     let distance = surface_distance(original, level, &options);
     distance.ok().map(|distance| distance.b_to_a.max)
 }
 
 impl LevelReport {
-    fn new(wanted: &Wanted, made: &Simplified, floor: &Floor) -> Self {
-        let reached = Reached {
-            vertex_count: made.mesh.vertex_count(),
-            triangle_count: made.mesh.triangle_count(),
-            stop_reason: made.stop_reason,
+    fn new(request: &LevelRequest, simplified: &Simplified, coarsening_limit: &CoarseningLimit) -> Self {
+        let reached = ReachedLevel {
+            vertex_count: simplified.mesh.vertex_count(),
+            triangle_count: simplified.mesh.triangle_count(),
+            stop_reason: simplified.stop_reason,
         };
         Self {
-            level: wanted.name.clone(),
-            path: name_of(&wanted.path),
+            level: request.name.clone(),
+            path: display_name(&request.path),
             vertex_count: reached.vertex_count,
             triangle_count: reached.triangle_count,
-            error: made.error,
+            error: simplified.error,
             reverse_error: None,
-            stop_reason: made.stop_reason.as_str(),
-            shortfall: wanted.target.and_then(|target| shortfall(target, reached, floor)),
+            stop_reason: simplified.stop_reason.as_str(),
+            shortfall: request.target.and_then(|target| shortfall(target, reached, coarsening_limit)),
         }
     }
 }
@@ -265,9 +271,10 @@ impl Report {
         let share = |error: f64| if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
         let kind = if self.error_is_guaranteed { "guaranteed " } else { "" };
         let reverse = level.reverse_error.flatten().map_or_else(String::new, |error| {
-            format!(", back {} (sampled, {:.4} %)", measured(error), share(error))
+            format!(", reverse error {} (sampled, {:.4} %)", measured(error), share(error))
         });
-        let shortfall = level.shortfall.as_ref().map(|shortfall| format!("\n{}", remark(None, shortfall)));
+        let shortfall =
+            level.shortfall.as_ref().map(|shortfall| format!("\n{}", shortfall_note(None, shortfall)));
         format!(
             "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}, {}, {}{}",
             grouped(before),
@@ -286,7 +293,7 @@ impl LevelsReport {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(LevelReport::row).collect();
         let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
         let secs = lasted(self.secs);
-        format!("{}{} triangles in all, errors {kind}, {secs}", table_of_levels(&rows), grouped(before))
+        format!("{}from {} triangles, errors {kind}, {secs}", table_of_levels(&rows), grouped(before))
     }
 }
 

@@ -1,4 +1,4 @@
-//! `strip`: a mesh covered by triangle strips, and what they cost.
+//! `strip`: converts a mesh to triangle strips and reports their cost.
 
 use std::path::Path;
 use std::time::Instant;
@@ -14,7 +14,7 @@ use striata_command::args::FormatArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, counted, grouped};
-use striata_command::save::{Drawn, format_of, is_stdout, save};
+use striata_command::save::{Primitives, format_of, is_stdout, write_mesh};
 use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
@@ -23,18 +23,18 @@ struct Report {
     strips: StripReport,
     seed: u64,
     budget_secs: Option<f64>,
-    /// Indices of the file that was written: joined by degenerate triangles instead of restarts, or of single triangles for
-    /// groups where these are fewer.
+    /// Number of indices in the file that was written, which uses degenerate triangles instead of restarts,
+    /// or triangle lists for groups that need fewer indices that way.
     stitched_index_count: Option<usize>,
-    /// Groups that were written as single triangles, since these take fewer indices.
+    /// Number of groups that were written as triangle lists, since these need fewer indices.
     plain_group_count: Option<usize>,
     secs: f64,
 }
 
-/// Reads, stripifies, writes where that is asked for, and reports.
+/// Reads and stripifies the mesh, writes it if requested, and reports.
 ///
 /// # Errors
-/// Where any of it fails; the output is then as it was.
+/// If any of this fails; an existing output is then left unchanged.
 pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     if let Some(block_triangles) = args.block_triangles {
         return strip_blocks::run(args, block_triangles, output);
@@ -45,17 +45,17 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    let blamed = |failure: Failure| failure.in_file(&input.name);
+    let in_file = |failure: Failure| failure.in_file(&input.name);
     let mut mesh = input.mesh(output)?;
     if args.weld {
         bar.phase("weld");
-        mesh = weld(&mesh).map_err(|error| blamed(error.into()))?.mesh;
+        mesh = weld(&mesh).map_err(|error| in_file(error.into()))?.mesh;
     }
     let stripped = args.plan().run(&mesh, &mut |share| bar.share("strip", share));
-    let stripped = stripped.map_err(|error| blamed(error.into()))?;
+    let stripped = stripped.map_err(|error| in_file(error.into()))?;
     let strips =
         StripReport::new(args.strips.to_string(), &mesh, &stripped, args.search.cache_size as usize)?
-            .with_bound(&args.strips, &mesh);
+            .with_strip_count_bound(&args.strips, &mesh);
     let mut report = Report {
         strips,
         seed: args.search.seed,
@@ -69,7 +69,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         let StripLists { lists, index_count, plain_group_count } = StripLists::new(&mesh, &stripped.strips);
         report.stitched_index_count = Some(index_count);
         report.plain_group_count = Some(plain_group_count);
-        save(&mesh, Drawn::Strips(lists), path, &format)?;
+        write_mesh(&mesh, Primitives::Strips(lists), path, &format)?;
     }
     drop(bar);
     report.secs = started.elapsed().as_secs_f64();
@@ -80,9 +80,9 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     }
     let StripReport { strip_count, triangle_count, indices_per_triangle, .. } = report.strips;
     if !args.weld && triangle_count > 1 && strip_count == triangle_count {
-        output.say("hint: no strip has two triangles; --weld merges vertices that are equal but not shared");
+        output.say("hint: every strip is a single triangle; use --weld to merge equal vertices");
     } else if indices_per_triangle > 3.0 {
-        output.say("hint: a list of single triangles takes fewer indices, since few triangles share an edge");
+        output.say("hint: a triangle list takes fewer indices, since few triangles share an edge");
     }
     Ok(())
 }
@@ -96,7 +96,7 @@ impl Report {
                 None | Some(0) => String::new(),
                 Some(groups) => {
                     let groups = counted(groups, "group", "groups");
-                    format!("; {groups} of single triangles, which take fewer")
+                    format!("; {groups} as triangle lists, which are shorter")
                 }
             };
             text.push_str(&format!(
@@ -108,26 +108,31 @@ impl Report {
     }
 }
 
+/// Checks that the output can be written.
+///
 /// # Errors
-/// Where the output cannot hold strips, or stdout would have to take two things.
+/// If its format has no strips, or stdout would have to take both the output and the report.
 fn check_output(args: &StripArgs, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
     let Some(path) = &args.output else { return Ok(()) };
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, format)?;
     let instead = match format {
-        Format::Ply => "say --block-triangles, which writes strips to .ply",
-        _ => "drop -o to only see what the strips cost",
+        Format::Ply => "use --block-triangles, which writes strips to .ply",
+        _ => "remove -o to see only the cost of the strips",
     };
     check_form_fits("strips", path, format, instead)
 }
 
+/// Checks that a format supports strips or fans; `instead` is a hint for the user, besides choosing another
+/// format.
+///
 /// # Errors
-/// Where a format has no strips or fans; `instead` is what the user can do besides choosing another.
+/// If it does not.
 pub(super) fn check_form_fits(what: &str, path: &Path, format: Format, instead: &str) -> Result<(), Failure> {
     if matches!(format, Format::Glb | Format::Gltf) {
         return Ok(());
     }
     let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
-    Err(Failure::user(format!("{name}: {format} has no {what}"))
+    Err(Failure::user(format!("{name}: {format} files cannot contain {what}"))
         .with_hint(format!("write .glb or .gltf (`--to glb` for stdout), or {instead}")))
 }

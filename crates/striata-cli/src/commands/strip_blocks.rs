@@ -1,4 +1,4 @@
-//! `strip --block-triangles`: strips of a mesh that need not fit into memory.
+//! `strip --block-triangles`: stripifies a mesh that need not fit into memory.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -27,7 +27,7 @@ struct Report {
     index_count: usize,
     indices_per_triangle: f64,
     longest_strip: usize,
-    /// Unknown without the mesh in memory, as the next two.
+    /// Null, like the next two fields: unknown unless the mesh is in memory.
     component_count: Option<usize>,
     acmr_16: Option<f64>,
     atvr_16: Option<f64>,
@@ -37,7 +37,7 @@ struct Report {
     peak_window_triangles: usize,
     peak_held_triangles: usize,
     carried_count: usize,
-    /// Indices of the file that was written, with what parts or joins the strips.
+    /// Number of indices in the file that was written, including those that separate or join strips.
     written_index_count: Option<u64>,
     read_secs: f64,
     stripify_secs: f64,
@@ -45,14 +45,15 @@ struct Report {
     peak_rss_bytes: Option<u64>,
 }
 
-/// Sorts into blocks, stripifies one after another, writes where that is asked for, and reports.
+/// Sorts triangles into blocks, stripifies one block after another, writes the strips if requested, and
+/// reports.
 ///
 /// # Errors
-/// Where any of it fails; the output is then as it was.
+/// If any of this fails; an existing output is then left unchanged.
 pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let options = BlockOptions::default().with_strip(args.only_stripifier()?);
-    let format = check_places(args)?;
+    let format = check_files(args)?;
     let scratch = scratch_folder(args.output.as_deref());
     let mut bar = output.bar();
     bar.phase("read");
@@ -89,36 +90,43 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
     }
 }
 
-/// The format of the output, if there is one.
+/// Checks input and output, and returns the format of the output, if there is one.
 ///
 /// # Errors
-/// Where input or output is not a file, or the output's format takes no strips in blocks.
-fn check_places(args: &StripArgs) -> Result<Option<Format>, Failure> {
+/// If the input or output is not a file, or the format cannot be written block by block.
+fn check_files(args: &StripArgs) -> Result<Option<Format>, Failure> {
     if args.weld {
         return Err(Failure::user("--weld needs the whole mesh in memory")
-            .with_hint("leave --weld out, or leave --block-triangles out"));
+            .with_hint("remove --weld or --block-triangles"));
     }
-    if Shape::named(&args.input)?.is_some() {
-        return Err(Failure::user(format!("{}: blocks are read from a file", args.input.display()))
-            .with_hint("write one first: striata convert SHAPE OUT.ply"));
+    if Shape::from_input_name(&args.input)?.is_some() {
+        return Err(Failure::user(format!(
+            "{}: --block-triangles needs an input file",
+            args.input.display()
+        ))
+        .with_hint("write a file first: striata convert SHAPE OUT.ply"));
     }
     if is_stdout(&args.input) {
-        return Err(Failure::user("stdin: a mesh is read several times to cut it into blocks")
-            .with_hint("name a binary .ply file"));
+        return Err(Failure::user(
+            "stdin: --block-triangles needs an input file, which it reads several times",
+        )
+        .with_hint("name a binary .ply file"));
     }
     let Some(path) = &args.output else { return Ok(None) };
     if is_stdout(path) {
-        return Err(Failure::user("stdout: strips in blocks are written to a file").with_hint("name a file"));
+        return Err(
+            Failure::user("stdout: --block-triangles needs an output file").with_hint("name an output file")
+        );
     }
     let format = format_of(path, &args.format())?;
     if !matches!(format, Format::Glb | Format::Ply) {
-        return Err(Failure::user(format!("{}: {format} takes no strips in blocks", path.display()))
+        return Err(Failure::user(format!("{}: {format} files cannot be written in blocks", path.display()))
             .with_hint("write .glb or .ply"));
     }
     Ok(Some(format))
 }
 
-/// Beside the output, where there is room for that; else where the system wants temporary files.
+/// Returns the folder for temporary files: that of the output, which has room for it, or that of the system.
 fn scratch_folder(output: Option<&Path>) -> PathBuf {
     match output.and_then(Path::parent) {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
@@ -165,20 +173,20 @@ impl Report {
         row("algorithm", self.algorithm.clone());
         row("triangles", grouped(self.triangle_count));
         if self.degenerate_triangle_count > 0 {
-            row("degenerate, left out", self.degenerate_triangle_count.to_string());
+            row("degenerate triangles skipped", self.degenerate_triangle_count.to_string());
         }
         row("strips", grouped(self.strip_count));
         row("swaps", grouped(self.swap_count));
         row("indices", grouped(self.index_count));
-        row("indices a triangle", format!("{:.4}", self.indices_per_triangle));
-        row("longest strip, indices", grouped(self.longest_strip));
+        row("indices per triangle", format!("{:.4}", self.indices_per_triangle));
+        row("indices of longest strip", grouped(self.longest_strip));
         row("blocks", grouped(self.block_count as usize));
-        row("triangles at once, most", grouped(self.peak_window_triangles));
-        row("triangles waiting, most", grouped(self.peak_held_triangles));
-        row("time to cut into blocks", lasted(self.read_secs));
-        row("time of the stripifier", lasted(self.stripify_secs));
+        row("peak triangles per window", grouped(self.peak_window_triangles));
+        row("peak triangles waiting", grouped(self.peak_held_triangles));
+        row("time to sort into blocks", lasted(self.read_secs));
+        row("stripification time", lasted(self.stripify_secs));
         if let Some(bytes) = self.peak_rss_bytes {
-            row("memory, most", sized(bytes as usize));
+            row("peak memory", sized(bytes as usize));
         }
         table.to_text()
     }
@@ -189,7 +197,7 @@ fn failure_of(error: BlocksError<ReadError, WriteError>) -> Failure {
         BlocksError::Read { error, .. } => error.into(),
         BlocksError::Write(error) => error.into(),
         BlocksError::TooLarge { .. } => {
-            Failure::user(error.to_string()).with_hint("make --block-triangles smaller")
+            Failure::user(error.to_string()).with_hint("use a smaller --block-triangles")
         }
         _ => Failure::internal(error.to_string()),
     }

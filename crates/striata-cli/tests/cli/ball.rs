@@ -1,9 +1,9 @@
-//! A ball that was built before a test begins.
+//! A workbench that contains a mesh and a .striata file built from it.
 
 use crate::workbench::{Workbench, sphere};
 
 impl Workbench {
-    /// A folder with `sphere.obj`, a ball of 512 triangles, and `ball.striata` built from it.
+    /// Creates a folder with `sphere.obj`, a ball of 512 triangles, and `ball.striata` built from it.
     pub(crate) fn with_ball() -> Self {
         let bench = Self::new();
         bench.write("sphere.obj", sphere(16, 16));

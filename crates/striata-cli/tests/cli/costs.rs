@@ -1,4 +1,4 @@
-//! What each model would cost on a mesh, as `info --models` reports it.
+//! `info --models`: the size of each model of a mesh.
 
 use serde_json::Value;
 
@@ -6,7 +6,7 @@ use crate::workbench::{Workbench, assert_keys};
 
 const NAMES: [&str; 5] = ["lodstrips", "mts", "fans", "patterns", "progressive"];
 
-/// The costs of all models, in order.
+/// Returns the costs of all models, in order.
 fn costs(bench: &Workbench, file: &str) -> Vec<Value> {
     let report = bench.json(&format!("info {file} --models"));
     let costs = report["model_costs"].as_array().expect("a list").clone();
@@ -20,7 +20,7 @@ fn text(bench: &Workbench, arguments: &str) -> String {
 }
 
 #[test]
-fn every_model_is_priced_as_a_build_of_it_alone_reports() {
+fn sizes_are_those_of_separate_builds() {
     let bench = Workbench::with_ball();
     for cost in costs(&bench, "sphere.obj") {
         assert_keys(&cost, &["name", "bytes", "bytes_per_vertex", "instance_bytes", "build_secs"]);
@@ -38,13 +38,13 @@ fn every_model_is_priced_as_a_build_of_it_alone_reports() {
         if name == "fans" {
             let step_count = built["step_count"].as_u64().expect("a count");
             let bit_bytes = 8 * step_count.div_ceil(64);
-            assert!(instance_bytes.is_some_and(|bytes| bytes < bit_bytes + 64), "a bit a step: {cost}");
+            assert!(instance_bytes.is_some_and(|bytes| bytes < bit_bytes + 64), "one bit per step: {cost}");
         }
     }
 }
 
 #[test]
-fn files_with_levels_and_shapes_are_priced_too() {
+fn files_with_levels_and_shapes_have_sizes_too() {
     let bench = Workbench::with_ball();
     bench.json("encode sphere.obj -o ball.stri");
     for file in ["ball.striata", "ball.stri"] {
@@ -54,7 +54,7 @@ fn files_with_levels_and_shapes_are_priced_too() {
     }
     costs(&bench, "shape:cube");
     let report = bench.json("info ball.striata");
-    assert!(report.get("model_costs").is_none(), "only where they are asked for: {report}");
+    assert!(report.get("model_costs").is_none(), "only with --models: {report}");
     assert_keys(&bench.json("info ball.striata --models"), &["models.lodstrips.parts", "model_costs"]);
 }
 
@@ -63,19 +63,19 @@ fn the_table_has_a_row_for_each_model() {
     let bench = Workbench::with_ball();
     let report = text(&bench, "info sphere.obj --models");
     for name in NAMES {
-        let row = report.lines().find(|line| line.starts_with(&format!("{name} would cost")));
+        let row = report.lines().find(|line| line.starts_with(&format!("{name} if built")));
         let row = row.unwrap_or_else(|| panic!("{name} is missing:\n{report}"));
-        assert!(row.contains("bytes a vertex") && row.contains("built in"), "{row}");
-        assert_eq!(row.contains("an instance"), name != "progressive", "{row}");
+        assert!(row.contains("bytes per vertex") && row.contains("built in"), "{row}");
+        assert_eq!(row.contains("per instance"), name != "progressive", "{row}");
     }
-    assert!(!text(&bench, "info sphere.obj").contains("would cost"));
+    assert!(!text(&bench, "info sphere.obj").contains("if built"));
 }
 
 #[test]
-fn models_of_an_unsound_mesh_are_refused() {
+fn models_of_an_inconsistent_mesh_are_refused() {
     let bench = Workbench::new();
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
     bench.json("info nan.off");
-    let said = bench.refused("info nan.off --models");
-    assert!(said.starts_with("error: nan.off: "), "{said}");
+    let message = bench.refused("info nan.off --models");
+    assert!(message.starts_with("error: nan.off: "), "{message}");
 }

@@ -1,4 +1,4 @@
-//! What `--help` says, letter by letter; it is part of the interface.
+//! Snapshots of the help texts, which are part of the interface.
 
 use crate::workbench::Workbench;
 
@@ -39,7 +39,7 @@ fn every_verb_ends_with_two_examples() {
         let (_, examples) = text.split_once("Examples:\n").expect("examples");
         let count = examples.lines().filter(|line| line.starts_with("  striata ")).count();
         assert_eq!(count, 2, "{verb}:\n{text}");
-        // Builds with a window have other flags.
+        // `view` has other flags in builds with a window.
         let name = if verb == "view" && !cfg!(feature = "window") { "view_in_browser" } else { verb };
         insta::assert_snapshot!(name, text);
     }

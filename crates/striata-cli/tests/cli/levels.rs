@@ -1,4 +1,4 @@
-//! Levels as people ask for them: shares of the full mesh, several at once, and what happens if one cannot be reached.
+//! Requested levels: percentages of the full mesh, several in one run, and levels that cannot be reached.
 
 use std::collections::BTreeSet;
 
@@ -8,13 +8,13 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, asset, sphere};
 
-/// Each level's value of a key.
+/// Returns the value of a key for each level.
 fn of_levels<'a>(report: &'a Value, key: &str) -> Vec<&'a Value> {
     report["levels"].as_array().expect("a list").iter().map(|level| &level[key]).collect()
 }
 
 #[test]
-fn counts_may_be_shares_of_the_full_mesh() {
+fn counts_may_be_percentages_of_the_full_mesh() {
     let bench = Workbench::with_ball();
     for verb in ["extract ball.striata", "simplify sphere.obj"] {
         let level = |flags: &str| {
@@ -45,13 +45,16 @@ fn counts_may_be_shares_of_the_full_mesh() {
     for wrong in ["--triangles 101%", "--triangles ten", "--vertices -1%", "--ratio 1.5", "--ratio -1"] {
         assert!(bench.refused(&format!("extract ball.striata -o x.ply {wrong}")).contains("invalid value"));
     }
-    assert!(bench.refused("build sphere.obj -o x.striata --base 200%").contains("share of the full mesh"));
+    assert!(bench.refused("build sphere.obj -o x.striata --base 200%").contains(
+        "percentage of the full \
+        mesh"
+    ));
     let both = bench.refused("extract ball.striata -o x.ply --triangles 5 --ratio 0.5");
     assert!(both.contains("cannot be used with"), "{both}");
 }
 
 #[test]
-fn a_share_of_a_soup_is_one_of_the_mesh_that_it_makes() {
+fn a_percentage_of_a_triangle_soup_refers_to_the_welded_mesh() {
     let bench = Workbench::with_ball();
     bench.run("convert sphere.obj soup.stl --quiet").success();
     let report = bench.json("simplify soup.stl -o level.ply --vertices 25%");
@@ -59,7 +62,7 @@ fn a_share_of_a_soup_is_one_of_the_mesh_that_it_makes() {
 }
 
 #[test]
-fn several_levels_of_a_file_are_those_of_one_at_a_time() {
+fn several_levels_of_a_file_equal_separate_ones() {
     let bench = Workbench::with_ball();
     for model in ["lodstrips", "mts", "fans", "patterns", "progressive"] {
         bench.run(&format!("build sphere.obj -o {model}.striata --models {model} --quiet")).success();
@@ -92,7 +95,7 @@ fn several_levels_of_a_mesh_come_from_one_simplification() {
             for key in ["triangle_count", "vertex_count"] {
                 assert_eq!(level[key], one[key], "{flags}: {path}: {key}");
             }
-            // A bound of errors is made for all levels that there are.
+            // Guaranteed errors depend on all levels that are simplified in the run.
             if flags.is_empty() || flags == "--placement optimal" {
                 assert_eq!(level["error"], one["error"], "{flags}: {path}");
             }
@@ -103,21 +106,21 @@ fn several_levels_of_a_mesh_come_from_one_simplification() {
 }
 
 #[test]
-fn levels_name_their_files() {
+fn each_level_has_its_own_file() {
     let bench = Workbench::with_ball();
-    let said = bench.refused("extract ball.striata -o out/bunny.glb --levels 50%,10%");
-    assert!(said.contains("hint: ") && said.contains("-o 'out/bunny-{}.glb'"), "{said}");
+    let message = bench.refused("extract ball.striata -o out/bunny.glb --levels 50%,10%");
+    assert!(message.contains("hint: ") && message.contains("-o 'out/bunny-{}.glb'"), "{message}");
     assert!(bench.refused("simplify sphere.obj -o - --levels 50%").contains("--levels needs {}"));
     let twice = bench.refused("simplify sphere.obj -o a-{}.ply --levels 50%,50");
-    assert!(twice.contains("a-50.ply: more than one level"), "{twice}");
-    assert!(bench.refused("extract ball.striata -o a-{}.ply --levels 50%,x").contains("no level"));
+    assert!(twice.contains("a-50.ply: several levels"), "{twice}");
+    assert!(bench.refused("extract ball.striata -o a-{}.ply --levels 50%,x").contains("not a level"));
     assert!(bench.refused("extract ball.striata -o a-{}.ply --eye 0,0,3").contains("{} stands for a level"));
     assert!(bench.refused("extract ball.striata -o a-{}.docx --levels 50%").contains("--to"));
     assert!(
         bench.refused("extract ball.striata -o a-{}.ply --levels 5% --detail 1").contains("cannot be used")
     );
     assert_eq!(bench.names(), ["ball.striata", "sphere.obj"]);
-    // One level takes the same place.
+    // A single level also replaces the placeholder.
     bench.json("extract ball.striata -o a-{}.ply --levels 12.5%");
     bench.json("extract ball.striata -o b-{}.ply --triangles 100");
     bench.json("simplify sphere.obj -o c-{}.ply --error 1%");
@@ -125,15 +128,15 @@ fn levels_name_their_files() {
 }
 
 #[test]
-fn all_levels_are_written_or_none() {
+fn either_all_levels_are_written_or_none() {
     let bench = Workbench::with_ball();
     bench.write("a-50.ply", "precious");
     std::fs::create_dir(bench.path("a-10.ply")).expect("the folder is ours");
     let before = bench.names();
     for verb in ["extract ball.striata", "simplify sphere.obj"] {
         for levels in ["50%,25%,10%", "50%,25%,0 --strict"] {
-            let said = bench.refused(&format!("{verb} -o a-{{}}.ply --levels {levels}"));
-            assert!(said.starts_with("error: "), "{said}");
+            let message = bench.refused(&format!("{verb} -o a-{{}}.ply --levels {levels}"));
+            assert!(message.starts_with("error: "), "{message}");
             assert_eq!(
                 (bench.names(), bench.read("a-50.ply")),
                 (before.clone(), b"precious".to_vec()),
@@ -144,9 +147,9 @@ fn all_levels_are_written_or_none() {
 }
 
 #[test]
-fn a_level_that_is_not_reached_says_why() {
+fn a_shortfall_gives_the_reason() {
     let bench = Workbench::with_ball();
-    let said_by = |line: &str| {
+    let shortfall_of = |line: &str| {
         let report = bench.json(line);
         assert_eq!(report["stop_reason"], "base_reached", "{line}");
         let text = bench.run(line).success();
@@ -155,25 +158,31 @@ fn a_level_that_is_not_reached_says_why() {
         assert!(text.contains(shortfall), "{text}");
         shortfall.to_owned()
     };
-    let said = said_by("simplify sphere.obj -o x.ply --triangles 0");
-    assert!(said.starts_with("asked for at most 0 triangles, but "), "{said}");
-    assert!(said.ends_with("no more edges can be collapsed without losing the last triangles"), "{said}");
-    let said = said_by("extract ball.striata -o x.ply --vertices 1");
-    assert!(said.ends_with("the file holds no coarser level"), "{said}");
-    assert!(said_by("extract ball.striata -o x.ply --eye 0,0,3 --triangles 1").contains("coarser"));
-    let said = said_by("build sphere.obj -o x.striata --base 1");
-    assert!(said.contains("at most 1 triangle,"), "{said}");
-    // Locks and limits are named.
+    let message = shortfall_of("simplify sphere.obj -o x.ply --triangles 0");
+    assert!(message.starts_with("requested at most 0 triangles, but "), "{message}");
+    assert!(
+        message.ends_with(
+            "no more edges can be collapsed without removing the last \
+        triangles"
+        ),
+        "{message}"
+    );
+    let message = shortfall_of("extract ball.striata -o x.ply --vertices 1");
+    assert!(message.ends_with("the file has no coarser level"), "{message}");
+    assert!(shortfall_of("extract ball.striata -o x.ply --eye 0,0,3 --triangles 1").contains("coarser"));
+    let message = shortfall_of("build sphere.obj -o x.striata --base 1");
+    assert!(message.contains("at most 1 triangle,"), "{message}");
+    // The reason names locks and limits.
     bench.write("open.off", grid(12));
-    let said = said_by("simplify open.off -o x.ply --triangles 4 --lock-boundary");
-    assert!(said.ends_with("or changing what --lock-boundary protects"), "{said}");
+    let message = shortfall_of("simplify open.off -o x.ply --triangles 4 --lock-boundary");
+    assert!(message.ends_with("or changing what --lock-boundary protects"), "{message}");
     let limited = bench.json("simplify sphere.obj -o x.ply --triangles 50 --max-error 1%");
     assert_eq!(limited["stop_reason"], "error_limit");
     assert!(
         limited["shortfall"].as_str().is_some_and(|s| s.ends_with("exceed the error limit")),
         "{limited}"
     );
-    // What was asked for is nothing to talk about.
+    // A level that meets its target has no shortfall.
     for line in [
         "extract ball.striata -o x.ply --triangles 10000",
         "extract ball.striata -o x.ply --error 50%",
@@ -186,7 +195,7 @@ fn a_level_that_is_not_reached_says_why() {
 }
 
 #[test]
-fn strict_writes_nothing_that_was_not_asked_for() {
+fn strict_writes_nothing_if_a_level_is_not_reached() {
     let bench = Workbench::with_ball();
     bench.run("encode sphere.obj -o ball.stri --quiet").success();
     let stream = bench.read("ball.stri");
@@ -206,17 +215,17 @@ fn strict_writes_nothing_that_was_not_asked_for() {
         "render sphere.obj -o x.png --triangles 0 --software",
         "render ball.striata -o x.png --levels 50%,0 --software",
     ] {
-        let said = bench.refused(&format!("{line} --strict"));
+        let message = bench.refused(&format!("{line} --strict"));
         assert!(
-            said.contains("was not reached") && said.contains("hint: leave --strict out"),
-            "{line}: {said}"
+            message.contains("was not reached") && message.contains("hint: remove --strict"),
+            "{line}: {message}"
         );
         assert_eq!(bench.names(), before, "{line}");
     }
 }
 
 #[test]
-fn render_takes_the_same_levels() {
+fn render_accepts_the_same_levels() {
     let bench = Workbench::with_ball();
     let count = |flags: &str| {
         let report = bench.json(&format!("render sphere.obj -o x.png --size 64x48 --software {flags}"));
@@ -230,9 +239,9 @@ fn render_takes_the_same_levels() {
 }
 
 #[test]
-fn groups_keep_their_borders_where_they_are_locked() {
+fn lock_groups_keeps_borders_between_groups() {
     let bench = Workbench::new();
-    // A ball of two halves, which meet where x is 0: at two poles and sixteen vertices on either side.
+    // A ball of two halves that meet at x = 0: at both poles and sixteen vertices on either side.
     let ball = sphere(16, 16);
     let (vertices, faces) = ball.split_at(ball.find("f ").expect("faces"));
     let faces: Vec<&str> = faces.lines().collect();
@@ -261,7 +270,7 @@ fn groups_keep_their_borders_where_they_are_locked() {
 }
 
 #[test]
-fn attributes_weigh_what_is_said() {
+fn attribute_weights_change_levels() {
     let bench = Workbench::new();
     let spot = asset("spot.obj.zst");
     let level = |flags: &str| {
@@ -274,24 +283,24 @@ fn attributes_weigh_what_is_said() {
     assert_ne!(level("--uv-weight 1"), usual);
     assert_eq!(level("--color-weight 5"), usual, "there are no colors");
     for (flag, wrong) in [("--uv-weight", "-1"), ("--normal-weight", "nan"), ("--color-weight", "inf")] {
-        let said = bench.refused(&format!("simplify x.ply -o y.ply --triangles 5 {flag} {wrong}"));
-        assert!(said.contains("must lie between 0"), "{said}");
+        let message = bench.refused(&format!("simplify x.ply -o y.ply --triangles 5 {flag} {wrong}"));
+        assert!(message.contains("must lie between 0"), "{message}");
     }
     let order = bench.refused("simplify shape:cube -o y.ply --triangles 5 --order hausdorff --uv-weight 1");
-    assert!(order.contains("--uv-weight means nothing in hausdorff order"), "{order}");
+    assert!(order.contains("--uv-weight has no meaning in hausdorff order"), "{order}");
     let place = bench.refused("simplify shape:cube -o y.ply --triangles 5 --placement optimal --uv-weight 1");
     assert!(place.contains("--uv-weight"), "{place}");
 }
 
 #[test]
-fn contrast_of_textures_weighs_texture_coordinates() {
+fn texture_contrast_scales_the_uv_weight() {
     let bench = Workbench::new();
     let mut png = Vec::new();
     let mut encoder = png::Encoder::new(&mut png, 16, 16);
     encoder.set_color(png::ColorType::Grayscale);
-    let mut writer = encoder.write_header().expect("memory takes it");
-    writer.write_image_data(&[120; 256]).expect("memory takes it");
-    writer.finish().expect("memory takes it");
+    let mut writer = encoder.write_header().expect("writing to memory succeeds");
+    writer.write_image_data(&[120; 256]).expect("writing to memory succeeds");
+    writer.finish().expect("writing to memory succeeds");
     bench.write("gray.gltf", textured_hill(Some(&png)));
     bench.write("broken.gltf", textured_hill(Some(&png[..50])));
     bench.write("plain.gltf", textured_hill(None));
@@ -301,34 +310,37 @@ fn contrast_of_textures_weighs_texture_coordinates() {
     };
     let simplified =
         |input: &str, flag: &str| level(&format!("simplify {input} -o level.ply --triangles 60 {flag}"));
-    let (usual, said) = simplified("gray.gltf", "");
-    assert_eq!(said, "");
-    let (weighed, said) = simplified("gray.gltf", "--uv-contrast");
+    let (usual, message) = simplified("gray.gltf", "");
+    assert_eq!(message, "");
+    let (weighed, message) = simplified("gray.gltf", "--uv-contrast");
     assert_ne!(weighed, usual, "a uniform texture counts less");
-    assert_eq!(said, "");
+    assert_eq!(message, "");
     for input in ["broken.gltf", "plain.gltf"] {
-        let (level, said) = simplified(input, "--uv-contrast");
+        let (level, message) = simplified(input, "--uv-contrast");
         assert_eq!(level, usual, "{input}");
         assert!(
-            said.starts_with("warning: --uv-contrast changes nothing") && said.lines().count() == 1,
-            "{said}"
+            message.starts_with("warning: --uv-contrast has no effect") && message.lines().count() == 1,
+            "{message}"
         );
     }
     bench.run("build plain.gltf -o usual.striata --quiet").success();
     let warned = bench.run("build plain.gltf -o plain.striata --uv-contrast").success();
-    let said = String::from_utf8_lossy(&warned.get_output().stderr).into_owned();
-    assert!(said.contains("no material has a readable base color texture"), "{said}");
+    let message = String::from_utf8_lossy(&warned.get_output().stderr).into_owned();
+    assert!(message.contains("no material has a readable base color texture"), "{message}");
     bench.run("build gray.gltf -o gray.striata --uv-contrast --quiet").success();
     bench.run("extract gray.striata -o level.ply --triangles 60 --quiet").success();
     bench.run("extract usual.striata -o usual.ply --triangles 60 --quiet").success();
     assert_ne!(bench.read("level.ply"), bench.read("usual.ply"));
     for flags in ["--order hausdorff", "--placement optimal"] {
-        let said = bench.refused(&format!("simplify gray.gltf -o y.ply --triangles 5 {flags} --uv-contrast"));
-        assert!(said.contains("--uv-contrast"), "{said}");
+        let message = bench.refused(&format!(
+            "simplify gray.gltf -o y.ply --triangles 5 {flags} \
+            --uv-contrast"
+        ));
+        assert!(message.contains("--uv-contrast"), "{message}");
     }
 }
 
-/// A bumpy square with distorted texture coordinates as glTF, its base color texture embedded.
+/// Returns a bumpy square with distorted texture coordinates as glTF, with an embedded base color texture.
 fn textured_hill(png: Option<&[u8]>) -> String {
     const SIDE: u16 = 16;
     let n = SIDE + 1;
@@ -346,7 +358,9 @@ fn textured_hill(png: Option<&[u8]>) -> String {
     let uri = |kind: &str, bytes: &[u8]| format!("data:{kind};base64,{}", STANDARD.encode(bytes));
     let mut gltf = serde_json::json!({
         "asset": { "version": "2.0" },
-        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 }] }],
+        "meshes": [{ "primitives": [
+            { "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 }
+        ] }],
         "nodes": [{ "mesh": 0 }],
         "scenes": [{ "nodes": [0] }],
         "scene": 0,
@@ -373,7 +387,7 @@ fn textured_hill(png: Option<&[u8]>) -> String {
     gltf.to_string()
 }
 
-/// A flat square of `side` by `side` quads.
+/// Returns a flat square of `side` by `side` quads as OFF.
 fn grid(side: usize) -> String {
     let n = side + 1;
     let mut text = format!("OFF\n{} {} 0\n", n * n, 2 * side * side);

@@ -1,4 +1,4 @@
-//! The command as its users meet it: run in a folder of its own, judged by what it prints and leaves.
+//! Tests that run the command in temporary folders and check what it prints and writes.
 
 mod ball;
 mod costs;

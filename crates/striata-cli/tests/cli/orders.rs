@@ -1,4 +1,4 @@
-//! What is simplified first, and errors that are promised.
+//! Simplification orders and guaranteed errors.
 
 use serde_json::Value;
 
@@ -8,14 +8,14 @@ pub(crate) fn number(report: &Value, key: &str) -> f64 {
     report[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {report}"))
 }
 
-/// The largest distance from one surface to the other.
+/// Returns the largest distance from one surface to the other.
 pub(crate) fn distance(bench: &Workbench, from: &str, to: &str) -> f64 {
     let report = bench.json(&format!("distance {from} {to} --samples 20000"));
     number(&report["a_to_b"], "max")
 }
 
-/// Panics unless a level is no farther from the original than it says, and no farther than a share of the diagonal.
-fn check_promise(bench: &Workbench, input: &str, percent: f64, order: &str) {
+/// Panics unless the distance of a level is at most its error, and at most a percentage of the diagonal.
+fn check_guarantee(bench: &Workbench, input: &str, percent: f64, order: &str) {
     let line = format!("simplify {input} -o out.ply --max-error {percent}% {order}");
     let report = bench.json(&line);
     assert_eq!(report["error_is_guaranteed"], true, "{line}: {report}");
@@ -27,8 +27,8 @@ fn check_promise(bench: &Workbench, input: &str, percent: f64, order: &str) {
         return;
     }
     let measured = distance(bench, input, "out.ply");
-    // Places between vertices are rounded when they are looked at.
-    assert!(measured <= error + 1e-9 * diagonal, "{line}: {measured} beside {report}");
+    // Sample points between vertices are rounded.
+    assert!(measured <= error + 1e-9 * diagonal, "{line}: measured {measured}, {report}");
     assert!(number(&report, "reverse_error") >= 0.0, "{report}");
 }
 
@@ -36,34 +36,34 @@ const ORDERS: [&str; 3] =
     ["", "--order hausdorff", "--order hausdorff --retriangulation collapse --criterion flatness"];
 
 #[test]
-fn no_level_is_farther_than_was_promised() {
+fn no_level_exceeds_its_guaranteed_error() {
     let bench = Workbench::with_ball();
     let spot = asset("spot.obj.zst").display().to_string();
     for input in ["sphere.obj", "shape:cylinder", "shape:moebius", "shape:two-materials", "shape:cube", &spot]
     {
         for order in ORDERS {
             let percent = if order.contains("collapse") { 5.0 } else { 0.4 };
-            check_promise(&bench, input, percent, order);
+            check_guarantee(&bench, input, percent, order);
         }
     }
     for input in ["shape:grid", "shape:terrain", "shape:klein-bottle", "shape:tetrahedron"] {
-        check_promise(&bench, input, 1.0, "");
-        check_promise(&bench, input, 1.0, "--order hausdorff");
+        check_guarantee(&bench, input, 1.0, "");
+        check_guarantee(&bench, input, 1.0, "--order hausdorff");
     }
 }
 
 #[test]
-fn a_large_scan_is_no_farther_than_was_promised() {
+fn a_large_scan_does_not_exceed_its_guaranteed_error() {
     let bench = Workbench::new();
     let bust = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/nefertiti.ply.zst");
-    check_promise(&bench, bust, 0.2, "");
-    check_promise(&bench, bust, 0.2, "--order hausdorff");
+    check_guarantee(&bench, bust, 0.2, "");
+    check_guarantee(&bench, bust, 0.2, "--order hausdorff");
 }
 
 #[test]
-fn soups_and_what_hangs_on_an_edge_keep_their_promises_too() {
+fn triangle_soups_do_not_exceed_their_guaranteed_error() {
     let bench = Workbench::new();
-    // Three triangles at one edge, one apart, one twice, one of no area, and a vertex of none.
+    // Three triangles at one edge, a separate one, a duplicate, one without area, and an unused vertex.
     bench.write(
         "soup.off",
         "OFF\n10 7 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0.5\n5 5 5\n6 5 5\n5 6 5\n9 9 9\n0.5 0 0\n\
@@ -71,7 +71,7 @@ fn soups_and_what_hangs_on_an_edge_keep_their_promises_too() {
     );
     for order in ORDERS {
         for percent in [0.0, 3.0, 20.0, 100.0] {
-            check_promise(&bench, "soup.off", percent, order);
+            check_guarantee(&bench, "soup.off", percent, order);
         }
     }
     bench.write("empty.off", "OFF\n0 0 0\n");
@@ -82,7 +82,7 @@ fn soups_and_what_hangs_on_an_edge_keep_their_promises_too() {
 }
 
 #[test]
-fn vertices_are_removed_as_told() {
+fn vertex_removal_respects_its_flags() {
     let bench = Workbench::with_ball();
     let simplified = |flags: &str| bench.json(&format!("simplify sphere.obj -o out.ply {flags}"));
     let plain = simplified("--triangles 128");
@@ -100,9 +100,9 @@ fn vertices_are_removed_as_told() {
         "--feature-angle 5",
     ] {
         simplified(&format!("--triangles 128 --order hausdorff {flags}"));
-        assert_ne!(bench.read("out.ply"), level, "{flags} changes nothing");
+        assert_ne!(bench.read("out.ply"), level, "{flags} has no effect");
     }
-    // A limit alone is a level; with another one, what is finer counts.
+    // A limit alone selects a level; together with another target, the finer of both counts.
     let far = simplified("--max-error 4% --order hausdorff");
     assert_eq!(far["stop_reason"], "error_limit");
     let again = simplified("--error 4% --order hausdorff");
@@ -123,13 +123,13 @@ fn vertices_are_removed_as_told() {
     let certain = simplified("--triangles 128 --certify");
     assert_eq!((&certain["order"], &certain["error_is_guaranteed"]), (&"quadric".into(), &true.into()));
     assert_eq!(certain["triangle_count"], plain["triangle_count"]);
-    let told = bench.run("simplify sphere.obj -o out.ply --triangles 128 --order hausdorff").success();
-    let told = String::from_utf8_lossy(&told.get_output().stderr).into_owned();
-    assert!(told.contains("guaranteed error ") && told.contains("(sampled, "), "{told}");
+    let assert = bench.run("simplify sphere.obj -o out.ply --triangles 128 --order hausdorff").success();
+    let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(stderr.contains("guaranteed error ") && stderr.contains("(sampled, "), "{stderr}");
 }
 
 #[test]
-fn files_know_which_errors_are_guaranteed() {
+fn files_store_whether_errors_are_guaranteed() {
     let bench = Workbench::with_ball();
     for (flags, is_guaranteed) in [
         ("", false),
@@ -165,47 +165,61 @@ fn files_know_which_errors_are_guaranteed() {
 }
 
 #[test]
-fn models_of_collapses_are_given_collapses() {
+fn models_that_need_collapses_switch_the_retriangulation() {
     let bench = Workbench::with_ball();
-    let told = bench.run("build sphere.obj -o it.striata --order hausdorff").success();
-    let told = String::from_utf8_lossy(&told.get_output().stderr).into_owned();
-    assert!(told.contains("as half-edge collapses do, since lodstrips"), "{told}");
-    let told =
+    let assert = bench.run("build sphere.obj -o it.striata --order hausdorff").success();
+    let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(
+        stderr.contains(
+            "note: using --retriangulation collapse, which model lodstrips \
+        requires"
+        ),
+        "{stderr}"
+    );
+    let assert =
         bench.run("build sphere.obj -o same.striata --order hausdorff --retriangulation collapse").success();
-    let told = String::from_utf8_lossy(&told.get_output().stderr).into_owned();
-    assert!(!told.contains("since lodstrips"), "{told}");
+    let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(!stderr.contains("which model lodstrips"), "{stderr}");
     assert_eq!(bench.read("it.striata"), bench.read("same.striata"));
-    let said =
+    let message =
         bench.refused("build sphere.obj -o x.striata --order hausdorff --retriangulation free --models fans");
     assert!(
-        said.contains("fans knows collapses") && said.contains("hint: leave --retriangulation out"),
-        "{said}"
+        message.contains("model fans does not support free retriangulation")
+            && message.contains(
+                "hint: \
+            remove --retriangulation"
+            ),
+        "{message}"
     );
 }
 
 #[test]
-fn what_contradicts_itself_is_refused() {
+fn contradicting_flags_are_refused() {
     let bench = Workbench::with_ball();
     let level = "-o x.ply --triangles 100";
     for (arguments, named) in [
-        (format!("simplify sphere.obj {level} --criterion shape"), "hint: say --order hausdorff"),
+        (format!("simplify sphere.obj {level} --criterion shape"), "hint: use --order hausdorff"),
         (
             format!("simplify sphere.obj {level} --degree-limit 8"),
-            "--degree-limit means nothing in quadric order",
+            "--degree-limit has no meaning in quadric order",
         ),
-        (format!("simplify sphere.obj {level} --feature-angle 30"), "--feature-angle means nothing"),
+        (format!("simplify sphere.obj {level} --feature-angle 30"), "--feature-angle has no meaning"),
         (
             "build sphere.obj -o x.striata --retriangulation free".to_owned(),
-            "--retriangulation means nothing",
+            "--retriangulation has no meaning",
         ),
         (
             "build sphere.obj -o x.striata --order hausdorff --cost tracked".to_owned(),
-            "hint: say --order quadric",
+            "hint: use --order quadric",
         ),
-        (format!("simplify sphere.obj {level} --order hausdorff --pair-distance 1"), "--pair-distance means"),
+        (
+            format!("simplify sphere.obj {level} --order hausdorff --pair-distance 1"),
+            "--pair-distance has \
+            no meaning",
+        ),
         (
             format!("simplify sphere.obj {level} --order hausdorff --placement optimal"),
-            "--placement optimal out",
+            "remove --placement optimal",
         ),
         (format!("simplify sphere.obj {level} --max-error 1 --placement optimal"), "or --max-error"),
         (format!("simplify sphere.obj {level} --certify --placement optimal"), "or --certify"),
@@ -216,28 +230,28 @@ fn what_contradicts_itself_is_refused() {
             format!("simplify sphere.obj {level} --order hausdorff --criterion beauty"),
             "distance, flatness, shape",
         ),
-        (format!("simplify sphere.obj {level} --max-error -1"), "no length"),
+        (format!("simplify sphere.obj {level} --max-error -1"), "not a length"),
         (format!("simplify sphere.obj {level} --order sideways"), "quadric, hausdorff"),
         ("simplify sphere.obj -o x.ply --order hausdorff".to_owned(), "--max-error"),
     ] {
-        let said = bench.refused(&arguments);
-        assert!(said.contains(named), "{arguments}: {said}");
+        let message = bench.refused(&arguments);
+        assert!(message.contains(named), "{arguments}: {message}");
     }
     assert_eq!(bench.names(), ["ball.striata", "sphere.obj"]);
 }
 
 #[test]
-fn broken_meshes_are_refused_in_either_order() {
+fn inconsistent_meshes_are_refused_in_both_orders() {
     let bench = Workbench::new();
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
     bench.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
     for order in ORDERS {
-        let said = bench.refused(&format!("simplify nan.off -o x.ply --max-error 1% {order}"));
-        assert!(said.starts_with("error: nan.off: ") && said.contains("vertex 2"), "{said}");
-        let said = bench.refused(&format!("simplify bad.off -o x.ply --max-error 1% {order}"));
-        assert!(said.contains("bad.off") && said.contains('7'), "{said}");
+        let message = bench.refused(&format!("simplify nan.off -o x.ply --max-error 1% {order}"));
+        assert!(message.starts_with("error: nan.off: ") && message.contains("vertex 2"), "{message}");
+        let message = bench.refused(&format!("simplify bad.off -o x.ply --max-error 1% {order}"));
+        assert!(message.contains("bad.off") && message.contains('7'), "{message}");
     }
-    let said = bench.refused("build nan.off -o x.striata --order hausdorff");
-    assert!(said.contains("nan.off: ") && said.contains("vertex 2"), "{said}");
+    let message = bench.refused("build nan.off -o x.striata --order hausdorff");
+    assert!(message.contains("nan.off: ") && message.contains("vertex 2"), "{message}");
     assert_eq!(bench.names(), ["bad.off", "nan.off"]);
 }

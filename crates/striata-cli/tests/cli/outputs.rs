@@ -1,9 +1,9 @@
-//! Outputs: `-o` wherever something is written, names that are chosen, and flags that only fit some of them.
+//! Outputs: the `-o` flag, default names, and flags that only apply to some outputs.
 
 use crate::workbench::{Workbench, assert_keys, asset};
 
 #[test]
-fn every_output_may_be_named_by_a_flag() {
+fn the_output_of_convert_may_be_given_by_a_flag() {
     let bench = Workbench::with_ball();
     bench.run("convert sphere.obj a.ply --quiet").success();
     bench.run("convert sphere.obj -o b.ply --quiet").success();
@@ -14,7 +14,7 @@ fn every_output_may_be_named_by_a_flag() {
 }
 
 #[test]
-fn an_output_lies_next_to_the_input_unless_it_is_named() {
+fn the_default_output_is_next_to_the_input() {
     let bench = Workbench::with_ball();
     bench.run("convert sphere.obj scan.ply.gz --quiet").success();
     std::fs::create_dir(bench.path("in")).expect("the folder is ours");
@@ -24,24 +24,31 @@ fn an_output_lies_next_to_the_input_unless_it_is_named() {
         for (verb, extension) in [("build", "striata"), ("encode", "stri")] {
             let output = format!("{output}.{extension}");
             let assert = bench.run(&format!("{verb} {input}")).success();
-            let said = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-            assert!(said.contains(&output) && said.contains("-o names another"), "{said}");
+            let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+            assert!(
+                message.contains(&output)
+                    && message.contains(
+                        "use -o to choose another \
+                name"
+                    ),
+                "{message}"
+            );
             assert!(!bench.read(&output).is_empty());
             assert_eq!(bench.json(&format!("{verb} {input}"))["path"], output);
         }
     }
     for (line, what) in [
-        ("build ball.striata", "the output would take the place of the input"),
-        ("encode scan.stri", "the output would take the place of the input"),
-        ("build -", "stdin has no name"),
+        ("build ball.striata", "the output would overwrite the input"),
+        ("encode scan.stri", "the output would overwrite the input"),
+        ("build -", "the input is stdin"),
     ] {
-        let said = bench.refused(line);
-        assert!(said.contains(what) && said.contains("hint: name the output: -o OUT."), "{said}");
+        let message = bench.refused(line);
+        assert!(message.contains(what) && message.contains("hint: name the output: -o OUT."), "{message}");
     }
 }
 
 #[test]
-fn strips_go_to_stdout() {
+fn strips_can_be_written_to_stdout() {
     let bench = Workbench::with_ball();
     bench.run("strip sphere.obj -o strips.glb --quiet").success();
     let assert = bench.run("strip sphere.obj -o - --quiet").success();
@@ -51,7 +58,7 @@ fn strips_go_to_stdout() {
 }
 
 #[test]
-fn figures_are_those_of_the_cache_that_is_named() {
+fn misses_are_reported_for_the_given_cache_size() {
     let bench = Workbench::with_ball();
     let strip = |size: u32| bench.json(&format!("strip sphere.obj --cache-size {size}"));
     let [small, usual, large] = [4, 16, 64].map(strip);
@@ -59,7 +66,7 @@ fn figures_are_those_of_the_cache_that_is_named() {
     assert_eq!((&usual["acmr"], &usual["cache_size"]), (&usual["acmr_16"], &16.into()));
     let misses = |report: &serde_json::Value| report["acmr"].as_f64().expect("a number");
     assert!(misses(&small) > misses(&usual) && misses(&usual) > misses(&large));
-    assert_eq!(small["acmr_16"], usual["acmr_16"], "the same strips");
+    assert_eq!(small["acmr_16"], usual["acmr_16"], "the strips are the same");
     let text = bench.run("strip sphere.obj --cache-size 4").success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
     assert!(text.contains("FIFO 4 ") && !text.contains("FIFO 16"), "{text}");
@@ -68,29 +75,29 @@ fn figures_are_those_of_the_cache_that_is_named() {
 }
 
 #[test]
-fn formats_and_flags_that_do_not_fit_are_refused() {
+fn flags_that_do_not_apply_are_refused() {
     let bench = Workbench::with_ball();
     for format in ["obj", "stl", "off"] {
-        let said = bench.refused(&format!("strip sphere.obj -o x --to {format}"));
-        assert!(said.contains("invalid value"), "{said}");
+        let message = bench.refused(&format!("strip sphere.obj -o x --to {format}"));
+        assert!(message.contains("invalid value"), "{message}");
     }
     assert!(bench.refused("strip sphere.obj -o x.ply").contains("--block-triangles"));
-    assert!(bench.refused("completions bash --json").contains("nothing to report"));
+    assert!(bench.refused("completions bash --json").contains("no JSON report"));
     assert!(bench.refused("convert sphere.obj x.obj --ascii").contains("--ascii is for PLY"));
     assert!(bench.refused("simplify sphere.obj -o x.ply --eye 0,0,3").contains("unexpected argument"));
-    assert!(bench.refused("build sphere.obj -o x.striata.gz").contains("not compressed any further"));
-    assert!(bench.refused("encode sphere.obj -o x.stri.zst").contains("not compressed any further"));
+    assert!(bench.refused("build sphere.obj -o x.striata.gz").contains("already compressed"));
+    assert!(bench.refused("encode sphere.obj -o x.stri.zst").contains("already compressed"));
     let strips = bench.refused("build sphere.obj -o x.striata --models fans --strips greedy");
-    assert!(strips.contains("--strips is for strips"), "{strips}");
+    assert!(strips.contains("--strips has no effect without a model"), "{strips}");
     assert_eq!(bench.names(), ["ball.striata", "sphere.obj"]);
-    // A format that is named is compressed as the extension says.
+    // With an explicit format, the extension still selects the compression.
     bench.run("convert sphere.obj x.gz --to ply --quiet").success();
     assert!(bench.read("x.gz").starts_with(&[0x1f, 0x8b]));
     assert_eq!(bench.json("info x.gz")["triangle_count"], 512);
 }
 
 #[test]
-fn layers_of_streams_have_as_many_bits_as_asked() {
+fn attribute_bits_of_streams_can_be_chosen() {
     let bench = Workbench::new();
     let spot = asset("spot.obj.zst");
     let attribute_bits = |flags: &str| {
@@ -113,5 +120,8 @@ fn layers_of_streams_have_as_many_bits_as_asked() {
     assert!(
         bench.refused("encode shape:cube -o x.stri --uv-bits 9 --lossless").contains("cannot be used with")
     );
-    assert!(bench.refused("build shape:cube -o x.striata --uv-bits 9").contains("--uv-bits is for streams"));
+    assert!(bench.refused("build shape:cube -o x.striata --uv-bits 9").contains(
+        "--uv-bits has no effect \
+        without a stream"
+    ));
 }

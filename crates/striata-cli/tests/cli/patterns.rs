@@ -1,4 +1,4 @@
-//! Patterns in files: of collapses and of removed vertices, for whole levels, for views and for boxes.
+//! Patterns in files: built from collapses or vertex removals, for uniform levels, views and boxes.
 
 use serde_json::Value;
 
@@ -9,7 +9,7 @@ fn count(report: &Value) -> u64 {
     report["triangle_count"].as_u64().unwrap_or_else(|| panic!("no count in {report}"))
 }
 
-/// A folder with `free.striata`, built from the ball of `sphere.obj` by removing vertices.
+/// Creates a folder with `free.striata`, built from `sphere.obj` by removing vertices.
 fn with_free_ball() -> Workbench {
     let bench = Workbench::with_ball();
     bench.run("build sphere.obj -o free.striata --order hausdorff --models patterns --quiet").success();
@@ -17,7 +17,7 @@ fn with_free_ball() -> Workbench {
 }
 
 #[test]
-fn patterns_show_the_levels_of_the_other_models() {
+fn patterns_have_the_same_levels_as_other_models() {
     let bench = Workbench::with_ball();
     let report = bench.json("build sphere.obj -o all.striata --models patterns,fans,lodstrips");
     assert_keys(&report, &["models.patterns.bytes", "models.patterns.bytes_per_vertex", "models.fans.bytes"]);
@@ -33,11 +33,15 @@ fn patterns_show_the_levels_of_the_other_models() {
         for detail in ["0", "0.3", "0.77", "1"] {
             let level = |model: &str, file: &str| {
                 let line = format!("extract {file}.striata -o level.ply --detail {detail} --model {model}");
-                let told = bench.json(&line);
-                assert_eq!(told["model"], model);
+                let report = bench.json(&line);
+                assert_eq!(report["model"], model);
                 let info = bench.json("info level.ply");
-                let counts =
-                    [&told["split_count"], &told["error"], &info["triangle_count"], &info["vertex_count"]];
+                let counts = [
+                    &report["split_count"],
+                    &report["error"],
+                    &info["triangle_count"],
+                    &info["vertex_count"],
+                ];
                 (counts.map(Clone::clone), number(&info, "area"))
             };
             let (found, expected) = (level("patterns", file), level("lodstrips", "ball"));
@@ -59,8 +63,8 @@ fn a_file_of_removed_vertices_needs_no_collapses() {
         "the same input gives the same bytes"
     );
     assert_eq!((&report["order"], &report["error_is_guaranteed"]), (&"hausdorff".into(), &true.into()));
-    let told = bench.run("build sphere.obj -o again.striata --order hausdorff --models patterns").success();
-    assert!(!String::from_utf8_lossy(&told.get_output().stderr).contains("collapses"));
+    let assert = bench.run("build sphere.obj -o again.striata --order hausdorff --models patterns").success();
+    assert!(!String::from_utf8_lossy(&assert.get_output().stderr).contains("collapses"));
     let info = bench.json("info free.striata");
     assert_eq!((&info["triangle_count"], &info["error_is_guaranteed"]), (&512.into(), &true.into()));
     assert_eq!((&info["step_count"], &info["error_max"]), (&report["step_count"], &report["error_max"]));
@@ -70,33 +74,33 @@ fn a_file_of_removed_vertices_needs_no_collapses() {
         let report = bench.json(&format!("extract free.striata -o level.ply {level}"));
         assert_eq!((&report["model"], &report["error_is_guaranteed"]), (&"patterns".into(), &true.into()));
         let measured = distance(&bench, "sphere.obj", "level.ply");
-        assert!(measured <= number(&report, "error") + 1e-9, "{level}: {measured} beside {report}");
+        assert!(measured <= number(&report, "error") + 1e-9, "{level}: measured {measured}, {report}");
     }
     let whole = bench.json("extract free.striata -o whole.glb --detail 1 --as strips");
     assert_eq!((count(&whole), number(&whole, "error")), (512, 0.0));
     assert!(number(&bench.json("distance sphere.obj free.striata --samples 2000"), "max") < 1e-9);
     assert_eq!(bench.json("strip free.striata")["triangle_count"], 512);
     bench.run("convert free.striata out.obj --quiet").success();
-    // A file that is built from its full level has collapses again.
+    // A file built from the full mesh of this file has collapses again.
     bench.run("build free.striata -o strips.striata --quiet").success();
     assert_eq!(bench.json("info strips.striata")["triangle_count"], 512);
     for model in ["lodstrips", "mts", "fans"] {
-        let said = bench.refused(&format!("extract free.striata -o x.ply --detail 1 --model {model}"));
-        assert!(said.contains(&format!("no model {model} is in this file")), "{said}");
+        let message = bench.refused(&format!("extract free.striata -o x.ply --detail 1 --model {model}"));
+        assert!(message.contains(&format!("this file has no model {model}")), "{message}");
     }
-    let said = bench.refused("extract free.striata -o x.ply --eye 0,0,3 --model fans");
+    let message = bench.refused("extract free.striata -o x.ply --eye 0,0,3 --model fans");
     assert!(
-        said.contains("free.striata: fans take collapses") && said.contains("--model patterns"),
-        "{said}"
+        message.contains("free.striata: fans require collapses") && message.contains("--model patterns"),
+        "{message}"
     );
-    // Others need collapses, and patterns beside them know these.
+    // Other models need collapses; patterns in the same file then use these.
     let both =
         bench.run("build sphere.obj -o both.striata --order hausdorff --models patterns,fans").success();
-    assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("since fans knows no other steps"));
-    let said = bench.refused(
+    assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("which model fans requires"));
+    let message = bench.refused(
         "build sphere.obj -o x.striata --order hausdorff --retriangulation free --models patterns,mts",
     );
-    assert!(said.contains("mts knows collapses"), "{said}");
+    assert!(message.contains("model mts does not support free retriangulation"), "{message}");
     bench.json("build sphere.obj -o x.striata --order hausdorff --retriangulation free --models patterns");
     bench
         .json("build sphere.obj -o x.striata --order hausdorff --retriangulation collapse --models patterns");
@@ -129,17 +133,17 @@ fn patterns_follow_a_view() {
         assert_eq!((&least["stop_reason"], &least["split_count"]), (&"base_reached".into(), &0.into()));
         assert_eq!(view(file, "--pixels 2 --as strips")["triangle_count"], seen["triangle_count"]);
     }
-    // Errors of removed vertices hold wherever a floor is shown.
+    // Errors of vertex removals are guaranteed for every floor, also in views.
     let seen = view("free", "--pixels 4 --silhouette-pixels 1");
     assert_eq!(seen["error_is_guaranteed"], true);
     let measured = distance(&bench, "sphere.obj", "free.glb");
-    assert!(measured <= number(&seen, "error") + 1e-9, "{measured} beside {seen}");
+    assert!(measured <= number(&seen, "error") + 1e-9, "measured {measured}, {seen}");
     assert_eq!(view("quadric", "--pixels 2")["error_is_guaranteed"], false);
-    // Where patterns are not in the file they may be asked for, and are those that a file would have.
+    // Patterns that are not in the file are built if requested, and equal stored ones.
     let stored = view("quadric", "--pixels 2");
     let built = view("ball", "--pixels 2 --model patterns");
     assert_eq!((&built["patterns"], count(&built)), (&"built".into(), count(&stored)));
-    assert_eq!(view("ball", "--pixels 2")["fans"], "built", "fans are what a view takes");
+    assert_eq!(view("ball", "--pixels 2")["fans"], "built", "views use fans by default");
     assert!(bench.refused("extract free.striata -o x.ply --eye 0,0,3 --model pm").contains("patterns"));
 }
 
@@ -155,12 +159,12 @@ fn a_box_has_full_detail_inside() {
         assert_eq!((count(&nowhere), &nowhere["split_count"]), (count(&base), &0.into()));
         let everywhere = level("-2,-2,-2,2,2,2");
         assert_eq!((count(&everywhere), number(&everywhere, "error")), (512, 0.0));
-        // A cap is fine, whichever corners tell it; the rest is coarse, and less so where an error is told. At the poles so much
-        // hangs together that most of the ball would come with them.
+        // A cap is fine, whichever corners describe the box; the rest is coarse, and less so with an error
+        // limit. The box avoids the poles, where fragments depend on most of the ball.
         let cap = level("0.5,-2,-2,2,2,2");
         assert_eq!(cap, {
             let mut same = level("2,2,-2,0.5,-2,2");
-            same_times(&mut same, &cap);
+            copy_times(&mut same, &cap);
             same
         });
         assert!(count(&cap) > 100 && count(&cap) < 400, "{cap}");
@@ -175,7 +179,7 @@ fn a_box_has_full_detail_inside() {
         assert_eq!(finer["error_is_guaranteed"], is_sure);
         if is_sure {
             let measured = distance(&bench, "sphere.obj", "level.ply");
-            assert!(measured <= number(&finer, "error") + 1e-9, "{measured} beside {finer}");
+            assert!(measured <= number(&finer, "error") + 1e-9, "measured {measured}, {finer}");
         }
         let within = level("0.8,-2,-2,2,2,2 --triangles 300");
         assert!(
@@ -185,7 +189,7 @@ fn a_box_has_full_detail_inside() {
         let too_few = level("0.5,-2,-2,2,2,2 --triangles 60");
         assert_eq!((count(&too_few), &too_few["stop_reason"]), (count(&cap), &"base_reached".into()));
     }
-    // Full detail means the original itself.
+    // Full detail means the original vertices.
     bench.json("extract free.striata -o part.ply --detail-box 0.5,-2,-2,2,2,2");
     let back = bench.json("distance part.ply sphere.obj --samples 20000");
     assert!(number(&back["a_to_b"], "max") > 0.0);
@@ -200,15 +204,15 @@ fn a_box_has_full_detail_inside() {
     assert_eq!(vertices("part.obj"), vertices("sphere.obj"));
 }
 
-/// Makes times the same, which are not.
-fn same_times(report: &mut Value, as_in: &Value) {
+/// Copies the times of another report, which always differ.
+fn copy_times(report: &mut Value, as_in: &Value) {
     for key in ["secs", "seek_secs"] {
         report[key] = as_in[key].clone();
     }
 }
 
 #[test]
-fn seams_and_materials_stay_with_patterns() {
+fn patterns_preserve_seams_and_materials() {
     let bench = Workbench::new();
     for input in ["shape:two-materials", &asset("spot.obj.zst").display().to_string()] {
         for order in ["--order hausdorff", "--certify"] {
@@ -234,21 +238,21 @@ fn seams_and_materials_stay_with_patterns() {
 }
 
 #[test]
-fn boxes_and_files_that_make_no_sense_are_refused() {
+fn wrong_boxes_and_damaged_files_are_refused() {
     let bench = with_free_ball();
     for (arguments, named) in [
-        ("--detail-box 0,0,0,1,1", "is no box; write two of its corners"),
-        ("--detail-box 0,0,0,1,1,nan", "is no box"),
+        ("--detail-box 0,0,0,1,1", "is not a box; write two opposite corners"),
+        ("--detail-box 0,0,0,1,1,nan", "is not a box"),
         ("--detail-box 0,0,0,1,1,1 --eye 0,0,3", "--eye"),
         ("--detail-box 0,0,0,1,1,1 --vertices 9", "--vertices"),
         ("--detail-box 0,0,0,1,1,1 --detail 0.5", "--detail"),
         ("--detail-box 0,0,0,1,1,1 --split-count 3", "--split-count"),
-        ("--detail-box 0,0,0,1,1,1 --model fans", "hint: a box takes --model patterns"),
-        ("--detail-box 0,0,0,1,1,1 --pixels 3", "hint: say --eye"),
+        ("--detail-box 0,0,0,1,1,1 --model fans", "use --model patterns"),
+        ("--detail-box 0,0,0,1,1,1 --pixels 3", "hint: use --eye"),
         ("--quiet", "--detail-box"),
     ] {
-        let said = bench.refused(&format!("extract free.striata -o x.ply {arguments}"));
-        assert!(said.contains(named), "{arguments}: {said}");
+        let message = bench.refused(&format!("extract free.striata -o x.ply {arguments}"));
+        assert!(message.contains(named), "{arguments}: {message}");
     }
     let whole = bench.read("free.striata");
     for share in 0..40 {
@@ -257,13 +261,13 @@ fn boxes_and_files_that_make_no_sense_are_refused() {
             assert!(bench.refused(verb).contains("part.striata"));
         }
     }
-    // Bytes that are changed are found, or change nothing.
-    for place in (0..whole.len()).step_by(whole.len() / 60) {
+    // A corrupted byte is detected or has no effect.
+    for offset in (0..whole.len()).step_by(whole.len() / 60) {
         let mut broken = whole.clone();
-        broken[place] ^= 0x41;
+        broken[offset] ^= 0x41;
         bench.write("part.striata", &broken);
-        let told = bench.run("extract part.striata -o x.ply --detail 0.5");
-        let code = told.get_output().status.code();
-        assert!(matches!(code, Some(0 | 1)), "byte {place}: {told}");
+        let assert = bench.run("extract part.striata -o x.ply --detail 0.5");
+        let code = assert.get_output().status.code();
+        assert!(matches!(code, Some(0 | 1)), "byte {offset}: {assert}");
     }
 }

@@ -1,33 +1,33 @@
-//! Bad input: a clear error that names the file, the place and the reason; exit code 1; nothing half-written.
+//! Bad input: clear errors with file, position and reason; exit code 1; no partially written output.
 
 use crate::workbench::{Workbench, sphere};
 
 #[test]
 fn a_missing_file_is_named() {
     let bench = Workbench::new();
-    let said = bench.refused("info nowhere.ply");
-    assert!(said.starts_with("error: nowhere.ply: ") && said.contains("hint:"), "{said}");
+    let message = bench.refused("info nowhere.ply");
+    assert!(message.starts_with("error: nowhere.ply: ") && message.contains("hint:"), "{message}");
     assert!(bench.refused("build nowhere.ply -o out.striata").contains("nowhere.ply"));
     assert_eq!(bench.names(), Vec::<String>::new());
 }
 
 #[test]
-fn a_folder_is_no_mesh() {
+fn a_folder_is_not_a_mesh() {
     let bench = Workbench::new();
     assert!(bench.refused("info .").contains("hint:"));
 }
 
 #[test]
-fn text_named_ply_is_refused() {
+fn text_with_extension_ply_is_refused() {
     let bench = Workbench::new();
     bench.write("notes.ply", "Dear diary, today I looked at meshes.\n");
-    let said = bench.refused("convert notes.ply out.obj");
-    assert!(said.contains("notes.ply") && said.contains("line 1"), "{said}");
+    let message = bench.refused("convert notes.ply out.obj");
+    assert!(message.contains("notes.ply") && message.contains("line 1"), "{message}");
     assert_eq!(bench.names(), ["notes.ply"]);
 }
 
 #[test]
-fn a_file_of_no_known_kind_is_refused() {
+fn an_unknown_format_is_refused() {
     let bench = Workbench::new();
     bench.write("picture.png", b"\x89PNG\r\n\x1a\n0000");
     bench.write("empty", b"");
@@ -36,32 +36,37 @@ fn a_file_of_no_known_kind_is_refused() {
 }
 
 #[test]
-fn the_line_to_blame_is_shown() {
+fn the_offending_line_is_shown() {
     let bench = Workbench::new();
     bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n");
-    let said = bench.refused("info bad.obj");
-    assert!(said.contains("line 4") && said.contains("4 | f 1 2 x"), "{said}");
+    let message = bench.refused("info bad.obj");
+    assert!(message.contains("line 4") && message.contains("4 | f 1 2 x"), "{message}");
 }
 
 #[test]
 fn an_index_out_of_range_is_named() {
     let bench = Workbench::new();
     bench.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
-    let said = bench.refused("build bad.off -o out.striata");
-    assert!(said.contains("bad.off") && said.contains('7'), "{said}");
+    let message = bench.refused("build bad.off -o out.striata");
+    assert!(message.contains("bad.off") && message.contains('7'), "{message}");
     bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     assert!(bench.refused("info bad.obj").contains('9'));
 }
 
 #[test]
-fn nan_is_refused_where_it_matters_and_counted_by_info() {
+fn nan_is_refused_by_build_and_counted_by_info() {
     let bench = Workbench::new();
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
     for arguments in ["build nan.off -o out.striata", "simplify nan.off -o out.ply --triangles 1"] {
-        let said = bench.refused(arguments);
+        let message = bench.refused(arguments);
         assert!(
-            said.starts_with("error: nan.off: ") && said.contains("vertex 2") && said.contains("NaN"),
-            "{said}"
+            message.starts_with("error: nan.off: ")
+                && message.contains(
+                    "vertex \
+                2"
+                )
+                && message.contains("NaN"),
+            "{message}"
         );
     }
     assert_eq!(bench.names(), ["nan.off"]);
@@ -74,7 +79,7 @@ fn nan_is_refused_where_it_matters_and_counted_by_info() {
 }
 
 #[test]
-fn empty_and_tiny_meshes_go_through() {
+fn empty_and_tiny_meshes_are_accepted() {
     let bench = Workbench::new();
     bench.write("none.off", "OFF\n0 0 0\n");
     bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
@@ -84,54 +89,57 @@ fn empty_and_tiny_meshes_go_through() {
         let full = bench.json(&format!("extract {name}.striata -o {name}.ply --detail 1"));
         assert_eq!(full["triangle_count"], built["input"]["triangle_count"], "{name}");
     }
-    let said = bench.refused("distance none.off one.off");
-    assert!(said.starts_with("error: none.off: ") && said.contains("hint:"), "{said}");
-    let said = bench.refused("distance one.off none.off");
-    assert!(said.starts_with("error: none.off: "), "{said}");
+    let message = bench.refused("distance none.off one.off");
+    assert!(message.starts_with("error: none.off: ") && message.contains("hint:"), "{message}");
+    let message = bench.refused("distance one.off none.off");
+    assert!(message.starts_with("error: none.off: "), "{message}");
 }
 
 #[test]
-fn an_output_folder_that_is_not_there_is_told_plainly() {
+fn a_missing_output_folder_is_reported() {
     let bench = Workbench::with_ball();
-    let said = bench.refused("extract ball.striata -o no/out.ply --detail 1");
-    assert!(said.contains("no/out.ply") && said.contains("hint:") && !said.contains(".part"), "{said}");
+    let message = bench.refused("extract ball.striata -o no/out.ply --detail 1");
+    assert!(
+        message.contains("no/out.ply") && message.contains("hint:") && !message.contains(".part"),
+        "{message}"
+    );
 }
 
 #[test]
-fn a_negative_target_is_taken_for_a_value() {
+fn a_negative_target_is_an_invalid_value_and_not_a_flag() {
     let bench = Workbench::with_ball();
     for target in ["--triangles -5", "--detail -0.5", "--error -1"] {
-        let said = bench.refused(&format!("extract ball.striata -o out.ply {target}"));
-        assert!(said.contains("invalid value"), "{said}");
+        let message = bench.refused(&format!("extract ball.striata -o out.ply {target}"));
+        assert!(message.contains("invalid value"), "{message}");
     }
 }
 
 #[test]
-fn half_a_container_is_refused_at_every_length() {
+fn a_truncated_container_is_refused_at_every_length() {
     let bench = Workbench::with_ball();
     let whole = bench.read("ball.striata");
     for length in [0, 1, 7, 8, 9, 40, 100, 500, whole.len() / 2, whole.len() - 1] {
         bench.write("half.striata", &whole[..length]);
         for arguments in ["info half.striata", "extract half.striata -o out.ply --detail 0.5"] {
-            let said = bench.refused(arguments);
-            assert!(said.contains("half.striata"), "{length} bytes: {said}");
+            let message = bench.refused(arguments);
+            assert!(message.contains("half.striata"), "{length} bytes: {message}");
         }
     }
     assert!(!bench.names().contains(&"out.ply".to_owned()));
 }
 
 #[test]
-fn half_a_mesh_is_refused() {
+fn a_truncated_mesh_is_refused() {
     let bench = Workbench::with_ball();
     bench.run("convert sphere.obj sphere.ply --quiet").success();
     let whole = bench.read("sphere.ply");
     bench.write("half.ply", &whole[..whole.len() / 2]);
-    let said = bench.refused("info half.ply");
-    assert!(said.contains("half.ply") && said.contains("hint:"), "{said}");
+    let message = bench.refused("info half.ply");
+    assert!(message.contains("half.ply") && message.contains("hint:"), "{message}");
 }
 
 #[test]
-fn a_failure_leaves_the_old_output_and_nothing_else() {
+fn a_failure_leaves_an_existing_output_unchanged() {
     let bench = Workbench::new();
     bench.write("out.striata", "precious");
     bench.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
@@ -139,12 +147,12 @@ fn a_failure_leaves_the_old_output_and_nothing_else() {
     assert_eq!(bench.read("out.striata"), b"precious");
     assert_eq!(bench.names(), ["bad.off", "out.striata"]);
     bench.write("sphere.obj", sphere(4, 4));
-    let said = bench.refused("build sphere.obj -o no/such/folder/out.striata");
-    assert!(said.contains("no/such/folder"), "{said}");
+    let message = bench.refused("build sphere.obj -o no/such/folder/out.striata");
+    assert!(message.contains("no/such/folder"), "{message}");
 }
 
 #[test]
-fn unknown_names_list_what_there_is() {
+fn errors_about_unknown_names_list_the_known_ones() {
     let bench = Workbench::with_ball();
     assert!(
         bench
@@ -156,8 +164,8 @@ fn unknown_names_list_what_there_is() {
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --model pm").contains("lodstrips"));
     for model in ["mts", "fans"] {
         let absent = bench.refused(&format!("extract ball.striata -o x.ply --detail 1 --model {model}"));
-        assert!(absent.contains(&format!("ball.striata: no model {model} is in this file")), "{absent}");
-        assert!(absent.contains(&format!("hint: build it again with --models {model}")), "{absent}");
+        assert!(absent.contains(&format!("ball.striata: this file has no model {model}")), "{absent}");
+        assert!(absent.contains(&format!("hint: build the file again with --models {model}")), "{absent}");
     }
 }
 
@@ -169,15 +177,18 @@ fn the_wrong_kind_of_file_is_explained() {
     assert!(bench.refused("convert sphere.obj x.striata").contains("striata build"));
     assert!(bench.refused("convert sphere.obj x.docx").contains("--to"));
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --as strips").contains("strips"));
-    assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --as fans").contains("PLY has no fans"));
+    assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --as fans").contains(
+        "PLY files cannot \
+        contain fans"
+    ));
     assert_eq!(bench.names(), ["ball.striata", "sphere.obj"]);
 }
 
 #[test]
-fn only_one_thing_goes_to_stdout() {
+fn stdout_cannot_take_both_json_and_output() {
     let bench = Workbench::with_ball();
-    let said = bench.refused("extract ball.striata -o - --detail 1 --json");
-    assert!(said.starts_with("error: --json and the output cannot both go to stdout"), "{said}");
+    let message = bench.refused("extract ball.striata -o - --detail 1 --json");
+    assert!(message.starts_with("error: --json and the output cannot both go to stdout"), "{message}");
 }
 
 #[test]
@@ -198,5 +209,5 @@ fn arguments_are_checked_with_suggestions() {
         }
     }
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1.5").contains("between 0"));
-    assert!(bench.refused("simplify sphere.obj -o x.ply --error 1m").contains("no length"));
+    assert!(bench.refused("simplify sphere.obj -o x.ply --error 1m").contains("not a length"));
 }

@@ -1,17 +1,17 @@
-//! `render`: what is on the pictures, and what is said where there can be none.
+//! `render`: the contents of pictures, and errors.
 
 use serde_json::Value;
 
 use crate::workbench::{NO_DRIVERS, Workbench, assert_keys, asset};
 
-/// A PNG file, decoded; pixels have four bytes whether the file keeps opacity or not.
-struct Decoded {
+/// A decoded PNG file; pixels have four bytes even if the file has no alpha channel.
+struct DecodedPng {
     width: usize,
     height: usize,
     pixels: Vec<[u8; 4]>,
 }
 
-impl Decoded {
+impl DecodedPng {
     fn of(bytes: &[u8]) -> Self {
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG file");
         let mut buffer = vec![0; reader.output_buffer_size().expect("a small picture")];
@@ -26,26 +26,27 @@ impl Decoded {
         self.pixels[y * self.width + x]
     }
 
-    /// Pixels of some columns that are not as the first pixel of all.
+    /// Counts pixels in some columns that differ from the background, which is the first pixel of the
+    /// picture.
     fn drawn(&self, columns: std::ops::Range<usize>) -> usize {
         let inside = |i: &usize| columns.contains(&(i % self.width));
         (0..self.pixels.len()).filter(inside).filter(|&i| self.pixels[i] != self.pixels[0]).count()
     }
 
-    /// Pixels that are far from those of another picture.
+    /// Counts pixels that differ considerably from those of another picture.
     fn differing(&self, other: &Self) -> usize {
         let pairs = self.pixels.iter().zip(&other.pixels);
         pairs.filter(|(a, b)| a.iter().zip(*b).any(|(x, y)| x.abs_diff(*y) > 24)).count()
     }
 }
 
-fn picture(bench: &Workbench, arguments: &str) -> (Decoded, Value) {
+fn picture(bench: &Workbench, arguments: &str) -> (DecodedPng, Value) {
     let report = bench.json(&format!("render {arguments} -o out.png"));
-    (Decoded::of(&bench.read("out.png")), report)
+    (DecodedPng::of(&bench.read("out.png")), report)
 }
 
 #[test]
-fn a_picture_has_the_size_asked_for_and_a_mesh_on_it() {
+fn a_picture_has_the_requested_size_and_shows_the_mesh() {
     let bench = Workbench::with_ball();
     let (picture, report) = picture(&bench, "sphere.obj --size 200x150");
     assert_eq!((picture.width, picture.height), (200, 150));
@@ -57,22 +58,22 @@ fn a_picture_has_the_size_asked_for_and_a_mesh_on_it() {
         (&512.into(), &512.into())
     );
     assert!(report["frame_secs"].as_f64().is_some_and(|secs| secs > 0.0), "{report}");
-    // The file beside it was renamed; nothing else was left.
+    // No temporary file is left.
     assert_eq!(bench.names(), ["ball.striata", "out.png", "sphere.obj"]);
 }
 
 #[test]
-fn a_picture_goes_to_stdout_where_no_json_goes() {
+fn a_picture_can_be_written_to_stdout_without_json() {
     let bench = Workbench::new();
     let assert = bench.run("render shape:torus -o - --size 90x60").success();
-    let picture = Decoded::of(&assert.get_output().stdout);
+    let picture = DecodedPng::of(&assert.get_output().stdout);
     assert_eq!((picture.width, picture.height), (90, 60));
     assert!(bench.refused("render shape:torus -o - --json").contains("stdout"));
     assert_eq!(bench.names(), Vec::<String>::new());
 }
 
 #[test]
-fn levels_stand_side_by_side_and_differ() {
+fn several_levels_are_drawn_side_by_side() {
     let bench = Workbench::with_ball();
     let (picture, report) =
         picture(&bench, "ball.striata --levels 100%,10%,20 --size 480x220 --flat --wireframe");
@@ -114,9 +115,9 @@ fn all_models_show_the_same_level() {
 }
 
 #[test]
-fn strips_fans_and_triangles_have_colors_of_their_own() {
+fn strips_fans_and_triangles_are_colored_differently() {
     let bench = Workbench::with_ball();
-    let hues = |picture: &Decoded| {
+    let hues = |picture: &DecodedPng| {
         let pixels = picture.pixels.iter().filter(|p| p[3] > 250 && p[..3].iter().max() > Some(&60));
         let shares = pixels.map(|p| {
             let most = u32::from(p[..3].iter().copied().max().unwrap_or(1));
@@ -138,7 +139,7 @@ fn strips_fans_and_triangles_have_colors_of_their_own() {
 }
 
 #[test]
-fn distances_end_where_distance_measures_the_largest() {
+fn the_heat_scale_ends_at_the_largest_distance() {
     let bench = Workbench::with_ball();
     bench.run("extract ball.striata -o level.ply --triangles 60").success();
     let measured = bench.json("distance sphere.obj level.ply")["a_to_b"]["max"].as_f64().expect("a distance");
@@ -147,7 +148,7 @@ fn distances_end_where_distance_measures_the_largest() {
     let top = report["heat"]["top"].as_f64().expect("a distance");
     assert!((top - measured).abs() < 0.1 * measured, "{top} against {measured}");
     assert_eq!(report["levels"][0]["distance_max"].as_f64(), Some(top));
-    // The bar's column: pale below, dark above, all of one width.
+    // The color bar: pale below, dark above, of constant width.
     let bar = (0..400).rev().find(|&x| {
         let ([r, _, b, _], [low, ..]) = (picture.at(x, 232), picture.at(x, 67));
         r > 240 && b < 190 && low < 110
@@ -160,10 +161,11 @@ fn distances_end_where_distance_measures_the_largest() {
 }
 
 #[test]
-fn a_view_from_outside_is_coarse_behind_the_eye() {
+fn a_view_seen_from_outside_is_coarse_behind_the_eye() {
     let bench = Workbench::new();
-    // The eye stands in the middle of a terrain and looks along x; from above, what it sees is to the right.
-    let view = "shape:terrain --eye 0,0,0.3 --look-at 5,0,0.1 --up 0,0,1 --pixels 0.5 --size 500x400 --background none \
+    // The eye is in the middle of a terrain and looks along x; seen from above, its view is to the right.
+    let view = "shape:terrain --eye 0,0,0.3 --look-at 5,0,0.1 --up 0,0,1 --pixels 0.5 --size 500x400 \
+        --background none \
                 --colors triangles --flat --rise 89 --turn 0";
     let bounds = bench.json("info shape:terrain");
     let middle = |k: usize| {
@@ -184,16 +186,16 @@ fn a_view_from_outside_is_coarse_behind_the_eye() {
     };
     let (behind, ahead) = (changes(80..200), changes(300..420));
     assert!(ahead > 2 * behind && behind > 20, "{behind} changes of color behind, {ahead} ahead");
-    // The lines of what it sees.
+    // The outline of the frustum.
     let is_line = |p: &&[u8; 4]| p[0] > 220 && (90..170).contains(&p[1]) && p[2] < 90;
     assert!(picture.pixels.iter().filter(is_line).count() > 150, "no frustum");
     let through_it = bench.json(&format!("render {} -o eye.png", view.replace("--rise 89 --turn 0", "")));
     assert_eq!(through_it["triangle_count"], shown);
-    assert!(Decoded::of(&bench.read("eye.png")).differing(&picture) > 20_000);
+    assert!(DecodedPng::of(&bench.read("eye.png")).differing(&picture) > 20_000);
 }
 
 #[test]
-fn cameras_and_backgrounds_do_what_they_say() {
+fn camera_and_background_flags_have_an_effect() {
     let bench = Workbench::with_ball();
     let of = |arguments: &str| picture(&bench, &format!("sphere.obj --size 120x120 {arguments}")).0;
     let usual = of("");
@@ -209,7 +211,7 @@ fn cameras_and_backgrounds_do_what_they_say() {
 }
 
 #[test]
-fn meshes_without_anything_to_see_are_no_trouble() {
+fn meshes_without_visible_triangles_are_drawn() {
     let bench = Workbench::new();
     bench.write("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
     bench.write("none.obj", "v 1 2 3\n");
@@ -220,15 +222,15 @@ fn meshes_without_anything_to_see_are_no_trouble() {
         }
     }
     let assert = bench.run("render point.obj -o one.png --size 8x8").success();
-    let told = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert!(told.contains("1 triangle;"), "{told}");
+    let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(stderr.contains("1 triangle;"), "{stderr}");
 }
 
 #[test]
-fn bad_flags_and_files_are_refused_and_nothing_is_written() {
+fn wrong_flags_and_files_are_refused() {
     let bench = Workbench::new();
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
-    for (arguments, said) in [
+    for (arguments, message) in [
         ("shape:torus -o out.jpg", "PNG"),
         ("shape:torus -o out.png --size 0x10", "0x10"),
         ("shape:torus -o out.png --size 9000x10", "8192"),
@@ -249,30 +251,37 @@ fn bad_flags_and_files_are_refused_and_nothing_is_written() {
         ("nan.off -o out.png", "NaN"),
     ] {
         let text = bench.refused(&format!("render {arguments}"));
-        assert!(text.contains(said), "{arguments}: {text}");
+        assert!(text.contains(message), "{arguments}: {text}");
     }
     assert_eq!(bench.names(), ["nan.off"]);
 }
 
 #[test]
-fn without_a_driver_the_rasterizer_draws_the_same_and_one_line_says_so() {
+fn without_a_driver_the_software_rasterizer_draws_the_same_with_a_note() {
     let bench = Workbench::with_ball();
     let arguments = "render ball.striata --levels 100%,10% --size 300x160 --json";
     let (expected, _) = picture(&bench, &arguments.replace("render ", "").replace(" --json", " --software"));
     let assert = bench.command(&format!("{arguments} -o bare.png")).envs(NO_DRIVERS).assert().success();
-    let said = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert!(said.starts_with("note: ") && said.contains("the software rasterizer draws instead"), "{said}");
-    assert_eq!(said.lines().count(), 1, "{said}");
+    let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(
+        message.starts_with("note: ")
+            && message.contains(
+                "the software rasterizer draws \
+        instead"
+            ),
+        "{message}"
+    );
+    assert_eq!(message.lines().count(), 1, "{message}");
     let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
     assert_eq!(report["adapter"], "the software rasterizer");
-    assert_eq!(Decoded::of(&bench.read("bare.png")).differing(&expected), 0);
+    assert_eq!(DecodedPng::of(&bench.read("bare.png")).differing(&expected), 0);
     let assert =
         bench.command(&format!("{arguments} --quiet -o bare.png")).envs(NO_DRIVERS).assert().success();
     assert!(assert.get_output().stderr.is_empty());
 }
 
 #[test]
-fn messages_of_drivers_are_only_seen_by_who_asks_for_them() {
+fn driver_messages_are_only_shown_with_verbose() {
     let bench = Workbench::with_ball();
     let of = |flags: &str| {
         let mut command = bench.command(&format!("render ball.striata -o a.png --size 60x60{flags}"));
@@ -287,9 +296,9 @@ fn messages_of_drivers_are_only_seen_by_who_asks_for_them() {
 }
 
 #[test]
-fn an_adapter_that_is_not_there_is_refused() {
+fn an_unknown_adapter_is_refused() {
     let bench = Workbench::new();
-    let said = bench.refused("render shape:torus -o out.png --adapter none-such");
-    assert!(said.contains("none-such") && said.contains("hint: name another"), "{said}");
+    let message = bench.refused("render shape:torus -o out.png --adapter none-such");
+    assert!(message.contains("none-such") && message.contains("hint: name another"), "{message}");
     assert_eq!(bench.names(), Vec::<String>::new());
 }

@@ -1,4 +1,4 @@
-//! Meshes from modelers: flat shading, seams, materials, many parts. Every target is reached, unless a flag protects something.
+//! Meshes with flat shading, seams, materials and many parts, reach every target unless flags prevent it.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -7,10 +7,10 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, sphere};
 
-/// Formats that a level is written in.
+/// Formats that levels are written in.
 const FORMATS: [&str; 6] = ["ply", "obj", "stl", "off", "gltf", "glb"];
 
-/// A folder with a flat-shaded ball, boxes with hard edges, and cards.
+/// Creates a folder with a flat-shaded ball, boxes with hard edges, and separate cards.
 fn bench_of_assets() -> Workbench {
     let bench = Workbench::new();
     bench.write("flat.obj", flat(&sphere(12, 12)));
@@ -26,15 +26,15 @@ fn count(report: &Value, key: &str) -> usize {
     value.as_u64().unwrap_or_else(|| panic!("no count {key} in {report}")) as usize
 }
 
-fn said(bench: &Workbench, line: &str) -> String {
+fn stderr_of(bench: &Workbench, line: &str) -> String {
     let output = bench.run(line).success();
     String::from_utf8_lossy(&output.get_output().stderr).into_owned()
 }
 
 #[test]
-fn every_share_is_reached_by_default() {
+fn every_percentage_is_reached_by_default() {
     let bench = bench_of_assets();
-    // Three triangles at one edge, one apart, one twice, and one of no area.
+    // Three triangles at one edge, a separate one, a duplicate, and one without area.
     bench.write(
         "soup.off",
         "OFF\n10 7 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0.5\n5 5 5\n6 5 5\n5 6 5\n9 9 9\n0.5 0 0\n\
@@ -63,9 +63,9 @@ fn every_share_is_reached_by_default() {
 }
 
 #[test]
-fn seams_are_kept_if_asked_for() {
+fn keep_seams_keeps_seams() {
     let bench = bench_of_assets();
-    // Every edge of the flat ball is a seam, so nothing can move along one.
+    // Every edge of the flat ball is a seam, so no vertex can move along one.
     let free = bench.json("simplify flat.obj -o free.ply --triangles 10%");
     assert!(free["shortfall"].is_null(), "{free}");
     let kept = bench.json("simplify flat.obj -o kept.ply --triangles 10% --keep-seams");
@@ -79,15 +79,15 @@ fn seams_are_kept_if_asked_for() {
         strict.contains("--strict: the level was not reached") && strict.contains("--keep-seams"),
         "{strict}"
     );
-    // The sides of the boxes keep their borders, their normals and their materials. Two triangles are the least for each.
+    // The sides of the boxes keep their borders, normals and materials, so each keeps at least two triangles.
     let sides = 24 * 6;
     let kept = bench.json("simplify boxes.obj -o kept.ply --triangles 1% --keep-seams --keep-parts");
     assert_eq!(count(&kept, "triangle_count"), 2 * sides, "{kept}");
     let info = bench.json("info kept.ply");
     assert_eq!(count(&info, "seams.seam_edge_count"), 24 * 12);
     let area = |name: &str| bench.json(&format!("info {name}"))["area"].as_f64().expect("an area");
-    assert!((area("kept.ply") - area("boxes.obj")).abs() < 1e-4 * area("boxes.obj"), "no side has changed");
-    // A file holds what was built.
+    assert!((area("kept.ply") - area("boxes.obj")).abs() < 1e-4 * area("boxes.obj"), "no side changes");
+    // The same applies to files.
     let built = bench.json("build boxes.obj -o kept.striata --keep-seams --keep-parts");
     assert_eq!(count(&built, "base.triangle_count"), 2 * sides);
     assert_eq!(count(&bench.json("info kept.striata"), "steps.crossing_count"), 0);
@@ -96,11 +96,11 @@ fn seams_are_kept_if_asked_for() {
 }
 
 #[test]
-fn parts_are_kept_if_asked_for() {
+fn keep_parts_keeps_parts() {
     let bench = bench_of_assets();
     let parts = |name: &str| count(&bench.json(&format!("info {name}")), "component_count");
     let least = count(&bench.json("info boxes.obj"), "parts.least_triangle_count");
-    assert_eq!((parts("boxes.obj"), least), (24, 2 * 24), "closed parts have two triangles at least");
+    assert_eq!((parts("boxes.obj"), least), (24, 2 * 24), "closed parts have at least two triangles");
     let free = bench.json("simplify boxes.obj -o free.ply --triangles 20");
     assert!(free["shortfall"].is_null() && parts("free.ply") < 24, "{free}");
     let kept = bench.json("simplify boxes.obj -o kept.ply --triangles 20 --keep-parts");
@@ -110,10 +110,10 @@ fn parts_are_kept_if_asked_for() {
     assert!(why.ends_with("or changing what --keep-parts protects"), "{why}");
     let strict = bench.refused("simplify boxes.obj -o x.ply --triangles 20 --keep-parts --strict");
     assert!(strict.contains("--keep-parts protects"), "{strict}");
-    // What leaves a triangle to each is reached.
+    // A target that leaves triangles for every part is reached.
     bench.json("simplify boxes.obj -o kept.ply --triangles 200 --keep-parts --strict");
     assert_eq!(parts("kept.ply"), 24);
-    // So do vertices that are removed or placed freely.
+    // The same applies to vertex removal and optimal placement.
     for way in ["--order hausdorff", "--placement optimal"] {
         bench.json(&format!("simplify boxes.obj -o free.ply --triangles 20 {way} --strict"));
         assert!(parts("free.ply") < 24, "{way}");
@@ -122,18 +122,21 @@ fn parts_are_kept_if_asked_for() {
         let why = kept["shortfall"].as_str().expect("a reason");
         assert!(why.ends_with("or changing what --keep-parts protects"), "{way}: {why}");
     }
-    // Each card is a part and can lose one of its triangles.
+    // Each card is a part that can lose one of its two triangles.
     let cards = bench.json("simplify cards.obj -o cards.ply --triangles 1 --keep-parts");
     assert_eq!((count(&cards, "triangle_count"), parts("cards.ply")), (90, 90));
     let built = bench.json("build boxes.obj -o kept.striata --keep-parts --base 20");
     assert!(built["shortfall"].is_string(), "{built}");
     assert_eq!(count(&bench.json("info kept.striata"), "steps.vanished_part_count"), 0);
-    let both =
-        said(&bench, "simplify boxes.obj -o x.ply --triangles 1 --keep-parts --keep-seams --lock-boundary");
+    let both = stderr_of(
+        &bench,
+        "simplify boxes.obj -o x.ply --triangles 1 --keep-parts --keep-seams \
+            --lock-boundary",
+    );
     assert!(both.contains("what --lock-boundary, --keep-seams and --keep-parts protect"), "{both}");
 }
 
-/// Panics unless a glTF has no empty mesh, primitive, accessor or view, and all of its vertices are used.
+/// Returns the primitive modes of a glTF; panics if it has an empty mesh, primitive, accessor or buffer view.
 fn check_gltf(name: &str, bytes: &[u8]) -> BTreeSet<u64> {
     let root: Value = serde_json::from_slice(bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
     let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
@@ -159,7 +162,7 @@ fn check_gltf(name: &str, bytes: &[u8]) -> BTreeSet<u64> {
 }
 
 #[test]
-fn levels_hold_what_they_show_and_nothing_else() {
+fn levels_have_no_unused_vertices_or_groups() {
     let bench = bench_of_assets();
     for asset in ASSETS {
         bench.json(&format!("build {asset} -o all.striata --models lodstrips,mts,fans,patterns"));
@@ -179,7 +182,7 @@ fn levels_hold_what_they_show_and_nothing_else() {
                     let at = format!("{asset}: {source}: {name}: {info}");
                     assert_eq!(info["triangle_count"], level["triangle_count"], "{at}");
                     assert_eq!(info["unused_vertex_count"], 0, "{at}");
-                    // STL has corners, OBJ numbers what it indexes: both make their own vertices.
+                    // Readers of STL and OBJ create their own vertices.
                     if !["stl", "obj"].contains(&format) {
                         assert_eq!(info["vertex_count"], level["vertex_count"], "{at}");
                     }
@@ -193,7 +196,7 @@ fn levels_hold_what_they_show_and_nothing_else() {
 }
 
 #[test]
-fn groups_that_lose_all_triangles_are_left_out() {
+fn groups_without_triangles_are_omitted() {
     let bench = bench_of_assets();
     bench.json("build boxes.obj -o all.striata --models lodstrips,fans");
     let groups = |name: &str| bench.json(&format!("info {name}"))["groups"].as_array().expect("groups").len();
@@ -216,7 +219,7 @@ fn groups_that_lose_all_triangles_are_left_out() {
             assert!(groups("level.gltf") < full, "{line}");
         }
     }
-    // OBJ, too, names no group without triangles.
+    // OBJ files do not mention groups without triangles either.
     bench.json("extract all.striata -o level.obj --triangles 9");
     let text = String::from_utf8(bench.read("level.obj")).expect("text");
     let lines: Vec<&str> = text.lines().collect();
@@ -227,7 +230,7 @@ fn groups_that_lose_all_triangles_are_left_out() {
 }
 
 #[test]
-fn strips_of_lone_triangles_are_written_as_triangles() {
+fn groups_of_single_triangles_are_written_as_lists() {
     let bench = bench_of_assets();
     let report = bench.json("strip flat.obj -o flat.gltf");
     let triangles = count(&report, "triangle_count");
@@ -237,9 +240,9 @@ fn strips_of_lone_triangles_are_written_as_triangles() {
     );
     assert_eq!(check_gltf("flat.gltf", &bench.read("flat.gltf")), BTreeSet::from([4]));
     assert_eq!(count(&bench.json("info flat.gltf"), "triangle_count"), triangles);
-    let text = said(&bench, "strip flat.obj -o flat.glb");
-    assert!(text.contains("1 group of single triangles") && text.contains("hint: "), "{text}");
-    // Boxes have strips; they stay.
+    let text = stderr_of(&bench, "strip flat.obj -o flat.glb");
+    assert!(text.contains("1 group as triangle lists") && text.contains("hint: "), "{text}");
+    // Boxes have real strips, which are kept.
     let report = bench.json("strip boxes.obj -o boxes.gltf");
     assert!(count(&report, "stitched_index_count") < 3 * count(&report, "triangle_count"), "{report}");
     assert_eq!(count(&report, "plain_group_count"), 0);
@@ -247,11 +250,11 @@ fn strips_of_lone_triangles_are_written_as_triangles() {
 }
 
 #[test]
-fn info_says_what_limits_a_mesh() {
+fn info_explains_what_limits_simplification() {
     let bench = bench_of_assets();
     let notes = |info: &Value| info["notes"].to_string();
     let flat = bench.json("info flat.obj");
-    // The two triangles of a quad share theirs.
+    // The two triangles of a quad share a normal.
     let [seams, inner] =
         ["seam_edge_count", "inner_edge_count"].map(|key| count(&flat, &format!("seams.{key}")));
     assert!(2 * inner < 3 * seams && seams < inner, "{seams} of {inner}");
@@ -264,13 +267,13 @@ fn info_says_what_limits_a_mesh() {
     let boxes = bench.json("info boxes.obj");
     assert_eq!((count(&boxes, "parts.count"), count(&boxes, "parts.median_triangle_count")), (24, 6 * 2 * 9));
     assert_eq!(count(&boxes, "parts.tiny_count"), 0);
-    // All edges of a box lie between sides of different normals; only some between materials.
+    // All edges of a box separate different normals, but only some separate materials.
     let split = |cause: &str| count(&boxes, &format!("seams.split_by.{cause}"));
     assert_eq!(split("normal"), count(&boxes, "seams.split_position_count"));
     assert!(split("material") > 0 && split("texcoord_0") > 0, "{boxes}");
     let sentences = notes(&boxes);
     assert!(
-        sentences.contains("24 parts are not connected: a level of fewer than 48 triangles"),
+        sentences.contains("The mesh has 24 disconnected parts. A level with fewer than 48 triangles"),
         "{sentences}"
     );
     assert!(sentences.contains("Seams (normals, UVs and materials) run along "), "{sentences}");
@@ -285,7 +288,11 @@ fn info_says_what_limits_a_mesh() {
     assert_eq!((count(&cards, "parts.tiny_count"), count(&cards, "parts.least_triangle_count")), (90, 90));
     let plain = bench.json("info shape:torus");
     assert_eq!((count(&plain, "seams.seam_edge_count"), notes(&plain)), (0, "[]".to_owned()));
-    bench.write("odd.off", "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0.5\n0.5 0 0\n3 0 1 2\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 0 5 1\n");
+    bench.write(
+        "odd.off",
+        "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0.5\n0.5 0 0\n3 0 1 2\n3 0 1 2\n3 \
+        0 1 3\n3 0 1 4\n3 0 5 1\n",
+    );
     let odd = notes(&bench.json("info odd.off"));
     for part in ["1 edge has more than two triangles", "1 triangle repeats", "1 triangle has no area"] {
         assert!(odd.contains(part), "{part}: {odd}");
@@ -296,7 +303,7 @@ fn info_says_what_limits_a_mesh() {
 }
 
 #[test]
-fn info_says_what_the_steps_of_a_file_do() {
+fn info_reports_special_steps_of_a_file() {
     let bench = bench_of_assets();
     bench.json("build boxes.obj -o boxes.striata");
     let info = bench.json("info boxes.striata");
@@ -305,7 +312,7 @@ fn info_says_what_the_steps_of_a_file_do() {
             .map(|key| count(&info, &format!("steps.{key}")));
     assert!(crossing > 0 && empty > 0 && crossing + empty < count(&info, "step_count"), "{info}");
     assert!(parts == 24 && (1..24).contains(&vanished), "{info}");
-    // The level that it names shows all parts, and the next coarser one does not.
+    // The reported level shows all parts, and the next coarser one does not.
     let from = count(&info, "steps.all_parts_split_count");
     let parts_at = |split_count: usize| {
         let level = bench.json(&format!("extract boxes.striata -o level.ply --split-count {split_count}"));
@@ -315,16 +322,16 @@ fn info_says_what_the_steps_of_a_file_do() {
     assert_eq!(parts_at(from - 1).0, 23);
     let text = bench.run("info boxes.striata").success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
-    for row in ["steps across seams", "steps without triangles", "parts in the base"] {
+    for row in ["steps across seams", "steps that remove no triangle", "parts in the base"] {
         assert!(text.contains(row), "{text}");
     }
-    // Patterns of free removals have no collapses.
+    // Patterns of free retriangulation have no collapses.
     let line = "build shape:cube -o cube.striata --order hausdorff --retriangulation free --models patterns";
     bench.json(line);
     assert!(bench.json("info cube.striata").get("steps").is_none());
 }
 
-/// An OBJ whose triangles have normals of their own.
+/// Converts an OBJ so that each triangle has its own normals.
 fn flat(text: &str) -> String {
     let places: Vec<[f64; 3]> = text
         .lines()
@@ -347,20 +354,21 @@ fn flat(text: &str) -> String {
             let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
             number += 1;
             writeln!(normals, "vn {} {} {}", n[0] / length, n[1] / length, n[2] / length)
-                .expect("memory takes it");
+                .expect("writing to memory succeeds");
             writeln!(
                 faces,
                 "f {0}//{number} {1}//{number} {2}//{number}",
                 triangle[0], triangle[1], triangle[2]
             )
-            .expect("memory takes it");
+            .expect("writing to memory succeeds");
         }
     }
     let places: Vec<&str> = text.lines().filter(|line| line.starts_with("v ")).collect();
     format!("{}\n{normals}{faces}", places.join("\n"))
 }
 
-/// Boxes of several sizes in a row, each side a grid with its own normal and UV chart, over three materials.
+/// Returns an OBJ of boxes of several sizes, each side a grid with its own normal, UV chart and one of three
+/// materials.
 fn boxes(box_count: usize, cells: usize) -> String {
     let mut text = String::new();
     let mut first = 1;
@@ -370,7 +378,7 @@ fn boxes(box_count: usize, cells: usize) -> String {
         let sign = if is_back { -1.0 } else { 1.0 };
         let mut normal = [0.0; 3];
         normal[axis] = sign;
-        writeln!(text, "vn {} {} {}", normal[0], normal[1], normal[2]).expect("memory takes it");
+        writeln!(text, "vn {} {} {}", normal[0], normal[1], normal[2]).expect("writing to memory succeeds");
         for i in 0..(cells + 1) * (cells + 1) {
             let [u, w] = [i % (cells + 1), i / (cells + 1)].map(|i| i as f64 / cells as f64);
             let mut place = [0.0; 3];
@@ -385,9 +393,9 @@ fn boxes(box_count: usize, cells: usize) -> String {
                 u / 6.0 + (side % 6) as f64 / 6.0,
                 w
             )
-            .expect("memory takes it");
+            .expect("writing to memory succeeds");
         }
-        writeln!(text, "g box{number}\nusemtl m{}", side % 3).expect("memory takes it");
+        writeln!(text, "g box{number}\nusemtl m{}", side % 3).expect("writing to memory succeeds");
         for cell in 0..cells * cells {
             let a = first + cell / cells * (cells + 1) + cell % cells;
             let [b, c, d] = [a + 1, a + cells + 2, a + cells + 1];
@@ -402,14 +410,14 @@ fn boxes(box_count: usize, cells: usize) -> String {
                 corner(c),
                 corner(d)
             )
-            .expect("memory takes it");
+            .expect("writing to memory succeeds");
         }
         first += (cells + 1) * (cells + 1);
     }
     text
 }
 
-/// Squares of two triangles apart from each other, as leaves are drawn.
+/// Returns an OBJ of separate squares of two triangles each, as used for leaves.
 fn cards(card_count: usize) -> String {
     let mut text = String::new();
     for card in 0..card_count {
@@ -418,7 +426,7 @@ fn cards(card_count: usize) -> String {
         for (u, w) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
             let tilt = 0.1 * (card % 4) as f64 * f64::from(w);
             writeln!(text, "v {} {} {}\nvt {u} {w}", x + f64::from(u), y + f64::from(w), z + tilt)
-                .expect("memory takes it");
+                .expect("writing to memory succeeds");
         }
         let corner = |k: usize| format!("{0}/{0}", first + k);
         writeln!(
@@ -431,7 +439,7 @@ fn cards(card_count: usize) -> String {
             corner(2),
             corner(3)
         )
-        .expect("memory takes it");
+        .expect("writing to memory succeeds");
     }
     text
 }

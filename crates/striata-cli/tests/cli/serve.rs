@@ -1,4 +1,4 @@
-//! `serve` as browsers, scripts and people with bad intentions meet it.
+//! `serve`, as used by browsers, scripts and attackers.
 
 use std::io::Read;
 use std::os::unix::fs::symlink;
@@ -17,7 +17,7 @@ fn program() -> PathBuf {
     assert_cmd::cargo::cargo_bin("striata")
 }
 
-/// A folder with models, more folders, and what must not be seen.
+/// Creates a folder with models, subfolders, and files that must not be served.
 fn folder() -> Workbench {
     let bench = Workbench::with_ball();
     bench.run("encode sphere.obj -o ball.stri --quiet").success();
@@ -53,7 +53,7 @@ fn get(server: &Server, path: &str, headers: &str) -> Answer {
 }
 
 #[test]
-fn the_list_tells_what_there_is_to_see_and_no_more() {
+fn the_list_contains_all_visible_models_and_nothing_else() {
     let bench = folder();
     let server = serve(&bench, "sub folder", &[]);
     assert_eq!(server.report["models"], 4);
@@ -99,7 +99,7 @@ fn the_list_follows_the_folder() {
 }
 
 #[test]
-fn no_path_leads_out_of_the_folder_or_to_what_is_hidden() {
+fn no_path_leads_out_of_the_folder_or_to_hidden_files() {
     let bench = folder();
     let server = serve(&bench, "sub folder", &[]);
     let mut connection = connect(&server);
@@ -141,15 +141,15 @@ fn no_path_leads_out_of_the_folder_or_to_what_is_hidden() {
         assert_eq!(status(&format!("/models/{path}")), 404, "{path}");
         assert_eq!(status(&format!("/pictures/{path}.png")), 404, "{path}");
     }
-    let asked =
+    let paths =
         ["/../../etc/passwd", "/%2e%2e/Cargo.toml", "/viewer.js/", "/models", "/pictures/", "//etc/passwd"];
-    for path in asked {
+    for path in paths {
         assert_eq!(status(path), 404, "{path}");
     }
 }
 
 #[test]
-fn parts_of_files_are_sent_as_asked() {
+fn byte_ranges_are_served() {
     let bench = folder();
     let server = serve(&bench, ".", &[]);
     let bytes = bench.read("ball.striata");
@@ -169,8 +169,8 @@ fn parts_of_files_are_sent_as_asked() {
         let answer = part(&format!("range: bytes={range}\r\n"));
         assert_eq!((answer.status, answer.body.as_slice()), (206, expected), "{range}");
         let start = expected.as_ptr() as usize - bytes.as_ptr() as usize;
-        let told = format!("bytes {start}-{}/{length}", start + expected.len() - 1);
-        assert_eq!(answer.header("content-range"), told);
+        let content_range = format!("bytes {start}-{}/{length}", start + expected.len() - 1);
+        assert_eq!(answer.header("content-range"), content_range);
         assert_eq!(answer.header("etag"), whole.header("etag"));
     }
     let none = part(&format!("range: bytes={length}-\r\n"));
@@ -189,7 +189,7 @@ fn parts_of_files_are_sent_as_asked() {
 }
 
 #[test]
-fn who_has_a_file_gets_it_again_only_when_it_has_changed() {
+fn cached_files_are_sent_again_only_after_changes() {
     let bench = folder();
     let server = serve(&bench, ".", &[]);
     let ask = |headers: &str| get(&server, "/models/ball.stri", headers);
@@ -206,7 +206,7 @@ fn who_has_a_file_gets_it_again_only_when_it_has_changed() {
         [part(tag), part(date), part("\"x\""), part("Mon, 01 Jan 2001 00:00:00 GMT")],
         [206, 206, 200, 200]
     );
-    // A file of the same length that takes its place.
+    // Another file of the same length under the same name.
     bench.write("next", vec![7; first.body.len()]);
     std::fs::rename(bench.path("next"), bench.path("ball.stri")).expect("the folder is ours");
     let second = ask(&format!("if-none-match: {tag}\r\nrange: bytes=0-9\r\nif-range: {tag}\r\n"));
@@ -215,7 +215,7 @@ fn who_has_a_file_gets_it_again_only_when_it_has_changed() {
 }
 
 #[test]
-fn only_text_is_compressed_and_never_in_parts() {
+fn only_complete_text_files_are_compressed() {
     let bench = folder();
     bench.run("convert sphere.obj ascii.ply --ascii --quiet").success();
     bench.run("convert sphere.obj binary.ply --quiet").success();
@@ -228,7 +228,7 @@ fn only_text_is_compressed_and_never_in_parts() {
         let answer = ask(&format!("/models/{name}"), "");
         assert_eq!((answer.status, answer.header("content-encoding")), (200, "gzip"), "{name}");
         let mut unpacked = Vec::new();
-        flate2::read::GzDecoder::new(answer.body.as_slice()).read_to_end(&mut unpacked).expect("sound gzip");
+        flate2::read::GzDecoder::new(answer.body.as_slice()).read_to_end(&mut unpacked).expect("valid gzip");
         assert!(unpacked == bench.read(name) && answer.body.len() < unpacked.len() / 2, "{name}");
         let again = ask(&format!("/models/{name}"), &format!("if-none-match: {}\r\n", answer.header("etag")));
         assert_eq!(again.status, 304);
@@ -247,7 +247,7 @@ fn only_text_is_compressed_and_never_in_parts() {
 }
 
 #[test]
-fn the_viewer_is_packed_once_and_runs_under_a_policy() {
+fn the_viewer_is_compressed_once_and_has_a_content_security_policy() {
     let bench = folder();
     let server = serve(&bench, ".", &[]);
     let page = get(&server, "/", "");
@@ -276,7 +276,7 @@ fn the_viewer_is_packed_once_and_runs_under_a_policy() {
     let (gzip, brotli) = (packed("gzip"), packed("br"));
     assert!(gzip.body.len() < plain.body.len() && brotli.body.len() < plain.body.len());
     let mut unpacked = Vec::new();
-    flate2::read::GzDecoder::new(gzip.body.as_slice()).read_to_end(&mut unpacked).expect("sound gzip");
+    flate2::read::GzDecoder::new(gzip.body.as_slice()).read_to_end(&mut unpacked).expect("valid gzip");
     assert_eq!(unpacked, plain.body);
     let tags = [&plain, &gzip, &brotli].map(|answer| answer.header("etag").to_owned());
     assert!(tags[0] != tags[1] && tags[1] != tags[2] && tags[0] != tags[2], "{tags:?}");
@@ -285,7 +285,7 @@ fn the_viewer_is_packed_once_and_runs_under_a_policy() {
 }
 
 #[test]
-fn pictures_show_models_and_broken_ones_get_a_neutral_one() {
+fn models_have_pictures_and_damaged_ones_a_placeholder() {
     let bench = folder();
     let server = serve(&bench, "sub folder", &[]);
     let picture = |path: &str| {
@@ -302,13 +302,13 @@ fn pictures_show_models_and_broken_ones_get_a_neutral_one() {
     let again = format!("if-none-match: {}\r\n", stream.header("etag"));
     assert_eq!(get(&server, "/pictures/deep/ball.stri.png", &again).status, 304);
     assert_eq!(get(&server, "/pictures/buffer.bin.png", "").status, 404, "no model");
-    // Mended, it gets its own.
+    // Once repaired, the model gets its own picture.
     std::fs::copy(bench.path("sphere.obj"), bench.path("sub folder/broken.ply")).expect("the folder is ours");
     assert_eq!(picture("broken.ply").body, mesh.body);
 }
 
 #[test]
-fn thumbnails_of_all_kinds_are_alike() {
+fn thumbnails_of_all_formats_are_similar() {
     let bench = folder();
     let picture = |name: &str| {
         let assert = bench.run(&format!("thumbnail {name}")).success();
@@ -322,7 +322,7 @@ fn thumbnails_of_all_kinds_are_alike() {
 }
 
 #[test]
-fn other_names_for_this_machine_are_refused() {
+fn unknown_host_names_are_refused() {
     let bench = folder();
     let server = serve(&bench, ".", &[]);
     let status = |head: &str| {
@@ -331,10 +331,10 @@ fn other_names_for_this_machine_are_refused() {
         connection.answer(true).expect("an answer").status
     };
     let port = server.address.port();
-    for good in
+    for allowed in
         ["localhost".to_owned(), format!("LOCALHOST:{port}"), format!("127.0.0.1:{port}"), "[::1]".to_owned()]
     {
-        assert_eq!(status(&format!("host: {good}\r\n")), 200, "{good}");
+        assert_eq!(status(&format!("host: {allowed}\r\n")), 200, "{allowed}");
     }
     for bad in
         ["example.com", "localhost.example.com", "127.0.0.1.nip.io:80", "user@localhost", "192.168.0.1"]
@@ -348,7 +348,7 @@ fn other_names_for_this_machine_are_refused() {
 }
 
 #[test]
-fn nothing_is_taken_and_sites_get_in_only_when_asked() {
+fn uploads_are_refused_and_other_origins_need_cors() {
     let bench = folder();
     let server = serve(&bench, ".", &["--cors"]);
     let origin = "origin: https://example.com\r\n";
@@ -371,7 +371,7 @@ fn nothing_is_taken_and_sites_get_in_only_when_asked() {
 }
 
 #[test]
-fn one_file_is_served_alone_with_what_it_refers_to() {
+fn a_single_file_is_served_with_the_files_it_refers_to() {
     let bench = folder();
     let server = serve(&bench, "ball.stri", &[]);
     assert_eq!(server.report["models"], 1);
@@ -387,7 +387,7 @@ fn one_file_is_served_alone_with_what_it_refers_to() {
 }
 
 #[test]
-fn what_cannot_be_served_is_told() {
+fn wrong_arguments_are_refused() {
     let bench = folder();
     let server = serve(&bench, ".", &[]);
     let port = server.address.port();
@@ -400,7 +400,7 @@ fn what_cannot_be_served_is_told() {
 }
 
 #[test]
-fn a_server_that_is_asked_to_end_finishes_its_answers() {
+fn a_terminated_server_finishes_its_responses() {
     let bench = Workbench::new();
     write_file(&bench.path("."));
     let server = serve(&bench, ".", &[]);
@@ -417,7 +417,7 @@ fn a_server_that_is_asked_to_end_finishes_its_answers() {
 }
 
 #[test]
-fn who_asks_for_nothing_or_takes_nothing_loses_the_place() {
+fn idle_and_stalled_connections_are_dropped() {
     let bench = Workbench::new();
     write_file(&bench.path("."));
     let server = serve(&bench, ".", &["--max-connections", "2", "--time-out", "1"]);
@@ -425,7 +425,7 @@ fn who_asks_for_nothing_or_takes_nothing_loses_the_place() {
     silent.say("GET /models.json HTTP/1.1\r\n").expect("sent");
     let mut stalled = connect(&server);
     stalled.say(&format!("GET /models/{FILE} HTTP/1.1\r\nhost: localhost\r\n\r\n")).expect("sent");
-    // Two are answered side by side only once both places are free.
+    // Two requests are answered at the same time only once both connections are free.
     let are_free = || {
         let (mut one, mut other) = (connect(&server), connect(&server));
         let asks =
@@ -436,12 +436,12 @@ fn who_asks_for_nothing_or_takes_nothing_loses_the_place() {
     while !are_free() {
         assert!(Instant::now() < until, "the places are never free");
     }
-    assert!(silent.answer(true).is_err(), "nothing was asked");
+    assert!(silent.answer(true).is_err(), "no request was sent");
     assert!(stalled.answer(true).is_err(), "the rest was given up");
 }
 
 #[test]
-fn many_clients_get_every_byte_and_memory_stays_flat() {
+fn many_clients_get_correct_bytes_and_memory_stays_constant() {
     let bench = Workbench::new();
     write_file(&bench.path("."));
     let server = serve(&bench, ".", &[]);
@@ -449,7 +449,7 @@ fn many_clients_get_every_byte_and_memory_stays_flat() {
     let outcome = run(&server, Plan { quick: 46, slow: 4, lasts: Duration::from_secs(3) });
     assert_eq!(outcome.errors, [""; 0]);
     assert!(outcome.latencies.len() > 46 && outcome.slow_bytes >= 4 * 2048, "{outcome:?}");
-    // The command's own code counts as memory, too, and takes more in builds for tests and with a window.
+    // The code of the command counts as memory, too; it is larger in test builds and with a window.
     let used_kb = outcome.peak_kb - idle_kb;
     assert!(used_kb < 60_000, "{used_kb} kB over {idle_kb} kB");
 }

@@ -1,4 +1,4 @@
-//! A server of one's own to talk to, and a client that says exactly what it is told to; shared with `examples/load.rs`.
+//! Starts a server for a test, and a client that sends exact bytes; shared with `examples/load.rs`.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -6,17 +6,17 @@ use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::Duration;
 
-/// A server that ends with its owner.
+/// A server process that is ended when dropped.
 pub(crate) struct Server {
     process: Child,
-    /// Where it listens.
+    /// Address that the server listens on.
     pub(crate) address: SocketAddr,
-    /// What it said about itself.
+    /// The report that the server printed.
     pub(crate) report: serde_json::Value,
 }
 
 impl Server {
-    /// Serves a folder or a file at a free port.
+    /// Starts a server for a folder or a file on a free port.
     pub(crate) fn start(program: &Path, served: &Path, arguments: &[&str]) -> Self {
         let mut command = Command::new(program);
         command.arg("serve").arg(served).args(["--port", "0", "--json", "--quiet"]).args(arguments);
@@ -30,12 +30,12 @@ impl Server {
         Self { address: address.parse().expect("an address"), process, report }
     }
 
-    /// Its process.
+    /// Returns the id of the server process.
     pub(crate) fn id(&self) -> u32 {
         self.process.id()
     }
 
-    /// Asks it to end and waits until it has.
+    /// Terminates the server and waits for its exit.
     pub(crate) fn end(mut self) -> ExitStatus {
         let id = self.id().to_string();
         let sent = Command::new("kill").args(["-TERM", &id]).status().expect("kill is there");
@@ -51,33 +51,33 @@ impl Drop for Server {
     }
 }
 
-/// What a server says.
+/// A response.
 #[derive(Debug)]
 pub(crate) struct Answer {
-    /// The number of the first line.
+    /// Status code.
     pub(crate) status: u16,
     headers: Vec<(String, String)>,
-    /// What follows.
+    /// Body.
     pub(crate) body: Vec<u8>,
 }
 
 impl Answer {
-    /// A header by its lowercase name; empty where there is none.
+    /// Returns a header by its lowercase name; empty if it is missing.
     pub(crate) fn header(&self, name: &str) -> &str {
         self.headers.iter().find(|(known, _)| known == name).map_or("", |(_, value)| value)
     }
 }
 
-/// How long tests wait for what should come at once: no machine is so slow.
+/// Timeout for responses that should be immediate even on slow machines.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(600);
 
-/// A connection, used again and again.
+/// A connection that is kept alive.
 pub(crate) struct Connection {
     reader: BufReader<TcpStream>,
 }
 
 impl Connection {
-    /// Connects.
+    /// Opens a connection.
     pub(crate) fn open(address: SocketAddr) -> io::Result<Self> {
         let stream = TcpStream::connect(address)?;
         stream.set_nodelay(true)?;
@@ -85,18 +85,18 @@ impl Connection {
         Ok(Self { reader: BufReader::new(stream) })
     }
 
-    /// Sends what it is told.
+    /// Sends raw bytes.
     pub(crate) fn say(&mut self, text: &str) -> io::Result<()> {
         self.reader.get_mut().write_all(text.as_bytes())
     }
 
-    /// Asks with headers, each ended by a line break, and waits for the answer.
+    /// Sends a GET request with headers, each ended by a line break, and reads the response.
     pub(crate) fn get(&mut self, path: &str, headers: &str) -> io::Result<Answer> {
         self.say(&format!("GET {path} HTTP/1.1\r\nhost: localhost\r\n{headers}\r\n"))?;
         self.answer(true)
     }
 
-    /// Reads an answer, with a body or, as to HEAD, without.
+    /// Reads a response, with or without a body (for HEAD).
     pub(crate) fn answer(&mut self, has_body: bool) -> io::Result<Answer> {
         let first = self.line()?;
         let status = first.split(' ').nth(1).and_then(|word| word.parse().ok());

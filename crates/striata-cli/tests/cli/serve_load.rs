@@ -1,7 +1,8 @@
-//! Many clients at once, some of them slow; shared with `examples/load.rs`.
+//! Many clients at the same time, some of them slow; shared with `examples/load.rs`.
 //!
-//! Quick clients read random ranges of one file and check every byte; slow ones take the whole file, a kilobyte a second,
-//! through small windows. The server's memory is sampled meanwhile. All ends by itself.
+//! Quick clients read random ranges of one file and check every byte. Slow clients read the whole file at a
+//! kilobyte per second, through small windows. The memory of the server is sampled meanwhile. The test ends
+//! by itself.
 
 use std::io::{self, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -13,40 +14,40 @@ use socket2::{Domain, Socket, Type};
 
 use crate::serve_client::{Connection, PATIENCE, Server};
 
-/// The file that is read.
+/// Name of the file that is read.
 pub(crate) const FILE: &str = "large.stl";
-/// Its bytes: more than all buffers on the way of a slow reader hold.
+/// Size of the file: larger than all buffers between the server and a slow client.
 const FILE_BYTES: usize = 24 << 20;
-/// Longest range.
+/// Length of the longest range.
 const MAX_RANGE: u64 = 64 << 10;
-/// What a slow reader takes a second.
+/// Bytes that a slow client reads per second.
 const SLOW_BYTES: usize = 1024;
-/// How often memory is looked at.
+/// Interval between samples of the memory.
 const SAMPLED_EVERY: Duration = Duration::from_millis(200);
 
-/// How much load.
+/// The load to apply.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plan {
-    /// Clients that read ranges.
+    /// Number of clients that read ranges.
     pub(crate) quick: usize,
-    /// Clients that take a kilobyte a second.
+    /// Number of clients that read a kilobyte per second.
     pub(crate) slow: usize,
-    /// How long, and at least until every client has got something twice.
+    /// Duration, extended until every client has received something twice.
     pub(crate) lasts: Duration,
 }
 
-/// What came of it.
+/// The measurements.
 #[derive(Debug, Default)]
 pub(crate) struct Outcome {
-    /// How long each answer to a quick client took, in order of length.
+    /// Latency of each response to a quick client, in ascending order.
     pub(crate) latencies: Vec<Duration>,
-    /// Bytes that slow clients got.
+    /// Bytes received by slow clients.
     pub(crate) slow_bytes: usize,
-    /// The server's memory at each sample, kB.
+    /// Resident memory of the server at each sample, kB.
     pub(crate) resident_kb: Vec<u64>,
-    /// The most memory that the server ever held, kB.
+    /// Peak resident memory of the server, kB.
     pub(crate) peak_kb: u64,
-    /// What went wrong.
+    /// Errors of clients.
     pub(crate) errors: Vec<String>,
 }
 
@@ -95,10 +96,10 @@ fn read_ranges(address: SocketAddr, seed: u64, until: Instant) -> io::Result<Vec
     while latencies.len() < 2 || Instant::now() < until {
         let length = 1 + below(MAX_RANGE);
         let start = below(FILE_BYTES as u64 - length);
-        let asked = Instant::now();
+        let sent = Instant::now();
         let range = format!("range: bytes={start}-{}\r\n", start + length - 1);
         let answer = connection.get(&format!("/models/{FILE}"), &range)?;
-        latencies.push(asked.elapsed());
+        latencies.push(sent.elapsed());
         let is_right = answer.body.iter().zip(start..).all(|(&byte, place)| byte == byte_at(place));
         if answer.status != 206 || answer.body.len() as u64 != length || !is_right {
             let [status, found] = [u64::from(answer.status), answer.body.len() as u64];
@@ -121,20 +122,20 @@ fn read_slowly(address: SocketAddr, until: Instant) -> io::Result<usize> {
         stream.read_exact(&mut byte)?;
         head.push(byte[0]);
     }
-    let (mut taken, mut piece) = (0, [0; SLOW_BYTES]);
-    while taken < 2 * SLOW_BYTES || Instant::now() < until {
+    let (mut read_count, mut piece) = (0, [0; SLOW_BYTES]);
+    while read_count < 2 * SLOW_BYTES || Instant::now() < until {
         stream.read_exact(&mut piece)?;
-        if piece.iter().zip(taken as u64..).any(|(&byte, place)| byte != byte_at(place)) {
-            return Err(io::Error::other(format!("wrong bytes after {taken}")));
+        if piece.iter().zip(read_count as u64..).any(|(&byte, offset)| byte != byte_at(offset)) {
+            return Err(io::Error::other(format!("wrong bytes after {read_count}")));
         }
-        taken += SLOW_BYTES;
+        read_count += SLOW_BYTES;
         thread::sleep(Duration::from_secs(1).min(until.saturating_duration_since(Instant::now())));
     }
-    Ok(taken)
+    Ok(read_count)
 }
 
-fn byte_at(place: u64) -> u8 {
-    mixed(place / 8).to_le_bytes()[(place % 8) as usize]
+fn byte_at(offset: u64) -> u8 {
+    mixed(offset / 8).to_le_bytes()[(offset % 8) as usize]
 }
 
 fn mixed(number: u64) -> u64 {
@@ -143,7 +144,7 @@ fn mixed(number: u64) -> u64 {
     x ^ x >> 31
 }
 
-/// What Linux says of a process's memory.
+/// Returns a memory figure of a process from `/proc` (Linux).
 pub(crate) fn memory_kb(process: u32, key: &str) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(key))?;

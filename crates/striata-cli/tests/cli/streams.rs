@@ -1,10 +1,10 @@
-//! Streams: there and back by every route, cut off anywhere, damaged, through pipes.
+//! Streams: encoded and decoded by every verb, cut off, damaged, and through pipes.
 
 use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys, asset, sphere};
 
-/// A folder with `sphere.obj`, a ball of 2,240 triangles, and its stream `ball.stri`.
+/// Creates a folder with `sphere.obj`, a ball of 2,240 triangles, and its stream `ball.stri`.
 fn with_stream() -> Workbench {
     let bench = Workbench::new();
     bench.write("sphere.obj", sphere(35, 32));
@@ -21,7 +21,7 @@ fn distance(bench: &Workbench, a: &str, b: &str) -> f64 {
 }
 
 #[test]
-fn encode_and_decode_report_what_they_did() {
+fn encode_and_decode_report_their_results() {
     let bench = with_stream();
     let report = bench.json("encode sphere.obj -o ball.stri");
     assert_keys(
@@ -72,12 +72,12 @@ fn encode_and_decode_report_what_they_did() {
     assert_eq!(decoded["is_complete"], true);
     assert_eq!(decoded["read_bytes"], bytes);
     assert_eq!(decoded["error"], 0.0);
-    // A step of the grid is 2 / 16383.
+    // The grid step is 2 / 16383.
     assert!(distance(&bench, "sphere.obj", "back.ply") < 3e-4);
 }
 
 #[test]
-fn flags_say_how_exact_and_how_small_a_stream_is() {
+fn flags_control_precision_and_size() {
     let bench = with_stream();
     let encode = |flags: &str| {
         let report = bench.json(&format!("encode sphere.obj -o x.stri {flags}"));
@@ -99,12 +99,19 @@ fn flags_say_how_exact_and_how_small_a_stream_is() {
     for effort in ["fast", "default", "small"] {
         assert_eq!(encode(&format!("--effort {effort}")).0["effort"], effort);
     }
-    let [few, many] = ["0.1", "1"].map(|share| encode(&format!("--share {share}")).0["batch_count"].clone());
+    let [few, many] = ["0.1", "1"].map(|share| {
+        encode(&format!(
+            "--batch-share \
+        {share}"
+        ))
+        .0["batch_count"]
+            .clone()
+    });
     assert!(many.as_u64() < few.as_u64(), "{many} {few}");
 }
 
 #[test]
-fn every_verb_takes_a_stream() {
+fn every_verb_reads_streams() {
     let bench = with_stream();
     bench.run("encode sphere.obj -o ball.striata --quiet").success();
     for file in ["ball.stri", "ball.striata"] {
@@ -129,8 +136,8 @@ fn every_verb_takes_a_stream() {
     assert_eq!(bench.json("info ball.stri")["kind"], "stri");
     let text = bench.run("info ball.stri").success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
-    assert!(text.contains("default effort, 14 bits") && text.contains("of the stream"), "{text}");
-    // What is written to a container is the stream and no mesh.
+    assert!(text.contains("default effort, 14 bits") && text.contains("stream read"), "{text}");
+    // The container has only the stream, and no mesh.
     let sections = bench.json("info ball.striata")["sections"].to_string();
     assert!(sections.contains("STRM") && !sections.contains("POSN"), "{sections}");
     bench.run("build sphere.obj -o alone.striata --stream").success();
@@ -138,7 +145,7 @@ fn every_verb_takes_a_stream() {
 }
 
 #[test]
-fn models_beside_a_stream_have_its_levels() {
+fn models_stored_with_a_stream_have_the_same_levels() {
     let bench = Workbench::new();
     bench.write("sphere.obj", sphere(35, 32));
     let report = bench.json("build sphere.obj -o all.striata --models lodstrips,fans,progressive --bits 16");
@@ -162,9 +169,9 @@ fn models_beside_a_stream_have_its_levels() {
         }
         assert!(distance(&bench, "lodstrips.ply", "progressive.ply") < 1e-4);
     }
-    // The mesh beside a stream is as exact as ever.
+    // The mesh stored with a stream is exact.
     assert!(distance(&bench, "sphere.obj", "all.striata") < 1e-12);
-    // Damage to the stream harms nobody else; nor does a file that is cut off within it.
+    // Other models still work if the stream is damaged or cut off.
     let mut bytes = bench.read("all.striata");
     let whole = bytes.clone();
     let at = bytes.len() - 50;
@@ -220,13 +227,14 @@ fn levels_of_a_stream_meet_their_targets() {
     bench.run("extract ball.stri -o x.glb --triangles 700 --as strips").success();
     bench.run("extract ball.stri -o x.glb --triangles 700 --as fans").success();
     assert!(bench.refused("extract ball.stri -o x.ply --detail 1 --model mts").contains("no model mts"));
-    assert!(
-        bench.refused("extract ball.stri -o x.ply --eye 0,0,3 --model progressive").contains("whole levels")
-    );
+    assert!(bench.refused("extract ball.stri -o x.ply --eye 0,0,3 --model progressive").contains(
+        "does not \
+            support views"
+    ));
 }
 
 #[test]
-fn a_stream_that_is_cut_off_shows_what_is_there() {
+fn a_truncated_stream_gives_the_levels_that_it_contains() {
     let bench = with_stream();
     bench.run("encode sphere.obj -o ball.striata --quiet").success();
     for (whole, part) in [("ball.stri", "part.stri"), ("ball.striata", "part.striata")] {
@@ -261,8 +269,8 @@ fn a_stream_that_is_cut_off_shows_what_is_there() {
             assert_eq!(info["stream"]["split_count"], report["split_count"]);
             assert_eq!(info["stream"]["is_complete"], false);
         }
-        assert!(last > 0.5 * step_count, "eleven twelfths of the bytes gave {last} of {step_count}");
-        // Verbs that take meshes take what is there, and say so.
+        assert!(last > 0.5 * step_count, "11/12 of the bytes gave {last} of {step_count} steps");
+        // Verbs that read meshes use the finest level that is present, and warn.
         for line in
             ["convert {} x.ply", "strip {}", "simplify {} -o x.ply --detail 1", "distance {} sphere.obj"]
         {
@@ -275,16 +283,20 @@ fn a_stream_that_is_cut_off_shows_what_is_there() {
             for verb in
                 ["decode {} -o y.ply", "info {}", "extract {} -o y.ply --detail 1", "convert {} y.ply"]
             {
-                let said = bench.refused(&verb.replace("{}", part));
-                assert!(said.contains(part) && said.contains("hint: "), "{verb} of {length} bytes: {said}");
+                let message = bench.refused(&verb.replace("{}", part));
+                assert!(
+                    message.contains(part) && message.contains("hint: "),
+                    "{verb} of {length} bytes: \
+                    {message}"
+                );
             }
         }
     }
-    assert!(!bench.names().contains(&"y.ply".to_owned()), "nothing was to be written");
+    assert!(!bench.names().contains(&"y.ply".to_owned()), "nothing may be written");
 }
 
 #[test]
-fn decode_writes_a_level_and_reads_no_more_than_it_needs() {
+fn decode_reads_only_what_a_level_needs() {
     let bench = with_stream();
     let whole = bench.json("decode ball.stri -o whole.ply");
     assert_eq!((&whole["shortfall"], &whole["read_bytes"]), (&Value::Null, &whole["stream_bytes"]));
@@ -302,7 +314,7 @@ fn decode_writes_a_level_and_reads_no_more_than_it_needs() {
             "{level}: {decoded}"
         );
     }
-    // What the level does not need may be missing, and is not missed.
+    // A stream that is cut off after the level does not matter.
     let bytes = bench.read("ball.stri");
     let needed = number(&bench.json("decode ball.stri -o x.ply --triangles 500"), "read_bytes") as usize;
     bench.write("part.stri", &bytes[..needed]);
@@ -324,8 +336,8 @@ fn damaged_streams_are_refused() {
         let mut hurt = bytes.clone();
         hurt[at] ^= 0x10;
         bench.write("hurt.stri", &hurt);
-        let said = bench.refused("decode hurt.stri -o y.ply");
-        assert!(said.contains("hurt.stri"), "{at}: {said}");
+        let message = bench.refused("decode hurt.stri -o y.ply");
+        assert!(message.contains("hurt.stri"), "{at}: {message}");
     }
     let mut long = bytes.clone();
     long.push(0);
@@ -333,11 +345,11 @@ fn damaged_streams_are_refused() {
     assert!(bench.refused("decode long.stri -o y.ply").contains("bytes, expected"));
     bench.write("empty.stri", "");
     assert!(bench.refused("decode empty.stri -o y.ply").contains("empty.stri"));
-    assert!(!bench.names().contains(&"y.ply".to_owned()), "nothing was to be written");
+    assert!(!bench.names().contains(&"y.ply".to_owned()), "nothing may be written");
 }
 
 #[test]
-fn streams_go_through_pipes() {
+fn streams_can_be_piped() {
     let bench = with_stream();
     let stream = bench.run("encode sphere.obj -o - --quiet").success().get_output().stdout.clone();
     assert_eq!(stream, bench.read("ball.stri"));
@@ -353,27 +365,27 @@ fn streams_go_through_pipes() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn wrong_inputs_and_flags_are_refused() {
     let bench = with_stream();
-    let said = |line: &str, expected: &str| {
-        let said = bench.refused(line);
-        assert!(said.contains(expected), "{line}: {said}");
+    let refuses = |line: &str, expected: &str| {
+        let message = bench.refused(line);
+        assert!(message.contains(expected), "{line}: {message}");
     };
-    said("decode sphere.obj -o x.ply", "not a .striata file");
-    said("encode sphere.obj -o x.ply", "`encode` writes streams");
-    said("convert sphere.obj x.stri", "striata encode");
-    said("encode sphere.obj -o x.stri --bits 25", "--bits");
-    said("encode sphere.obj -o x.stri --bits 12 --lossless", "--lossless");
-    said("encode sphere.obj -o x.stri --share 0", "over 0");
-    said("build sphere.obj -o x.striata --bits 12", "--models progressive");
-    said("build sphere.obj -o x.striata --stream --order hausdorff", "quadric");
-    said("build sphere.obj -o x.striata --stream --models mts", "--models");
+    refuses("decode sphere.obj -o x.ply", "not a .striata file");
+    refuses("encode sphere.obj -o x.ply", "`encode` writes streams");
+    refuses("convert sphere.obj x.stri", "striata encode");
+    refuses("encode sphere.obj -o x.stri --bits 25", "--bits");
+    refuses("encode sphere.obj -o x.stri --bits 12 --lossless", "--lossless");
+    refuses("encode sphere.obj -o x.stri --batch-share 0", "greater than 0");
+    refuses("build sphere.obj -o x.striata --bits 12", "--models progressive");
+    refuses("build sphere.obj -o x.striata --stream --order hausdorff", "quadric");
+    refuses("build sphere.obj -o x.striata --stream --models mts", "--models");
     bench.run("build sphere.obj -o strips.striata --quiet").success();
-    said("decode strips.striata -o x.ply", "no model progressive");
+    refuses("decode strips.striata -o x.ply", "no progressive stream");
 }
 
 #[test]
-fn attributes_and_boundaries_survive() {
+fn attributes_and_boundaries_are_preserved() {
     let bench = Workbench::new();
     let spot = asset("spot.obj.zst");
     let Some(spot) = spot.to_str().filter(|_| spot.exists()) else { panic!("assets/spot.obj.zst is there") };
@@ -389,5 +401,5 @@ fn attributes_and_boundaries_survive() {
     let off = bench.json(&format!("distance {spot} x.ply --samples 100000"));
     let allowed = number(&level, "error") + 2e-4 * number(&full, "diagonal");
     let found = off["a_to_b"]["max"].as_f64().expect("a number");
-    assert!(found <= allowed, "{found} is over {allowed}");
+    assert!(found <= allowed, "{found} exceeds {allowed}");
 }

@@ -1,4 +1,4 @@
-//! `strip --block-triangles`: the same mesh as in memory, files whole or not at all, refusals that say what to do.
+//! `strip --block-triangles`: the same mesh as in memory, complete files or none, and errors with hints.
 
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, canonical_triangles};
@@ -34,7 +34,7 @@ fn count(report: &Value, key: &str) -> u64 {
     report[key].as_u64().unwrap_or_else(|| panic!("{key} of {report}"))
 }
 
-/// A workbench with a sphere as binary PLY.
+/// Creates a workbench with a sphere as binary PLY.
 fn with_sphere() -> Workbench {
     let bench = Workbench::with_ball();
     bench.run("convert sphere.obj sphere.ply --quiet").success();
@@ -42,7 +42,7 @@ fn with_sphere() -> Workbench {
 }
 
 fn mesh(bench: &Workbench, name: &str) -> IndexedMesh {
-    striata_io::read(bench.path(name)).expect("what was written is read")
+    striata_io::read(bench.path(name)).expect("the output is readable")
 }
 
 #[test]
@@ -73,35 +73,38 @@ fn blocks_write_the_mesh_that_they_read() {
 }
 
 #[test]
-fn without_an_output_blocks_are_only_told() {
+fn without_an_output_blocks_are_only_reported() {
     let bench = with_sphere();
     let before = bench.names();
-    let told = bench.json("strip sphere.ply --block-triangles 200 --strips greedy");
-    assert_eq!(told["written_index_count"], Value::Null);
+    let report = bench.json("strip sphere.ply --block-triangles 200 --strips greedy");
+    assert_eq!(report["written_index_count"], Value::Null);
     assert_eq!(bench.names(), before);
     let text = bench.run("strip sphere.ply --block-triangles 200").success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
-    assert!(text.contains("triangles at once, most"), "{text}");
+    assert!(text.contains("peak triangles per window"), "{text}");
 }
 
 #[test]
-fn what_blocks_cannot_do_is_refused_with_a_hint() {
+fn unsupported_options_of_blocks_are_refused_with_a_hint() {
     let bench = with_sphere();
-    for (arguments, said) in [
+    for (arguments, message) in [
         ("strip sphere.obj --block-triangles 500", "only binary PLY files are read block by block"),
-        ("strip sphere.obj --block-triangles 500", "hint: `striata convert IN OUT.ply`"),
+        ("strip sphere.obj --block-triangles 500", "`striata convert IN OUT.ply`"),
         ("strip sphere.ply --block-triangles 500 -o s.obj", "hint: write .glb or .ply"),
-        ("strip sphere.ply --block-triangles 500 -o -", "hint: name a file"),
+        ("strip sphere.ply --block-triangles 500 -o -", "hint: name an output file"),
         ("strip - --block-triangles 500", "hint: name a binary .ply file"),
-        ("strip sphere.ply --block-triangles 500 --weld", "hint: leave --weld out"),
-        ("strip sphere.ply --block-triangles 500 --budget 1", "hint: leave --budget out"),
-        ("strip sphere.ply --block-triangles 500 --strips greedy+greedy", "blocks take one stripifier"),
+        ("strip sphere.ply --block-triangles 500 --weld", "hint: remove --weld"),
+        ("strip sphere.ply --block-triangles 500 --budget 1", "hint: remove --budget"),
+        (
+            "strip sphere.ply --block-triangles 500 --strips greedy+greedy",
+            "--block-triangles takes a single stripifier",
+        ),
         ("strip sphere.ply --block-triangles 5", "must be a number from 100"),
         ("strip none.ply --block-triangles 500", "none.ply"),
         ("strip sphere.ply --block-triangles 500 -o no/such/folder.glb", "no/such"),
     ] {
         let found = bench.refused(arguments);
-        assert!(found.contains(said), "{arguments}: {found}");
+        assert!(found.contains(message), "{arguments}: {found}");
     }
     bench.write("cut.ply", &bench.read("sphere.ply")[..3000]);
     assert!(bench.refused("strip cut.ply --block-triangles 500 -o cut.glb").contains("cut.ply: byte "));

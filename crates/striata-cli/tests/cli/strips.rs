@@ -1,4 +1,4 @@
-//! `strip`, and the strips of `build`: each triangle once, costs that fit together, the very strips in the file.
+//! `strip`, and the strips of `build`: each triangle is in one strip, and reported costs are consistent.
 
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, canonical_triangles};
@@ -29,14 +29,15 @@ const KEYS: [&str; 20] = [
 ];
 
 /// Two materials on the two halves of a square, and a triangle that repeats a vertex.
-const TWO_GROUPS: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nusemtl red\nf 1 2 3\nf 1 3 4\n\
+const TWO_GROUPS: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nusemtl red\nf 1 2 3\nf 1 3 \
+    4\n\
                           usemtl blue\nf 2 5 6\nf 2 6 3\nf 5 5 6\n";
 
 fn count(report: &Value, key: &str) -> u64 {
     report[key].as_u64().unwrap_or_else(|| panic!("{key} of {report}"))
 }
 
-/// Costs that contradict each other are caught whatever the strips are.
+/// Panics if the costs in a report are inconsistent.
 fn assert_adds_up(report: &Value) {
     assert_keys(report, &KEYS);
     let (triangles, strips) = (count(report, "triangle_count"), count(report, "strip_count"));
@@ -48,11 +49,11 @@ fn assert_adds_up(report: &Value) {
 }
 
 fn triangles_of(bench: &Workbench, name: &str) -> Vec<[[u32; 3]; 3]> {
-    let mesh = striata_io::read(bench.path(name)).expect("what was written is read");
+    let mesh = striata_io::read(bench.path(name)).expect("the output is readable");
     corners_of(&mesh)
 }
 
-/// Triangles by the bits of their corners' positions, so that the numbering of vertices does not matter.
+/// Returns triangles as the bits of their corner positions, independent of vertex order.
 fn corners_of(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
     let corner = |v: u32| mesh.positions[v as usize].map(|x| (x + 0.0).to_bits());
     let mut list: Vec<[[u32; 3]; 3]> = canonical_triangles(&mesh.triangles)
@@ -69,17 +70,17 @@ fn corners_of(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
 }
 
 #[test]
-fn strips_are_told_and_written_as_they_are() {
+fn strips_are_reported_and_written() {
     let bench = Workbench::with_ball();
     let report = bench.json("strip sphere.obj -o strips.glb");
     assert_adds_up(&report);
     assert_eq!((count(&report, "triangle_count"), count(&report, "component_count")), (512, 1));
     assert_eq!(triangles_of(&bench, "strips.glb"), triangles_of(&bench, "sphere.obj"));
-    let only_told = bench.json("strip sphere.obj");
+    let report_only = bench.json("strip sphere.obj");
     for key in KEYS.iter().filter(|key| !key.contains("secs") && !key.starts_with("stitched")) {
-        assert_eq!(only_told[key], report[key], "{key}");
+        assert_eq!(report_only[key], report[key], "{key}");
     }
-    // The file holds these strips, not others: its accessor has as many indices, in mode 5, in 16 bits.
+    // The file contains these strips: its accessor has as many indices, in mode 5, in 16 bits.
     let glb = bench.read("strips.glb");
     let json_length = u32::from_le_bytes([glb[12], glb[13], glb[14], glb[15]]) as usize;
     let document: Value = serde_json::from_slice(&glb[20..20 + json_length]).expect("a glTF document");
@@ -97,11 +98,11 @@ fn equal_seeds_give_equal_strips() {
     bench.run("strip sphere.obj -o b.glb --seed 7 --quiet").success();
     bench.run("strip sphere.obj -o c.glb --seed 8 --quiet").success();
     assert_eq!(bench.read("a.glb"), bench.read("b.glb"));
-    assert_ne!(bench.read("a.glb"), bench.read("c.glb"), "the seed goes nowhere");
+    assert_ne!(bench.read("a.glb"), bench.read("c.glb"), "the seed has no effect");
 }
 
 #[test]
-fn a_chain_begins_with_what_is_there() {
+fn a_chain_starts_from_the_strips_before() {
     let bench = Workbench::with_ball();
     let alone = bench.json("strip sphere.obj --strips greedy");
     let again = bench.json("strip sphere.obj --strips greedy+greedy --budget 0");
@@ -111,7 +112,7 @@ fn a_chain_begins_with_what_is_there() {
 }
 
 #[test]
-fn searching_costs_no_indices_and_keeps_to_its_budget() {
+fn searching_saves_indices_and_respects_its_budget() {
     let bench = Workbench::with_ball();
     let greedy = bench.json("strip sphere.obj --strips greedy");
     let searched = bench.json("strip sphere.obj");
@@ -127,22 +128,22 @@ fn searching_costs_no_indices_and_keeps_to_its_budget() {
 }
 
 #[test]
-fn fewest_strips_are_told_with_their_bound() {
+fn fewest_strips_are_reported_with_a_lower_bound() {
     let bench = Workbench::with_ball();
     let fewest = bench.json("strip sphere.obj --strips fewest");
     assert_adds_up(&fewest);
     assert_eq!((count(&fewest, "strip_count"), count(&fewest, "strip_count_bound")), (1, 1));
     assert!(bench.json("strip sphere.obj --strips greedy")["strip_count_bound"].is_null());
     let text = bench.run("strip sphere.obj --strips greedy+fewest").success();
-    assert!(String::from_utf8_lossy(&text.get_output().stdout).contains("at the very least"));
+    assert!(String::from_utf8_lossy(&text.get_output().stdout).contains("strips, lower bound"));
 }
 
 #[test]
-fn seams_are_borders_and_the_strips_of_a_textured_mesh_come_back() {
+fn strips_of_a_textured_mesh_are_read_back() {
     let bench = Workbench::new();
     let mesh = striata_io::read(asset("spot.obj.zst")).expect("an asset");
     bench.command("strip -o spot.gltf --quiet").arg(asset("spot.obj.zst")).assert().success();
-    let back = striata_io::read(bench.path("spot.gltf")).expect("what was written");
+    let back = striata_io::read(bench.path("spot.gltf")).expect("the output is readable");
     assert_eq!(back.layers.len(), mesh.layers.len());
     assert_eq!(corners_of(&back), corners_of(&mesh));
 }
@@ -155,13 +156,13 @@ fn groups_keep_their_strips_and_materials() {
     assert_adds_up(&report);
     assert_eq!((count(&report, "triangle_count"), count(&report, "degenerate_triangle_count")), (4, 1));
     assert!(count(&report, "strip_count") >= 2, "no strip crosses a material: {report}");
-    let back = striata_io::read(bench.path("two.glb")).expect("what was written");
+    let back = striata_io::read(bench.path("two.glb")).expect("the output is readable");
     assert_eq!(back.groups.iter().map(|group| group.count).collect::<Vec<_>>(), [2, 2]);
     assert_eq!(back.appearance.materials.len(), 2);
 }
 
 #[test]
-fn containers_and_pipes_are_stripified_too() {
+fn strip_reads_containers_and_pipes() {
     let bench = Workbench::with_ball();
     let report = bench.json("strip ball.striata -o ball.glb");
     assert_adds_up(&report);
@@ -169,25 +170,25 @@ fn containers_and_pipes_are_stripified_too() {
     let piped =
         bench.command("strip - -o - --to glb").write_stdin(bench.read("sphere.obj")).assert().success();
     assert!(piped.get_output().stdout.starts_with(b"glTF"));
-    let told = String::from_utf8_lossy(&piped.get_output().stderr).into_owned();
-    assert!(told.contains("indices a triangle"), "{told}");
+    let stderr = String::from_utf8_lossy(&piped.get_output().stderr).into_owned();
+    assert!(stderr.contains("indices per triangle"), "{stderr}");
 }
 
 #[test]
-fn equal_vertices_are_merged_only_where_that_is_asked_for() {
+fn equal_vertices_are_merged_only_with_weld() {
     let bench = Workbench::new();
     // Two triangles of a square that share an edge but no vertex.
     bench.write("loose.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n");
     assert_eq!(bench.json("strip loose.off")["strip_count"], 2);
-    let said = bench.run("strip loose.off").success();
-    assert!(String::from_utf8_lossy(&said.get_output().stderr).contains("hint: "), "no word about --weld");
+    let assert = bench.run("strip loose.off").success();
+    assert!(String::from_utf8_lossy(&assert.get_output().stderr).contains("hint: "), "no word about --weld");
     assert!(bench.run("strip loose.off --weld").success().get_output().stderr.is_empty());
     let welded = bench.json("strip loose.off --weld");
     assert_eq!((&welded["strip_count"], &welded["component_count"]), (&1.into(), &1.into()));
 }
 
 #[test]
-fn nothing_to_stripify_is_told_as_nothing() {
+fn empty_meshes_have_no_strips() {
     let bench = Workbench::new();
     bench.write("none.off", "OFF\n0 0 0\n");
     bench.write("cloud.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
@@ -201,10 +202,10 @@ fn nothing_to_stripify_is_told_as_nothing() {
 }
 
 #[test]
-fn strips_that_cannot_be_had_are_refused() {
+fn impossible_strips_are_refused() {
     let bench = Workbench::with_ball();
     for (arguments, named) in [
-        ("strip sphere.obj -o strips.ply", "strips.ply: PLY has no strips"),
+        ("strip sphere.obj -o strips.ply", "strips.ply: PLY files cannot contain strips"),
         ("strip sphere.obj -o strips.obj", "hint: write .glb or .gltf"),
         ("strip sphere.obj -o - --to ply", "--to glb"),
         ("strip sphere.obj -o strips.striata", "striata build"),
@@ -219,19 +220,19 @@ fn strips_that_cannot_be_had_are_refused() {
         ("strip nowhere.ply", "nowhere.ply"),
         ("build sphere.obj -o again.striata --strips zigzag", "greedy"),
     ] {
-        let said = bench.refused(arguments);
-        assert!(said.contains(named), "{arguments}: {said}");
+        let message = bench.refused(arguments);
+        assert!(message.contains(named), "{arguments}: {message}");
     }
     bench.write("notes.ply", "Dear diary, today I looked at strips.\n");
     assert!(bench.refused("strip notes.ply -o strips.glb").contains("line 1"));
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
-    let said = bench.refused("strip nan.off -o strips.glb");
-    assert!(said.starts_with("error: nan.off: ") && said.contains("vertex 2"), "{said}");
+    let message = bench.refused("strip nan.off -o strips.glb");
+    assert!(message.starts_with("error: nan.off: ") && message.contains("vertex 2"), "{message}");
     assert_eq!(bench.names(), ["ball.striata", "nan.off", "notes.ply", "sphere.obj"]);
 }
 
 #[test]
-fn build_takes_the_same_strips() {
+fn build_accepts_the_same_stripifiers() {
     let bench = Workbench::with_ball();
     let built = bench.json("build sphere.obj -o again.striata --strips greedy+greedy");
     assert_eq!(built["strips"]["algorithm"], "greedy+greedy");

@@ -1,9 +1,9 @@
-//! Each verb does its job and says so in the promised keys.
+//! What each verb does, and the keys of its report.
 
 use crate::workbench::{Workbench, assert_keys, asset};
 
 #[test]
-fn build_reports_what_it_made() {
+fn build_reports_its_result() {
     let bench = Workbench::with_ball();
     let report = bench.json("build sphere.obj -o again.striata");
     assert_keys(
@@ -51,7 +51,7 @@ fn build_reports_what_it_made() {
 }
 
 #[test]
-fn build_stops_where_it_is_told() {
+fn build_respects_its_limits() {
     let bench = Workbench::with_ball();
     let report = bench.json("build sphere.obj -o small.striata --base 100");
     let base = report["base"]["triangle_count"].as_u64().expect("a count");
@@ -85,17 +85,17 @@ fn every_model_of_a_file_shows_the_same_levels() {
             assert!((a - b).abs() <= 1e-9 * a, "{a} and {b} at {detail} as {form}");
         }
     }
-    // Either of them alone is enough.
+    // Either model alone is enough.
     bench.json("build sphere.obj -o mts.striata --models mts");
     assert_eq!(bench.json("extract mts.striata -o x.ply --detail 0.5")["model"], "mts");
     assert_eq!(bench.json("info mts.striata")["triangle_count"], 512);
-    // Names may have blanks behind commas.
+    // Names may have spaces after commas.
     bench.command("build sphere.obj -o blank.striata --models").arg("lodstrips, mts").assert().success();
     assert_eq!(bench.read("blank.striata"), bench.read("both.striata"));
 }
 
 #[test]
-fn a_view_is_fine_where_the_eye_looks() {
+fn a_view_is_finer_where_the_eye_looks() {
     let bench = Workbench::with_ball();
     let view = |flags: &str| bench.json(&format!("extract ball.striata -o view.glb {flags}"));
     let report = view("--eye -0.4,0.3,-3 --pixels 2");
@@ -104,25 +104,25 @@ fn a_view_is_fine_where_the_eye_looks() {
     let seen = count(&report);
     assert!(seen > 20 && seen < 512, "half of a ball is turned away: {report}");
     assert_eq!(bench.json("info view.glb")["triangle_count"], seen);
-    // Fewer pixels ask for more, distance and a look aside for less; everything is the most there is.
+    // A smaller tolerance gives more triangles; distance, looking elsewhere and a smaller screen give fewer.
     assert!(count(&view("--eye -0.4,0.3,-3 --pixels 0.5")) > seen);
     assert!(count(&view("--eye -4,3,-30 --pixels 2")) < seen);
     assert!(count(&view("--eye -0.4,0.3,-3 --look-at -0.4,0.3,-9 --pixels 2")) < seen);
     assert!(count(&view("--eye -0.4,0.3,-3 --pixels 2 --viewport 64x48")) < seen);
-    // From within all of it is turned away, as strips as well as single triangles.
+    // Seen from inside, triangles face away; the count is the same for strips as for a list.
     let within = count(&view("--eye 0,0,0.1 --look-at 0,0,1 --fov 170 --pixels 0"));
     assert!(within < 512);
     assert_eq!(count(&view("--eye 0,0,0.1 --look-at 0,0,1 --fov 170 --pixels 0 --as strips")), within);
     assert_eq!(view("--eye 0,0,3 --model fans")["stop_reason"], "target_reached");
     let refused = |flags: &str| bench.refused(&format!("extract ball.striata -o x.ply {flags}"));
-    assert!(refused("--eye 0,0,3 --model mts").contains("hint: a view takes --model fans"));
+    assert!(refused("--eye 0,0,3 --model mts").contains("hint: use --model fans"));
     assert!(refused("--eye 0,0,3 --look-at 0,0,3").contains("do not define a view direction"));
-    assert!(refused("--detail 1 --pixels 3").contains("hint: say --eye"));
+    assert!(refused("--detail 1 --pixels 3").contains("hint: use --eye"));
     assert!(bench.refused("simplify sphere.obj -o x.ply --eye 0,0,3").contains("unexpected argument"));
 }
 
 #[test]
-fn fans_of_a_file_show_what_fans_built_anew_show() {
+fn stored_fans_and_built_fans_give_the_same_view() {
     let bench = Workbench::with_ball();
     let report = bench.json("build sphere.obj -o fans.striata --models fans");
     assert_keys(&report, &["models.fans.bytes", "models.fans.bytes_per_vertex"]);
@@ -136,9 +136,9 @@ fn fans_of_a_file_show_what_fans_built_anew_show() {
     );
     let built = bench.json(&format!("extract ball.striata -o built.glb {view}"));
     assert_eq!((&built["fans"], &built["triangle_count"]), (&"built".into(), &seen["triangle_count"]));
-    // The order of triangles is that of the fans, whatever they came from.
+    // Triangles have the order of the fans in both cases.
     assert_eq!(bench.read("stored.glb"), bench.read("built.glb"));
-    // Whole levels are those of the other models, with any of them in the file or none.
+    // Uniform levels equal those of the other models, whether or not the file contains these.
     bench.run("build sphere.obj -o all.striata --models fans,mts,lodstrips --quiet").success();
     assert_eq!(bench.json("extract all.striata -o x.ply --detail 0.5")["model"], "lodstrips");
     for (file, detail) in [("fans", 0.0), ("all", 0.4), ("fans", 0.4), ("all", 1.0)] {
@@ -154,11 +154,11 @@ fn fans_of_a_file_show_what_fans_built_anew_show() {
     }
     let whole = bench.json("extract fans.striata -o x.ply --triangles 300");
     assert_eq!(whole["model"], "fans");
-    assert!(whole.get("fans").is_none() && whole.get("pixels").is_none(), "only views have these: {whole}");
+    assert!(whole.get("fans").is_none() && whole.get("pixels").is_none(), "only views report these: {whole}");
 }
 
 #[test]
-fn a_view_keeps_to_a_number_of_triangles() {
+fn a_view_respects_a_triangle_limit() {
     let bench = Workbench::with_ball();
     let view =
         |flags: &str| bench.json(&format!("extract ball.striata -o view.ply --eye -0.4,0.3,-3 {flags}"));
@@ -171,19 +171,19 @@ fn a_view_keeps_to_a_number_of_triangles() {
     assert!((90..=100).contains(&count(&few)) && pixels(&few) > 0.5, "{few}");
     let fewer = view("--pixels 0 --triangles 60");
     assert!((50..=60).contains(&count(&fewer)) && pixels(&fewer) > pixels(&few), "{fewer}");
-    // What was reached may be asked for.
+    // The reported tolerance gives the same level again.
     let again = view(&format!("--pixels {}", pixels(&few) * 1.0001));
     assert!(count(&again).abs_diff(count(&few)) <= 2, "{again}");
     let least = view("--triangles 0");
     assert_eq!((&least["stop_reason"], &least["split_count"]), (&"base_reached".into(), &0.into()));
-    // Outlines may be finer than the rest.
+    // Silhouettes may be finer than the rest.
     let outlined = view("--pixels 8 --silhouette-pixels 1");
     assert!(count(&outlined) > count(&view("--pixels 8")), "{outlined}");
     assert!(count(&outlined) <= count(&view("--pixels 1")), "{outlined}");
 }
 
 #[test]
-fn a_view_is_finer_in_a_region_and_coarser_aside_of_a_gaze() {
+fn a_view_is_finer_in_a_region_and_coarser_away_from_the_gaze() {
     let bench = Workbench::with_ball();
     let count = |flags: &str| {
         let report = bench.json(&format!("extract ball.striata -o view.ply --eye -0.4,0.3,-3 {flags}"));
@@ -196,7 +196,7 @@ fn a_view_is_finer_in_a_region_and_coarser_aside_of_a_gaze() {
     assert!(count("--pixels 30 --region 0,0,-1,0.5") <= here, "a tenth is more than a hundredth");
     assert_eq!(count("--pixels 30 --region 50,0,0,0.5"), coarse);
     let gazed = count("--pixels 0.3 --gaze 0.9,0.9 --gaze-falloff 400");
-    assert!(gazed < fine, "{gazed} beside the gaze, {fine}");
+    assert!(gazed < fine, "{gazed} with the gaze, {fine} without");
     assert_eq!(count("--pixels 0.3 --gaze 0.9,0.9 --gaze-falloff 0"), fine);
     for wrong in ["--region 1,2,3", "--gaze 0,2", "--region-pixels 1", "--gaze-falloff 1"] {
         bench.run(&format!("extract ball.striata -o x.ply --eye 0,0,3 {wrong}")).code(1);
@@ -204,7 +204,7 @@ fn a_view_is_finer_in_a_region_and_coarser_aside_of_a_gaze() {
 }
 
 #[test]
-fn every_level_may_be_fans() {
+fn every_level_can_be_written_as_fans() {
     let bench = Workbench::with_ball();
     bench.run("build sphere.obj -o fans.striata --models fans --quiet").success();
     let info = |level: &str| {
@@ -234,7 +234,7 @@ fn every_level_may_be_fans() {
 }
 
 #[test]
-fn info_looks_into_meshes_and_containers() {
+fn info_reports_on_meshes_and_containers() {
     let bench = Workbench::with_ball();
     let keys = [
         "kind",
@@ -271,7 +271,7 @@ fn info_looks_into_meshes_and_containers() {
 }
 
 #[test]
-fn extract_gives_the_level_that_was_asked_for() {
+fn extract_writes_the_requested_level() {
     let bench = Workbench::with_ball();
     let level = bench.json("extract ball.striata -o level.ply --triangles 200");
     assert_keys(
@@ -304,7 +304,7 @@ fn extract_gives_the_level_that_was_asked_for() {
 }
 
 #[test]
-fn targets_that_cannot_be_met_say_so() {
+fn targets_out_of_reach_are_reported() {
     let bench = Workbench::with_ball();
     let over = bench.json("extract ball.striata -o level.ply --triangles 9999");
     assert_eq!((&over["triangle_count"], &over["stop_reason"]), (&512.into(), &"full_mesh".into()));
@@ -364,11 +364,11 @@ fn distance_is_measured_both_ways() {
     );
     assert!(report["max"].as_f64().is_some_and(|d| d < 1e-6), "{report}");
     let container = bench.json("distance sphere.obj ball.striata");
-    assert!(container["max"].as_f64().is_some_and(|d| d < 1e-6), "a container stands for its full level");
+    assert!(container["max"].as_f64().is_some_and(|d| d < 1e-6), "a container stands for its full mesh");
 }
 
 #[test]
-fn convert_goes_through_every_format() {
+fn convert_supports_every_format() {
     let bench = Workbench::with_ball();
     let mut from = "sphere.obj".to_owned();
     for to in ["a.ply", "b.off", "c.stl", "d.glb", "e.gltf", "f.obj", "g.ply.gz", "h.ply.zst"] {
@@ -381,7 +381,7 @@ fn convert_goes_through_every_format() {
 }
 
 #[test]
-fn meshes_go_through_pipes() {
+fn meshes_can_be_piped() {
     let bench = Workbench::with_ball();
     let mesh = bench.read("sphere.obj");
     let converted = bench.command("convert - - --to off").write_stdin(mesh.clone()).assert().success();
@@ -396,21 +396,21 @@ fn meshes_go_through_pipes() {
 }
 
 #[test]
-fn seams_and_uvs_survive_a_level() {
+fn levels_preserve_seams_and_uvs() {
     let bench = Workbench::new();
     let spot = asset("spot.obj.zst");
     bench.command("build -o spot.striata").arg(&spot).assert().success();
     let level = bench.json("extract spot.striata -o level.glb --triangles 1000");
     assert!(level["triangle_count"].as_u64().is_some_and(|n| (900..=1000).contains(&n)), "{level}");
     let info = bench.json("info level.glb");
-    assert_eq!(info["boundary_edge_count"], 0, "seams are no holes: {info}");
+    assert_eq!(info["boundary_edge_count"], 0, "seams are not holes: {info}");
     assert!(info["attributes"].to_string().contains("texcoord_0"), "{info}");
     let positions = info["position_count"].as_u64().expect("a count");
     assert!(info["vertex_count"].as_u64().is_some_and(|n| n > positions), "seams have two wedges: {info}");
 }
 
 #[test]
-fn the_demo_leaves_a_page_and_the_files_it_names() {
+fn the_demo_writes_a_page_and_its_files() {
     let bench = Workbench::new();
     let report = bench.json("demo show");
     assert_keys(&report, &["dir", "files", "levels"]);
@@ -421,14 +421,14 @@ fn the_demo_leaves_a_page_and_the_files_it_names() {
         assert!(path.metadata().is_ok_and(|m| m.len() > 100), "{} is missing", path.display());
     }
     let page = String::from_utf8(bench.read("show/index.html")).expect("text");
-    assert!(!page.contains("{{"), "a place of the template is left");
+    assert!(!page.contains("{{"), "a placeholder is left");
     assert!(
         page.contains("href=\"viewer.html\"") && page.matches("<img ").count() == 4,
         "viewer and pictures"
     );
     let viewer = String::from_utf8(bench.read("show/viewer.html")).expect("text");
-    assert!(viewer.contains("data-name=\"nefertiti.stri\""), "the viewer has no stream inside");
-    assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page needs a network");
+    assert!(viewer.contains("data-name=\"nefertiti.stri\""), "the viewer contains no stream");
+    assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page refers to the network");
     let triangles: Vec<u64> = report["levels"]
         .as_array()
         .expect("a list")
@@ -464,11 +464,11 @@ fn shapes_are_meshes_for_every_verb() {
     assert_eq!(bench.json("info grid.striata")["triangle_count"], 2 * 64 * 64);
     for verb in ["info", "convert x.ply", "build -o x.striata"] {
         let (verb, rest) = verb.split_once(' ').unwrap_or((verb, ""));
-        let said = bench.refused(&format!("{verb} shape:tourus {rest}"));
-        assert!(said.contains("no shape \"tourus\"") && said.contains("torus, terrain"), "{said}");
+        let message = bench.refused(&format!("{verb} shape:tourus {rest}"));
+        assert!(message.contains("no shape \"tourus\"") && message.contains("torus, terrain"), "{message}");
     }
     assert!(bench.refused("extract shape:cube -o x.ply --detail 1").contains("striata build"));
-    let said = bench.refused("strip shape:grid --block-triangles 1000");
-    assert!(said.contains("hint: write one first"), "{said}");
+    let message = bench.refused("strip shape:grid --block-triangles 1000");
+    assert!(message.contains("hint: write one first"), "{message}");
     assert_eq!(bench.names(), ["cube.ply", "grid.striata", "small.ply"]);
 }

@@ -1,4 +1,4 @@
-//! `view`, on a display: the one there is, or one that shows nothing (Xvfb).
+//! `view`, on the available display or a virtual one (Xvfb).
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use crate::workbench::{NO_DRIVERS, Workbench};
 
-/// Runs the command where it can open a window, and kills it where it never ends.
+/// Runs the command with a display, and kills it if it does not end.
 pub(crate) fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
     run_with(bench, arguments, &[])
 }
 
-/// Runs it in an environment, on the display that there is or on one of Xvfb.
+/// Runs the command with environment variables, on the available display or on Xvfb.
 fn run_with(bench: &Workbench, arguments: &[&str], environment: &[(&str, &str)]) -> Output {
     let striata = assert_cmd::cargo::cargo_bin("striata");
     let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
@@ -38,8 +38,8 @@ fn run_with(bench: &Workbench, arguments: &[&str], environment: &[(&str, &str)])
     output
 }
 
-/// Keeps the exit code and the messages of the command: at times xvfb-run fails to clean up after itself, and ends with a code and
-/// a message of its own.
+/// Saves the exit code and the messages of the command, since xvfb-run sometimes fails to clean up and then
+/// ends with a code and a message of its own.
 const KEEPS_RESULT: &str = r#""$0" "$@" 2> "$KEPT/stderr"; echo $? > "$KEPT/status""#;
 
 #[cfg(unix)]
@@ -57,7 +57,7 @@ fn is_in_path(program: &str) -> bool {
     std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
 }
 
-/// Width, height and pixels, three bytes each.
+/// Reads the width, the height and the pixels (three bytes each) of a PNG file.
 fn png(path: &Path) -> (usize, usize, Vec<u8>) {
     let file = std::io::BufReader::new(std::fs::File::open(path).expect("the screenshot is there"));
     let mut reader = png::Decoder::new(file).read_info().expect("a PNG header");
@@ -67,7 +67,7 @@ fn png(path: &Path) -> (usize, usize, Vec<u8>) {
     (info.width as usize, info.height as usize, pixels)
 }
 
-/// A screenshot of what the arguments show.
+/// Takes a screenshot of the window.
 fn shot(bench: &Workbench, arguments: &[&str]) -> (usize, usize, Vec<u8>) {
     let name = "shot.png";
     let output = run_on_display(bench, &[arguments, &["--size", "640x480", "--screenshot", name]].concat());
@@ -77,13 +77,13 @@ fn shot(bench: &Workbench, arguments: &[&str]) -> (usize, usize, Vec<u8>) {
     png(&bench.path(name))
 }
 
-/// Different colors within the middle of the picture, left of the panel.
+/// Counts different colors in the middle of the picture, to the left of the panel.
 fn colors_in_the_middle((width, height, pixels): &(usize, usize, Vec<u8>)) -> usize {
     let mut colors = std::collections::BTreeSet::new();
     for y in height / 4..height * 3 / 4 {
         for x in width / 12..width * 5 / 12 {
             let at = 3 * (y * width + x);
-            // Coarse, so that shading alone gives few.
+            // Coarse steps, so that shading alone gives few colors.
             colors.insert([pixels[at] >> 5, pixels[at + 1] >> 5, pixels[at + 2] >> 5]);
         }
     }
@@ -105,7 +105,7 @@ fn a_screenshot_shows_the_model_and_the_panel() {
 }
 
 #[test]
-fn what_cannot_be_shown_is_told_without_a_picture() {
+fn unreadable_files_are_reported_without_a_screenshot() {
     let bench = Workbench::with_ball();
     bench.write("broken.obj", "v 0 0 0\nf 1 2 3\n");
     let output = run_on_display(&bench, &["broken.obj", "--screenshot", "shot.png"]);
@@ -116,38 +116,45 @@ fn what_cannot_be_shown_is_told_without_a_picture() {
 }
 
 #[test]
-fn without_a_file_or_a_display_it_says_what_to_do() {
+fn a_missing_file_or_display_is_reported_with_a_hint() {
     let bench = Workbench::with_ball();
-    let told = bench.refused("view nowhere.ply");
-    assert!(told.contains("nowhere.ply") && told.contains("hint:"), "{told}");
-    let told = bench.refused("view ball.striata --size 100000x100");
-    assert!(told.contains("100000x100") && told.contains("8192"), "{told}");
+    let stderr = bench.refused("view nowhere.ply");
+    assert!(stderr.contains("nowhere.ply") && stderr.contains("hint:"), "{stderr}");
+    let stderr = bench.refused("view ball.striata --size 100000x100");
+    assert!(stderr.contains("100000x100") && stderr.contains("8192"), "{stderr}");
     let mut command = bench.command("view ball.striata");
     let headless = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
     let assert = headless.assert().code(1).stdout("");
     let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
     assert!(stderr.contains("display") && stderr.contains("hint: `striata render`"), "{stderr}");
-    assert!(!stderr.contains(".rs:"), "whose line of code it was is no news to anybody: {stderr}");
+    assert!(!stderr.contains(".rs:"), "the source location is of no interest: {stderr}");
 }
 
 #[test]
-fn without_a_driver_it_says_what_is_missing_and_what_works_without() {
+fn a_missing_driver_is_reported_with_a_hint() {
     let bench = Workbench::with_ball();
     let output = run_with(&bench, &["ball.striata", "--screenshot", "shot.png"], &NO_DRIVERS);
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("a window needs a graphics driver: "), "{said}");
-    assert!(said.contains("mesa-vulkan-drivers") && said.contains("`striata view --browser`"), "{said}");
-    assert_eq!(said.lines().count(), 2, "an error and a hint: {said}");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("a window needs a graphics driver: "), "{message}");
+    assert!(
+        message.contains("mesa-vulkan-drivers")
+            && message.contains(
+                "`striata view \
+        --browser`"
+            ),
+        "{message}"
+    );
+    assert_eq!(message.lines().count(), 2, "an error and a hint: {message}");
 }
 
 #[test]
-fn opengl_alone_is_enough_for_a_window() {
+fn a_window_needs_only_opengl() {
     let bench = Workbench::with_ball();
     let arguments = ["ball.striata", "--size", "640x480", "--screenshot", "gl.png"];
     let output = run_with(&bench, &arguments, &[("WGPU_BACKEND", "gl")]);
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{said}");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{message}");
     let usual = shot(&bench, &["ball.striata"]);
     let gl = png(&bench.path("gl.png"));
     let far = usual.2.iter().zip(&gl.2).filter(|(a, b)| a.abs_diff(**b) > 32).count();

@@ -1,18 +1,18 @@
-//! What the colors of a picture mean.
+//! What the colors in a picture stand for.
 
 use clap::ValueEnum;
 
-/// What colors tell.
+/// What the colors in a picture stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Coloring {
-    /// Nothing but what the mesh looks like
+    /// The mesh as it looks: its vertex colors, or plain stone
     Surface,
-    /// Strips
+    /// One color per triangle strip
     Strips,
-    /// Fans
+    /// One color per triangle fan
     Fans,
-    /// Single triangles
+    /// One color per triangle
     Triangles,
-    /// Groups, which are its materials
+    /// One color per group, that is, per material
     Groups,
 }

@@ -1,19 +1,19 @@
-//! Lengths in mesh units or as shares of the diagonal.
+//! Lengths given in mesh units or as a percentage of the bounding box diagonal.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// A length as the user writes it.
+/// A length as written on the command line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Length {
-    /// Mesh units.
+    /// A length in mesh units.
     Absolute(f64),
-    /// A share of the bounding box's diagonal, 0.01 for `1%`.
+    /// A fraction of the bounding box diagonal: `1%` is 0.01.
     OfDiagonal(f64),
 }
 
 impl Length {
-    /// The length in mesh units.
+    /// Returns the length in mesh units, given the diagonal in mesh units.
     pub fn in_units(self, diagonal: f64) -> f64 {
         match self {
             Self::Absolute(length) => length,
@@ -35,8 +35,9 @@ impl FromStr for Length {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong =
-            || format!("{text:?} is no length; write mesh units (0.02) or a share of the diagonal (1%)");
+        let wrong = || {
+            format!("{text:?} is not a length; write mesh units (0.02) or a percentage of the diagonal (1%)")
+        };
         let (number, length): (&str, fn(f64) -> Self) = match text.strip_suffix('%') {
             Some(percent) => (percent, |x| Self::OfDiagonal(x / 100.0)),
             None => (text, Self::Absolute),
@@ -51,13 +52,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lengths_are_units_or_shares_of_the_diagonal() {
+    fn lengths_are_mesh_units_or_percentages_of_the_diagonal() {
         assert_eq!("0.5".parse(), Ok(Length::Absolute(0.5)));
         assert_eq!("1%".parse(), Ok(Length::OfDiagonal(0.01)));
         assert_eq!("1 %".parse(), Ok(Length::OfDiagonal(0.01)));
         assert_eq!("2%".parse::<Length>().map(|l| l.in_units(50.0)), Ok(1.0));
         for wrong in ["", "%", "-1", "nan", "inf%", "1m"] {
-            assert!(wrong.parse::<Length>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<Length>().is_err(), "{wrong:?} was accepted");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Levels as the user asks for them: a number, a share of the full mesh, an error, or several levels at once.
+//! Flags that choose one or several levels: by triangle or vertex count, error, detail or view.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,40 +7,64 @@ use clap::{ArgMatches, Args, Command, FromArgMatches};
 
 use super::{Length, Point};
 
-/// The heading of targets.
-pub const LEVEL: &str = "Level (exactly one)";
+/// Help heading of the flags that choose a level.
+pub const LEVEL: &str = "Level (choose one)";
 
-/// The target of a level; exactly one must be given.
+/// The level to produce; the user must give exactly one of these flags.
 #[derive(Clone, Copy, Debug, Args)]
 #[group(required = true, multiple = true)]
 #[command(next_help_heading = LEVEL)]
 pub struct LevelArgs {
-    /// At most this many triangles, or this share of the full mesh's (at least 2)
-    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, conflicts_with_all = ["ratio", "vertices", "detail", "error", "split_count"])]
+    /// At most N triangles, or P% of the full mesh
+    #[arg(
+        long,
+        value_name = "N|P%",
+        allow_hyphen_values = true,
+        conflicts_with_all = ["ratio", "vertices", "detail", "error", "split_count"],
+    )]
     pub triangles: Option<Count>,
-    /// At most this share of the full mesh's triangles: 0.1 is --triangles 10%
-    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_ratio, conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
+    /// Like --triangles, as a fraction: 0.1 is 10%
+    #[arg(
+        long,
+        value_name = "0..1",
+        allow_negative_numbers = true,
+        value_parser = parse_ratio,
+        conflicts_with_all = ["vertices", "detail", "error", "split_count"],
+    )]
     pub ratio: Option<f64>,
-    /// At most this many vertices, or this share of the full mesh's
-    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, conflicts_with_all = ["detail", "error", "split_count"])]
+    /// At most N vertices, or P% of the full mesh
+    #[arg(
+        long,
+        value_name = "N|P%",
+        allow_hyphen_values = true,
+        conflicts_with_all = ["detail", "error", "split_count"],
+    )]
     pub vertices: Option<Count>,
-    /// Share of the vertex splits from the base mesh (0) to the full mesh (1); unlike --ratio, 0 is the base mesh
-    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, conflicts_with_all = ["error", "split_count"])]
+    /// Fraction of the vertex splits: 0 is the base mesh, 1 the full mesh
+    #[arg(
+        long,
+        value_name = "0..1",
+        allow_negative_numbers = true,
+        value_parser = parse_detail,
+        conflicts_with_all = ["error", "split_count"],
+    )]
     pub detail: Option<f64>,
-    /// At most this error, estimated unless it is guaranteed: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "E|P%", allow_negative_numbers = true, conflicts_with = "split_count")]
+    /// Largest error allowed, in mesh units or as a percentage of the diagonal: 1%
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, conflicts_with = "split_count")]
     pub error: Option<Length>,
-    /// Exactly this many vertex splits above the base mesh
+    /// Exactly N vertex splits above the base mesh
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub split_count: Option<usize>,
 }
 
-/// One level or a view, or none: then it is the full mesh. To `clap` the flags of [`LevelArgs`] under another heading.
+/// An optional level or view; without one, the verb uses the full mesh.
+///
+/// Parses the flags of [`LevelArgs`] and [`EyeArgs`], listed under another heading in the help.
 #[derive(Clone, Copy, Debug)]
 pub struct LevelChoice {
-    /// The level, where one is given.
+    /// The level, if one is given.
     pub level: LevelArgs,
-    /// The eye of a view.
+    /// The position of the eye, if a view is given.
     pub eye: Option<Point>,
 }
 
@@ -52,10 +76,10 @@ impl Args for LevelChoice {
         let command = under_heading(command, &LEVEL_FLAGS, heading);
         let command = under_heading(command, &["eye"], heading);
         let command = command.mut_arg("viewport", |argument| {
-            argument.help("Pixels of the screen [default: those of the picture]")
+            argument.help("Screen size that --pixels refers to, in pixels [default: --size]")
         });
         command.mut_arg("eye", |argument| {
-            argument.help("As fine as the screen asks for, seen from here; with --from, --turn or --rise shown from outside")
+            argument.help("Level for a viewer at this point; --from, --turn or --rise show it from elsewhere")
         })
     }
 
@@ -76,7 +100,9 @@ impl FromArgMatches for LevelChoice {
     }
 }
 
-/// A level, or none: then it is all that is there. To `clap` the flags of [`LevelArgs`] under another heading.
+/// An optional level; without one, the verb uses everything in the input.
+///
+/// Parses the flags of [`LevelArgs`], listed under another heading in the help.
 #[derive(Clone, Copy, Debug)]
 pub struct OptionalLevel {
     /// The level, if one is given.
@@ -86,7 +112,7 @@ pub struct OptionalLevel {
 impl Args for OptionalLevel {
     fn augment_args(command: Command) -> Command {
         let command = LevelArgs::augment_args(command).mut_group("LevelArgs", |group| group.required(false));
-        under_heading(command, &LEVEL_FLAGS, "Level [default: all that is there]")
+        under_heading(command, &LEVEL_FLAGS, "Level [default: everything in the input]")
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -105,7 +131,7 @@ impl FromArgMatches for OptionalLevel {
     }
 }
 
-/// The names of the flags of [`LevelArgs`].
+/// The ids of the flags of [`LevelArgs`].
 const LEVEL_FLAGS: [&str; 6] = ["triangles", "ratio", "vertices", "detail", "error", "split_count"];
 
 fn under_heading(command: Command, names: &[&'static str], heading: &'static str) -> Command {
@@ -114,59 +140,78 @@ fn under_heading(command: Command, names: &[&'static str], heading: &'static str
         .fold(command, |command, name| command.mut_arg(name, |argument| argument.help_heading(heading)))
 }
 
-/// The eye of a view, which is a level too.
+/// The eye of a view, which is another way to choose a level.
 #[derive(Clone, Copy, Debug, Args)]
 #[group(skip)]
 #[command(next_help_heading = LEVEL)]
 pub struct EyeArgs {
-    /// As fine as the screen asks for, seen from here; with --triangles or --ratio the level of at most that many triangles
-    /// that looks best from there
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
+    /// Level for a viewer at this point, with errors up to --pixels; with --triangles or --ratio, the best
+    /// level within that count
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        allow_hyphen_values = true,
+        group = "LevelArgs",
+        conflicts_with_all = ["vertices", "detail", "error", "split_count"],
+    )]
     pub eye: Option<Point>,
 }
 
-/// Several levels at once.
+/// A list of levels that are written in one run.
 #[derive(Clone, Debug, Args)]
 #[group(skip)]
 #[command(next_help_heading = LEVEL)]
 pub struct LevelsArgs {
-    /// Several levels at once, as --triangles takes them: 50%,25%,500. Each goes to a file of its own: {} in the name of the output
-    /// stands for the level, `-o bunny-{}.glb`
-    #[arg(long, value_name = "LEVELS", value_delimiter = ',', allow_hyphen_values = true, group = "LevelArgs", conflicts_with_all = ["triangles", "ratio", "vertices", "detail", "error", "split_count"])]
+    /// Several levels, each as in --triangles: 50%,25%,500; {} in the output name becomes the level: -o
+    /// bunny-{}.glb
+    #[arg(
+        long,
+        value_name = "N|P%,...",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        group = "LevelArgs",
+        conflicts_with_all = ["triangles", "ratio", "vertices", "detail", "error", "split_count"],
+    )]
     pub levels: Option<Vec<Level>>,
 }
 
-/// A number of triangles or vertices, as it is or as a share of the full mesh's.
+/// A triangle or vertex count, given as a number or as a percentage of the full mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Count {
-    /// This many.
+    /// An absolute count.
     Number(usize),
-    /// This share of all, 0 to 1.
+    /// A fraction of the full mesh, 0 to 1.
     Share(f64),
 }
 
 impl Count {
-    /// The number of triangles that it means for a full mesh of `full`; a share is at least what any closed surface has.
+    /// Returns the triangle count for a full mesh of `full` triangles.
+    ///
+    /// A share gives at least 2 triangles, the fewest that a closed surface can have.
     pub fn of_triangles(self, full: usize) -> usize {
         self.of(full, 2)
     }
 
-    /// The number of vertices that it means for a full mesh of `full`; a share is at least what two triangles can have.
+    /// Returns the vertex count for a full mesh of `full` vertices.
+    ///
+    /// A share gives at least 6 vertices, as many as two separate triangles have.
     pub fn of_vertices(self, full: usize) -> usize {
         self.of(full, 6)
     }
 
-    /// No share but 0 asks for less than `least`, so that shares of tiny meshes are in reach.
+    /// Rounds shares down, but to no less than `least` (unless the share is 0), so that small shares of tiny
+    /// meshes can be reached.
     fn of(self, full: usize, least: usize) -> usize {
         match self {
             Self::Number(count) => count,
             Self::Share(0.0) => 0,
-            // The small term keeps a share that is a whole number from rounding down to the one before.
+            // The factor keeps a product that should be a whole number from being rounded down to the one
+            // below.
             Self::Share(share) => ((share * full as f64 * (1.0 + 1e-12)) as usize).max(least).min(full),
         }
     }
 
-    /// Whether the number depends on the mesh.
+    /// Whether the count depends on the mesh.
     pub fn is_share(self) -> bool {
         matches!(self, Self::Share(_))
     }
@@ -179,7 +224,7 @@ impl FromStr for Count {
         let wrong = || {
             let share = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share < 1.0);
             let share = share.map_or_else(|| "10%".to_owned(), |share| Self::Share(share).to_string());
-            format!("{text:?} is no count; write a number or a share of the full mesh: 500, {share}")
+            format!("{text:?} is not a count; write a number or a percentage of the full mesh: 500, {share}")
         };
         match text.strip_suffix('%') {
             None => Ok(Self::Number(text.trim().parse().map_err(|_| wrong())?)),
@@ -200,12 +245,12 @@ impl fmt::Display for Count {
     }
 }
 
-/// A level by its number of triangles, and how the user spelled it.
+/// A level given by its triangle count, with the text that the user wrote.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
-    /// As the user wrote it.
+    /// The text that the user wrote.
     pub text: String,
-    /// Its triangles.
+    /// The largest triangle count allowed.
     pub triangles: Count,
 }
 
@@ -215,19 +260,21 @@ impl FromStr for Level {
     fn from_str(text: &str) -> Result<Self, String> {
         let text = text.trim();
         let triangles = text.parse().map_err(|_| {
-            format!("{text:?} is no level; write a share of the triangles or their number: 10%, 500")
+            format!(
+                "{text:?} is not a level; write a triangle count or a percentage of the triangles: 500, 10%"
+            )
         })?;
         Ok(Self { text: text.to_owned(), triangles })
     }
 }
 
 impl LevelArgs {
-    /// The triangles asked for, by either flag.
+    /// Returns the requested triangle count, from `--triangles` or `--ratio`.
     pub fn triangle_count(&self) -> Option<Count> {
         self.triangles.or(self.ratio.map(Count::Share))
     }
 
-    /// The value of the flag that is given, as `{}` in a file name shows it.
+    /// Returns the value of the given flag as text, which replaces `{}` in file names.
     pub fn text(&self) -> Option<String> {
         let Self { triangles, ratio, vertices, detail, error, split_count } = self;
         let texts = [
@@ -241,7 +288,7 @@ impl LevelArgs {
         texts.into_iter().flatten().next()
     }
 
-    /// Whether any level is given.
+    /// Whether the user gave any of these flags.
     pub fn is_given(&self) -> bool {
         self.text().is_some()
     }
@@ -258,10 +305,10 @@ fn parse_ratio(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Parses a detail from 0 to 1.
+/// Parses a detail, a number from 0 to 1.
 ///
 /// # Errors
-/// If the text is none.
+/// If the text is not such a number.
 pub fn parse_detail(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(detail) if (0.0..=1.0).contains(&detail) => Ok(detail),
@@ -274,28 +321,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn counts_are_numbers_or_shares() {
+    fn counts_are_numbers_or_percentages() {
         assert_eq!("10%".parse(), Ok(Count::Share(0.1)));
         assert_eq!("0.5 %".parse(), Ok(Count::Share(0.005)));
         assert_eq!("500".parse(), Ok(Count::Number(500)));
         for wrong in ["", "%", "101%", "-1%", "nan%", "1.5", "-3", "ten"] {
-            assert!(wrong.parse::<Count>().is_err(), "{wrong:?} was taken");
-            assert!(wrong.parse::<Level>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<Count>().is_err(), "{wrong:?} was accepted");
+            assert!(wrong.parse::<Level>().is_err(), "{wrong:?} was accepted");
         }
     }
 
     #[test]
-    fn ratios_are_shares_too() {
+    fn ratios_are_fractions_or_percentages() {
         assert_eq!((parse_ratio("0.1"), parse_ratio("10%")), (Ok(0.1), Ok(0.1)));
         for wrong in ["", "%", "1.1", "101%", "-0.1", "nan"] {
-            assert!(parse_ratio(wrong).is_err(), "{wrong:?} was taken");
+            assert!(parse_ratio(wrong).is_err(), "{wrong:?} was accepted");
         }
-        let said = "0.25".parse::<Count>().expect_err("no count");
-        assert!(said.ends_with("500, 25%"), "{said}");
+        let message = "0.25".parse::<Count>().expect_err("no count");
+        assert!(message.ends_with("500, 25%"), "{message}");
     }
 
     #[test]
-    fn shares_are_rounded_down_but_for_what_floats_lose() {
+    fn shares_round_down_but_not_because_of_float_errors() {
         for (share, full, expected) in
             [(0.1, 99_938, 9993), (0.29, 100, 29), (0.07, 100, 7), (1.0, 7, 7), (0.0, 7, 0), (0.999, 3, 2)]
         {
@@ -305,15 +352,15 @@ mod tests {
     }
 
     #[test]
-    fn shares_of_tiny_meshes_are_in_reach() {
+    fn shares_of_tiny_meshes_can_be_reached() {
         let share = Count::Share(0.01);
         assert_eq!([0, 1, 2, 50, 300].map(|full| share.of_triangles(full)), [0, 1, 2, 2, 3]);
         assert_eq!([0, 1, 4, 50, 700].map(|full| share.of_vertices(full)), [0, 1, 4, 6, 7]);
-        assert_eq!(Count::Number(1).of_triangles(50), 1, "a number means what it says");
+        assert_eq!(Count::Number(1).of_triangles(50), 1, "an absolute count has no minimum");
     }
 
     #[test]
-    fn counts_are_written_as_they_are_read() {
+    fn counts_display_as_they_were_written() {
         for text in ["500", "10%", "0.07%", "12.5%", "100%", "0%"] {
             assert_eq!(text.parse::<Count>().map(|count| count.to_string()).as_deref(), Ok(text));
         }

@@ -1,4 +1,4 @@
-//! Flags that several commands take, and the values that they parse to.
+//! Flags shared by several verbs, and the types that their values parse to.
 
 mod coloring;
 mod length;
@@ -22,4 +22,4 @@ pub use self::report::ReportArgs;
 pub use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 pub use self::stream::{EffortArg, StreamArgs};
 pub use self::strips::{BUILD_STRIPS, STRIPS, StripSearchArgs, parse_at_least_zero, strips_help};
-pub use self::view::{Corners, Point, ViewArgs, Viewport, tan};
+pub use self::view::{AxisAlignedBox, Point, ViewArgs, Viewport, tan};

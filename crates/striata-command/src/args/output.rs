@@ -1,26 +1,26 @@
-//! Where a mesh is written, and in which format.
+//! Flags for the file that a mesh is written to, and for its format.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-/// Where a mesh goes, and how it is written.
+/// The output file of a verb that writes meshes, and its format.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Output")]
 pub struct OutputArgs {
-    /// The mesh to write, or - for stdout
+    /// Mesh file to write, or - for stdout
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
-    /// How it is written.
+    /// The format of the file.
     #[command(flatten)]
     pub format: FormatArgs,
 }
 
-/// How a mesh is written.
+/// The format that a mesh is written in.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Output")]
 pub struct FormatArgs {
-    /// Format of the output [default: by its extension; ply on stdout]
+    /// Output format [default: from the file extension; ply on stdout]
     #[arg(long, value_name = "FORMAT")]
     pub to: Option<FormatArg>,
     /// Write PLY as text
@@ -28,7 +28,7 @@ pub struct FormatArgs {
     pub ascii: bool,
 }
 
-/// Formats that meshes are written in.
+/// A format that meshes can be written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FormatArg {
     /// Stanford PLY
@@ -39,8 +39,8 @@ pub enum FormatArg {
     Stl,
     /// Object file format
     Off,
-    /// glTF as JSON, all embedded
+    /// glTF as JSON with embedded buffers
     Gltf,
-    /// glTF as one binary file
+    /// Binary glTF
     Glb,
 }

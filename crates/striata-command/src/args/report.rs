@@ -1,14 +1,14 @@
-//! How every verb reports.
+//! Flags for what a verb prints.
 
 use clap::{ArgAction, Args};
 
-/// How every verb reports.
+/// Flags of every verb for what it prints.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct ReportArgs {
-    /// Print one JSON object to stdout instead of text
+    /// Print the report as JSON to stdout
     #[arg(long, global = true)]
     pub json: bool,
-    /// No progress, no summary; errors only
+    /// Print errors only: no progress, no summary
     #[arg(short, long, global = true)]
     pub quiet: bool,
     /// Print help
@@ -16,11 +16,12 @@ pub struct ReportArgs {
     help: Option<bool>,
 }
 
-/// How verbs that draw on a GPU report.
+/// Flags of verbs that draw on a GPU for what they print.
 #[cfg(feature = "gpu")]
 #[derive(Clone, Copy, Debug, Args)]
 pub struct DriverArgs {
-    /// Also show the messages of graphics drivers and libraries
-    #[arg(short, long, conflicts_with = "quiet")]
+    /// Show messages from graphics drivers and libraries
+    // Without this, the heading of whatever flags come before would apply here too.
+    #[arg(short, long, conflicts_with = "quiet", help_heading = None)]
     pub verbose: bool,
 }

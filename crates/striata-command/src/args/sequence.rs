@@ -1,70 +1,95 @@
-//! The arguments of verbs that simplify: what goes first, and what may not happen.
+//! Flags of the verbs that simplify: the order of the steps, and what they must preserve.
 
 use clap::{Args, ValueEnum};
 use striata::simplify::{AttributeWeights, HoleCriterion, RemovalOptions, Retriangulation};
 
 use super::Length;
 
-/// How the simplification sequence is made.
+/// Help heading of the flags that only the quadric order has.
+const QUADRIC: &str = "Simplification with --order quadric";
+
+/// Help heading of the flags that only the Hausdorff order has.
+const HAUSDORFF: &str = "Simplification with --order hausdorff";
+
+/// How a mesh is simplified.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Simplification")]
 pub struct SequenceArgs {
-    /// What is simplified first: quadric (collapses of edges that cost least) or hausdorff (vertices, by a
-    /// mixture of distance, area and attributes; slower, errors are guaranteed)
+    /// What to remove first: quadric (edges of least quadric cost) or hausdorff (vertices, by distance, area
+    /// and attributes; slower, with guaranteed errors)
     #[arg(long, value_name = "ORDER", default_value = "quadric", hide_possible_values = true)]
     pub order: OrderArg,
     /// Guarantee errors in quadric order too: no point of the original is farther from a level than its error
     #[arg(long)]
     pub certify: bool,
-    /// Which cost has the quadric order: of the current mesh, summed up, or of all removed vertices (slow, best far
-    /// down) [default: memoryless]
-    #[arg(long)]
-    pub cost: Option<CostArg>,
-    /// Keep every boundary vertex in place
+    /// Keep all boundary vertices
     #[arg(long)]
     pub lock_boundary: bool,
-    /// Keep every vertex on a border between groups (materials) in place
+    /// Keep all vertices on borders between groups (materials)
     #[arg(long)]
     pub lock_groups: bool,
-    /// Move vertices on seams and material borders only along them; some targets are then out of reach
+    /// Collapse seams and material borders only along themselves; some levels become unreachable
     #[arg(long)]
     pub keep_seams: bool,
-    /// Keep at least one triangle of every connected part; some targets are then out of reach
+    /// Keep at least one triangle of every connected part; some levels become unreachable
     #[arg(long)]
     pub keep_parts: bool,
-    /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    /// Cost function: memoryless (current mesh only), accumulated (sum of all quadrics) or tracked (distance
+    /// of every removed vertex; slower, best at coarse levels) [default: memoryless]
+    #[arg(long, hide_possible_values = true, help_heading = QUADRIC)]
+    pub cost: Option<CostArg>,
+    /// Also merge disconnected parts that are closer than this (mesh units, or % of the diagonal)
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = QUADRIC)]
     pub pair_distance: Option<Length>,
-    /// How much attributes weigh.
+    /// Weights of attributes.
     #[command(flatten)]
     pub weights: WeightArgs,
-    /// How vertices are removed.
+    /// Options of vertex removal.
     #[command(flatten)]
     pub removal: RemovalArgs,
 }
 
-/// How much attributes weigh against distances.
+/// Weights of attributes relative to distances.
 #[derive(Clone, Copy, Debug, Args)]
-#[command(next_help_heading = "Simplification, with --order quadric")]
+#[command(next_help_heading = QUADRIC)]
 pub struct WeightArgs {
-    #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, help = weight_help(|w| w.normal, "normals"))]
+    #[arg(
+        long,
+        value_name = "0..100",
+        allow_negative_numbers = true,
+        value_parser = parse_weight,
+        help = weight_help(|w| w.normal, "normals"),
+    )]
     normal_weight: Option<f32>,
-    #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, help = weight_help(|w| w.texcoord, "texture coordinates"))]
+    #[arg(
+        long,
+        value_name = "0..100",
+        allow_negative_numbers = true,
+        value_parser = parse_weight,
+        help = weight_help(|w| w.texcoord, "texture coordinates"),
+    )]
     uv_weight: Option<f32>,
-    /// Scale the weight of texture coordinates by the contrast of each material's base color texture (PNG or JPEG, glTF
-    /// input), 0.1 to 2 times
+    /// Scale --uv-weight for each material by the contrast of its base color texture, 0.1 to 2 times (glTF
+    /// input, PNG or JPEG images)
     #[arg(long)]
     pub uv_contrast: bool,
-    #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, alias = "colour-weight", help = weight_help(|w| w.color, "colors"))]
+    #[arg(
+        long,
+        value_name = "0..100",
+        allow_negative_numbers = true,
+        value_parser = parse_weight,
+        alias = "colour-weight",
+        help = weight_help(|w| w.color, "colors"),
+    )]
     color_weight: Option<f32>,
 }
 
 impl WeightArgs {
-    /// The greatest weight: a difference of 1 in an attribute then weighs as much as a distance of 100 diagonals.
-    const MOST: f32 = 100.0;
+    /// Largest weight: a difference of 1 in an attribute then counts as much as a distance of 100 diagonals.
+    const MAX: f32 = 100.0;
 
-    /// The first flag that was given.
-    pub fn given(&self) -> Option<&'static str> {
+    /// Returns the first of these flags that the user gave.
+    pub fn first_given_flag(&self) -> Option<&'static str> {
         let Self { normal_weight, uv_weight, uv_contrast, color_weight } = self;
         let flags = [
             ("--normal-weight", normal_weight.is_some()),
@@ -75,38 +100,45 @@ impl WeightArgs {
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
     }
 
-    /// The weights asked for, and the usual ones of other layers.
+    /// Returns the weights, with defaults for those that were not given.
     pub fn weights(&self) -> AttributeWeights {
-        let usual = AttributeWeights::default();
+        let defaults = AttributeWeights::default();
         AttributeWeights {
-            normal: self.normal_weight.unwrap_or(usual.normal),
-            texcoord: self.uv_weight.unwrap_or(usual.texcoord),
-            color: self.color_weight.unwrap_or(usual.color),
+            normal: self.normal_weight.unwrap_or(defaults.normal),
+            texcoord: self.uv_weight.unwrap_or(defaults.texcoord),
+            color: self.color_weight.unwrap_or(defaults.color),
         }
     }
 }
 
-/// How vertices are removed.
+/// How the Hausdorff order removes vertices.
 #[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Simplification, with --order hausdorff")]
+#[command(next_help_heading = HAUSDORFF)]
 pub struct RemovalArgs {
-    /// How the hole of a vertex is filled: in the best of all ways, or as a collapse would, which all models but patterns
-    /// need [default: free where they allow it]
-    #[arg(long, value_name = "HOW")]
+    /// How the hole of a removed vertex is filled: free (best of all triangulations) or collapse (as a
+    /// half-edge collapse would; required by every model but patterns) [default: free if the models allow it]
+    #[arg(long, value_name = "METHOD", hide_possible_values = true)]
     pub retriangulation: Option<RetriangulationArg>,
-    /// Which way is the best: nearest to the original, flattest, or of the roundest triangles [default: distance]
-    #[arg(long)]
+    /// Which triangulation is best: distance (closest to the original), flatness or shape (roundest
+    /// triangles) [default: distance]
+    #[arg(long, hide_possible_values = true)]
     pub criterion: Option<CriterionArg>,
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(3..=16), help = degree_help())]
+    #[arg(
+        long,
+        value_name = "3..16",
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(3..=16),
+        help = degree_help(),
+    )]
     pub degree_limit: Option<u32>,
-    /// Keep edges where the surface turns by more than this, degrees [default: distances alone decide]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = parse_turn)]
+    /// Keep edges where the surface bends by more than this [default: no limit]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = parse_bend)]
     pub feature_angle: Option<f64>,
 }
 
 impl RemovalArgs {
-    /// The first flag that was given.
-    pub fn given(&self) -> Option<&'static str> {
+    /// Returns the first of these flags that the user gave.
+    pub fn first_given_flag(&self) -> Option<&'static str> {
         let Self { retriangulation, criterion, degree_limit, feature_angle } = self;
         let flags = [
             ("--retriangulation", retriangulation.is_some()),
@@ -118,17 +150,17 @@ impl RemovalArgs {
     }
 }
 
-/// What is simplified first.
+/// Which parts of the mesh are simplified first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum OrderArg {
-    /// Half-edge collapses, by quadrics
+    /// Half-edge collapses of least quadric cost
     Quadric,
-    /// Vertices removed, by the distance that is left
+    /// Vertex removals that leave the smallest distance
     Hausdorff,
 }
 
 impl OrderArg {
-    /// As the flag spells it.
+    /// Returns the name as it is spelled on the command line.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Quadric => "quadric",
@@ -137,23 +169,23 @@ impl OrderArg {
     }
 }
 
-/// What a collapse costs.
+/// Cost function of a collapse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CostArg {
-    /// Against the current mesh: fast, best at mild levels
+    /// Quadrics of the current mesh only: fast, best at fine levels
     Memoryless,
-    /// Quadrics summed up over the history: the classic
+    /// Sum of all quadrics of the history: the classic cost
     Accumulated,
-    /// Against all removed vertices: slower, best at coarse levels
+    /// Distance of every removed vertex: slower, best at coarse levels
     Tracked,
 }
 
-/// How holes are filled.
+/// How the hole of a removed vertex is filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum RetriangulationArg {
-    /// In any way
+    /// With the best of all triangulations
     Free,
-    /// As half-edge collapses do
+    /// As a half-edge collapse would
     Collapse,
 }
 
@@ -166,14 +198,14 @@ impl From<RetriangulationArg> for Retriangulation {
     }
 }
 
-/// Which filling of a hole is the best.
+/// Which triangulation of a hole is best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CriterionArg {
-    /// Nearest to the original surface
+    /// The one closest to the original surface
     Distance,
-    /// Turned least
+    /// The flattest one
     Flatness,
-    /// Of the roundest triangles
+    /// The one with the roundest triangles
     Shape,
 }
 
@@ -188,28 +220,28 @@ impl From<CriterionArg> for HoleCriterion {
 }
 
 fn degree_help() -> String {
-    let usual = RemovalOptions::default().degree_limit;
-    format!("Most triangles around a vertex that is removed, 3 to 16 [default: {usual}]")
+    let default = RemovalOptions::default().degree_limit;
+    format!("Keep vertices with more triangles than this [default: {default}]")
 }
 
 fn weight_help(weight: impl Fn(AttributeWeights) -> f32, what: &str) -> String {
-    let usual = weight(AttributeWeights::default());
-    let most = WeightArgs::MOST;
+    let default = weight(AttributeWeights::default());
     format!(
-        "Distance, as a share of the diagonal, that a difference of 1 in {what} weighs, 0 to {most}; 0 ignores them [default: {usual}]"
+        "Weight of {what}: a difference of 1 counts as this fraction of the diagonal; 0 ignores them \
+         [default: {default}]"
     )
 }
 
 fn parse_weight(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
-        Ok(weight) if (0.0..=WeightArgs::MOST).contains(&weight) => Ok(weight),
-        _ => Err(format!("must lie between 0 (ignored) and {}", WeightArgs::MOST)),
+        Ok(weight) if (0.0..=WeightArgs::MAX).contains(&weight) => Ok(weight),
+        _ => Err(format!("must lie between 0 (ignored) and {}", WeightArgs::MAX)),
     }
 }
 
-fn parse_turn(text: &str) -> Result<f64, String> {
+fn parse_bend(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(angle),
-        _ => Err("must be an angle from 0 to 180".to_owned()),
+        _ => Err("must be an angle from 0 to 180 degrees".to_owned()),
     }
 }

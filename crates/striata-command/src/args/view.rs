@@ -1,4 +1,4 @@
-//! A view as a level: where the eye is, what it looks at, and how many pixels an error may take.
+//! Flags that describe a view: the camera, and how large errors may appear on the screen.
 
 use std::str::FromStr;
 
@@ -7,64 +7,88 @@ use striata::view::{Camera, CameraError, Fovea, ScreenError, Sphere};
 
 use crate::failure::Failure;
 
-/// The heading of these flags.
-const VIEW: &str = "View, with --eye";
+/// Help heading of these flags.
+const VIEW: &str = "View (with --eye)";
 
-/// What else a view needs. All have a default, and make no sense without an eye.
+/// Everything about a view except the position of its eye. All flags have defaults; none makes sense without
+/// `--eye`.
 #[derive(Clone, Copy, Debug, Args)]
 #[command(next_help_heading = VIEW)]
 pub struct ViewArgs {
-    /// What the eye looks at [default: the middle of the mesh]
+    /// Point that the eye looks at [default: center of the mesh]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     look_at: Option<Point>,
-    /// What is upwards on the screen [default: 0,1,0]
+    /// Direction that is up on the screen [default: 0,1,0]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     up: Option<Point>,
-    /// Angle of view from the lower to the upper side of the screen, degrees [default: 60]
+    /// Vertical field of view [default: 60]
     #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = parse_angle)]
     fov: Option<f64>,
-    /// Pixels of the screen [default: 1920x1080]
+    /// Screen size in pixels [default: 1920x1080]
     #[arg(long, value_name = "WxH")]
     viewport: Option<Viewport>,
-    /// Pixels that an error may take on the screen, by the file's errors: estimates, unless they are guaranteed [default: 1]
-    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero)]
+    /// Largest error allowed on the screen [default: 1]
+    #[arg(
+        long,
+        value_name = "PX",
+        allow_negative_numbers = true,
+        value_parser = super::strips::parse_at_least_zero,
+    )]
     pixels: Option<f64>,
-    /// Pixels that an error may take where the surface turns from the eye [default: as elsewhere]
-    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero)]
+    /// Largest error allowed along silhouettes [default: --pixels]
+    #[arg(
+        long,
+        value_name = "PX",
+        allow_negative_numbers = true,
+        value_parser = super::strips::parse_at_least_zero,
+    )]
     silhouette_pixels: Option<f64>,
-    /// A region of interest: the middle and the radius of a sphere
+    /// Region of interest: center and radius of a sphere
     #[arg(long, value_name = "X,Y,Z,R", allow_hyphen_values = true)]
     region: Option<Region>,
-    /// Pixels that an error may take in the region [default: a tenth of elsewhere]
-    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero, requires = "region")]
+    /// Largest error allowed in the region [default: a tenth of --pixels]
+    #[arg(
+        long,
+        value_name = "PX",
+        allow_negative_numbers = true,
+        value_parser = super::strips::parse_at_least_zero,
+        requires = "region",
+    )]
     region_pixels: Option<f64>,
-    /// Place of the screen that is looked at, -1 to 1 to the right and upwards; beyond 5 degrees from it errors may grow
+    /// Screen point that the viewer looks at, -1 to 1 right and up; farther than 5 degrees from it, errors
+    /// may grow
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     gaze: Option<Gaze>,
-    /// How much they grow, times --pixels for each radian [default: 10]
-    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero, requires = "gaze")]
+    /// Growth of the allowed error away from the gaze, in --pixels per radian [default: 10]
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        allow_negative_numbers = true,
+        value_parser = super::strips::parse_at_least_zero,
+        requires = "gaze",
+    )]
     gaze_falloff: Option<f64>,
 }
 
-/// Half the angle that an eye sees sharp, radians: 5 degrees.
-const SHARP: f32 = 0.087_266_46;
+/// Radius of the region of sharp vision around the gaze, radians: 5 degrees.
+const FOVEA_RADIUS: f32 = 0.087_266_46;
 
 impl ViewArgs {
-    /// Whether anything was said of a view.
+    /// Whether the user gave any of these flags.
     pub fn is_given(&self) -> bool {
-        // The other two need a region and a gaze.
+        // The parser accepts the other two flags only together with `--region` and `--gaze`.
         let Self { look_at, up, fov, viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
         let has_camera = fov.is_some() || viewport.is_some() || look_at.is_some() || up.is_some();
-        let has_place = region.is_some() || gaze.is_some();
-        has_camera || has_place || pixels.is_some() || silhouette_pixels.is_some()
+        let has_focus = region.is_some() || gaze.is_some();
+        has_camera || has_focus || pixels.is_some() || silhouette_pixels.is_some()
     }
 
-    /// Pixels that an error may take.
+    /// Returns the largest error allowed on the screen, in pixels.
     pub fn pixels(&self) -> f64 {
         self.pixels.unwrap_or(1.0)
     }
 
-    /// What a camera asks for, with at least so many pixels allowed.
+    /// Returns the refinement criterion for a camera; every tolerance is at least `least_pixels`.
     pub fn criterion(&self, camera: Camera, least_pixels: f64) -> ScreenError {
         let at_least = |pixels: f64| pixels.max(least_pixels) as f32;
         let mut criterion = ScreenError::new(camera, at_least(self.pixels()));
@@ -77,15 +101,15 @@ impl ViewArgs {
         }
         if let Some(Gaze(at)) = self.gaze {
             let falloff = self.gaze_falloff.unwrap_or(10.0) as f32;
-            criterion = criterion.with_fovea(Fovea { at, radius: SHARP, falloff });
+            criterion = criterion.with_fovea(Fovea { at, radius: FOVEA_RADIUS, falloff });
         }
         criterion
     }
 
-    /// The camera at an eye; where nothing is said it looks at `center`.
+    /// Returns the camera at `eye`, which looks at `center` unless `--look-at` was given.
     ///
     /// # Errors
-    /// Where that makes no picture.
+    /// If the camera has no direction (it looks at its own position, or along `up`) or cannot be projected.
     pub fn camera(&self, eye: Point, center: [f32; 3]) -> Result<Camera, CameraError> {
         let target = self.look_at.map_or(center, |point| point.0);
         let up = self.up.map_or([0.0, 1.0, 0.0], |up| up.0);
@@ -95,40 +119,40 @@ impl ViewArgs {
 }
 
 impl ViewArgs {
-    /// What is looked at, where that was said.
+    /// Returns the point that the eye looks at, if given.
     pub fn look_at(&self) -> Option<[f32; 3]> {
         self.look_at.map(|point| point.0)
     }
 
-    /// What is upwards, where that was said.
+    /// Returns the up direction, if given.
     pub fn up(&self) -> Option<[f32; 3]> {
         self.up.map(|up| up.0)
     }
 
-    /// The angle of view, radians, where that was said.
+    /// Returns the vertical field of view in radians, if given.
     pub fn fov(&self) -> Option<f64> {
         self.fov.map(f64::to_radians)
     }
 
-    /// Pixels of the screen, where they were said.
+    /// Returns the screen size in pixels, if given.
     pub fn viewport(&self) -> Option<[u32; 2]> {
         self.viewport.map(|viewport| viewport.0)
     }
 
-    /// The same for a screen of so many pixels, where none was said.
+    /// Sets the screen size to `screen` pixels unless the user gave one.
     pub fn on_screen(self, screen: [u32; 2]) -> Self {
         Self { viewport: self.viewport.or(Some(Viewport(screen))), ..self }
     }
 
-    /// Whether anything was said that only a criterion of a view needs.
+    /// Whether the user gave any flag that only the refinement criterion uses, not the camera.
     pub fn has_criterion(&self) -> bool {
         let Self { viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
-        let has_place = region.is_some() || gaze.is_some();
-        viewport.is_some() || has_place || pixels.is_some() || silhouette_pixels.is_some()
+        let has_focus = region.is_some() || gaze.is_some();
+        viewport.is_some() || has_focus || pixels.is_some() || silhouette_pixels.is_some()
     }
 }
 
-/// A point as the user writes it.
+/// A point, written as three numbers: `0,1.5,-2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point(pub [f32; 3]);
 
@@ -138,31 +162,31 @@ impl FromStr for Point {
     fn from_str(text: &str) -> Result<Self, String> {
         match numbers(text) {
             Some(point) => Ok(Self(point)),
-            None => Err(format!("{text:?} is no point; write three numbers: 0,1.5,-2")),
+            None => Err(format!("{text:?} is not a point; write three numbers: 0,1.5,-2")),
         }
     }
 }
 
-/// A box as the user writes it: two corners that lie across.
+/// An axis-aligned box, written as two opposite corners: `0,0,0,1,1.5,2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Corners {
-    /// The least coordinates.
+pub struct AxisAlignedBox {
+    /// Smallest coordinates.
     pub min: [f32; 3],
-    /// The greatest coordinates.
+    /// Largest coordinates.
     pub max: [f32; 3],
 }
 
-impl FromStr for Corners {
+impl FromStr for AxisAlignedBox {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("{text:?} is no box; write two of its corners: 0,0,0,1,1.5,2");
+        let wrong = || format!("{text:?} is not a box; write two opposite corners: 0,0,0,1,1.5,2");
         let [a, b, c, x, y, z] = numbers(text).ok_or_else(wrong)?;
         Ok(Self { min: [a.min(x), b.min(y), c.min(z)], max: [a.max(x), b.max(y), c.max(z)] })
     }
 }
 
-/// A sphere as the user writes it: its middle and its radius.
+/// A sphere, written as its center and its radius: `0,1.5,-2,0.1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Region([f32; 4]);
 
@@ -172,12 +196,12 @@ impl FromStr for Region {
     fn from_str(text: &str) -> Result<Self, String> {
         match numbers(text) {
             Some(region) if region[3] >= 0.0 => Ok(Self(region)),
-            _ => Err(format!("{text:?} is no sphere; write its middle and its radius: 0,1.5,-2,0.1")),
+            _ => Err(format!("{text:?} is not a sphere; write its center and its radius: 0,1.5,-2,0.1")),
         }
     }
 }
 
-/// A place of the screen as the user writes it.
+/// A point on the screen, written as two numbers from -1 to 1: `0.2,-0.5`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Gaze([f32; 2]);
 
@@ -186,36 +210,40 @@ impl FromStr for Gaze {
 
     fn from_str(text: &str) -> Result<Self, String> {
         match numbers(text) {
-            Some(place) if place.iter().all(|x: &f32| x.abs() <= 1.0) => Ok(Self(place)),
-            _ => Err(format!("{text:?} is no place of the screen; write two numbers from -1 to 1: 0.2,-0.5")),
+            Some(point) if point.iter().all(|x: &f32| x.abs() <= 1.0) => Ok(Self(point)),
+            _ => Err(format!(
+                "{text:?} is not a point on the screen; write two numbers from -1 to 1: 0.2,-0.5"
+            )),
         }
     }
 }
 
-/// So many finite numbers between commas.
+/// Parses exactly `COUNT` finite numbers, separated by commas.
 fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
     let numbers: Result<Vec<f32>, _> = text.split(',').map(|part| part.trim().parse::<f32>()).collect();
     let numbers: [f32; COUNT] = numbers.ok()?.try_into().ok()?;
     numbers.iter().all(|x| x.is_finite()).then_some(numbers)
 }
 
-/// Width and height of a screen as the user writes them.
+/// Width and height in pixels, written `1920x1080`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport(pub [u32; 2]);
 
 impl Viewport {
-    /// Longer pictures take memory that nobody meant to ask for.
-    const LONGEST_SIDE: u32 = 8192;
+    /// Larger pictures take more memory than anyone means to use.
+    const MAX_SIDE: u32 = 8192;
 
+    /// Checks that a picture of this size can be drawn.
+    ///
     /// # Errors
-    /// Where so many pixels are not drawn.
+    /// If a side has more than 8192 pixels.
     pub fn check_drawable(self) -> Result<(), Failure> {
         let Self([width, height]) = self;
-        if width.max(height) <= Self::LONGEST_SIDE {
+        if width.max(height) <= Self::MAX_SIDE {
             return Ok(());
         }
         Err(Failure::user(format!("--size {width}x{height} is too large"))
-            .with_hint(format!("each side may have up to {} pixels", Self::LONGEST_SIDE)))
+            .with_hint(format!("each side may have at most {} pixels", Self::MAX_SIDE)))
     }
 }
 
@@ -226,7 +254,7 @@ impl FromStr for Viewport {
         let sides = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
         match sides {
             Some((Ok(width @ 1..), Ok(height @ 1..))) => Ok(Self([width, height])),
-            _ => Err(format!("{text:?} is no size of a screen; write 1920x1080")),
+            _ => Err(format!("{text:?} is not a size; write width and height in pixels: 1920x1080")),
         }
     }
 }
@@ -234,11 +262,12 @@ impl FromStr for Viewport {
 fn parse_angle(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(angle) if angle > 0.0 && angle < 180.0 => Ok(angle),
-        _ => Err("must be an angle over 0 and under 180".to_owned()),
+        _ => Err("must be an angle greater than 0 and less than 180 degrees".to_owned()),
     }
 }
 
-/// The tangent of an angle up to a quarter turn, by its continued fraction: the same on every machine.
+/// Returns the tangent of an angle up to a quarter turn, by its continued fraction: the same on every
+/// machine.
 pub fn tan(angle: f64) -> f64 {
     let square = angle * angle;
     let rest = (1..=20).rev().map(|i| f64::from(2 * i + 1)).fold(43.0, |below, odd| odd - square / below);
@@ -250,7 +279,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tangents_are_those_of_the_table() {
+    fn tangents_match_tabulated_values() {
         for (degrees, expected) in [
             (1e-6, 1.745_329_251_994_33e-8),
             (30.0, 0.577_350_269_189_625_8),
@@ -263,26 +292,29 @@ mod tests {
     }
 
     #[test]
-    fn points_and_screens_are_read_or_refused() {
+    fn points_boxes_and_sizes_parse_or_fail() {
         assert_eq!("0,-1.5, 2".parse(), Ok(Point([0.0, -1.5, 2.0])));
         assert_eq!("16x9".parse(), Ok(Viewport([16, 9])));
         for wrong in ["", "1,2", "1,2,3,4", "a,b,c", "1,2,nan"] {
-            assert!(wrong.parse::<Point>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<Point>().is_err(), "{wrong:?} was accepted");
         }
         assert_eq!("0,-1.5,2,0.5".parse(), Ok(Region([0.0, -1.5, 2.0, 0.5])));
         assert_eq!("1,-0.5".parse(), Ok(Gaze([1.0, -0.5])));
         for wrong in ["", "1,2,3", "1,2,3,-1", "1,2,3,inf"] {
-            assert!(wrong.parse::<Region>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<Region>().is_err(), "{wrong:?} was accepted");
         }
-        assert_eq!("1,0,3,0,2,-1".parse(), Ok(Corners { min: [0.0, 0.0, -1.0], max: [1.0, 2.0, 3.0] }));
+        assert_eq!(
+            "1,0,3,0,2,-1".parse(),
+            Ok(AxisAlignedBox { min: [0.0, 0.0, -1.0], max: [1.0, 2.0, 3.0] })
+        );
         for wrong in ["", "1,2,3,4,5", "1,2,3,4,5,inf", "1,2,3,4,5,6,7"] {
-            assert!(wrong.parse::<Corners>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<AxisAlignedBox>().is_err(), "{wrong:?} was accepted");
         }
         for wrong in ["", "0", "0,1.5", "0,0,0"] {
-            assert!(wrong.parse::<Gaze>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<Gaze>().is_err(), "{wrong:?} was accepted");
         }
         for wrong in ["", "16", "0x9", "16x", "16x9x2", "-1x5"] {
-            assert!(wrong.parse::<Viewport>().is_err(), "{wrong:?} was taken");
+            assert!(wrong.parse::<Viewport>().is_err(), "{wrong:?} was accepted");
         }
     }
 }

@@ -1,11 +1,12 @@
-//! Pages that open without a network: a template, filled; one style for all.
+//! HTML pages that need no network: templates with placeholders, and a style sheet shared by all pages.
 
 use std::fmt::Write as _;
 
-/// What all pages look like, in light and dark.
+/// The style sheet of all pages, with a light and a dark theme.
 pub const STYLE: &str = include_str!("style.css");
 
-/// The template with each `{{NAME}}` replaced by what `content_of` says; contents are not looked into.
+/// Replaces each `{{NAME}}` in a template by `content_of(NAME)`. Placeholders inside the contents are not
+/// replaced.
 pub fn fill(template: &str, content_of: impl Fn(&str) -> String) -> String {
     let mut page = String::new();
     let mut rest = template;
@@ -19,7 +20,7 @@ pub fn fill(template: &str, content_of: impl Fn(&str) -> String) -> String {
     page
 }
 
-/// Rows of HTML as a table, the first one being its head where it has one.
+/// Formats rows of HTML cells as a table; the first row is the header if `has_head` is set.
 pub fn table(rows: &[Vec<String>], has_head: bool) -> String {
     let mut html = String::from("<table>");
     for (index, row) in rows.iter().enumerate() {
@@ -35,7 +36,7 @@ pub fn table(rows: &[Vec<String>], has_head: bool) -> String {
     html
 }
 
-/// Text as HTML that shows just this text, in quotes too.
+/// Escapes text for HTML, also inside quoted attributes.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -45,20 +46,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn contents_are_not_looked_into() {
+    fn placeholders_in_contents_are_not_replaced() {
         let page = fill("<p>{{A}}</p>{{B}}!", |name| format!("{{{{{name}}}}}"));
         assert_eq!(page, "<p>{{A}}</p>{{B}}!");
         assert_eq!(fill("no name", |name| name.to_owned()), "no name");
     }
 
     #[test]
-    fn tables_have_one_head() {
+    fn tables_have_one_header_row() {
         let rows = [vec!["a".to_owned()], vec!["1".to_owned()]];
         assert_eq!(table(&rows, true), "<table><tr><th>a</th></tr><tr><td>1</td></tr></table>");
     }
 
     #[test]
-    fn names_of_files_are_only_text() {
+    fn file_names_are_escaped() {
         assert_eq!(escaped("<a href=\"x\">&"), "&lt;a href=&quot;x&quot;&gt;&amp;");
     }
 }

@@ -1,4 +1,6 @@
-//! What each model of a mesh costs: all of them are built, each from the steps that a build of it alone would take.
+//! Sizes and build times of every model of a mesh, for `info --models`.
+//!
+//! Each model is built from the steps that a build of this model alone would use.
 
 use std::time::Instant;
 
@@ -6,34 +8,34 @@ use serde::Serialize;
 use striata::mesh::{IndexedMesh, weld};
 use striata::model::{FanInstance, LodModel, ModelKind, PartBytes, PatternInstance};
 
-use super::built::{BuildPlan, stream_of};
+use super::build_output::{BuildPlan, stream_of};
 use super::models::Models;
 use striata_command::args::StreamArgs;
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 use striata_command::sequence::{SequencePlan, Sequenced};
 
-/// What one model costs.
+/// Size and build time of one model.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct ModelCost {
-    /// The model.
+    /// Name of the model.
     pub(crate) name: &'static str,
-    /// Bytes of all its parts.
+    /// Size of all its parts.
     pub(crate) bytes: usize,
-    /// The same for each vertex of the welded mesh.
+    /// Size per vertex of the welded mesh.
     pub(crate) bytes_per_vertex: f64,
-    /// Bytes that one instance takes in addition; none of a stream, which is decoded once for all.
+    /// Additional size of each instance; `None` for a stream, which is decoded once for all instances.
     pub(crate) instance_bytes: Option<usize>,
-    /// Seconds that the model takes once its steps and its strips are there.
+    /// Time to build the model from existing steps and strips, seconds.
     pub(crate) build_secs: f64,
 }
 
-/// Builds every model of a mesh with the usual options.
+/// Builds every model of a mesh with default options.
 ///
 /// # Errors
-/// If the mesh does not hang together.
+/// If the mesh is inconsistent.
 pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<ModelCost>, Failure> {
-    let plan = BuildPlan::usual();
+    let plan = BuildPlan::with_defaults();
     bar.phase("simplify");
     let sequenced = steps(mesh, &plan.sequence, bar)?;
     bar.phase("strip");
@@ -42,14 +44,14 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     let mut costs = Vec::new();
     for kind in ModelKind::ALL.into_iter().filter(|&kind| kind != ModelKind::Progressive) {
         let started = Instant::now();
-        let made = (Some(&stripped.strips), None);
-        let models = Models::build(&[kind], &sequenced, made, bar)?;
+        let parts = (Some(&stripped.strips), None);
+        let models = Models::build(&[kind], &sequenced, parts, bar)?;
         costs.extend(costs_of(&models, &sequenced, started.elapsed().as_secs_f64()));
     }
-    // A stream takes its collapses in batches, which are others.
+    // A stream needs collapses in batches, so the mesh is simplified again.
     bar.phase("simplify");
     let mut plan = BuildPlan { models: vec![ModelKind::Progressive], ..plan };
-    plan.sequence.come_in_batches(StreamArgs::default().batches(mesh)?)?;
+    plan.sequence.use_batches(StreamArgs::default().batches(mesh)?)?;
     let mut sequenced = steps(mesh, &plan.sequence, bar)?;
     bar.phase("encode");
     let started = Instant::now();
@@ -79,7 +81,7 @@ fn costs_of(models: &Models, sequenced: &Sequenced, build_secs: f64) -> Vec<Mode
     models.parts().into_iter().map(cost).collect()
 }
 
-/// Bytes of an instance that shows the full mesh; of fans and patterns it is the one that may follow a view.
+/// Returns the size of an instance at full detail; for fans and patterns, of an instance that supports views.
 fn instance_bytes(models: &Models, kind: ModelKind) -> Option<usize> {
     fn of_state<M: LodModel>(model: &M) -> usize {
         model.state_bytes(&model.new_state())

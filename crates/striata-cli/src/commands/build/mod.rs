@@ -1,11 +1,11 @@
-//! `build`: a mesh becomes one .striata file that holds every level.
+//! `build`: builds a .striata file with every level of detail of a mesh.
 
-mod built;
+mod build_output;
 mod costs;
 mod models;
 mod report;
 
-pub(crate) use self::built::{BuildPlan, Built, PHASES, build, errors_are_guaranteed};
+pub(crate) use self::build_output::{BuildOutput, BuildPlan, PHASES, build, errors_are_guaranteed};
 pub(crate) use self::costs::{ModelCost, model_costs};
 pub(crate) use self::models::model_of_name;
 
@@ -23,22 +23,24 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{FullMesh, check_strict};
 use striata_command::output::Output;
-use striata_command::save::{beside, check_not_packed, is_stdout, name_of, put};
+use striata_command::save::{
+    check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
+};
 use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
 
-/// Reads, builds, writes, reports.
+/// Reads the mesh, builds and writes the file, and reports.
 ///
 /// # Errors
-/// Where any of it fails; the output is then as it was.
+/// If any of this fails; an existing output is then left unchanged.
 pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let path = match &args.output {
         Some(path) => path.clone(),
-        None => beside(&args.input, "striata")?,
+        None => default_output_path(&args.input, "striata")?,
     };
     output.check_stdout_is_free(is_stdout(&path))?;
     let models = models_of_names(&args.model_names())?;
-    check_stream_terms(args, &models)?;
-    check_strip_terms(args, &models)?;
+    check_stream_flags(args, &models)?;
+    check_strip_flags(args, &models)?;
     check_output_name(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
@@ -47,23 +49,25 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let (mesh, source) = (input.mesh(output)?, input.file_name());
     let diagonal = mesh.diagonal();
-    args.sequence.remark_on(&mesh, output);
+    args.sequence.warn_about_groups(&mesh, output);
     let base = base_of(args, &mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     let limits = Limits {
         base_triangle_count: base.unwrap_or(0),
         max_error: limit_in_units(args.max_error, diagonal),
     };
     let mut sequence = args.sequence.plan_for(&mesh, limits, output)?;
-    if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
+    if let Some(remark) =
+        adapt_retriangulation(&mut sequence, &models, args.sequence.wants_free_retriangulation())?
+    {
         output.say(&remark);
     }
     if models.contains(&ModelKind::Fans) {
-        sequence.hold_in_any_state();
+        sequence.guarantee_any_state();
     }
     if models.contains(&ModelKind::Progressive) {
-        sequence.come_in_batches(args.stream_terms.batches(&mesh)?)?;
+        sequence.use_batches(args.stream_encoding.batches(&mesh)?)?;
     }
-    let stream = args.stream_terms.options(diagonal);
+    let stream = args.stream_encoding.options(diagonal);
     let plan = BuildPlan { sequence, strips: args.strip_plan(), models, stream };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
@@ -71,84 +75,93 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     phases.enter("write");
     bar.phase("write");
     let bytes = built.to_bytes(&source)?;
-    put(&bytes, &path)?;
+    write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let mut report = Report::new(&mesh, &built, (name_of(&path), bytes.len()), phases);
+    let mut report = Report::new(&mesh, &built, (display_name(&path), bytes.len()), phases);
     report.shortfall = shortfall;
     output.summary(&report, &report.to_text(args, &built, diagonal))
 }
 
-/// Triangles that the base is to have at most.
+/// Returns the largest number of triangles of the base mesh, if limited.
 ///
 /// # Errors
-/// If the mesh's parts do not fit together.
+/// If the mesh is inconsistent.
 fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshError> {
     Ok(match args.base {
         Some(share) if share.is_share() => Some(share.of_triangles(FullMesh::of(mesh)?.triangle_count)),
-        // No share: what the mesh has does not matter.
+        // An absolute count does not depend on the mesh.
         number => number.map(|count| count.of_triangles(0)),
     })
 }
 
-/// Lets holes be filled as collapses do where a model asks for it; what is to be said of that.
+/// Switches to retriangulation like that of collapses if a model requires it; returns a message about the
+/// switch.
 ///
 /// # Errors
-/// Where they were to be filled freely.
-fn fill_as_models_need(
+/// If the user requested free retriangulation.
+fn adapt_retriangulation(
     sequence: &mut SequencePlan,
     models: &[ModelKind],
     is_free: bool,
 ) -> Result<Option<String>, Failure> {
-    let in_need = models.iter().find(|&&model| model != ModelKind::Patterns);
-    let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, in_need) else { return Ok(None) };
+    let demanding_model = models.iter().find(|&&model| model != ModelKind::Patterns);
+    let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, demanding_model) else {
+        return Ok(None);
+    };
     if options.retriangulation == Retriangulation::Collapse {
         return Ok(None);
     }
     if is_free {
-        return Err(Failure::user(format!("{model} knows collapses, and not holes that are filled freely"))
-            .with_hint("leave --retriangulation out, or the model"));
+        return Err(Failure::user(format!("model {model} does not support free retriangulation"))
+            .with_hint("remove --retriangulation, or the model"));
     }
     options.retriangulation = Retriangulation::Collapse;
-    Ok(Some(format!("holes are filled as half-edge collapses do, since {model} knows no other steps")))
+    Ok(Some(format!("note: using --retriangulation collapse, which model {model} requires")))
 }
 
-/// The models of names; there may be blanks behind commas.
+/// Parses model names, which may have spaces around them.
 ///
 /// # Errors
-/// If a name is none of ours.
+/// If a name is unknown.
 fn models_of_names(names: &[String]) -> Result<Vec<ModelKind>, Failure> {
     names.iter().map(|name| model_of_name(name.trim())).collect()
 }
 
+/// Checks that flags of a stream are only given if a stream is made.
+///
 /// # Errors
-/// Where a stream is described and none is made.
-fn check_stream_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
-    match args.stream_terms.given() {
+/// If they are given without a stream.
+fn check_stream_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
+    match args.stream_encoding.first_given_flag() {
         Some(flag) if !models.contains(&ModelKind::Progressive) => {
-            Err(Failure::user(format!("{flag} is for streams, and none is made"))
-                .with_hint(format!("say --models progressive too, or leave {flag} out")))
+            Err(Failure::user(format!("{flag} has no effect without a stream"))
+                .with_hint(format!("add --models progressive, or remove {flag}")))
         }
         _ => Ok(()),
     }
 }
 
+/// Checks that flags of strips are only given if a model has strips.
+///
 /// # Errors
-/// If strips are described and no model has any.
-fn check_strip_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
+/// If they are given without such a model.
+fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     match args.strip_flag() {
         Some(flag) if !models.iter().any(takes_strips) => {
-            Err(Failure::user(format!("{flag} is for strips, and no model with strips is built"))
-                .with_hint(format!("say --models lodstrips or mts too, or leave {flag} out")))
+            Err(Failure::user(format!("{flag} has no effect without a model that has strips"))
+                .with_hint(format!("add --models lodstrips or mts, or remove {flag}")))
         }
         _ => Ok(()),
     }
 }
 
+/// Checks that the output name is not that of another format.
+///
 /// # Errors
-/// Where the name says that the output is something else.
+/// If it is.
 fn check_output_name(path: &Path) -> Result<(), Failure> {
-    check_not_packed(path, ".striata files")?;
+    check_not_compressed(path, ".striata files")?;
     match striata_io::Format::from_extension(path) {
         None | Some(striata_io::Format::Striata) => Ok(()),
         Some(_) => Err(Failure::user(format!("{}: `build` writes .striata files", path.display()))

@@ -1,4 +1,4 @@
-//! The models that this version has: built by name, as they go into a file.
+//! Builds models by name and prepares them for a .striata file.
 
 use striata::file::FileModel;
 use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns};
@@ -9,35 +9,35 @@ use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
 use striata_command::sequence::{Sequenced, Steps};
 
-/// The model of a name.
+/// Parses the name of a model.
 ///
 /// # Errors
-/// If the name is none of ours.
+/// If the name is unknown.
 pub(crate) fn model_of_name(name: &str) -> Result<ModelKind, Failure> {
     name.parse().map_err(|_| unknown_name("model", name, &ModelKind::ALL.map(ModelKind::as_str)))
 }
 
-/// Whether a model is made of strips.
+/// Whether a model is built from strips.
 pub(super) fn takes_strips(model: &ModelKind) -> bool {
     matches!(model, ModelKind::LodStrips | ModelKind::Mts)
 }
 
-/// The models that were asked for.
+/// The requested models.
 #[derive(Debug)]
 pub(super) struct Models {
     pub(super) lod_strips: Option<LodStrips<'static>>,
     pub(super) mts: Option<Mts<'static>>,
     pub(super) fans: Option<Fans>,
     pub(super) patterns: Option<Patterns>,
-    /// The mesh is in its order.
+    /// The progressive stream; the mesh is in its order.
     pub(super) stream: Option<EncodedStream>,
 }
 
 impl Models {
-    /// Models of strips are built where there are strips.
+    /// Builds the models; those with strips only if strips are given.
     ///
     /// # Errors
-    /// Where the strips are not those of the mesh, or there are too many fragments.
+    /// If the strips do not belong to the mesh, or there are too many fragments.
     pub(super) fn build(
         kinds: &[ModelKind],
         sequenced: &Sequenced,
@@ -60,6 +60,7 @@ impl Models {
         Ok(models)
     }
 
+    /// Returns the models in the form in which a file stores them.
     pub(super) fn in_file(&self) -> Result<Vec<FileModel<'_>>, Failure> {
         let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
         let fans = self.fans.iter().map(FileModel::Fans);
@@ -69,7 +70,7 @@ impl Models {
         Ok(of_strips.chain(fans).chain(patterns).chain(stream).collect())
     }
 
-    /// Each model with its parts.
+    /// Returns the sizes of the parts of each model.
     pub(super) fn parts(&self) -> Vec<(ModelKind, Vec<PartBytes>)> {
         let lod_strips = self.lod_strips.iter().map(|model| (ModelKind::LodStrips, model.bytes()));
         let mts = self.mts.iter().map(|model| (ModelKind::Mts, model.bytes()));

@@ -1,16 +1,16 @@
-//! What `build` says of what it made.
+//! The report of `build`.
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::mesh::IndexedMesh;
 use striata_stream::StreamFacts;
 
-use super::built::Built;
+use super::build_output::BuildOutput;
 use crate::args::BuildArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::output::{Table, grouped, lasted, measured, sized};
-use striata_command::save::CHOSEN_NAME;
-use striata_command::stream::facts_in_json;
+use striata_command::save::DEFAULT_NAME_NOTE;
+use striata_command::stream::stream_facts_json;
 use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
@@ -23,7 +23,7 @@ pub(super) struct Report {
     error_is_guaranteed: bool,
     order: &'static str,
     stop_reason: &'static str,
-    /// Why the base has more triangles than `--base` says; null if it has not.
+    /// Why the base mesh has more triangles than `--base`; null if it does not.
     pub(super) shortfall: Option<String>,
     models: Map<String, Value>,
     strips: Value,
@@ -38,7 +38,7 @@ pub(super) struct Report {
 impl Report {
     pub(super) fn new(
         mesh: &IndexedMesh,
-        built: &Built,
+        built: &BuildOutput,
         (path, output_bytes): (String, usize),
         phases: Phases,
     ) -> Self {
@@ -58,7 +58,7 @@ impl Report {
         Self {
             path,
             shortfall: None,
-            stream: facts.as_ref().map(facts_in_json),
+            stream: facts.as_ref().map(stream_facts_json),
             input: json!({
                 "vertex_count": mesh.vertex_count(),
                 "triangle_count": mesh.triangle_count(),
@@ -82,7 +82,7 @@ impl Report {
         }
     }
 
-    pub(super) fn to_text(&self, args: &BuildArgs, built: &Built, diagonal: f64) -> String {
+    pub(super) fn to_text(&self, args: &BuildArgs, built: &BuildOutput, diagonal: f64) -> String {
         let sequence = built.steps.levels();
         let last = sequence.step_count();
         let error = f64::from(sequence.error_at(0));
@@ -93,21 +93,21 @@ impl Report {
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
         row("levels", grouped(last + 1));
         let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
-        row("error of the base", format!("{} ({share:.3} % of the diagonal), {kind}", measured(error)));
+        row("error of base mesh", format!("{} ({share:.3} % of the diagonal), {kind}", measured(error)));
         if let Some(StripReport { algorithm, strip_count, indices_per_triangle, .. }) = &built.strip_report {
             let strips = format!("{} ({algorithm})", grouped(*strip_count));
-            row("strips", format!("{strips}, {indices_per_triangle:.3} indices a triangle"));
+            row("strips", format!("{strips}, {indices_per_triangle:.3} indices per triangle"));
         }
         for (name, model) in &self.models {
             let bytes = model["bytes"].as_u64().unwrap_or(0) as usize;
             let per_vertex = model["bytes_per_vertex"].as_f64().unwrap_or(0.0);
-            row(name, format!("{}, {per_vertex:.1} bytes a vertex", sized(bytes)));
+            row(name, format!("{}, {per_vertex:.1} bytes per vertex", sized(bytes)));
         }
-        let chosen = if args.output.is_none() { CHOSEN_NAME } else { "" };
+        let chosen = if args.output.is_none() { DEFAULT_NAME_NOTE } else { "" };
         row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
         row("time", lasted(self.secs));
         let shortfall =
-            self.shortfall.as_ref().map(|shortfall| format!("the base was not reached: {shortfall}"));
+            self.shortfall.as_ref().map(|shortfall| format!("--base was not reached: {shortfall}"));
         table.to_text() + &shortfall.unwrap_or_default()
     }
 }

@@ -1,4 +1,4 @@
-//! The folder that the demo fills.
+//! The output folder of the demo.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,7 @@ use striata_io::write_atomically;
 use striata_command::failure::Failure;
 use striata_command::output::sized;
 
-/// The folder that is being filled, and what is in it so far.
+/// The output folder, with the names and descriptions of the files written so far.
 pub(super) struct Folder<'a> {
     path: &'a Path,
     pub(super) files: Vec<(String, String)>,
@@ -18,7 +18,7 @@ impl<'a> Folder<'a> {
     pub(super) fn create(path: &'a Path) -> Result<Self, Failure> {
         fs::create_dir_all(path).map_err(|error| {
             Failure::user(format!("{}: {error}", path.display()))
-                .with_hint("name a folder that you may write")
+                .with_hint("name a folder that you can write to")
         })?;
         Ok(Self { path, files: Vec::new() })
     }

@@ -1,4 +1,4 @@
-//! The levels that the demo shows: measured, and written as meshes.
+//! The levels of the demo: measured for a table, and written as meshes.
 
 use std::time::Instant;
 
@@ -8,13 +8,13 @@ use striata::model::LodModel;
 use striata_io::{Format, WriteOptions, to_bytes};
 
 use super::folder::Folder;
-use crate::commands::build::Built;
+use crate::commands::build::BuildOutput;
 use crate::strip_lists::stitched;
 use crate::strip_lists::strips_of_level;
 use striata_command::failure::Failure;
 use striata_command::output::{grouped, lasted, sized};
 
-/// Shares of the triangles that the table lists.
+/// Fractions of the triangles for which the table has a row.
 const TABLE_SHARES: [f64; 8] = [1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005];
 
 /// One row of the table.
@@ -28,23 +28,23 @@ pub(super) struct Level {
     error: f32,
     error_of_diagonal: f64,
     strip_count: usize,
-    /// What a GPU holds to draw the level: positions and strip indices.
+    /// GPU memory needed to draw the level: positions and strip indices.
     drawn_bytes: usize,
-    /// From full detail to this level.
+    /// Time to go from full detail to this level, seconds.
     seek_secs: f64,
 }
 
-/// Goes to each level of the table and measures it.
-pub(super) fn measure(built: &Built) -> Vec<Level> {
+/// Measures each level of the table.
+pub(super) fn measure(built: &BuildOutput) -> Vec<Level> {
     let diagonal = built.refinable().mesh.diagonal();
     TABLE_SHARES.iter().map(|&share| measure_one(built, share, diagonal)).collect()
 }
 
-fn measure_one(built: &Built, share: f64, diagonal: f64) -> Level {
+fn measure_one(built: &BuildOutput, share: f64, diagonal: f64) -> Level {
     let sequence = &built.refinable().sequence;
     let split_count = split_count_at(built, share);
     let mut state = built.lod_strips().new_state();
-    // The best of three: the first one also pays for memory that nobody has touched yet.
+    // The best of three runs: the first one includes page faults of memory that is used for the first time.
     let mut seek_secs = f64::INFINITY;
     for _ in 0..3 {
         built.lod_strips().move_to(&mut state, sequence.step_count());
@@ -70,9 +70,9 @@ fn measure_one(built: &Built, share: f64, diagonal: f64) -> Level {
     }
 }
 
-/// The table as text, its head first.
+/// Returns the rows of the table, header first.
 pub(super) fn rows(levels: &[Level]) -> Vec<Vec<String>> {
-    let head = ["of the triangles", "triangles", "vertices", "error", "strips", "drawn bytes", "seek"];
+    let head = ["share", "triangles", "vertices", "error", "strips", "GPU memory", "seek time"];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     rows.extend(levels.iter().map(|level| {
         vec![
@@ -91,10 +91,10 @@ pub(super) fn rows(levels: &[Level]) -> Vec<Vec<String>> {
 /// Writes some levels as mesh files.
 ///
 /// # Errors
-/// Where one cannot be made or written.
+/// If a level cannot be extracted or written.
 pub(super) fn write_meshes(
     file: &StriataFile<'_>,
-    built: &Built,
+    built: &BuildOutput,
     folder: &mut Folder<'_>,
 ) -> Result<(), Failure> {
     let wanted = [
@@ -125,14 +125,14 @@ pub(super) fn write_meshes(
     Ok(())
 }
 
-/// The level that has a share of the triangles.
-pub(super) fn split_count_at(built: &Built, share: f64) -> usize {
+/// Returns the split count of the level with this fraction of the triangles.
+pub(super) fn split_count_at(built: &BuildOutput, share: f64) -> usize {
     let sequence = &built.refinable().sequence;
     let full = sequence.triangle_count_at(sequence.step_count());
     sequence.split_count_for_triangles((share * full as f64).round() as usize)
 }
 
-/// A share as people write it.
+/// Formats a fraction as a percentage.
 pub(super) fn percent(share: f64) -> String {
     format!("{} %", 100.0 * share)
 }

@@ -1,4 +1,4 @@
-//! `demo`: the main job on the mesh that the command carries, and a page to look at it.
+//! `demo`: builds, extracts and draws levels of a built-in mesh, and writes a page that presents them.
 
 mod folder;
 mod levels;
@@ -13,7 +13,7 @@ use serde::Serialize;
 use striata_io::{Source, read_bytes};
 
 use crate::args::DemoArgs;
-use crate::commands::build::{BuildPlan, Built, PHASES, build};
+use crate::commands::build::{BuildOutput, BuildPlan, PHASES, build};
 use folder::Folder;
 use levels::Level;
 use pictures::Picture;
@@ -22,7 +22,7 @@ use striata_command::failure::Failure;
 use striata_command::output::{Output, grouped, lasted, sized};
 use striata_viewer::picture::Artist;
 
-/// The bust of Nefertiti; `assets/README.md` at the root of the repository says where it comes from.
+/// The bust of Nefertiti; for its origin, see `assets/README.md` in the root of the repository.
 const NEFERTITI: &[u8] = include_bytes!("../../../assets/nefertiti.ply.zst");
 
 #[derive(Serialize)]
@@ -33,17 +33,17 @@ struct Report {
     secs: f64,
 }
 
-/// Fills the folder.
+/// Creates and fills the folder.
 ///
 /// # Errors
-/// Where the folder or a file in it cannot be written.
+/// If the folder or a file in it cannot be written.
 pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let mut folder = Folder::create(args.dir())?;
     let mut bar = output.bar();
     let mut phases = Phases::new(&PHASES);
     let mesh = read_bytes(NEFERTITI, &Source::new("nefertiti.ply.zst"))?;
-    let built = build(&mesh, &BuildPlan::usual(), &mut phases, &mut bar)?;
+    let built = build(&mesh, &BuildPlan::with_defaults(), &mut phases, &mut bar)?;
     bar.phase("files");
     let bytes = built.to_bytes("nefertiti.ply.zst")?;
     folder.write("nefertiti.striata", "every level in one file", &bytes)?;
@@ -72,22 +72,22 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
 }
 
 fn render_page(
-    built: &Built,
+    built: &BuildOutput,
     levels: &[Level],
     folder: &Folder<'_>,
     (pictures, file_bytes): (&[Picture], usize),
 ) -> String {
     let sequence = &built.refinable().sequence;
     let intro = format!(
-        "The bust of Nefertiti, {} triangles, became one file of {} that holds {} levels.",
+        "The bust of Nefertiti ({} triangles) became a single file of {} with {} levels of detail.",
         grouped(sequence.triangle_count_at(sequence.step_count())),
         sized(file_bytes),
         grouped(sequence.step_count() + 1),
     );
     let content = page::Content {
         intro: &intro,
-        levels: "Errors are distances from the full mesh, as a share of the bounding box's diagonal. \
-                 Seek times are those of going there from full detail on the machine that ran the demo.",
+        levels: "Errors are distances from the full mesh, relative to the diagonal of its bounding box. \
+                 Seek times are those from full detail to the level, on the machine that ran the demo.",
         table: &levels::rows(levels),
         files: &folder.files,
         pictures,
@@ -102,7 +102,7 @@ impl Report {
             table.row(row);
         }
         format!(
-            "{}\nsimplified in {}, all done in {}\n",
+            "{}\nsimplified in {}, finished in {}\n",
             table.to_text(),
             lasted(phases.secs_of("simplify")),
             lasted(self.secs)
@@ -115,7 +115,7 @@ fn what_next(dir: &Path) -> String {
     let page = page.canonicalize().unwrap_or(page);
     let file = dir.join("nefertiti.striata");
     format!(
-        "\nOpen {} in a browser: it shows the levels and leads to the viewer.\n\
+        "\nOpen {} in a browser to see the levels and open the viewer.\n\
          Then try:\n  \
          striata info {file}\n  \
          striata extract {file} -o small.glb --triangles 5000\n  \

@@ -1,4 +1,4 @@
-//! The page that the demo leaves: a template, filled with pictures and tables.
+//! The HTML page of the demo: a template with placeholders for pictures and tables.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -7,24 +7,24 @@ use super::pictures::Picture;
 use super::viewer;
 use striata_command::page::{STYLE, fill, table};
 
-/// The page with `{{NAMES}}` where content goes.
+/// The template, with placeholders such as `{{TABLE}}`.
 const TEMPLATE: &str = include_str!("page.html");
 
-/// What goes into the page.
+/// Contents of the page.
 pub(super) struct Content<'a> {
-    /// What the reader sees, as HTML.
+    /// Introduction, as HTML.
     pub(super) intro: &'a str,
-    /// A sentence above the table.
+    /// Text above the table.
     pub(super) levels: &'a str,
-    /// Head and rows of the table of levels.
+    /// Header and rows of the table of levels.
     pub(super) table: &'a [Vec<String>],
-    /// Names and descriptions of the files beside the page.
+    /// Names and descriptions of the other files in the folder.
     pub(super) files: &'a [(String, String)],
-    /// Pictures, in order.
+    /// Pictures in display order.
     pub(super) pictures: &'a [Picture],
 }
 
-/// The page; what it shows is in it, and needs neither a network nor another file.
+/// Returns the page, which includes everything that it shows; it needs neither a network nor other files.
 pub(super) fn render(content: &Content<'_>) -> String {
     let files: Vec<Vec<String>> = content
         .files
@@ -39,16 +39,17 @@ pub(super) fn render(content: &Content<'_>) -> String {
         "FILES" => table(&files, false),
         "PICTURES" => content.pictures.iter().map(figure).collect(),
         "VIEWER" => viewer::PAGE.to_owned(),
-        unknown => unreachable!("the template asks for {unknown}"),
+        unknown => unreachable!("unknown placeholder {unknown}"),
     })
 }
 
-/// A picture with what is said of it, as HTML.
+/// Returns a picture with its description, as HTML.
 fn figure(picture: &Picture) -> String {
     let Picture { what, text, png, .. } = picture;
     let source = BASE64.encode(png);
     format!(
-        "<p>{text}</p>\n<div class=\"card\"><img alt=\"The bust: {what}\" src=\"data:image/png;base64,{source}\"></div>\n"
+        "<p>{text}</p>\n<div class=\"card\"><img alt=\"The bust: {what}\" \
+         src=\"data:image/png;base64,{source}\"></div>\n"
     )
 }
 
@@ -57,9 +58,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_name_of_the_template_is_filled() {
+    fn every_placeholder_is_replaced() {
         let page = fill(TEMPLATE, |name| {
-            assert!(name.bytes().all(|b| b.is_ascii_uppercase()), "odd name {name:?}");
+            assert!(name.bytes().all(|b| b.is_ascii_uppercase()), "unexpected placeholder {name:?}");
             format!("<<{name}>>")
         });
         assert!(!page.contains("{{") && !page.contains("}}"));

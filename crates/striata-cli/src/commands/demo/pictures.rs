@@ -1,11 +1,11 @@
-//! The demo's pictures: levels shaded, as strips and as wireframes, how far they are off, and a view seen from outside.
+//! The demo's pictures: shaded levels, strips, wireframes, error heat maps, and a view-dependent level.
 
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::model::{FanInstance, FanScene, Fans, LodModel};
 use striata::view::ScreenError;
 
 use super::levels::{percent, split_count_at};
-use crate::commands::build::Built;
+use crate::commands::build::BuildOutput;
 use crate::strip_lists::strips_of_level;
 use striata_command::args::tan;
 use striata_command::failure::Failure;
@@ -15,29 +15,29 @@ use striata_viewer::picture::{
     with_normals,
 };
 
-/// Shares of the triangles that pictures show.
+/// Fractions of the triangles of the levels in the pictures.
 const SHARES: [f64; 4] = [1.0, 0.1, 0.02, 0.005];
 
-/// From where the bust is seen.
+/// Camera angles for the bust.
 const PORTRAIT: Angles = Angles { turn: -0.62, rise: 0.04, up: [0.0, 1.0, 0.0], fov: 0.47 };
 
 /// A picture of the demo.
 pub(super) struct Picture {
-    /// Its file.
+    /// File name.
     pub(super) name: &'static str,
-    /// What is on it, in a few words.
+    /// Short description.
     pub(super) what: &'static str,
-    /// What the page says of it.
+    /// Text on the page.
     pub(super) text: &'static str,
-    /// The file's bytes.
+    /// Contents of the PNG file.
     pub(super) png: Vec<u8>,
 }
 
-/// Draws them all.
+/// Draws all pictures.
 ///
 /// # Errors
-/// Where a distance cannot be measured, which is our fault.
-pub(super) fn draw_all(built: &Built, artist: &mut Artist) -> Result<Vec<Picture>, Failure> {
+/// If a distance cannot be measured, which is an internal error.
+pub(super) fn draw_all(built: &BuildOutput, artist: &mut Artist) -> Result<Vec<Picture>, Failure> {
     let RefinableMesh { mesh, sequence } = built.refinable().clone();
     let refinable = RefinableMesh { mesh: with_normals(mesh), sequence };
     let mut studio = Studio { built, refinable, artist };
@@ -45,36 +45,36 @@ pub(super) fn draw_all(built: &Built, artist: &mut Artist) -> Result<Vec<Picture
         Picture {
             name: "levels.png",
             what: "four levels, shaded and as strips",
-            text: "Above, levels shaded with the normals of the full mesh, which stay valid since no vertex is ever \
-                   moved. Below, the triangle strips that are drawn: they are made once, at full detail, and follow \
-                   every level.",
+            text: "Top: levels shaded with the normals of the full mesh, which remain valid because no \
+                   vertex moves. Bottom: the triangle strips that are drawn. They are made once, at full \
+                   detail, and adapted to every level.",
             png: studio.levels()?,
         },
         Picture {
             name: "wireframe.png",
             what: "the same levels with their edges",
-            text: "Where the surface is flat, triangles go first; eyes, lips and the rim of the crown keep theirs.",
+            text: "Flat regions lose triangles first; eyes, lips and the rim of the crown keep theirs.",
             png: studio.wireframes()?,
         },
         Picture {
             name: "heat.png",
             what: "how far three levels are from the original",
-            text: "How far each vertex of the original is from a level, in mesh units; the end of the bar is the \
-                   largest distance of all.",
+            text: "Distance from each vertex of the original to the level, in mesh units. The end of the \
+                   color bar is the largest distance of the three levels.",
             png: studio.heat()?,
         },
         Picture {
             name: "view.png",
-            what: "a level for one eye, from outside",
-            text: "As fine as one screen needs, where it needs it: what the eye inside the lines sees is refined \
-                   until no error is larger than two pixels, the rest is left coarse.",
+            what: "a view-dependent level, seen from outside",
+            text: "Detail only where one camera needs it: the region inside the outlined frustum is \
+                   refined until no error exceeds two pixels; everything else stays coarse.",
             png: studio.view()?,
         },
     ])
 }
 
 struct Studio<'a> {
-    built: &'a Built,
+    built: &'a BuildOutput,
     refinable: RefinableMesh,
     artist: &'a mut Artist,
 }
@@ -129,11 +129,11 @@ impl Studio<'_> {
         const SIZE: [usize; 2] = [1280, 800];
         const FOV: f32 = 0.42;
         let Some(bounds) = self.refinable.mesh.bounds() else {
-            return Err(Failure::internal("an empty bust"));
+            return Err(Failure::internal("the bust has no positions"));
         };
         let at =
             |share: [f32; 3]| [0, 1, 2].map(|k| bounds.min[k] + share[k] * (bounds.max[k] - bounds.min[k]));
-        // Before the face, a little to its side.
+        // In front of the face, slightly to its side.
         let (eye, look_at, up) = (at([0.15, 0.62, 2.3]), at([0.5, 0.45, 0.8]), [0.0, 1.0, 0.0]);
         let camera = striata::view::Camera::new(eye, look_at, up, tan(f64::from(FOV) / 2.0), [1920, 1080]);
         let camera = camera.map_err(|error| Failure::internal(error.to_string()))?;
@@ -153,7 +153,7 @@ impl Studio<'_> {
         let canvas = self.artist.draw(&shot, &outside, [width, height]).canvas;
         let full = self.refinable.mesh.triangle_count();
         let caption = format!("{} of {} triangles", grouped(level.triangle_count()), grouped(full));
-        let title = "a level for one eye".to_owned();
+        let title = "view-dependent level".to_owned();
         finish(&sheet, &[Panel { canvas, title, caption }])
     }
 

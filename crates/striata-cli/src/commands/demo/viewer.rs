@@ -1,4 +1,4 @@
-//! The demo's viewer: one page with the web viewer and the bust as a stream inside.
+//! The demo's viewer: a single page that contains the web viewer and the bust as a stream.
 
 use striata::mesh::{IndexedMesh, weld};
 use striata_stream::{StreamOptions, encode_stream};
@@ -6,25 +6,25 @@ use striata_stream::{StreamOptions, encode_stream};
 use super::folder::Folder;
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, grouped};
-use striata_command::sequence::{BatchTerms, SequencePlan, Steps};
+use striata_command::sequence::{BatchSettings, SequencePlan, Steps};
 use striata_viewer::viewer_page::self_contained;
 
-/// The stream's file.
+/// File name of the stream.
 const STREAM: &str = "nefertiti.stri";
 
-/// The viewer's page.
+/// File name of the viewer page.
 pub(super) const PAGE: &str = "viewer.html";
 
-/// Compresses the mesh into a stream, and writes it alone and inside the viewer.
+/// Compresses the mesh into a stream, and writes the stream and a viewer page that contains it.
 ///
 /// # Errors
-/// Where it cannot be made or written.
+/// If the stream cannot be made or a file cannot be written.
 pub(super) fn write(mesh: &IndexedMesh, folder: &mut Folder<'_>, bar: &mut Bar) -> Result<(), Failure> {
     let mut plan = SequencePlan::default();
-    plan.come_in_batches(BatchTerms::default())?;
+    plan.use_batches(BatchSettings::default())?;
     let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;
     let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) else {
-        return Err(Failure::internal("collapses come in batches"));
+        return Err(Failure::internal("the collapses are not in batches"));
     };
     bar.phase("encode");
     let stream = encode_stream(refinable, batches, &StreamOptions::default())?.bytes;

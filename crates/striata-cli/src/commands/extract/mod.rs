@@ -1,40 +1,42 @@
-//! `extract`: one level of a .striata file, or several, as meshes.
+//! `extract`: writes one or more levels of a .striata file as meshes.
 
-mod asked;
+mod fan_view;
+mod from_stream;
+mod level_output;
 mod patterns;
-mod place;
 mod report;
-mod stream;
 mod stream_level;
-mod view;
-mod whole;
+mod uniform_levels;
+mod view_and_box;
 
-pub(crate) use self::patterns::PatternsOfFile;
-pub(super) use self::stream_level::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve, stream_of};
-pub(crate) use self::view::{ViewLevel, level_of_view};
+pub(crate) use self::fan_view::{ViewLevel, level_of_view};
+pub(crate) use self::patterns::FilePatterns;
+pub(super) use self::stream_level::{
+    INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
+};
 
 use std::time::Instant;
 
 use striata::model::ModelKind;
 
-use self::asked::{diagonal_of, drawn, no_level};
-use self::place::{run_box, run_view};
-use self::report::{LevelsReport, Report, Shown};
-use self::whole::{Extracted, Model, each_level, each_level_of_strips, pick_model};
+use self::level_output::{diagonal_of, no_level, primitives_of};
+use self::report::{LevelMesh, LevelsReport, Report};
+use self::uniform_levels::{ExtractedLevel, Model, each_level, each_level_of_strips, read_model};
+use self::view_and_box::{run_box, run_view};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
 use crate::commands::build::errors_are_guaranteed;
 use crate::strip_lists::without_unused_vertices;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{FullMesh, Wanted, check_paths, check_strict, wanted_levels};
+use striata_command::level::{FullMesh, LevelRequest, check_paths, check_strict, level_requests};
 use striata_command::output::Output;
 use striata_command::save::{LevelFiles, format_of, is_stdout};
 
-/// Opens the file, goes to the level, writes it.
+/// Opens the file, extracts the requested levels, writes them, and reports.
 ///
 /// # Errors
-/// Where any of it fails.
+/// If any of this fails.
 pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
@@ -42,14 +44,15 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
     let is_named = args.model.as_deref() == Some(ModelKind::Progressive.as_str());
-    let is_place = args.eye.eye.is_some() || args.detail_box.is_some();
-    if !is_place && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only()) {
-        return stream::run(args, (&file, &input), started, output);
+    let is_view_or_box = args.eye.eye.is_some() || args.detail_box.is_some();
+    if !is_view_or_box && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only())
+    {
+        return from_stream::run(args, (&file, &input), started, output);
     }
     input.remark_on(&file, output)?;
     if args.view.is_given() && args.eye.eye.is_none() {
-        return Err(Failure::user("a view was described, but no level is asked for it")
-            .with_hint("say --eye instead of the other level, or leave the view out"));
+        return Err(Failure::user("flags of a view were given without --eye")
+            .with_hint("use --eye instead of the other level, or remove these flags"));
     }
     if let Some(eye) = args.eye.eye {
         return run_view(args, eye, &input, started, output);
@@ -59,43 +62,45 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     }
     let levels = file.levels().map_err(|error| input.damaged(&error))?;
     let full = FullMesh::of_levels(&levels, diagonal_of(&args.level, &file, &input)?);
-    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
+    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
     let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
-    let resolve = |wanted: &Wanted| -> Result<_, Failure> {
-        Ok(wanted.target.ok_or_else(no_level)?.resolve_in(&levels))
+    let resolve = |request: &LevelRequest| -> Result<_, Failure> {
+        Ok(request.target.ok_or_else(no_level)?.resolve_in(&levels))
     };
-    let resolved = wanted.iter().map(resolve).collect::<Result<Vec<_>, _>>()?;
+    let resolved = requests.iter().map(resolve).collect::<Result<Vec<_>, _>>()?;
     let split_counts: Vec<usize> = resolved.iter().map(|&(split_count, _)| split_count).collect();
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
-    let mut reports: Vec<Option<Report>> = wanted.iter().map(|_| None).collect();
-    let mut take = |number: usize, extracted: Extracted| -> Result<(), Failure> {
-        let Extracted { model, mesh, strips, seek_secs } = extracted;
+    let mut reports: Vec<Option<Report>> = requests.iter().map(|_| None).collect();
+    let mut sink = |index: usize, extracted: ExtractedLevel| -> Result<(), Failure> {
+        let ExtractedLevel { model, mesh, strips, seek_secs } = extracted;
         let (mesh, strips) = without_unused_vertices(mesh, strips);
-        let (wanted, (split_count, stop_reason)) = (&wanted[number], resolved[number]);
+        let (request, (split_count, stop_reason)) = (&requests[index], resolved[index]);
         let report = Report {
             error: levels.error_at(split_count),
             error_is_guaranteed,
             ..Report::of_level(
                 model,
-                wanted,
-                Shown { mesh: &mesh, split_count, stop_reason },
+                request,
+                LevelMesh { mesh: &mesh, split_count, stop_reason },
                 [seek_secs, seconds(started)],
             )
         };
-        check_strict(args.strict, wanted.name.as_deref(), report.shortfall.as_deref())?;
-        files.save(&mesh, drawn(args.form, &mesh, strips)?, &wanted.path)?;
-        reports[number] = Some(report);
+        check_strict(args.strict, request.name.as_deref(), report.shortfall.as_deref())?;
+        files.write(&mesh, primitives_of(args.form, &mesh, strips)?, &request.path)?;
+        reports[index] = Some(report);
         Ok(())
     };
-    let (from, split_counts) = ((&file, &input), &split_counts[..]);
-    match pick_model(&file, args.model.as_deref(), &input)? {
+    let (origin, split_counts) = ((&file, &input), &split_counts[..]);
+    match read_model(&file, args.model.as_deref(), &input)? {
         Model::LodStrips(model) => {
-            each_level_of_strips(ModelKind::LodStrips, &model, split_counts, from, &mut take)
+            each_level_of_strips(ModelKind::LodStrips, &model, split_counts, origin, &mut sink)
         }
-        Model::Mts(model) => each_level_of_strips(ModelKind::Mts, &model, split_counts, from, &mut take),
-        Model::Fans(model) => each_level(ModelKind::Fans, &model, split_counts, (from, &|_| None), &mut take),
+        Model::Mts(model) => each_level_of_strips(ModelKind::Mts, &model, split_counts, origin, &mut sink),
+        Model::Fans(model) => {
+            each_level(ModelKind::Fans, &model, split_counts, (origin, &|_| None), &mut sink)
+        }
         Model::Patterns(model) => {
-            each_level(ModelKind::Patterns, &model, split_counts, (from, &|_| None), &mut take)
+            each_level(ModelKind::Patterns, &model, split_counts, (origin, &|_| None), &mut sink)
         }
     }?;
     files.commit()?;
@@ -113,15 +118,17 @@ fn seconds(started: Instant) -> f64 {
     started.elapsed().as_secs_f64()
 }
 
+/// Checks that the output format supports the requested primitives.
+///
 /// # Errors
-/// Where strips or fans are asked for in a format that has none.
+/// If it does not.
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
     for path in check_paths(&args.level, &args.levels, &args.output.output)? {
         let format = format_of(&path, &args.output.format)?;
         match args.form {
             TriangleForm::List => {}
-            TriangleForm::Strips => check_form_fits("strips", &path, format, "say --as list")?,
-            TriangleForm::Fans => check_form_fits("fans", &path, format, "say --as list")?,
+            TriangleForm::Strips => check_form_fits("strips", &path, format, "use --as list")?,
+            TriangleForm::Fans => check_form_fits("fans", &path, format, "use --as list")?,
         }
     }
     Ok(())

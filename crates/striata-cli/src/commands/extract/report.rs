@@ -1,4 +1,4 @@
-//! What `extract` says of the levels that it wrote.
+//! The report of `extract`.
 
 use std::time::Instant;
 
@@ -7,17 +7,18 @@ use striata::mesh::IndexedMesh;
 use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
 
-use super::asked::path_of_place;
-use super::view::ViewLevel;
+use super::fan_view::ViewLevel;
+use super::level_output::view_output_path;
 use crate::args::ExtractArgs;
 use striata_command::failure::Failure;
 use striata_command::level::{
-    Floor, LevelRow, Reached, Wanted, check_strict, remark, shortfall, table_of_levels,
+    CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_strict, shortfall, shortfall_note,
+    table_of_levels,
 };
 use striata_command::output::{grouped, lasted, measured};
-use striata_command::save::name_of;
+use striata_command::save::display_name;
 
-/// Of several levels.
+/// Report on several levels.
 #[derive(Serialize)]
 pub(super) struct LevelsReport {
     pub(super) levels: Vec<Report>,
@@ -27,54 +28,57 @@ pub(super) struct LevelsReport {
 
 #[derive(Serialize)]
 pub(super) struct Report {
-    /// As the user wrote it, if it is one of several.
+    /// The text that the user wrote for the level, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) level: Option<String>,
     pub(super) path: String,
     pub(super) model: &'static str,
-    /// Of a view: whether its fans were `stored` in the file or `built` from the sequence.
+    /// For views: whether the fans were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) fans: Option<&'static str>,
-    /// Of a view or a box: whether its patterns were `stored` in the file or `built` from the sequence.
+    /// For views and boxes: whether the patterns were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) patterns: Option<&'static str>,
-    /// Of a view: pixels that an error may take where nothing else is allowed, once the triangles are no more than wanted.
+    /// For views: the pixel tolerance, after it was raised to respect the triangle limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) pixels: Option<f64>,
     pub(super) split_count: usize,
     pub(super) vertex_count: usize,
     pub(super) triangle_count: usize,
     pub(super) error: f32,
-    /// Whether no point of the original is farther than the error.
+    /// Whether no point of the original is farther from the level than the error.
     pub(super) error_is_guaranteed: bool,
     pub(super) stop_reason: &'static str,
-    /// Why the level is not what was asked for; null if it is.
+    /// How the level misses its target; null if it does not.
     pub(super) shortfall: Option<String>,
     pub(super) seek_secs: f64,
     pub(super) secs: f64,
 }
 
-/// A mesh, and the level that it is.
+/// The mesh of a level.
 #[derive(Clone, Copy)]
-pub(super) struct Shown<'a> {
+pub(super) struct LevelMesh<'a> {
     pub(super) mesh: &'a IndexedMesh,
     pub(super) split_count: usize,
     pub(super) stop_reason: StopReason,
 }
 
 impl Report {
-    /// Of a level that is the same everywhere; its error is known elsewhere.
+    /// Creates the report on a level of uniform detail; the caller fills in the error.
     pub(super) fn of_level(
         model: ModelKind,
-        wanted: &Wanted,
-        Shown { mesh, split_count, stop_reason }: Shown<'_>,
+        request: &LevelRequest,
+        LevelMesh { mesh, split_count, stop_reason }: LevelMesh<'_>,
         [seek_secs, secs]: [f64; 2],
     ) -> Self {
-        let reached =
-            Reached { vertex_count: mesh.vertex_count(), triangle_count: mesh.triangle_count(), stop_reason };
+        let reached = ReachedLevel {
+            vertex_count: mesh.vertex_count(),
+            triangle_count: mesh.triangle_count(),
+            stop_reason,
+        };
         Self {
-            level: wanted.name.clone(),
-            path: name_of(&wanted.path),
+            level: request.name.clone(),
+            path: display_name(&request.path),
             model: model.as_str(),
             fans: None,
             patterns: None,
@@ -85,29 +89,29 @@ impl Report {
             error: 0.0,
             error_is_guaranteed: false,
             stop_reason: stop_reason.as_str(),
-            shortfall: wanted.target.and_then(|target| shortfall(target, reached, &Floor::File)),
+            shortfall: request.target.and_then(|target| shortfall(target, reached, &CoarseningLimit::File)),
             seek_secs,
             secs,
         }
     }
 
-    /// Of a level that differs from place to place.
+    /// Creates the report on a level for a view or a box.
     ///
     /// # Errors
-    /// If it has more triangles than allowed and that is forbidden, or its file has no name.
-    pub(super) fn of_place(
+    /// If the level exceeds the triangle limit and `--strict` was given, or there is no output path.
+    pub(super) fn of_view_or_box(
         model: ModelKind,
         args: &ExtractArgs,
         (level, triangle_limit): (&ViewLevel, Option<usize>),
         started: Instant,
     ) -> Result<Self, Failure> {
-        let path = path_of_place(args)?;
-        let wanted = Wanted { name: None, target: triangle_limit.map(Target::Triangles), path };
+        let path = view_output_path(args)?;
+        let request = LevelRequest { name: None, target: triangle_limit.map(Target::Triangles), path };
         let ViewLevel { mesh, split_count, stop_reason, .. } = level;
-        let shown = Shown { mesh, split_count: *split_count, stop_reason: *stop_reason };
+        let shown = LevelMesh { mesh, split_count: *split_count, stop_reason: *stop_reason };
         let report = Self {
             error: level.error,
-            ..Self::of_level(model, &wanted, shown, [level.seek_secs, started.elapsed().as_secs_f64()])
+            ..Self::of_level(model, &request, shown, [level.seek_secs, started.elapsed().as_secs_f64()])
         };
         check_strict(args.strict, None, report.shortfall.as_deref())?;
         Ok(report)
@@ -120,7 +124,7 @@ impl Report {
         };
         let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
-            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}{}",
+            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; found in {}{origin}{}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),
@@ -128,7 +132,9 @@ impl Report {
             measured(self.error.into()),
             self.stop_reason.replace('_', " "),
             lasted(self.seek_secs),
-            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
+            self.shortfall
+                .as_ref()
+                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
         )
     }
 }
@@ -137,7 +143,7 @@ impl LevelsReport {
     pub(super) fn to_text(&self) -> String {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
         let model = self.levels.first().map_or("", |level| level.model);
-        format!("{}from {model} in {}", table_of_levels(&rows), lasted(self.secs))
+        format!("{}extracted from {model} in {}", table_of_levels(&rows), lasted(self.secs))
     }
 }
 

@@ -1,39 +1,39 @@
-//! Levels of a stream: how far it has to be read for them, and what they are once it ends.
+//! Levels of a stream: how far it must be read to reach them, and which level a truncated stream reaches.
 
 use striata::file::StriataFile;
 use striata::mesh::Levels;
 use striata::simplify::{StopReason, Target};
 use striata_stream::StreamDecoder;
 
-use super::asked::diagonal_of;
+use super::level_output::diagonal_of;
 use striata_command::args::LevelArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::FullMesh;
 use striata_command::stream::Received;
 
-/// Why a level is no finer where the bytes end before it.
+/// Stop reason in reports if the stream ends before the level.
 const INPUT_ENDED: &str = "input_ended";
 
-/// The same for people.
-pub(in crate::commands) const INPUT_ENDS: &str = "the input ends before this level";
+/// Message for the user if the stream ends before the level.
+pub(in crate::commands) const INPUT_ENDED_TEXT: &str = "the input ends before this level";
 
-/// The stream of a file, as far as it is there.
+/// Returns the stream of a file, possibly cut off.
 ///
 /// # Errors
-/// Where it has none, or it is damaged.
+/// If the file has no stream, or is damaged.
 pub(in crate::commands) fn stream_of<'a>(file: &StriataFile<'a>, input: &Input) -> Result<&'a [u8], Failure> {
     let stream = file.stream().ok_or_else(|| {
-        Failure::user(format!("{}: no model progressive is in this file", input.name))
+        Failure::user(format!("{}: this file has no progressive stream", input.name))
             .with_hint("build it again with --models progressive, or make a stream with `striata encode`")
     })?;
     stream.map_err(|error| input.damaged(&error))
 }
 
-/// What targets are shares of: numbers of the whole stream.
+/// Returns the sizes that percentages of targets refer to, which are those of the whole stream.
 ///
 /// # Errors
-/// If the stream is unsound and its bounds are needed.
+/// If the stream is damaged and its bounds are needed.
 pub(in crate::commands) fn full_mesh(
     level: &LevelArgs,
     file: &StriataFile<'_>,
@@ -47,29 +47,31 @@ pub(in crate::commands) fn full_mesh(
     })
 }
 
-/// Why a level is the one that it is.
+/// Why a level of a stream is neither finer nor coarser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::commands) enum End {
-    /// The bytes end before a better one.
-    Input,
-    /// As in every other file.
+pub(in crate::commands) enum StreamStopReason {
+    /// The stream ends before the target.
+    InputEnded,
+    /// Any other reason, as for levels of a file.
     Level(StopReason),
 }
 
-impl End {
+impl StreamStopReason {
+    /// Returns the name used in reports.
     pub(in crate::commands) fn as_str(self) -> &'static str {
         match self {
-            Self::Input => INPUT_ENDED,
+            Self::InputEnded => INPUT_ENDED,
             Self::Level(reason) => reason.as_str(),
         }
     }
 }
 
-/// A share of the way is one of the whole stream's, however much of it is there.
-pub(in crate::commands) fn in_splits(target: Target, step_count: usize) -> Target {
+/// Converts a detail to a split count of the whole stream, so that it does not depend on how much was
+/// received.
+pub(in crate::commands) fn detail_to_splits(target: Target, step_count: usize) -> Target {
     match target {
         Target::Detail(detail) => {
-            // The small term keeps `k / step_count` from rounding down to k - 1, as in `Levels`.
+            // The small term keeps `k / step_count` from being rounded down to k - 1, as in `Levels`.
             let exact = detail * step_count as f64;
             Target::SplitCount(((exact + 1e-9 * exact.max(1.0)) as usize).min(step_count))
         }
@@ -77,8 +79,8 @@ pub(in crate::commands) fn in_splits(target: Target, step_count: usize) -> Targe
     }
 }
 
-/// Whether the level, or one beyond it, has come.
-pub(in crate::commands) fn is_enough(decoder: &StreamDecoder, target: Target) -> bool {
+/// Whether the decoder has reached the target or a finer level.
+pub(in crate::commands) fn has_level(decoder: &StreamDecoder, target: Target) -> bool {
     match target {
         Target::Triangles(count) => decoder.triangles().len() > count,
         Target::Vertices(count) => decoder.positions().len() > count,
@@ -88,18 +90,22 @@ pub(in crate::commands) fn is_enough(decoder: &StreamDecoder, target: Target) ->
     }
 }
 
-/// The level that comes nearest to the target, and why it comes no nearer.
-pub(in crate::commands) fn resolve(target: Target, received: &Received, levels: &Levels) -> (usize, End) {
+/// Returns the split count of the received level closest to the target, and why it is no closer.
+pub(in crate::commands) fn resolve(
+    target: Target,
+    received: &Received,
+    levels: &Levels,
+) -> (usize, StreamStopReason) {
     let is_whole = received.decoder.is_complete();
     if let (false, Target::Error(error)) = (is_whole, target) {
-        // To its levels what has come is the full mesh, without error.
-        let left = received.decoder.error().unwrap_or_default();
-        if f64::from(left) > error {
-            return (levels.step_count(), End::Input);
+        // `levels` takes the finest received mesh for the full mesh, with an error of 0.
+        let remaining_error = received.decoder.error().unwrap_or_default();
+        if f64::from(remaining_error) > error {
+            return (levels.step_count(), StreamStopReason::InputEnded);
         }
     }
     match target.resolve_in(levels) {
-        (split_count, StopReason::FullMesh) if !is_whole => (split_count, End::Input),
-        (split_count, reason) => (split_count, End::Level(reason)),
+        (split_count, StopReason::FullMesh) if !is_whole => (split_count, StreamStopReason::InputEnded),
+        (split_count, reason) => (split_count, StreamStopReason::Level(reason)),
     }
 }

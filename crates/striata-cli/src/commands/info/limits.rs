@@ -1,4 +1,4 @@
-//! What limits how far a mesh can be simplified, and at which price: seams, connected parts, edges of many triangles.
+//! What limits simplification of a mesh, and at what cost: seams, connected parts, and non-manifold edges.
 
 use super::part_statistics::PartStatistics;
 use super::seam_statistics::{SeamCause, SeamStatistics};
@@ -12,13 +12,13 @@ use striata_command::output::{counted, grouped};
 /// Parts with at most this many triangles are counted as tiny.
 const TINY_PART: usize = 16;
 
-/// A mesh is said to consist of seams if at least this share of its positions is split,
+/// Smallest fraction of split positions for which a mesh counts as consisting mostly of seams.
 const MOSTLY_SPLIT: f64 = 0.9;
 
-/// into at least so many vertices on average.
+/// Smallest mean number of vertices per position for which a mesh counts as consisting mostly of seams.
 const MANY_WEDGES: f64 = 3.0;
 
-/// Where attributes or materials split a position into several vertices.
+/// Seams, where attributes or materials split a position into several vertices.
 #[derive(Serialize)]
 pub(super) struct Seams {
     seam_edge_count: usize,
@@ -30,12 +30,12 @@ pub(super) struct Seams {
     split_by: Map<String, Value>,
     #[serde(skip)]
     position_count: usize,
-    /// For people: `normals`, the most frequent cause first.
+    /// Causes in words, such as `normals`, the most frequent one first.
     #[serde(skip)]
     causes: Vec<String>,
 }
 
-/// Pieces that share no position.
+/// Connected parts, which share no position.
 #[derive(Serialize)]
 pub(super) struct Parts {
     count: usize,
@@ -44,18 +44,18 @@ pub(super) struct Parts {
     largest_triangle_count: usize,
     /// Parts of at most 16 triangles.
     tiny_count: usize,
-    /// No level that shows all parts has fewer triangles.
+    /// Smallest number of triangles of a level that shows all parts.
     least_triangle_count: usize,
 }
 
-/// What the steps of a file do besides removing triangles.
+/// Steps of a file that do more than remove triangles.
 #[derive(Serialize)]
 pub(super) struct Steps {
     crossing_count: usize,
     empty_count: usize,
     part_count: usize,
     vanished_part_count: usize,
-    /// The coarsest level that shows something of every part.
+    /// Split count of the coarsest level that has triangles of every part.
     all_parts_split_count: usize,
     all_parts_triangle_count: usize,
 }
@@ -85,13 +85,13 @@ impl Seams {
         self.split_position_count as f64 / self.position_count.max(1) as f64
     }
 
-    /// The rows of the table.
+    /// Returns rows for the table.
     pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
         let inner = grouped(self.inner_edge_count);
         let mut rows = vec![("seam edges", format!("{} of {inner}", grouped(self.seam_edge_count)))];
         if self.split_position_count > 0 {
             let [split, all] = [self.split_position_count, self.position_count].map(grouped);
-            let causes = listed(&self.causes);
+            let causes = join_names(&self.causes);
             rows.push(("split positions", format!("{split} of {all}, by {causes}")));
             let per_position = self.wedges_per_position;
             let most = self.largest_wedge_count;
@@ -104,26 +104,26 @@ impl Seams {
         if self.split_position_count == 0 {
             return None;
         }
-        let by = listed(&self.causes);
+        let by = join_names(&self.causes);
         if self.split_share() < MOSTLY_SPLIT || self.wedges_per_position < MANY_WEDGES {
             let share = percent(self.seam_edge_count as f64 / self.inner_edge_count.max(1) as f64);
             return Some(format!(
-                "Seams ({by}) run along {share} of the edges: simplification crosses them at a price. With --keep-seams, \
-                 vertices on them only move along them, and targets may be out of reach."
+                "Seams ({by}) run along {share} of the edges. Simplification crosses them at a cost. With \
+                 --keep-seams, seams are only collapsed along themselves, and some levels may be unreachable."
             ));
         }
         let is_flat = self.causes == [NORMALS];
         let shading = if is_flat { "the mesh is flat shaded" } else { "few triangles share a vertex" };
         Some(format!(
-            "The {by} are split at {} of the positions: {shading}. Simplification crosses seams at a price; with \
-             --keep-seams, almost nothing could be removed.",
+            "The {by} are split at {} of the positions: {shading}. Simplification crosses seams at a cost; \
+             with --keep-seams, almost nothing could be removed.",
             percent(self.split_share())
         ))
     }
 }
 
 impl Parts {
-    /// `None` if there are no triangles.
+    /// Measures the parts of a mesh; `None` if there are no triangles.
     pub(super) fn of(welded: &Welded) -> Option<Self> {
         let PartStatistics { triangle_counts, least_triangle_count, .. } = PartStatistics::of(welded);
         let (&smallest, &largest) = (triangle_counts.first()?, triangle_counts.last()?);
@@ -137,7 +137,7 @@ impl Parts {
         })
     }
 
-    /// The rows of the table.
+    /// Returns rows for the table.
     pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
         if self.count == 1 {
             return Vec::new();
@@ -147,7 +147,7 @@ impl Parts {
         let tiny = grouped(self.tiny_count);
         vec![
             ("triangles per part", format!("{smallest} to {largest}, median {median}")),
-            ("tiny parts", format!("{tiny} of at most {TINY_PART} triangles")),
+            ("tiny parts", format!("{tiny} with at most {TINY_PART} triangles")),
         ]
     }
 
@@ -155,9 +155,9 @@ impl Parts {
         let [count, least] = [self.count, self.least_triangle_count].map(grouped);
         (self.count > 1).then(|| {
             format!(
-                "{count} parts are not connected: a level of fewer than {least} triangles cannot show all of them, and a part \
-                 vanishes earlier if that costs less than changing others. With --keep-parts, no level has fewer than {least} \
-                 triangles."
+                "The mesh has {count} disconnected parts. A level with fewer than {least} triangles cannot \
+                 show all of them, and a part disappears earlier if that costs less than simplifying others. \
+                 With --keep-parts, no level has fewer than {least} triangles."
             )
         })
     }
@@ -176,25 +176,25 @@ impl Steps {
         }
     }
 
-    /// The rows of the table.
+    /// Returns rows for the table.
     pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
         let mut rows = vec![
             ("steps across seams", grouped(self.crossing_count)),
-            ("steps without triangles", grouped(self.empty_count)),
+            ("steps that remove no triangle", grouped(self.empty_count)),
         ];
         if self.vanished_part_count > 0 {
             let left = grouped(self.part_count - self.vanished_part_count);
             let from = counted(self.all_parts_triangle_count, "triangle", "triangles");
             rows.push((
-                "parts in the base",
-                format!("{left} of {}; all from {from} on", grouped(self.part_count)),
+                "parts in the base mesh",
+                format!("{left} of {}; all parts in levels of {from} or more", grouped(self.part_count)),
             ));
         }
         rows
     }
 }
 
-/// Sentences about what limits simplification, for people.
+/// Returns sentences about what limits simplification.
 pub(super) fn notes(
     seams: Option<&Seams>,
     parts: Option<&Parts>,
@@ -207,18 +207,18 @@ pub(super) fn notes(
     if statistics.non_manifold_edge_count > 0 {
         let edges = counted(statistics.non_manifold_edge_count, "edge has", "edges have");
         notes.push(format!(
-            "{edges} more than two triangles: simplification removes them like others, but a stream keeps their positions \
-             at every level."
+            "{edges} more than two triangles. Simplification removes them like others, but a stream keeps \
+             their positions at every level."
         ));
     }
     if statistics.duplicate_triangle_count > 0 {
         let triangles = counted(statistics.duplicate_triangle_count, "triangle repeats", "triangles repeat");
-        notes.push(format!("{triangles} the positions of another one: each copy counts against a target."));
+        notes.push(format!("{triangles} the positions of another one. Each copy counts toward a target."));
     }
     if statistics.degenerate_triangle_count > 0 {
         let triangles = counted(statistics.degenerate_triangle_count, "triangle has", "triangles have");
         notes.push(format!(
-            "{triangles} no area; those with two corners at one position are dropped before simplification."
+            "{triangles} no area. Those with two corners at one position are removed before simplification."
         ));
     }
     notes
@@ -237,15 +237,15 @@ fn name_of_cause(cause: &SeamCause) -> String {
     }
 }
 
-/// Names for people: `normals, UVs and materials`.
-fn listed(names: &[String]) -> String {
+/// Joins names: `normals, UVs and materials`.
+fn join_names(names: &[String]) -> String {
     match names {
         [all @ .., before, last] if !all.is_empty() => format!("{}, {before} and {last}", all.join(", ")),
         _ => names.join(" and "),
     }
 }
 
-/// A share for people; one that is not 0 never looks like it.
+/// Formats a fraction as a percentage; one greater than 0 is never shown as 0.
 fn percent(share: f64) -> String {
     match 100.0 * share {
         percent if percent < 1.0 => "less than 1 %".to_owned(),

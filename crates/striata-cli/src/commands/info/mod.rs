@@ -1,4 +1,4 @@
-//! `info`: what is inside a file, mesh or container.
+//! `info`: shows what a mesh, .striata file or stream contains.
 
 mod limits;
 mod part_statistics;
@@ -8,7 +8,9 @@ mod step_statistics;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::file::{DecodeError, FORMAT_VERSION, StriataFile};
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate, weld};
+use striata::mesh::{
+    AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, TriangleGroup, validate, weld,
+};
 use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
 use striata_stream::{StreamDefect, StreamFacts};
 
@@ -18,17 +20,19 @@ use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, counted, grouped, lasted, measured, sized};
-use striata_command::stream::{Received, facts_in_json};
+use striata_command::stream::{Received, stream_facts_json};
 
-/// Defects that the text names one by one; JSON lists more of them.
-const SPELLED_OUT: usize = 5;
+/// Number of defects that the text lists; JSON lists more of them.
+const LISTED_DEFECTS: usize = 5;
 
-/// Counts of the topology are null where the mesh's parts do not fit together: the defects say why.
+/// Report on a mesh or file.
+///
+/// Topological counts are null if the mesh is inconsistent; the defects say why.
 #[derive(Serialize)]
 struct Report {
     kind: &'static str,
     format_version: Option<u32>,
-    /// None of a shape.
+    /// Size of the file; null for a shape.
     file_bytes: Option<usize>,
     vertex_count: usize,
     triangle_count: usize,
@@ -45,9 +49,9 @@ struct Report {
     genus: Option<usize>,
     is_closed: Option<bool>,
     area: Option<f64>,
-    /// Null if an index is out of range, if a layer has the wrong length, or if a coordinate is not finite.
+    /// Seams; null if an index is out of range, a layer has the wrong length, or a coordinate is not finite.
     seams: Option<Seams>,
-    /// Null where seams are, and if there are no triangles.
+    /// Connected parts; null under the same conditions as `seams`, and if there are no triangles.
     parts: Option<Parts>,
     attributes: Vec<Value>,
     groups: Vec<Value>,
@@ -55,19 +59,19 @@ struct Report {
     bounds: Option<Value>,
     diagonal: f64,
     models: Map<String, Value>,
-    /// Of all models, if they were to be built.
+    /// Sizes and build times of all models, with `--models`.
     #[serde(skip_serializing_if = "Option::is_none")]
     model_costs: Option<Vec<ModelCost>>,
     step_count: Option<usize>,
     base: Option<Value>,
     error_max: Option<f32>,
     error_is_guaranteed: Option<bool>,
-    /// Of a file of collapses.
+    /// Special steps, for files with collapses.
     #[serde(skip_serializing_if = "Option::is_none")]
     steps: Option<Steps>,
-    /// What limits simplification, in sentences.
+    /// Sentences about what limits simplification.
     notes: Vec<String>,
-    /// Of a file with a stream.
+    /// Facts about the stream, for files with a stream.
     #[serde(skip_serializing_if = "Option::is_none")]
     stream: Option<Value>,
     sections: Vec<Value>,
@@ -75,10 +79,10 @@ struct Report {
     defects: Vec<String>,
 }
 
-/// Looks and reports.
+/// Reads the input and prints the report.
 ///
 /// # Errors
-/// Where the file cannot be read.
+/// If the file cannot be read.
 pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let (mut report, mesh) = if input.has_levels() {
@@ -94,7 +98,7 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     output.data(&report, &report.to_text(&input.name))
 }
 
-/// The report of a file with levels, and its full mesh.
+/// Returns the report on a file with levels, and its full mesh.
 fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh), Failure> {
     let file = input.striata()?;
     input.remark_on(&file, output)?;
@@ -136,7 +140,7 @@ fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh),
 }
 
 impl Report {
-    /// What the head of the stream says, and how far the bytes go.
+    /// Adds the facts from the header of the stream, and how much of the stream is present.
     fn add_stream(&mut self, file: &StriataFile<'_>, stream: &[u8], input: &Input) -> Result<(), Failure> {
         let damaged = |error: DecodeError| input.damaged(&error);
         let facts = StreamFacts::read(stream).map_err(|error| damaged(error.into()))?;
@@ -147,7 +151,7 @@ impl Report {
             (false, false) => facts.step_count,
             (false, true) => Received::read_all(stream).map_err(damaged)?.decoder.split_count(),
         };
-        let mut described = facts_in_json(&facts);
+        let mut described = stream_facts_json(&facts);
         described["read_bytes"] = json!(stream.len());
         described["split_count"] = json!(split_count);
         described["is_complete"] = json!(!file.is_cut());
@@ -265,14 +269,14 @@ impl Report {
             let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
             let triangles = base["triangle_count"].as_u64().unwrap_or(0) as usize;
             let triangles = counted(triangles, "triangle", "triangles");
-            row("base", format!("{triangles}, {kind} {}", measured(error.into())));
+            row("base mesh", format!("{triangles}, {kind} {}", measured(error.into())));
         }
         for (name, value) in self.steps.iter().flat_map(Steps::rows) {
             row(name, value);
         }
         for (model, facts) in &self.models {
             let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);
-            row(model, format!("{bytes_per_vertex:.1} bytes a vertex"));
+            row(model, format!("{bytes_per_vertex:.1} bytes per vertex"));
         }
         if let Some(stream) = &self.stream {
             let number = |key: &str| grouped(stream[key].as_u64().unwrap_or(0) as usize);
@@ -283,16 +287,16 @@ impl Report {
             row("stream", format!("{effort} effort, {bits} bits (step {step}){exact}, {chunks} chunks"));
             let [read, whole] = [number("read_bytes"), number("bytes")];
             let [split_count, step_count] = [number("split_count"), number("step_count")];
-            row("of the stream", format!("{read} of {whole} bytes, split {split_count} of {step_count}"));
+            row("stream read", format!("{read} of {whole} bytes, split {split_count} of {step_count}"));
         }
         for cost in self.model_costs.iter().flatten() {
-            row(&format!("{} would cost", cost.name), text_of_cost(cost));
+            row(&format!("{} if built", cost.name), text_of_cost(cost));
         }
         for (kind, count) in &self.defect_counts {
             row("defects", format!("{count} {kind}"));
         }
         let mut text = table.to_text();
-        for defect in self.defects.iter().take(SPELLED_OUT) {
+        for defect in self.defects.iter().take(LISTED_DEFECTS) {
             text.push_str(&format!("  {defect}\n"));
         }
         for note in &self.notes {
@@ -304,10 +308,10 @@ impl Report {
 
 fn text_of_cost(cost: &ModelCost) -> String {
     let instance = match cost.instance_bytes {
-        Some(bytes) => format!(", {} an instance", sized(bytes)),
+        Some(bytes) => format!(", {} per instance", sized(bytes)),
         None => String::new(),
     };
-    let bytes = format!("{}, {:.1} bytes a vertex", sized(cost.bytes), cost.bytes_per_vertex);
+    let bytes = format!("{}, {:.1} bytes per vertex", sized(cost.bytes), cost.bytes_per_vertex);
     format!("{bytes}{instance}, built in {}", lasted(cost.build_secs))
 }
 
@@ -331,6 +335,9 @@ fn described(layer: &AttributeLayer) -> Value {
 }
 
 fn groups(mesh: &IndexedMesh) -> Vec<Value> {
-    let described = |group: &striata::mesh::TriangleGroup| json!({ "name": group.name, "material": group.material, "triangle_count": group.count });
+    let described = |group: &TriangleGroup| {
+        let TriangleGroup { name, material, count, .. } = group;
+        json!({ "name": name, "material": material, "triangle_count": count })
+    };
     mesh.groups.iter().map(described).collect()
 }

@@ -1,8 +1,9 @@
-//! The connected parts of a mesh: how large they are, and how few triangles can show all of them.
+//! Statistics of the connected parts of a mesh: their sizes, and the fewest triangles that show all of them.
 //!
-//! Parts are pieces that share no position. A part along whose edges an even number of triangles meet everywhere is closed,
-//! and stays so whatever is collapsed, since a collapse only lets positions become one. A single triangle is not closed;
-//! so a closed part has two triangles at least, and any other part has one. Time O(n) expected, memory O(n).
+//! Parts share no position. A part is closed if an even number of triangles meets along each of its edges. It
+//! stays closed whatever is collapsed, since collapses only merge positions. A single triangle is not closed,
+//! so a closed part needs at least two triangles, and any other part at least one. Expected time O(n), memory
+//! O(n).
 
 use striata::mesh::{Adjacency, DisjointSets, Welded};
 
@@ -10,14 +11,14 @@ use striata::mesh::{Adjacency, DisjointSets, Welded};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub(crate) struct PartStatistics {
-    /// Triangles of each part, the smallest first.
+    /// Number of triangles of each part, in ascending order.
     pub(crate) triangle_counts: Vec<usize>,
-    /// No level that shows all parts can have fewer triangles.
+    /// Smallest number of triangles of a level that shows all parts.
     pub(crate) least_triangle_count: usize,
 }
 
 impl PartStatistics {
-    /// Finds the parts of a welded mesh.
+    /// Measures the parts of a welded mesh.
     pub(crate) fn of(welded: &Welded) -> Self {
         let positions = &welded.positions;
         let adjacency = Adjacency::of_positions(&welded.mesh, positions);
@@ -48,7 +49,7 @@ mod tests {
 
     fn of(mesh: &IndexedMesh) -> (Vec<usize>, usize) {
         let PartStatistics { triangle_counts, least_triangle_count } =
-            PartStatistics::of(&weld(mesh).expect("shapes are sound"));
+            PartStatistics::of(&weld(mesh).expect("shapes are consistent"));
         (triangle_counts, least_triangle_count)
     }
 
@@ -60,9 +61,9 @@ mod tests {
     }
 
     #[test]
-    fn open_parts_need_one_triangle() {
+    fn open_parts_need_only_one_triangle() {
         assert_eq!(of(&shapes::grid(2, 1)), (vec![4], 1));
-        // Three triangles at one edge are not closed, and neither is what they end in.
+        // Three triangles at one edge are not closed, and neither is any level of them.
         assert_eq!(of(&shapes::book(3)), (vec![3], 1));
         let mut both = shapes::grid(1, 1);
         let first = both.positions.len() as u32;

@@ -1,8 +1,8 @@
-//! Seams: where vertices of one position differ, in what, and along which edges.
+//! Statistics of seams: how many positions and edges they split, and which attributes differ.
 //!
-//! A welded mesh keeps one vertex (wedge) for each different set of attributes at a position. An edge is a **seam** if its
-//! triangles use different wedges at one of its ends. The counts say how much of a mesh is seams, which is what
-//! simplification pays for when it crosses them. Time and memory O(n).
+//! A welded mesh has one vertex (wedge) for each different set of attributes at a position. An edge is a
+//! **seam** if its triangles use different wedges at one of its ends. The counts show how much of a mesh
+//! consists of seams, which simplification crosses only at a cost. Time and memory O(n).
 
 use striata::mesh::{Adjacency, Semantic, Welded};
 
@@ -10,30 +10,30 @@ use striata::mesh::{Adjacency, Semantic, Welded};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub(crate) enum SeamCause {
-    /// The values of a layer.
+    /// The values of an attribute layer.
     Layer(Semantic),
     /// The materials of their triangles.
     Material,
 }
 
-/// How many positions and edges of a mesh are split, and by what.
+/// Number of positions and edges of a mesh that are split, and the causes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub(crate) struct SeamStatistics {
-    /// Positions that a triangle uses.
+    /// Number of positions that triangles use.
     pub(crate) position_count: usize,
-    /// Wedges of all positions.
+    /// Number of wedges of all positions.
     pub(crate) wedge_count: usize,
-    /// Positions with two or more wedges.
+    /// Number of positions with two or more wedges.
     pub(crate) split_position_count: usize,
-    /// Wedges of the position that has the most.
+    /// Largest number of wedges of a position.
     pub(crate) largest_wedge_count: usize,
-    /// Edges with two or more triangles.
+    /// Number of edges with two or more triangles.
     pub(crate) inner_edge_count: usize,
-    /// Inner edges along which wedges differ.
+    /// Number of inner edges along which wedges differ.
     pub(crate) seam_edge_count: usize,
-    /// Split positions by what their wedges differ in, layers first. A position counts for each cause that it has; causes
-    /// without a position are left out.
+    /// Number of split positions per cause, layers first. A position counts for each of its causes; causes
+    /// without positions are omitted.
     pub(crate) causes: Vec<(SeamCause, usize)>,
 }
 
@@ -60,11 +60,11 @@ impl SeamStatistics {
     }
 }
 
-/// The vertices at both ends of a side, that of the lower position first.
+/// Returns the vertices at both ends of a side, that of the lower position first.
 fn ends_of_side(welded: &Welded, side: u32) -> [u32; 2] {
     let corners = welded.mesh.triangles[side as usize / 3];
     let (from, to) = (corners[side as usize % 3], corners[(side as usize + 1) % 3]);
-    // Wedges of a position are neighbors, so vertices are in the order of their positions.
+    // Wedges of a position are consecutive, so vertices have the same order as their positions.
     [from.min(to), from.max(to)]
 }
 
@@ -80,7 +80,7 @@ fn causes(welded: &Welded) -> Vec<(SeamCause, usize)> {
     layers.chain([of_material]).filter(|&(_, count)| count > 0).collect()
 }
 
-/// Positions whose wedges do not all have the same value.
+/// Counts positions whose wedges do not all have the same value.
 fn count_split<T: PartialEq>(welded: &Welded, value: impl Fn(u32) -> T) -> usize {
     let is_split = |&p: &u32| {
         let mut values = welded.positions.wedges(p).map(&value);
@@ -90,7 +90,7 @@ fn count_split<T: PartialEq>(welded: &Welded, value: impl Fn(u32) -> T) -> usize
     (0..welded.positions.position_count() as u32).filter(is_split).count()
 }
 
-/// The material of each vertex; welding lets none serve two.
+/// Returns the material of each vertex; after welding, no vertex has two.
 fn materials_of_vertices(welded: &Welded) -> Vec<Option<u32>> {
     let mut materials = vec![None; welded.mesh.vertex_count()];
     for group in &welded.mesh.groups {
@@ -107,7 +107,7 @@ mod tests {
     use striata::mesh::{AttributeLayer, IndexedMesh, shapes, weld};
 
     fn of(mesh: &IndexedMesh) -> SeamStatistics {
-        SeamStatistics::of(&weld(mesh).expect("shapes are sound"))
+        SeamStatistics::of(&weld(mesh).expect("shapes are consistent"))
     }
 
     #[test]
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn hard_edges_are_seams_of_the_normals() {
         let found = of(&shapes::hard_cube());
-        // The diagonals of the sides are none.
+        // The diagonals of the sides are not seams.
         assert_eq!((found.inner_edge_count, found.seam_edge_count), (18, 12));
         assert_eq!((found.split_position_count, found.largest_wedge_count, found.wedge_count), (8, 3, 24));
         assert_eq!(found.causes, vec![(SeamCause::Layer(Semantic::Normal), 8)]);

@@ -1,40 +1,42 @@
-//! What the steps of a sequence do besides removing triangles: cross seams, and let whole parts vanish.
+//! Statistics of steps that do more than remove triangles: they cross seams, or make whole parts disappear.
 //!
-//! A sequence stores targets only. What a step does follows from the triangles: each of them is followed from the full
-//! mesh down, always through its youngest corner, until two of its corners meet or the base is reached. A wedge that some
-//! triangle shows when its position is collapsed, and that no vanishing triangle has, has no partner at the target: it
-//! crosses a seam. Time O(corners that change), which is about n log n; memory O(n).
+//! A sequence stores only targets; what a step does follows from the triangles. Each triangle is traced from
+//! the full mesh down, always through its youngest corner, until two of its corners coincide or the base mesh
+//! is reached. A wedge that is used by a triangle when its position is collapsed, but by none of the
+//! triangles that vanish, has no partner at the target: it crosses a seam. Time is proportional to the number
+//! of corners that change, about n log n; memory O(n).
 
 use striata::mesh::{DisjointSets, RefinableMesh};
 
-/// How many steps of a sequence are special, and which levels show all parts.
+/// Number of special steps of a sequence, and the levels that show all parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub(crate) struct StepStatistics {
-    /// Steps that remove triangles and take a wedge to the other side of a seam.
+    /// Number of steps that remove triangles and move a wedge to the other side of a seam.
     pub(crate) crossing_count: usize,
-    /// Steps that remove no triangle: contractions of two parts, and positions that have lost all their triangles.
+    /// Number of steps that remove no triangle: they contract two parts, or remove a position that has no
+    /// triangle left.
     pub(crate) empty_count: usize,
-    /// Connected parts of the full mesh.
+    /// Number of connected parts of the full mesh.
     pub(crate) part_count: usize,
-    /// Parts that have no triangle in the base.
+    /// Number of parts that have no triangle in the base mesh.
     pub(crate) vanished_part_count: usize,
-    /// The coarsest level that shows something of every part.
+    /// Split count of the coarsest level that has triangles of every part.
     pub(crate) all_parts_split_count: usize,
 }
 
 impl StepStatistics {
-    /// Looks at every step.
+    /// Examines every step.
     pub(crate) fn of(refinable: &RefinableMesh) -> Self {
         let RefinableMesh { mesh, sequence } = refinable;
         let mut wedges = vec![Wedge::default(); mesh.vertex_count()];
         let least_split_counts: Vec<usize> =
-            mesh.triangles.iter().map(|&corners| follow(refinable, corners, &mut wedges)).collect();
+            mesh.triangles.iter().map(|&corners| trace_triangle(refinable, corners, &mut wedges)).collect();
         let removed = sequence.removed_triangle_counts();
         let crosses = |step: &usize| {
             let mut vertices = sequence.step_vertices(*step);
             removed[*step] > 0
-                && vertices.any(|v| wedges[v as usize].is_shown && !wedges[v as usize].is_paired)
+                && vertices.any(|v| wedges[v as usize].is_used && !wedges[v as usize].is_paired)
         };
         let parts = least_by_part(refinable, &least_split_counts);
         Self {
@@ -47,17 +49,17 @@ impl StepStatistics {
     }
 }
 
-/// What happens to a vertex when its position is collapsed.
+/// State of a vertex when its position is collapsed.
 #[derive(Clone, Copy, Debug, Default)]
 struct Wedge {
-    /// A triangle has it then.
-    is_shown: bool,
-    /// A triangle that vanishes has it.
+    /// Whether a triangle uses it.
+    is_used: bool,
+    /// Whether a triangle that vanishes uses it.
     is_paired: bool,
 }
 
-/// Follows a triangle of the full mesh down; returns the least split count at which it is shown.
-fn follow(refinable: &RefinableMesh, mut corners: [u32; 3], wedges: &mut [Wedge]) -> usize {
+/// Traces a triangle of the full mesh down; returns the smallest split count at which it exists.
+fn trace_triangle(refinable: &RefinableMesh, mut corners: [u32; 3], wedges: &mut [Wedge]) -> usize {
     let sequence = &refinable.sequence;
     let (positions, base) = (sequence.positions(), sequence.base_vertex_count() as u32);
     loop {
@@ -70,7 +72,7 @@ fn follow(refinable: &RefinableMesh, mut corners: [u32; 3], wedges: &mut [Wedge]
         let position = positions.position_of(target);
         let vanishes = corners.iter().any(|&v| positions.position_of(v) == position);
         let wedge = &mut wedges[youngest as usize];
-        wedge.is_shown = true;
+        wedge.is_used = true;
         wedge.is_paired |= vanishes;
         if vanishes {
             return positions.position_of(youngest) as usize - sequence.base_position_count() + 1;
@@ -79,7 +81,7 @@ fn follow(refinable: &RefinableMesh, mut corners: [u32; 3], wedges: &mut [Wedge]
     }
 }
 
-/// The least split count at which each connected part of the full mesh has a triangle.
+/// Returns the smallest split count at which each connected part of the full mesh has a triangle.
 fn least_by_part(refinable: &RefinableMesh, least_split_counts: &[usize]) -> Vec<usize> {
     let (mesh, positions) = (&refinable.mesh, refinable.sequence.positions());
     let mut sets = DisjointSets::new(positions.position_count());
@@ -92,7 +94,7 @@ fn least_by_part(refinable: &RefinableMesh, least_split_counts: &[usize]) -> Vec
         let slot = &mut least[sets.root(positions.position_of(t[0])) as usize];
         *slot = split_count.min(*slot);
     }
-    // Positions that are no part's root, and those without triangles, have none.
+    // Only the root position of each part with triangles has a value.
     least.into_iter().filter(|&split_count| split_count < usize::MAX).collect()
 }
 
@@ -115,13 +117,13 @@ mod tests {
         let parts = SequenceParts {
             positions: PositionIndex::from_first(vec![0, 2, 3, 5, 6, 7, 8, 9, 11]),
             base_position_count: 4,
-            // The part vanishes: G collapses to E, then F and E have no triangle and go to A.
+            // The separate part vanishes: G collapses to E, then F and E, which have no triangle left, to A.
             targets: [&[0, 0, 6][..], &targets_of_v].concat(),
             errors: vec![1.0; 4],
             removed_triangle_counts: vec![0, 0, 1, 2],
             triangle_count: 5,
         };
-        let sequence = CollapseSequence::from_parts(parts).expect("it fits together");
+        let sequence = CollapseSequence::from_parts(parts).expect("the parts are consistent");
         RefinableMesh { mesh: IndexedMesh::new(vec![[0.0; 3]; 11], triangles), sequence }
     }
 
@@ -137,7 +139,7 @@ mod tests {
     fn parts_vanish_with_their_last_triangle() {
         let found = StepStatistics::of(&square([0, 1]));
         assert_eq!((found.part_count, found.vanished_part_count), (2, 1));
-        // Step 2 brings back G, and with it the triangle.
+        // Step 2 restores G, and with it the triangle.
         assert_eq!(found.all_parts_split_count, 3);
         let kept = StepStatistics::of(&square([0, 1]).without_levels_below(3));
         assert_eq!((kept.vanished_part_count, kept.all_parts_split_count), (0, 0));

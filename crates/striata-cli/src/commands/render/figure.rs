@@ -1,4 +1,4 @@
-//! A level that is drawn, and how it is colored.
+//! A level to draw, and how it is colored.
 
 use std::borrow::Cow;
 
@@ -10,36 +10,36 @@ use striata::strip::{StripIndices, StripSet, stripify};
 use crate::commands::extract::ViewLevel;
 use striata_command::args::Coloring;
 use striata_command::failure::Failure;
-use striata_command::fan_cover::fans_of;
-use striata_command::level::{Floor, Reached, shortfall};
+use striata_command::fan_cover::cover_with_fans;
+use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_viewer::picture::{
     Paint, Shot, Style, fan_colors, group_colors, strip_colors, triangle_colors, with_normals,
 };
 
-/// A level that is drawn.
+/// A level to draw.
 pub(super) struct Figure {
-    /// What stands above it.
+    /// Title above the level.
     pub(super) title: String,
-    /// Its triangles, over vertices with normals.
+    /// The mesh, whose vertices have normals.
     pub(super) mesh: IndexedMesh,
-    /// As the model hands them over, where it is one of strips.
+    /// Strips of the level, if the model has strips.
     pub(super) strips: Option<StripSet>,
-    /// Who handed it over.
+    /// Name of the model that provided the level.
     pub(super) model: &'static str,
-    /// Of a level of a sequence.
+    /// Split count, for levels of a sequence.
     pub(super) split_count: Option<usize>,
     pub(super) vertex_count: usize,
-    /// How far it is from the original, mesh units.
+    /// Distance from the original, mesh units.
     pub(super) error: f32,
     pub(super) error_is_guaranteed: bool,
-    /// Of a view: pixels that an error may take.
+    /// For views: the pixel tolerance.
     pub(super) pixels: Option<f64>,
-    /// Why it is not what was asked for, if it is not.
+    /// How the level misses its target, if it does.
     pub(super) shortfall: Option<String>,
 }
 
 impl Figure {
-    /// A mesh as it is.
+    /// Creates a figure of a mesh without levels.
     pub(super) fn of_mesh(mesh: IndexedMesh) -> Self {
         Self {
             title: String::new(),
@@ -55,16 +55,16 @@ impl Figure {
         }
     }
 
-    /// The level of a view, which was to have no more than so many triangles if that was said.
+    /// Creates a figure of the level for a view, which had to respect the triangle limit, if there is one.
     pub(super) fn of_view(model: ModelKind, level: ViewLevel, triangle_limit: Option<usize>) -> Self {
-        let reached = Reached {
+        let reached = ReachedLevel {
             vertex_count: level.mesh.vertex_count(),
             triangle_count: level.mesh.triangle_count(),
             stop_reason: level.stop_reason,
         };
         let target = triangle_limit.map(Target::Triangles);
         Self {
-            shortfall: target.and_then(|target| shortfall(target, reached, &Floor::File)),
+            shortfall: target.and_then(|target| shortfall(target, reached, &CoarseningLimit::File)),
             model: model.as_str(),
             split_count: Some(level.split_count),
             error: level.error,
@@ -74,38 +74,38 @@ impl Figure {
         }
     }
 
-    /// What a shot of it shows, in some colors.
+    /// Colors the level.
     ///
     /// # Errors
-    /// Where strips cannot be made, which is our fault.
-    pub(super) fn painted(&self, coloring: Coloring) -> Result<Painted, Failure> {
+    /// If strips cannot be made, which is an internal error.
+    pub(super) fn painted(&self, coloring: Coloring) -> Result<ColoredLevel, Failure> {
         let (triangles, colors) = match coloring {
             Coloring::Surface => {
                 let strips = self.strips.as_ref().map(StripSet::to_restart_indices);
-                return Ok(Painted { triangles: None, paint: Paint::Surface, strips });
+                return Ok(ColoredLevel { triangles: None, paint: Paint::Surface, strips });
             }
             Coloring::Strips => match &self.strips {
                 Some(strips) => strip_colors(strips),
                 None => strip_colors(&stripify(&self.mesh)?),
             },
-            Coloring::Fans => fan_colors(&fans_of(&self.mesh)),
+            Coloring::Fans => fan_colors(&cover_with_fans(&self.mesh)),
             Coloring::Triangles => triangle_colors(&self.mesh.triangles),
             Coloring::Groups => group_colors(&self.mesh),
         };
-        Ok(Painted { triangles: Some(triangles), paint: Paint::Triangles(colors), strips: None })
+        Ok(ColoredLevel { triangles: Some(triangles), paint: Paint::Triangles(colors), strips: None })
     }
 }
 
-/// A level in its colors.
-pub(super) struct Painted {
-    /// In another order than the level's, where colors need one.
+/// A colored level.
+pub(super) struct ColoredLevel {
+    /// Triangles, if coloring requires a different order from that of the level.
     triangles: Option<Vec<[u32; 3]>>,
     paint: Paint,
     strips: Option<StripIndices>,
 }
 
-impl Painted {
-    /// The shot of it.
+impl ColoredLevel {
+    /// Returns the shot that draws the level.
     pub(super) fn shot<'s>(&'s self, mesh: &'s IndexedMesh, style: Style) -> Shot<'s> {
         let shot = Shot::of(mesh, self.paint.clone(), style);
         let triangles = self.triangles.as_ref().map_or(shot.triangles, |t| Cow::Borrowed(&t[..]));

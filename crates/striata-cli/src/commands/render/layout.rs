@@ -1,10 +1,10 @@
-//! What is where on the picture, and drawing it.
+//! The layout of a picture in panels, and drawing them.
 
 use striata::mesh::IndexedMesh;
 
 use super::figure::Figure;
-use super::place::Place;
 use super::source::Source;
+use super::viewpoint::Viewpoint;
 use crate::args::RenderArgs;
 use striata_command::args::Coloring;
 use striata_command::failure::Failure;
@@ -13,34 +13,36 @@ use striata_viewer::picture::{
     Artist, Camera, Canvas, ColorBar, Heat, Paint, Panel, Sheet, Shot, Style, Theme, significant,
 };
 
-/// The picture before it is drawn.
+/// A picture that is ready to be drawn.
 pub(super) struct Layout<'a> {
     args: &'a RenderArgs,
     original: &'a IndexedMesh,
     figures: &'a [Figure],
-    place: &'a Place,
-    /// Where distances are shown, those of each level.
+    viewpoint: &'a Viewpoint,
+    /// Distances from the original to each level, if the picture shows them.
     pub(super) heats: Vec<Heat>,
-    /// The distance that has the last color.
+    /// Distance at the end of the color scale.
     pub(super) heat_top: f64,
     diagonal: f64,
     sheet: Sheet,
 }
 
-/// The picture, and what it took.
-pub(super) struct Finished {
+/// The finished picture.
+pub(super) struct FinishedPicture {
     pub(super) canvas: Canvas,
-    /// Seconds that one frame of all panels took.
+    /// Time to draw one frame of all panels, seconds.
     pub(super) frame_secs: f64,
 }
 
 impl<'a> Layout<'a> {
+    /// Chooses the arrangement of the panels and measures distances.
+    ///
     /// # Errors
-    /// Where a distance cannot be measured, which is our fault.
+    /// If a distance cannot be measured, which is an internal error.
     pub(super) fn new(
         args: &'a RenderArgs,
         source: &'a Source<'_>,
-        (figures, place): (&'a [Figure], &'a Place),
+        (figures, viewpoint): (&'a [Figure], &'a Viewpoint),
     ) -> Result<Self, Failure> {
         let original = source.mesh();
         let heats = if args.heat {
@@ -59,17 +61,17 @@ impl<'a> Layout<'a> {
             }
             if args.heat { sheet.with_bar(ColorBar::up_to(heat_top, largest)) } else { sheet }
         };
-        let sheet = make(grid(args, figures.len(), place, &make));
-        Ok(Self { args, original, figures, place, heats, heat_top, diagonal, sheet })
+        let sheet = make(grid(args, figures.len(), viewpoint, &make));
+        Ok(Self { args, original, figures, viewpoint, heats, heat_top, diagonal, sheet })
     }
 
-    /// Draws all panels and lays them out.
+    /// Draws all panels and assembles the picture.
     ///
     /// # Errors
-    /// Where strips or fans to color cannot be made.
-    pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<Finished, Failure> {
+    /// If strips or fans for coloring cannot be made.
+    pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<FinishedPicture, Failure> {
         let size = self.sheet.panel_size();
-        let camera = self.place.camera(size[0] as f32 / size[1] as f32);
+        let camera = self.viewpoint.camera(size[0] as f32 / size[1] as f32);
         let (mut panels, mut frame_secs) = (Vec::new(), 0.0);
         for &coloring in &self.args.colors {
             for (number, figure) in self.figures.iter().enumerate() {
@@ -79,7 +81,7 @@ impl<'a> Layout<'a> {
                 panels.push(Panel { canvas: drawn.canvas, title, caption });
             }
         }
-        Ok(Finished { canvas: self.sheet.assemble(&panels, theme), frame_secs })
+        Ok(FinishedPicture { canvas: self.sheet.assemble(&panels, theme), frame_secs })
     }
 
     fn draw_one(
@@ -90,7 +92,7 @@ impl<'a> Layout<'a> {
         (camera, size): (&Camera, [usize; 2]),
     ) -> Result<striata_viewer::picture::Drawn, Failure> {
         let draw = |mut shot: Shot<'_>, artist: &mut Artist| {
-            if let Some(frustum) = &self.place.frustum {
+            if let Some(frustum) = &self.viewpoint.frustum {
                 frustum.draw_into(&mut shot);
             }
             artist.draw(&shot, camera, size)
@@ -124,11 +126,12 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Columns and rows: a row for each coloring, or else as many as show the levels largest.
+/// Returns the number of columns and rows: a row per coloring, or else the arrangement that shows levels
+/// largest.
 fn grid(
     args: &RenderArgs,
     count: usize,
-    place: &Place,
+    viewpoint: &Viewpoint,
     make: &impl Fn((usize, usize)) -> Sheet,
 ) -> (usize, usize) {
     if args.colors.len() > 1 {
@@ -138,12 +141,12 @@ fn grid(
         let rows = usize::from(rows).min(count);
         return (count.div_ceil(rows), rows);
     }
-    let aspect = place.aspect().unwrap_or(1.0);
+    let aspect = viewpoint.aspect().unwrap_or(1.0);
     let shown = |&columns: &usize| {
         let [width, height] = make((columns, count.div_ceil(columns))).panel_size();
         (width as f32).min(height as f32 * aspect)
     };
-    // The last of the best is the one with fewest rows.
+    // Of equally good arrangements, `max_by` returns the last one, which has the fewest rows.
     let columns = (1..=count).max_by(|a, b| shown(a).total_cmp(&shown(b))).unwrap_or(1);
     (columns, count.div_ceil(columns))
 }

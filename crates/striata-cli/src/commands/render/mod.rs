@@ -1,10 +1,10 @@
-//! `render`: a picture of a mesh, of levels side by side, or of a view, drawn without a window.
+//! `render`: draws a mesh, several of its levels, or a view, to a PNG file.
 
 mod figure;
 mod layout;
-mod place;
 mod report;
 mod source;
+mod viewpoint;
 
 use std::path::Path;
 use std::time::Instant;
@@ -12,20 +12,20 @@ use std::time::Instant;
 use crate::args::{Background, RenderArgs};
 use figure::Figure;
 use layout::Layout;
-use place::Place;
 use report::{Drawing, Report};
 use source::Source;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::check_strict;
 use striata_command::output::{Bar, Output};
-use striata_command::save::{is_stdout, put};
+use striata_command::save::{is_stdout, write_bytes};
 use striata_viewer::picture::{Artist, Canvas, Theme};
+use viewpoint::Viewpoint;
 
-/// Reads, goes to the levels, draws, writes, reports.
+/// Reads the input, draws the requested levels, writes the picture, and reports.
 ///
 /// # Errors
-/// Where any of it fails; nothing is written then.
+/// If any of this fails; nothing is written then.
 pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output))?;
@@ -41,8 +41,8 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
         check_strict(args.strict, name, figure.shortfall.as_deref())?;
     }
     bar.phase("draw");
-    let place = Place::new(args, &source)?;
-    let layout = Layout::new(args, &source, (&figures, &place))?;
+    let viewpoint = Viewpoint::new(args, &source)?;
+    let layout = Layout::new(args, &source, (&figures, &viewpoint))?;
     let picture = layout.draw(&mut artist, &theme(args.background))?;
     write(&args.output, &picture.canvas, &mut bar)?;
     drop(bar);
@@ -51,30 +51,32 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     output.summary(&report, &report.to_text())
 }
 
+/// Checks combinations of flags that the parser cannot check.
+///
 /// # Errors
-/// Where flags contradict each other in a way that the parser does not see.
+/// If flags contradict each other.
 fn check(args: &RenderArgs) -> Result<(), Failure> {
     args.size.check_drawable()?;
     let is_png = args.output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
     if !is_png && !is_stdout(&args.output) {
         return Err(Failure::user(format!("{}: pictures are written as PNG", args.output.display()))
-            .with_hint("end the name in .png, or write - for stdout"));
+            .with_hint("use the extension .png, or - for stdout"));
     }
     if args.level.eye.is_none() && args.view.has_criterion() {
-        return Err(Failure::user("a view was described, but there is no --eye")
-            .with_hint("say --eye, or leave --pixels, --viewport and the like out"));
+        return Err(Failure::user("flags of a view were given without --eye")
+            .with_hint("add --eye, or remove --pixels, --viewport and the like"));
     }
     if args.colors.len() > 1 && args.rows.is_some() {
-        return Err(Failure::user("--rows and more than one of --colors: each of these has a row already")
-            .with_hint("leave --rows out, or name one of --colors"));
+        return Err(Failure::user("--rows cannot be used with several --colors, which get a row each")
+            .with_hint("remove --rows, or name only one of --colors"));
     }
     Ok(())
 }
 
-/// Who draws.
+/// Chooses what draws: the named adapter, the best one, or the CPU.
 ///
 /// # Errors
-/// Where an adapter was asked for that there is not.
+/// If the named adapter does not exist.
 fn artist(args: &RenderArgs, output: &Output) -> Result<Artist, Failure> {
     if args.software {
         return Ok(Artist::software(output));
@@ -86,10 +88,10 @@ fn artist(args: &RenderArgs, output: &Output) -> Result<Artist, Failure> {
     Ok(Artist::best(output))
 }
 
-/// All levels that the picture shows.
+/// Returns all levels of the picture.
 ///
 /// # Errors
-/// Where one cannot be made.
+/// If a level cannot be made.
 fn figures(args: &RenderArgs, source: &Source<'_>, input: &Input) -> Result<Vec<Figure>, Failure> {
     if let Some(eye) = args.level.eye {
         return Ok(vec![source.view(args, eye, input)?]);
@@ -109,10 +111,12 @@ fn theme(background: Background) -> Theme {
     }
 }
 
+/// Writes the picture as PNG.
+///
 /// # Errors
-/// Where the file cannot be written.
+/// If the file cannot be written.
 fn write(path: &Path, canvas: &Canvas, bar: &mut Bar) -> Result<(), Failure> {
     bar.phase("write");
     let bytes = canvas.to_png().map_err(|error| Failure::internal(format!("PNG: {error}")))?;
-    put(&bytes, path)
+    write_bytes(&bytes, path)
 }

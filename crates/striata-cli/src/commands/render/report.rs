@@ -1,4 +1,4 @@
-//! What was drawn, for people and for scripts.
+//! The report of `render`.
 
 use std::time::Instant;
 
@@ -9,20 +9,20 @@ use super::figure::Figure;
 use super::layout::Layout;
 use super::source::Source;
 use crate::args::RenderArgs;
-use striata_command::level::remark;
+use striata_command::level::shortfall_note;
 use striata_command::output::{counted, lasted, measured};
 use striata_viewer::picture::Artist;
 
-/// What was drawn.
+/// Report on a picture.
 #[derive(Serialize)]
 pub(super) struct Report {
     path: String,
     width: u32,
     height: u32,
     adapter: String,
-    /// Of all panels together.
+    /// Triangles of all panels together.
     triangle_count: usize,
-    /// One frame of all panels, once all is on the GPU.
+    /// Time to draw one frame of all panels, after uploading, seconds.
     frame_secs: f64,
     levels: Vec<Level>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -40,25 +40,25 @@ struct Level {
     error_is_guaranteed: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     strip_count: Option<usize>,
-    /// Of a view: pixels that an error may take.
+    /// For views: the pixel tolerance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pixels: Option<f64>,
-    /// Why the level is not what was asked for; null if it is.
+    /// How the level misses its target; null if it does not.
     shortfall: Option<String>,
-    /// The largest distance of a vertex of the original.
+    /// Largest distance from a vertex of the original to the level.
     #[serde(skip_serializing_if = "Option::is_none")]
     distance_max: Option<f64>,
 }
 
 #[derive(Serialize)]
 struct HeatReport {
-    /// The distance at the end of the color bar.
+    /// Distance at the end of the color scale, mesh units.
     top: f64,
-    /// The same as a share of the diagonal.
+    /// Distance at the end of the color scale, as a fraction of the diagonal.
     top_of_diagonal: f64,
 }
 
-/// Who drew the picture, and how long that took.
+/// What drew the picture, and the times that it took.
 pub(super) struct Drawing<'a> {
     pub(super) artist: &'a Artist,
     pub(super) frame_secs: f64,
@@ -76,7 +76,7 @@ impl Report {
         let levels: Vec<Level> = figures
             .iter()
             .enumerate()
-            .map(|(number, figure)| Level {
+            .map(|(index, figure)| Level {
                 model: figure.model,
                 split_count: figure.split_count,
                 vertex_count: figure.vertex_count,
@@ -86,7 +86,7 @@ impl Report {
                 strip_count: figure.strips.as_ref().map(StripSet::strip_count),
                 pixels: figure.pixels,
                 shortfall: figure.shortfall.clone(),
-                distance_max: layout.heats.get(number).map(|heat| heat.max),
+                distance_max: layout.heats.get(index).map(|heat| heat.max),
             })
             .collect();
         let diagonal = source.diagonal();
@@ -115,9 +115,9 @@ impl Report {
             format!(", colors up to {} ({share:.4} % of the diagonal)", measured(heat.top))
         });
         let shortfalls = self.levels.iter().filter_map(|level| level.shortfall.as_ref());
-        let shortfalls: String = shortfalls.map(|text| format!("\n{}", remark(None, text))).collect();
+        let shortfalls: String = shortfalls.map(|text| format!("\n{}", shortfall_note(None, text))).collect();
         format!(
-            "{}: {} x {} pixels, {}{heat}; one frame took {} on {}, all {}{shortfalls}",
+            "{}: {} x {} pixels, {}{heat}; one frame took {} on {}, {} in total{shortfalls}",
             self.path,
             self.width,
             self.height,

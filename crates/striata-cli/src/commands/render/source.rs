@@ -1,4 +1,4 @@
-//! Where levels come from: a mesh alone, a mesh that is simplified, or a file that has them all.
+//! Sources of levels: a mesh alone, a mesh that is simplified for the picture, or a file with levels.
 
 use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
@@ -9,25 +9,25 @@ use striata::strip::{StripSet, stripify};
 use super::figure::Figure;
 use crate::args::{DrawnModel, RenderArgs};
 use crate::commands::build::errors_are_guaranteed;
-use crate::commands::extract::{PatternsOfFile, level_of_view};
+use crate::commands::extract::{FilePatterns, level_of_view};
 use crate::strip_lists::strips_of_level;
 use striata_command::args::{Coloring, Count, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{Floor, FullMesh, Reached, shortfall};
+use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
 use striata_command::output::{Bar, Output, grouped};
 use striata_command::sequence::{SequencePlan, Steps};
 use striata_viewer::picture::with_normals;
 
-/// Where levels come from.
+/// The source of the levels in a picture.
 pub(super) enum Source<'a> {
-    /// A mesh that is drawn as it is.
+    /// A mesh that is drawn unchanged.
     Mesh(Box<IndexedMesh>),
-    /// Levels of a mesh.
+    /// A mesh with levels.
     Levels(Box<Levels<'a>>),
 }
 
-/// All levels of a mesh, and who hands them over.
+/// All levels of a mesh, and the model that provides their triangles.
 pub(super) struct Levels<'a> {
     steps: Steps,
     model: Model<'a>,
@@ -35,7 +35,7 @@ pub(super) struct Levels<'a> {
     file: Option<StriataFile<'a>>,
 }
 
-/// Who hands a level over.
+/// The model that provides the triangles of a level.
 enum Model<'a> {
     LodStrips(LodStrips<'a>),
     Mts(Mts<'a>),
@@ -44,10 +44,10 @@ enum Model<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// Reads what the picture needs: where it needs no more than the mesh, no more than that.
+    /// Reads the input; simplifies a mesh only if the picture needs levels.
     ///
     /// # Errors
-    /// Where the input is unsound, or has not what was asked for.
+    /// If the input is malformed, or does not have the requested model.
     pub(super) fn read(
         args: &RenderArgs,
         input: &'a Input,
@@ -67,12 +67,12 @@ impl<'a> Source<'a> {
         }
         let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
         let sequenced = SequencePlan::default().run(welded, &mut |progress| bar.show(progress));
-        let steps = prepared(sequenced.map_err(|error| in_file(error.into()))?.steps);
+        let steps = with_level_normals(sequenced.map_err(|error| in_file(error.into()))?.steps);
         let model = Model::built(args.model.unwrap_or(default_model(args)), &steps)?;
         Ok(Self::Levels(Box::new(Levels { steps, model, error_is_guaranteed: false, file: None })))
     }
 
-    /// The full mesh, with normals.
+    /// Returns the full mesh, with normals.
     pub(super) fn mesh(&self) -> &IndexedMesh {
         match self {
             Self::Mesh(mesh) => mesh,
@@ -80,12 +80,12 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The diagonal of its bounds.
+    /// Returns the diagonal of the bounding box of the full mesh.
     pub(super) fn diagonal(&self) -> f64 {
         self.mesh().diagonal()
     }
 
-    /// What targets are shares of.
+    /// Returns the sizes that percentages of targets refer to.
     pub(super) fn full(&self) -> FullMesh {
         let diagonal = self.diagonal();
         match self {
@@ -98,10 +98,10 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The level that a target means, or the full mesh.
+    /// Returns the level for a target, or the full mesh if there is none.
     ///
     /// # Errors
-    /// Where its strips cannot be made.
+    /// If its strips cannot be made.
     pub(super) fn target(&self, target: Option<Target>) -> Result<Figure, Failure> {
         let levels = match self {
             Self::Mesh(mesh) => return Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
@@ -112,14 +112,14 @@ impl<'a> Source<'a> {
         let (split_count, stop_reason) = target.resolve_in(known);
         let figure = levels.figure(split_count)?;
         let (vertex_count, triangle_count) = (figure.vertex_count, figure.mesh.triangle_count());
-        let reached = Reached { vertex_count, triangle_count, stop_reason };
-        Ok(Figure { shortfall: shortfall(target, reached, &levels.floor()), ..figure })
+        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
+        Ok(Figure { shortfall: shortfall(target, reached, &levels.coarsening_limit()), ..figure })
     }
 
-    /// The level that has no more than a number or a share of the triangles.
+    /// Returns the level with at most this number or percentage of triangles.
     ///
     /// # Errors
-    /// Where its strips cannot be made.
+    /// If its strips cannot be made.
     pub(super) fn triangles(&self, count: Count) -> Result<Figure, Failure> {
         let title = match count {
             Count::Number(count) => grouped(count),
@@ -129,28 +129,28 @@ impl<'a> Source<'a> {
         Ok(Figure { title, ..self.target(Some(target))? })
     }
 
-    /// The level of a view.
+    /// Returns the level for a view.
     ///
     /// # Errors
-    /// Where the view makes no picture, or the file is unsound.
+    /// If the camera is degenerate, or the file is damaged.
     pub(super) fn view(&self, args: &RenderArgs, eye: Point, input: &Input) -> Result<Figure, Failure> {
         let Self::Levels(levels) = self else {
-            return Err(Failure::internal("a view of a mesh without levels"));
+            return Err(Failure::internal("a view needs a mesh with levels"));
         };
         let bounds = self.mesh().bounds();
         let center = bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
         let view = args.view.on_screen(args.size.0);
-        let camera = view.camera(eye, center).map_err(|error| {
-            Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
-        })?;
+        let camera = view
+            .camera(eye, center)
+            .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
         let limit =
             args.level.level.triangle_count().map(|count| count.of_triangles(self.full().triangle_count));
         if let (Some(file), true) = (&levels.file, levels.has_patterns_only()) {
-            let level = PatternsOfFile::read(file, input)?.level_of_view(&view, camera, limit);
+            let level = FilePatterns::read(file, input)?.level_of_view(&view, camera, limit);
             return Ok(Figure::of_view(ModelKind::Patterns, level, limit));
         }
         let Steps::Collapses(refinable) = &levels.steps else {
-            return Err(Failure::internal("fragments without patterns"));
+            return Err(Failure::internal("the file has fragments but no patterns"));
         };
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
         let stored = stored.map_err(|error| input.damaged(&error))?;
@@ -161,34 +161,36 @@ impl<'a> Source<'a> {
 }
 
 impl<'a> Levels<'a> {
-    /// Why there is no coarser level.
-    fn floor(&self) -> Floor {
+    /// Returns why no coarser level exists.
+    fn coarsening_limit(&self) -> CoarseningLimit {
         match self.file {
-            Some(_) => Floor::File,
-            None => Floor::Simplified(
-                "no more edges can be collapsed without losing the last triangles".to_owned(),
+            Some(_) => CoarseningLimit::File,
+            None => CoarseningLimit::Simplification(
+                "no more edges can be collapsed without removing the last triangles".to_owned(),
             ),
         }
     }
 
+    /// Reads the levels of a file.
+    ///
     /// # Errors
-    /// Where a part of the file is unsound, or the model is none that it can hand over.
+    /// If the file is damaged, or the requested model is neither in the file nor can be built.
     fn of_file(args: &RenderArgs, file: StriataFile<'a>, input: &Input) -> Result<Self, Failure> {
         let damaged = |error| input.damaged(&error);
         let error_is_guaranteed = errors_are_guaranteed(&file).map_err(damaged)?;
-        let steps = prepared(if file.has_collapses() {
+        let steps = with_level_normals(if file.has_collapses() {
             Steps::Collapses(file.refinable_mesh().map_err(damaged)?)
         } else {
             Steps::Fragments(file.fragmented_mesh().map_err(damaged)?)
         });
-        let is_asked = |kind| args.model.is_none_or(|wanted| wanted == DrawnModel::Model(kind));
+        let is_wanted = |kind| args.model.is_none_or(|wanted| wanted == DrawnModel::Model(kind));
         let model = if args.heat {
             Model::List
-        } else if let Some(model) = is_asked(ModelKind::LodStrips).then(|| file.lod_strips()).flatten() {
+        } else if let Some(model) = is_wanted(ModelKind::LodStrips).then(|| file.lod_strips()).flatten() {
             Model::LodStrips(model.map_err(damaged)?)
-        } else if let Some(model) = is_asked(ModelKind::Mts).then(|| file.mts()).flatten() {
+        } else if let Some(model) = is_wanted(ModelKind::Mts).then(|| file.mts()).flatten() {
             Model::Mts(model.map_err(damaged)?)
-        } else if let Some(model) = is_asked(ModelKind::Fans).then(|| file.fans()).flatten() {
+        } else if let Some(model) = is_wanted(ModelKind::Fans).then(|| file.fans()).flatten() {
             Model::Fans(model.map_err(damaged)?)
         } else {
             Model::built(args.model.unwrap_or(default_model(args)), &steps)?
@@ -196,14 +198,16 @@ impl<'a> Levels<'a> {
         Ok(Self { steps, model, error_is_guaranteed, file: Some(file) })
     }
 
-    /// Whether a view has to be one of patterns.
+    /// Whether patterns are the only model that views can use.
     fn has_patterns_only(&self) -> bool {
         let has = |file: &StriataFile<'_>| file.fans().is_none() && file.patterns().is_some();
         matches!(self.steps, Steps::Fragments(_)) || self.file.as_ref().is_some_and(has)
     }
 
+    /// Returns the figure of a level.
+    ///
     /// # Errors
-    /// Never; strips are those of the model.
+    /// Never, since strips are those of the model.
     fn figure(&self, split_count: usize) -> Result<Figure, Failure> {
         let known = self.steps.levels();
         let (mesh, strips) = match &self.model {
@@ -226,7 +230,7 @@ impl<'a> Levels<'a> {
         })
     }
 
-    /// The triangles that fans tell, over the vertices of the level.
+    /// Returns a level with the triangles of the fans.
     fn level_of_fans(&self, fans: &Fans, split_count: usize) -> IndexedMesh {
         let mut state = fans.new_state();
         fans.move_to(&mut state, split_count);
@@ -244,18 +248,20 @@ impl<'a> Levels<'a> {
 }
 
 impl Model<'_> {
+    /// Builds a model for the picture.
+    ///
     /// # Errors
-    /// Where the steps are no collapses, which all of these need but a list.
+    /// If the steps are not collapses, which all models except the list require.
     fn built(model: DrawnModel, steps: &Steps) -> Result<Self, Failure> {
         let refinable = match (steps, model) {
             (_, DrawnModel::List) => return Ok(Self::List),
             (Steps::Collapses(refinable), _) => refinable,
             (Steps::Fragments(_), model) => {
                 return Err(Failure::user(format!(
-                    "{} take collapses, and this file has none",
+                    "model {} requires collapses, but this file has none",
                     model.as_str()
                 ))
-                .with_hint("leave --model out, or say --model list"));
+                .with_hint("remove --model, or use --model list"));
             }
         };
         Ok(match model {
@@ -264,7 +270,9 @@ impl Model<'_> {
             }
             DrawnModel::Model(ModelKind::Mts) => Self::Mts(Mts::build(refinable, &strips_of(refinable)?)?),
             DrawnModel::Model(ModelKind::Fans) => Self::Fans(Fans::build_without_bounds(refinable)),
-            DrawnModel::Model(kind) => return Err(Failure::internal(format!("{kind} are not drawn"))),
+            DrawnModel::Model(kind) => {
+                return Err(Failure::internal(format!("model {kind} cannot be drawn")));
+            }
             DrawnModel::List => Self::List,
         })
     }
@@ -290,21 +298,21 @@ fn strips_at<M: StripModel>(model: &M, split_count: usize) -> StripSet {
     strips_of_level(model, &state)
 }
 
-/// Whether the picture shows anything but the mesh itself.
+/// Whether the picture needs levels, and not just the mesh.
 fn needs_levels(args: &RenderArgs) -> bool {
     let has_target = args.level.level.is_given() || args.level.eye.is_some();
     let has_model = args.model.is_some_and(|model| model != DrawnModel::List);
     has_target || has_model || args.levels.is_some()
 }
 
-/// Strips that are looked at follow the levels.
+/// Returns the model that is used by default: LodStrips if strips are shown, so that they follow the levels.
 fn default_model(args: &RenderArgs) -> DrawnModel {
     let shows_strips = args.colors.contains(&Coloring::Strips) && args.level.eye.is_none();
     if shows_strips { DrawnModel::Model(ModelKind::LodStrips) } else { DrawnModel::List }
 }
 
-/// Steps whose mesh has normals, so that every level has them.
-fn prepared(steps: Steps) -> Steps {
+/// Adds normals to the full mesh, so that every level has them.
+fn with_level_normals(steps: Steps) -> Steps {
     match steps {
         Steps::Collapses(RefinableMesh { mesh, sequence }) => {
             Steps::Collapses(RefinableMesh { mesh: with_normals(mesh), sequence })

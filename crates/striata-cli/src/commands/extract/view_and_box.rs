@@ -1,26 +1,26 @@
-//! Levels that differ from place to place: fine where a view looks, or inside a box.
+//! `extract --eye` and `--detail-box`: levels whose detail varies over the mesh.
 
 use std::time::Instant;
 
 use striata::file::StriataFile;
 use striata::model::{FanScene, Fans, ModelKind};
 
-use super::asked::{bounds_of, diagonal_of, drawn, path_of_place, triangle_limit};
-use super::patterns::{Budget, PatternsOfFile};
+use super::fan_view::{ViewLevel, level_of_view};
+use super::level_output::{bounds_of, diagonal_of, primitives_of, triangle_limit, view_output_path};
+use super::patterns::{Budget, FilePatterns};
 use super::report::Report;
-use super::view::{ViewLevel, level_of_view};
 use crate::args::ExtractArgs;
 use crate::commands::build::{errors_are_guaranteed, model_of_name};
-use striata_command::args::{Corners, Point};
+use striata_command::args::{AxisAlignedBox, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
-use striata_command::save::save;
+use striata_command::save::write_mesh;
 
-/// Opens the file, goes to the level of a view, writes it.
+/// Extracts and writes the level for a view.
 ///
 /// # Errors
-/// Where the view makes no picture, or any of it fails.
+/// If the camera is degenerate, the file is damaged, or the output cannot be written.
 pub(super) fn run_view(
     args: &ExtractArgs,
     eye: Point,
@@ -31,11 +31,12 @@ pub(super) fn run_view(
     let file = input.striata()?;
     let center =
         bounds_of(&file, input)?.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
-    let camera = args.view.camera(eye, center).map_err(|error| {
-        Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
-    })?;
-    if asks_patterns(args, &file, input)? {
-        let model = PatternsOfFile::read(&file, input)?;
+    let camera = args
+        .view
+        .camera(eye, center)
+        .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
+    if uses_patterns(args, &file, input)? {
+        let model = FilePatterns::read(&file, input)?;
         let level = model.level_of_view(&args.view, camera, triangle_limit(args, &file));
         return report_patterns(args, (&model, level), input, started, output);
     }
@@ -46,79 +47,86 @@ pub(super) fn run_view(
     let scene = FanScene::new(&table, &refinable);
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
-    let (pixels, drawn) = (level.pixels, drawn(args.form, &level.mesh, None)?);
-    let report = Report::of_place(ModelKind::Fans, args, (&level, limit), started)?;
-    save(&level.mesh, drawn, &path_of_place(args)?, &args.output.format)?;
+    let (pixels, primitives) = (level.pixels, primitives_of(args.form, &level.mesh, None)?);
+    let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, limit), started)?;
+    write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format)?;
     let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
     output.summary(&report, &report.to_text(refinable.sequence.step_count()))
 }
 
-/// Whether a view is one of patterns: where they are named, or no fans are and these would have to be built.
+/// Whether a view uses patterns: because the user named them, or because the file has patterns but no fans.
 ///
 /// # Errors
-/// Where a model is named that knows whole levels only, or fans where there are no collapses.
-fn asks_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
+/// If the user named a model without views, or fans for a file without collapses.
+fn uses_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
     match args.model.as_deref().map(model_of_name).transpose()? {
         Some(ModelKind::Patterns) => Ok(true),
         Some(ModelKind::Fans) if !file.has_collapses() => {
-            Err(Failure::user(format!("{}: fans take collapses, and this file has none", input.name))
-                .with_hint("leave --model out, or say --model patterns"))
+            Err(Failure::user(format!("{}: fans require collapses, but this file has none", input.name))
+                .with_hint("remove --model, or use --model patterns"))
         }
         Some(ModelKind::Fans) => Ok(false),
-        Some(kind) => Err(Failure::user(format!("{kind} knows whole levels only"))
-            .with_hint("a view takes --model fans or patterns")),
+        Some(kind) => Err(Failure::user(format!("model {kind} does not support views"))
+            .with_hint("use --model fans or --model patterns")),
         None => Ok(file.fans().is_none() && file.patterns().is_some()),
     }
 }
 
-/// The same for a box.
+/// Extracts and writes the level with full detail inside a box.
 ///
 /// # Errors
-/// Where another model is asked for, or any of it fails.
+/// If the user named a model other than patterns, the file is damaged, or the output cannot be written.
 pub(super) fn run_box(
     args: &ExtractArgs,
-    corners: Corners,
+    corners: AxisAlignedBox,
     input: &Input,
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
     if let Some(name) = args.model.as_deref().filter(|&name| name != ModelKind::Patterns.as_str()) {
-        return Err(Failure::user(format!("{name} are not asked for boxes"))
-            .with_hint("a box takes --model patterns"));
+        return Err(Failure::user(format!("model {name} does not support --detail-box"))
+            .with_hint("remove --model, or use --model patterns"));
     }
     let file = input.striata()?;
     let diagonal = diagonal_of(&args.level, &file, input)?;
     let triangle_limit = triangle_limit(args, &file);
-    // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the limit.
+    // The weight of a fragment outside the box is its error. Without a limit, all of these fragments may be
+    // left out.
     let threshold = match (args.level.error, triangle_limit) {
         (Some(error), _) => error.in_units(diagonal) as f32,
         (None, Some(_)) => 0.0,
         (None, None) => f32::MAX,
     };
-    let model = PatternsOfFile::read(&file, input)?;
+    let model = FilePatterns::read(&file, input)?;
     let level = model.level_of_box(corners, Budget { triangle_limit, threshold });
     report_patterns(args, (&model, level), input, started, output)
 }
 
-/// Writes and reports what patterns show of a view or a box.
+/// Writes the level that patterns give for a view or a box, and reports it.
 ///
 /// # Errors
-/// Where the file is unsound or the output cannot be written.
+/// If the file is damaged or the output cannot be written.
 fn report_patterns(
     args: &ExtractArgs,
-    (model, level): (&PatternsOfFile, ViewLevel),
+    (model, level): (&FilePatterns, ViewLevel),
     input: &Input,
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
     let file = input.striata()?;
-    let report = Report::of_place(ModelKind::Patterns, args, (&level, triangle_limit(args, &file)), started)?;
-    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &path_of_place(args)?, &args.output.format)?;
+    let report =
+        Report::of_view_or_box(ModelKind::Patterns, args, (&level, triangle_limit(args, &file)), started)?;
+    write_mesh(
+        &level.mesh,
+        primitives_of(args.form, &level.mesh, None)?,
+        &view_output_path(args)?,
+        &args.output.format,
+    )?;
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let report = Report {
         patterns: Some(if model.are_stored { "stored" } else { "built" }),
         pixels: args.eye.eye.is_some().then_some(level.pixels),
-        // Built from collapses they know errors of levels only, and not what holds of each floor wherever it is shown.
+        // Patterns built from collapses only have errors of levels, which do not bound view-dependent states.
         error_is_guaranteed: is_guaranteed && model.are_stored,
         ..report
     };

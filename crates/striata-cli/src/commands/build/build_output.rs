@@ -1,4 +1,4 @@
-//! A mesh with its steps and models: all that a .striata file holds.
+//! Builds everything that a .striata file contains: the steps of a mesh and its models.
 
 use striata::file::{DecodeError, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
@@ -11,75 +11,77 @@ use crate::args::BuildArgs;
 use striata_command::args::{OrderArg, SequenceArgs};
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
-use striata_command::level::{Floor, Reached, shortfall};
+use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::Bar;
 use striata_command::sequence::{SequencePlan, Sequenced, StepKind, Steps};
 use striata_command::strip_chain::StripPlan;
 use striata_command::strip_report::StripReport;
 
-/// The phases that a build reports.
+/// Phases of a build whose times are reported.
 pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "models", "write"];
 
-/// The key by which a file says of which kind its errors are, and the kind that holds for the whole surface.
+/// Metadata key of a file for the kind of its errors.
 const ERRORS: &str = "errors";
+/// Metadata value for errors that are guaranteed for the whole surface.
 const GUARANTEED: &str = "guaranteed";
 
-/// Whether a file says that no point of the original is farther from a level than its error.
+/// Whether a file states that its errors are guaranteed: no point of the original is farther from a level
+/// than its error.
 ///
 /// # Errors
-/// Where what the file says of itself is damaged.
+/// If the metadata of the file is damaged.
 pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, DecodeError> {
-    let is_said = |(key, value): &(String, String)| key == ERRORS && value == GUARANTEED;
-    Ok(file.metadata()?.iter().any(is_said))
+    let is_guarantee = |(key, value): &(String, String)| key == ERRORS && value == GUARANTEED;
+    Ok(file.metadata()?.iter().any(is_guarantee))
 }
 
-/// What a build is to make.
+/// Options of a build.
 #[derive(Clone, Debug)]
 pub(crate) struct BuildPlan {
     /// How the mesh is simplified.
     pub(crate) sequence: SequencePlan,
     /// How its strips are made.
     pub(crate) strips: StripPlan,
-    /// The models.
+    /// The models to build.
     pub(crate) models: Vec<ModelKind>,
-    /// How a stream is coded, where one is among them.
+    /// How the stream is encoded, if there is one.
     pub(crate) stream: StreamOptions,
 }
 
 impl BuildPlan {
-    /// What is built where nothing is asked for.
-    pub(crate) fn usual() -> Self {
+    /// Returns the plan that is used without any flags.
+    pub(crate) fn with_defaults() -> Self {
         Self {
             sequence: SequencePlan::default(),
-            strips: BuildArgs::usual_strip_plan(),
+            strips: BuildArgs::default_strip_plan(),
             models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
         }
     }
 }
 
-/// A mesh with all that a .striata file holds.
+/// The contents of a .striata file.
 #[derive(Debug)]
-pub(crate) struct Built {
+pub(crate) struct BuildOutput {
     pub(super) steps: Steps,
     pub(super) models: Models,
     pub(super) order: OrderArg,
     pub(super) stop_reason: StopReason,
     pub(super) error_is_guaranteed: bool,
-    /// Where a model needs strips.
+    /// Report on the strips, if a model needs strips.
     pub(super) strip_report: Option<StripReport>,
 }
 
 /// Builds the sequence, the strips and the models of a mesh.
 ///
 /// # Errors
-/// Where the mesh does not hang together or an option is out of range.
+/// If the mesh is inconsistent or an option is out of range.
 pub(crate) fn build(
     mesh: &IndexedMesh,
     plan: &BuildPlan,
     phases: &mut Phases,
     bar: &mut Bar,
-) -> Result<Built, Failure> {
+) -> Result<BuildOutput, Failure> {
     phases.enter("weld");
     bar.phase("weld");
     let welded = weld(mesh)?;
@@ -96,7 +98,7 @@ pub(crate) fn build(
     let report = |stripped| -> Result<StripReport, Failure> {
         let report =
             StripReport::new(plan.strips.chain.to_string(), full, stripped, plan.strips.cache_size())?;
-        Ok(report.with_bound(&plan.strips.chain, full))
+        Ok(report.with_strip_count_bound(&plan.strips.chain, full))
     };
     let strip_report = stripped.as_ref().map(report).transpose()?;
     phases.enter("models");
@@ -105,10 +107,11 @@ pub(crate) fn build(
     let models = Models::build(&plan.models, &sequenced, (strips, stream), bar)?;
     let order = plan.sequence.order();
     let Sequenced { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
-    Ok(Built { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
+    Ok(BuildOutput { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
 }
 
-/// The stream, where it is asked for; the mesh is in its order afterwards, so that all models number levels as it does.
+/// Encodes the stream if the collapses are in batches, and reorders the mesh like the stream, so that split
+/// counts mean the same in all models.
 pub(super) fn stream_of(
     sequenced: &mut Sequenced,
     plan: &BuildPlan,
@@ -121,24 +124,24 @@ pub(super) fn stream_of(
     Ok(Some(stream))
 }
 
-impl Built {
-    /// Why the base has more triangles than asked for, if it has.
+impl BuildOutput {
+    /// Explains why the base mesh has more triangles than requested, if it does.
     pub(super) fn shortfall(&self, base: usize, sequence: &SequenceArgs) -> Option<String> {
         let levels = self.steps.levels();
-        let reached = Reached {
+        let reached = ReachedLevel {
             vertex_count: levels.base_vertex_count(),
             triangle_count: levels.triangle_count_at(0),
             stop_reason: self.stop_reason,
         };
         let kind = if self.models.stream.is_some() { StepKind::Batches } else { StepKind::Single };
-        let why = sequence.what_forbids_more(kind);
-        shortfall(Target::Triangles(base), reached, &Floor::Simplified(why))
+        let why = sequence.describe_limit(kind);
+        shortfall(Target::Triangles(base), reached, &CoarseningLimit::Simplification(why))
     }
 
-    /// The mesh in refinement order, and its steps.
+    /// Returns the mesh in refinement order with its collapses.
     ///
     /// # Panics
-    /// If they are no collapses.
+    /// If the steps are not collapses.
     pub(crate) fn refinable(&self) -> &RefinableMesh {
         match &self.steps {
             Steps::Collapses(refinable) => refinable,
@@ -146,18 +149,18 @@ impl Built {
         }
     }
 
-    /// The LodStrips.
+    /// Returns the LodStrips model.
     ///
     /// # Panics
-    /// If they were not asked for.
+    /// If it was not built.
     pub(crate) fn lod_strips(&self) -> &LodStrips<'static> {
         self.models.lod_strips.as_ref().expect("built with LodStrips")
     }
 
-    /// The .striata file, with the name of the mesh that it was made from.
+    /// Encodes the .striata file; `source` is the name of the input, stored as metadata.
     ///
     /// # Errors
-    /// Where the parts cannot be encoded.
+    /// If a part cannot be encoded.
     pub(crate) fn to_bytes(&self, source: &str) -> Result<Vec<u8>, Failure> {
         let options = WriteOptions::default()
             .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
@@ -171,7 +174,9 @@ impl Built {
                 write_fragments(fragmented, patterns, &options, &mut bytes)?;
                 Ok(bytes)
             }
-            (Steps::Fragments(_), None) => Err(Failure::internal("only patterns know what is no collapse")),
+            (Steps::Fragments(_), None) => {
+                Err(Failure::internal("only patterns support steps that are not collapses"))
+            }
         }
     }
 }

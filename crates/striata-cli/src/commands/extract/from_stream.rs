@@ -1,4 +1,4 @@
-//! `extract` from a stream: read as far as the level needs, or as far as there is any.
+//! `extract` from a stream, which is read only as far as the level needs.
 
 use std::time::Instant;
 
@@ -8,20 +8,23 @@ use striata::mesh::replay;
 use striata::model::ModelKind;
 use striata_stream::StreamDecoder;
 
-use super::asked::{drawn, no_level};
-use super::stream_level::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve, stream_of};
+use super::level_output::{no_level, primitives_of};
+use super::stream_level::{
+    INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
+};
 use crate::args::ExtractArgs;
 use crate::commands::build::errors_are_guaranteed;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
-    Floor, LevelRow, Reached, Wanted, check_strict, remark, shortfall, table_of_levels, wanted_levels,
+    CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_strict, level_requests, shortfall,
+    shortfall_note, table_of_levels,
 };
 use striata_command::output::{Output, grouped, lasted, measured};
-use striata_command::save::{LevelFiles, name_of};
+use striata_command::save::{LevelFiles, display_name};
 use striata_command::stream::Received;
 
-/// Of several levels.
+/// Report on several levels.
 #[derive(Serialize)]
 struct LevelsReport {
     levels: Vec<Report>,
@@ -30,7 +33,7 @@ struct LevelsReport {
 
 #[derive(Serialize)]
 struct Report {
-    /// As the user wrote it, if it is one of several.
+    /// The text that the user wrote for the level, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     level: Option<String>,
     path: String,
@@ -42,25 +45,25 @@ struct Report {
     error: f32,
     error_is_guaranteed: bool,
     stop_reason: &'static str,
-    /// Why the level is not what was asked for; null if it is.
+    /// How the level misses its target; null if it does not.
     shortfall: Option<String>,
-    /// Whether all bytes of the stream are there.
+    /// Whether the stream is complete.
     is_complete: bool,
-    /// Bytes of the stream that were read.
+    /// Number of bytes of the stream that were read.
     read_bytes: usize,
-    /// Bytes of the stream after which the level is there.
+    /// Number of bytes of the stream needed for the level.
     level_bytes: Option<u64>,
-    /// Bytes of the whole stream.
+    /// Size of the whole stream.
     stream_bytes: u64,
     file_bytes: Option<usize>,
     seek_secs: f64,
     secs: f64,
 }
 
-/// Goes to the level, writes it.
+/// Decodes the requested levels, writes them, and reports.
 ///
 /// # Errors
-/// Where the stream is unsound or the output cannot be written.
+/// If the stream is damaged or an output cannot be written.
 pub(super) fn run(
     args: &ExtractArgs,
     (file, input): (&StriataFile<'_>, &Input),
@@ -71,31 +74,36 @@ pub(super) fn run(
     let stream = stream_of(file, input)?;
     let step_count = file.summary().step_count;
     let full = full_mesh(&args.level, file, input)?;
-    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
-    let target = |wanted: &Wanted| Ok(in_splits(wanted.target.ok_or_else(no_level)?, step_count));
-    let targets = wanted.iter().map(target).collect::<Result<Vec<_>, Failure>>()?;
+    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let target =
+        |request: &LevelRequest| Ok(detail_to_splits(request.target.ok_or_else(no_level)?, step_count));
+    let targets = requests.iter().map(target).collect::<Result<Vec<_>, Failure>>()?;
     // One pass, as far as the finest level needs.
-    let are_enough = |decoder: &StreamDecoder| targets.iter().all(|&target| is_enough(decoder, target));
+    let are_enough = |decoder: &StreamDecoder| targets.iter().all(|&target| has_level(decoder, target));
     let received = Received::read(stream, are_enough).map_err(damaged)?;
     let refinable = received.refinable().map_err(damaged)?;
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut reports = Vec::new();
-    for (wanted, &target) in wanted.iter().zip(&targets) {
+    for (request, &target) in requests.iter().zip(&targets) {
         let (split_count, end) = resolve(target, &received, refinable.sequence.levels());
         let mesh = replay(&refinable, split_count).without_unused_vertices();
         let shortfall = match end {
-            End::Input => Some(INPUT_ENDS.to_owned()),
-            End::Level(stop_reason) => {
+            StreamStopReason::InputEnded => Some(INPUT_ENDED_TEXT.to_owned()),
+            StreamStopReason::Level(stop_reason) => {
                 let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
-                shortfall(target, Reached { vertex_count, triangle_count, stop_reason }, &Floor::File)
+                shortfall(
+                    target,
+                    ReachedLevel { vertex_count, triangle_count, stop_reason },
+                    &CoarseningLimit::File,
+                )
             }
         };
-        check_strict(args.strict, wanted.name.as_deref(), shortfall.as_deref())?;
-        files.save(&mesh, drawn(args.form, &mesh, None)?, &wanted.path)?;
+        check_strict(args.strict, request.name.as_deref(), shortfall.as_deref())?;
+        files.write(&mesh, primitives_of(args.form, &mesh, None)?, &request.path)?;
         let is_last = split_count == received.decoder.split_count();
         reports.push(Report {
-            level: wanted.name.clone(),
-            path: name_of(&wanted.path),
+            level: request.name.clone(),
+            path: display_name(&request.path),
             model: ModelKind::Progressive.as_str(),
             split_count,
             step_count,
@@ -118,7 +126,7 @@ pub(super) fn run(
         });
     }
     files.commit()?;
-    if let Some(remark) = received.remark(&input.name) {
+    if let Some(remark) = received.truncation_note(&input.name) {
         output.say(&remark);
     }
     if args.levels.levels.is_some() {
@@ -142,7 +150,9 @@ impl Report {
             grouped(self.read_bytes),
             grouped(usize::try_from(self.stream_bytes).unwrap_or(usize::MAX)),
             lasted(self.seek_secs),
-            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
+            self.shortfall
+                .as_ref()
+                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
         )
     }
 

@@ -1,7 +1,7 @@
-//! `extract --eye`: the level of a view, as fine as the screen asks for and where it does.
+//! `extract --eye` with fans: the level for a view, refined as the screen requires.
 //!
-//! A step is undone where its bounds can be seen, are not all turned away, and its error takes more pixels than allowed; where
-//! there are to be no more than so many triangles, those with the largest errors are.
+//! A step is refined if its bounds are inside the frustum and do not all face away, and its error exceeds the
+//! pixel tolerance. With a triangle limit, the steps with the largest screen errors are refined first.
 
 use std::time::Instant;
 
@@ -12,26 +12,27 @@ use striata::view::Camera;
 
 use striata_command::args::ViewArgs;
 
-/// Errors of fewer pixels than this are no smaller to a budget, so that what weighs them stays a number.
-pub(crate) const LEAST_PIXELS: f64 = 1e-6;
+/// Smallest pixel tolerance used with a triangle limit, so that weights stay finite.
+pub(crate) const MIN_PIXELS: f64 = 1e-6;
 
-/// A level of a view.
+/// A level for a view or a box.
 pub(crate) struct ViewLevel {
-    /// Its mesh.
+    /// The mesh of the level.
     pub(crate) mesh: IndexedMesh,
-    /// Steps that were undone: positions that it has beside the base's.
+    /// Number of refined steps, that is, of positions in addition to those of the base mesh.
     pub(crate) split_count: usize,
-    /// The largest error of a step that is still taken, mesh units.
+    /// Largest error of a collapsed step, mesh units.
     pub(crate) error: f32,
-    /// Pixels that an error may take.
+    /// The pixel tolerance.
     pub(crate) pixels: f64,
-    /// Whether the triangles were enough for that.
+    /// Whether the triangle limit was respected.
     pub(crate) stop_reason: StopReason,
-    /// Seconds from the base to the level, without building the table.
+    /// Time to adapt the model to the level, without building it, seconds.
     pub(crate) seek_secs: f64,
 }
 
-/// The coarsest level that shows no error of more pixels than allowed, or the finest of no more than so many triangles.
+/// Returns the coarsest level within the pixel tolerance or, with a triangle limit, the best-looking level
+/// within it.
 pub(crate) fn level_of_view(
     scene: &FanScene<'_>,
     refinable: &RefinableMesh,
@@ -48,7 +49,7 @@ pub(crate) fn level_of_view(
             instance
         }
         Some(limit) => {
-            let criterion = view.criterion(camera, LEAST_PIXELS).of_model(scene.sphere());
+            let criterion = view.criterion(camera, MIN_PIXELS).of_model(scene.sphere());
             let mut front = FanFront::new(scene);
             let update = front.update_to_budget(scene, &criterion, limit);
             pixels = f64::from(criterion.pixels()) * f64::from(update.threshold);
@@ -59,7 +60,7 @@ pub(crate) fn level_of_view(
         }
     };
     let seek_secs = started.elapsed().as_secs_f64();
-    // Errors fall with the steps, so the first that is taken has the largest.
+    // Errors never rise from one step to the next, so the first collapsed step has the largest.
     let coarsest = (0..fans.step_count()).find(|&step| !instance.is_refined(step as u32));
     ViewLevel {
         mesh: instance.level(fans, refinable),

@@ -1,4 +1,4 @@
-//! Where the picture is taken from.
+//! The camera of a picture.
 
 use crate::args::RenderArgs;
 use striata_command::args::Point;
@@ -7,29 +7,31 @@ use striata_viewer::picture::{Angles, Camera, Frustum};
 
 use super::source::Source;
 
-/// Where the picture is taken from.
-pub(super) struct Place {
-    stand: Stand,
+/// The camera of a picture, for any aspect ratio.
+pub(super) struct Viewpoint {
+    placement: CameraPlacement,
     zoom: f32,
-    /// What a view sees, where it is looked at from outside.
+    /// The frustum of the view, if the picture shows a view from outside.
     pub(super) frustum: Option<Frustum>,
 }
 
-enum Stand {
-    /// Here.
-    At(Camera),
-    /// As near as all of these are still seen.
-    Around(Vec<[f32; 3]>, Angles),
+enum CameraPlacement {
+    /// A fixed camera.
+    Fixed(Camera),
+    /// A camera at these angles, as close as possible with all of these points visible.
+    Framing(Vec<[f32; 3]>, Angles),
 }
 
-/// The angle of view from a place where nothing is said, degrees.
-const PLACE_FOV: f32 = 45.0;
-/// The same of a view, as for `extract`.
+/// Default field of view of a camera given by `--from`, degrees.
+const DEFAULT_FOV: f32 = 45.0;
+/// Default field of view of a view, the same as for `extract`, degrees.
 const VIEW_FOV: f32 = 60.0;
 
-impl Place {
+impl Viewpoint {
+    /// Chooses the camera from the flags.
+    ///
     /// # Errors
-    /// Where the eye is at the point that it looks at.
+    /// If the camera looks at its own position.
     pub(super) fn new(args: &RenderArgs, source: &Source<'_>) -> Result<Self, Failure> {
         let mesh = source.mesh();
         let center = mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
@@ -40,57 +42,59 @@ impl Place {
         let look_at = args.view.look_at().unwrap_or(center);
         let points = used_positions(mesh);
         let view = args.level.eye.map(|Point(eye)| {
-            // To a criterion y is up wherever nothing is said.
+            // The refinement criterion takes y as up by default, whatever the mesh looks like.
             let up = args.view.up().unwrap_or([0.0, 1.0, 0.0]);
             Camera { eye, look_at, up, fov: fov(VIEW_FOV) }
         });
         if let (Some(view), false) = (view, is_outside) {
-            return Ok(Self { stand: Stand::At(view), zoom: args.zoom, frustum: None });
+            return Ok(Self { placement: CameraPlacement::Fixed(view), zoom: args.zoom, frustum: None });
         }
         let [width, height] = args.view.viewport().unwrap_or(args.size.0).map(|side| side as f32);
         let frustum = view.map(|view| Frustum::new(&view, width / height, &points));
-        // What is looked at, and how wide, was said of the view where there is one.
+        // If there is a view, `--look-at` and `--fov` describe the view, not this camera.
         let is_view = frustum.is_some();
-        let stand = match args.from {
+        let placement = match args.from {
             Some(Point(eye)) => {
                 let (look_at, fov) =
-                    if is_view { (center, PLACE_FOV.to_radians()) } else { (look_at, fov(PLACE_FOV)) };
+                    if is_view { (center, DEFAULT_FOV.to_radians()) } else { (look_at, fov(DEFAULT_FOV)) };
                 if eye == look_at {
-                    return Err(Failure::user("the picture is taken from the very point that it looks at")
+                    return Err(Failure::user("the camera looks at its own position")
                         .with_hint("move --from or --look-at"));
                 }
-                Stand::At(Camera { eye, look_at, up, fov })
+                CameraPlacement::Fixed(Camera { eye, look_at, up, fov })
             }
             None => {
                 let fov = if is_view { usual.fov } else { fov(usual.fov.to_degrees()) };
                 let turn = args.turn.map_or(usual.turn, f32::to_radians);
                 let rise = args.rise.map_or(usual.rise, f32::to_radians);
                 let seen = [points, frustum.iter().flat_map(Frustum::points).collect()].concat();
-                Stand::Around(seen, Angles { turn, rise, up, fov })
+                CameraPlacement::Framing(seen, Angles { turn, rise, up, fov })
             }
         };
-        Ok(Self { stand, zoom: args.zoom, frustum })
+        Ok(Self { placement, zoom: args.zoom, frustum })
     }
 
-    /// The camera for pictures of that shape.
+    /// Returns the camera for a picture of this aspect ratio.
     pub(super) fn camera(&self, aspect: f32) -> Camera {
-        let camera = match &self.stand {
-            Stand::At(camera) => *camera,
-            Stand::Around(points, angles) => Camera::around(points, angles, aspect),
+        let camera = match &self.placement {
+            CameraPlacement::Fixed(camera) => *camera,
+            CameraPlacement::Framing(points, angles) => Camera::around(points, angles, aspect),
         };
         camera.zoomed(self.zoom)
     }
 
-    /// How many times as wide as high everything is, as seen from here; none where the camera stands still anyway.
+    /// Returns the aspect ratio of everything that the camera shows; `None` if the camera is fixed.
     pub(super) fn aspect(&self) -> Option<f32> {
-        match &self.stand {
-            Stand::At(_) => None,
-            Stand::Around(points, angles) => Some(Camera::around(points, angles, 1.0).aspect_of(points)),
+        match &self.placement {
+            CameraPlacement::Fixed(_) => None,
+            CameraPlacement::Framing(points, angles) => {
+                Some(Camera::around(points, angles, 1.0).aspect_of(points))
+            }
         }
     }
 }
 
-/// Positions that triangles use.
+/// Returns the positions that triangles use.
 fn used_positions(mesh: &striata::mesh::IndexedMesh) -> Vec<[f32; 3]> {
     let mut is_used = vec![false; mesh.vertex_count()];
     mesh.triangles.iter().flatten().for_each(|&v| is_used[v as usize] = true);

@@ -1,4 +1,4 @@
-//! Levels that are the same everywhere, from whichever model of a file.
+//! Levels of uniform detail, from any model of a file.
 
 use std::cmp::Reverse;
 use std::time::Instant;
@@ -21,11 +21,11 @@ pub(super) enum Model<'a> {
     Patterns(Patterns),
 }
 
-/// The model that is named, or else the first that the file has.
+/// Reads the named model, or the first one that the file has.
 ///
 /// # Errors
-/// Where the model is none that this version has, or none that the file has.
-pub(super) fn pick_model<'a>(
+/// If the name is unknown, the file does not have the model, or the file is damaged.
+pub(super) fn read_model<'a>(
     file: &StriataFile<'a>,
     name: Option<&str>,
     input: &Input,
@@ -45,62 +45,66 @@ pub(super) fn pick_model<'a>(
         Some(model) => model.map_err(|error| input.damaged(&error)),
         None => {
             let what = named.map_or("no model".to_owned(), |kind| format!("no model {kind}"));
-            Err(Failure::user(format!("{}: {what} is in this file", input.name))
-                .with_hint(format!("build it again with --models {}", named.unwrap_or(ModelKind::LodStrips))))
+            Err(Failure::user(format!("{}: this file has {what}", input.name)).with_hint(format!(
+                "build the file again with --models {}",
+                named.unwrap_or(ModelKind::LodStrips)
+            )))
         }
     }
 }
 
 /// One level of a file.
-pub(super) struct Extracted {
+pub(super) struct ExtractedLevel {
     pub(super) model: ModelKind,
     pub(super) mesh: IndexedMesh,
-    /// Where the model has them.
+    /// The strips of the level, if the model has strips.
     pub(super) strips: Option<StripSet>,
     pub(super) seek_secs: f64,
 }
 
-/// Takes a level and its number among all that were asked for.
-pub(super) type TakeLevel<'a> = dyn FnMut(usize, Extracted) -> Result<(), Failure> + 'a;
+/// Receives a level and its index among the requested levels.
+pub(super) type LevelSink<'a> = dyn FnMut(usize, ExtractedLevel) -> Result<(), Failure> + 'a;
 
-/// Where levels come from, for messages too.
+/// The file that levels come from, and the input for messages.
 pub(super) type Origin<'a> = (&'a StriataFile<'a>, &'a Input);
 
-/// The strips that a state of a model shows, if it has any.
+/// Returns the strips of a state of a model, if it has any.
 type StripsOf<'a, M> = dyn Fn(&<M as LodModel>::State) -> Option<StripSet> + 'a;
 
-/// Goes through levels from fine to coarse, so that the model is stepped through once.
+/// Extracts levels from fine to coarse, so that the model is traversed only once.
 ///
 /// # Errors
-/// If a part of the file is unsound, or `take` fails.
+/// If the file is damaged, or `sink` fails.
 pub(super) fn each_level<M: StoredModel>(
     kind: ModelKind,
     model: &M,
     split_counts: &[usize],
     ((file, input), strips): (Origin<'_>, &StripsOf<'_, M>),
-    take: &mut TakeLevel<'_>,
+    sink: &mut LevelSink<'_>,
 ) -> Result<(), Failure> {
     let mut order: Vec<usize> = (0..split_counts.len()).collect();
-    order.sort_by_key(|&number| Reverse(split_counts[number]));
+    order.sort_by_key(|&index| Reverse(split_counts[index]));
     let mut state = model.new_state();
-    for number in order {
+    for index in order {
         let started = Instant::now();
-        model.move_to(&mut state, split_counts[number]);
+        model.move_to(&mut state, split_counts[index]);
         let seek_secs = started.elapsed().as_secs_f64();
         let mesh = file.level_of(model, &state).map_err(|error| input.damaged(&error))?;
-        take(number, Extracted { model: kind, mesh, strips: strips(&state), seek_secs })?;
+        sink(index, ExtractedLevel { model: kind, mesh, strips: strips(&state), seek_secs })?;
     }
     Ok(())
 }
 
+/// Extracts levels of a model with strips.
+///
 /// # Errors
-/// As [`each_level`].
+/// Under the same conditions as [`each_level`].
 pub(super) fn each_level_of_strips<M: StripModel>(
     kind: ModelKind,
     model: &M,
     split_counts: &[usize],
-    from: Origin<'_>,
-    take: &mut TakeLevel<'_>,
+    origin: Origin<'_>,
+    sink: &mut LevelSink<'_>,
 ) -> Result<(), Failure> {
-    each_level(kind, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
+    each_level(kind, model, split_counts, (origin, &|state| Some(strips_of_level(model, state))), sink)
 }

@@ -1,4 +1,4 @@
-//! What the ways of extracting a level share: where it goes, how large it may be, how its triangles are written.
+//! Code shared by all kinds of extraction: output path, triangle limit, and primitives of a level.
 
 use std::path::PathBuf;
 
@@ -10,36 +10,38 @@ use crate::args::{ExtractArgs, TriangleForm};
 use crate::strip_lists::StripLists;
 use striata_command::args::{Length, LevelArgs};
 use striata_command::failure::Failure;
-use striata_command::fan_cover::fans_of;
+use striata_command::fan_cover::cover_with_fans;
 use striata_command::input::Input;
 use striata_command::level::check_paths;
-use striata_command::save::Drawn;
+use striata_command::save::Primitives;
 
-/// The parser sees to it that there is a level.
+/// Returns the internal error for a missing level, which the argument parser should have prevented.
 pub(super) fn no_level() -> Failure {
     Failure::internal("no level was given")
 }
 
-/// What is written of a level. Strips come from its model, or are made anew if it has none or if new ones are shorter.
+/// Returns the primitives to write for a level.
+///
+/// Strips are those of its model, or new ones if these are shorter or the model has none.
 ///
 /// # Errors
-/// Where the mesh's parts do not fit together.
-pub(super) fn drawn(
+/// If the mesh is inconsistent.
+pub(super) fn primitives_of(
     form: TriangleForm,
     mesh: &IndexedMesh,
     strips: Option<StripSet>,
-) -> Result<Drawn, Failure> {
+) -> Result<Primitives, Failure> {
     Ok(match form {
-        TriangleForm::List => Drawn::Triangles,
-        TriangleForm::Strips => Drawn::Strips(StripLists::of_level(mesh, strips.as_ref())?.lists),
-        TriangleForm::Fans => Drawn::Fans(fans_of(mesh)),
+        TriangleForm::List => Primitives::Triangles,
+        TriangleForm::Strips => Primitives::Strips(StripLists::of_level(mesh, strips.as_ref())?.lists),
+        TriangleForm::Fans => Primitives::Fans(cover_with_fans(mesh)),
     })
 }
 
-/// The bounds of the full mesh; of a stream without a file around it, those of what is there.
+/// Returns the bounds of the full mesh; for a bare stream, those of the finest level received.
 ///
 /// # Errors
-/// Where the stream is unsound.
+/// If the stream is damaged.
 pub(super) fn bounds_of(file: &StriataFile<'_>, input: &Input) -> Result<Option<Bounds>, Failure> {
     match file.summary().bounds {
         Some(bounds) => Ok(Some(bounds)),
@@ -47,10 +49,10 @@ pub(super) fn bounds_of(file: &StriataFile<'_>, input: &Input) -> Result<Option<
     }
 }
 
-/// The diagonal that an error is a share of; 0 where none is.
+/// Returns the diagonal if the requested error is a percentage of it, else 0.
 ///
 /// # Errors
-/// Where the stream is unsound.
+/// If the stream is damaged.
 pub(super) fn diagonal_of(level: &LevelArgs, file: &StriataFile<'_>, input: &Input) -> Result<f64, Failure> {
     match level.error {
         Some(Length::OfDiagonal(_)) => Ok(bounds_of(file, input)?.map_or(0.0, |b| b.diagonal())),
@@ -58,16 +60,16 @@ pub(super) fn diagonal_of(level: &LevelArgs, file: &StriataFile<'_>, input: &Inp
     }
 }
 
-/// Where a view or a box goes.
+/// Returns the output path for a view or a box.
 ///
 /// # Errors
-/// If its name has a place for a level and there is none.
-pub(super) fn path_of_place(args: &ExtractArgs) -> Result<PathBuf, Failure> {
+/// If the path has a placeholder for a level and there is no level to fill it.
+pub(super) fn view_output_path(args: &ExtractArgs) -> Result<PathBuf, Failure> {
     let paths = check_paths(&args.level, &args.levels, &args.output.output)?;
     paths.into_iter().next().ok_or_else(no_level)
 }
 
-/// The number of triangles that a view or a box may have.
+/// Returns the largest number of triangles for a view or a box, if limited.
 pub(super) fn triangle_limit(args: &ExtractArgs, file: &StriataFile<'_>) -> Option<usize> {
     args.level.triangle_count().map(|count| count.of_triangles(file.summary().triangle_count))
 }
