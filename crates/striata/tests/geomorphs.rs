@@ -7,7 +7,7 @@ use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{AttributeLayer, RefinableMesh, Semantic, canonical_triangles, replay};
-use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, MorphPlace};
+use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, VertexBlend};
 use striata::simplify::build_sequence;
 use support::{
     Case, Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
@@ -101,8 +101,8 @@ fn check_blend<S>(
     for quarter in 1..=4 {
         let blend = quarter as f32 / 4.0;
         morph.blend_into(blend, own, &mut places);
-        morph.places_into(blend, own.len(), &mut table);
-        for (v, &MorphPlace { target, factor }) in table.iter().enumerate() {
+        morph.vertex_blends_into(blend, own.len(), &mut table);
+        for (v, &VertexBlend { target, factor }) in table.iter().enumerate() {
             let [from, to] = [own[target as usize], own[v]];
             let mixed = [0, 1, 2].map(|i| from[i] * (1.0 - factor) + to[i] * factor);
             assert!(distance(mixed, places[v]) <= 1e-5 * (1.0 + lengths[v]));

@@ -1,33 +1,34 @@
-//! Sets of steps as whole words, and what a set shows for a vertex.
+//! Set operations on instances, and lookup of the vertex that stands in for a removed one.
 
 use super::{FanInstance, Fans};
 use crate::mesh::CollapseSequence;
 
 impl FanInstance {
-    /// Steps from the base mesh to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     pub fn step_count(&self) -> usize {
         self.step_count
     }
 
-    /// The bits, 64 steps a word, low ones first: set where a step is taken.
+    /// Returns the bits as words of 64 steps, low bits first; a bit is set if its step is collapsed.
     pub fn words(&self) -> &[u64] {
-        self.taken.words()
+        self.collapsed.words()
     }
 
-    /// The coarsest instance that shows every vertex that either of two shows.
+    /// Returns the coarsest instance that shows every vertex shown by either of the two.
     ///
     /// # Panics
-    /// If the instances are of different tables.
+    /// If the instances belong to different tables.
     pub fn union(&self, other: &Self) -> Self {
         assert_eq!(self.step_count, other.step_count, "the instances are of different tables");
-        // What either needs undone is undone in it, and so in both together.
-        Self { step_count: self.step_count, taken: self.taken.and(&other.taken) }
+        // Each set contains all splits that its refined steps need, so their union does too.
+        Self { step_count: self.step_count, collapsed: self.collapsed.and(&other.collapsed) }
     }
 
-    /// The vertex that is shown for one of the full mesh: itself if it is there, else the first of its targets that is.
+    /// Returns the vertex that represents a vertex of the full mesh: itself if it is active, or else the
+    /// first active vertex in its chain of targets.
     ///
     /// # Panics
-    /// If the sequence is another mesh's, or has no such vertex.
+    /// If the sequence belongs to a different mesh, or the vertex does not exist.
     pub fn vertex_shown_for(&self, sequence: &CollapseSequence, mut vertex: u32) -> u32 {
         let base = sequence.base_position_count() as u32;
         loop {
