@@ -50,10 +50,9 @@ impl FromStr for ModelKind {
     }
 }
 
-/// Error for a name that is not a model. Its message lists the valid names. 55=#[error("unknown model
-/// {name:?}, expected one of {}", ModelKind::ALL.map(ModelKind::as_str).join(", "))]
+/// Error for a name that is not a model. Its message lists the valid names.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no model {name:?}; there are {}", ModelKind::ALL.map(ModelKind::as_str).join(", "))]
+#[error("unknown model {name:?}, expected one of {}", ModelKind::ALL.map(ModelKind::as_str).join(", "))]
 #[non_exhaustive]
 pub struct UnknownModel {
     /// The unknown name.

@@ -3,11 +3,10 @@
 //! A strip is a row of slots. Coarsening replaces removed vertices by their targets and drops slots that
 //! have become superfluous (see `superfluous.rs`). If only degenerate triangles connect one visible
 //! triangle to the next, and a restart takes fewer indices, the strip breaks into pieces. Slots never come
-//! back and keep their order, so at every level the strip is an ascending subset of its slots. 9=//! slots
-//! 0 1 2 3 4 5 6 7 8 9         a piece: 0 1 2 5 6 | another: 8 9 ..
+//! back and keep their order, so at every level the strip is an ascending subset of its slots.
 //!
 //! ```text
-//! places    0 1 2 3 4 5 6 7 8 9         a piece: 0 1 2 5 6 | another: 8 9 ..
+//! slots     0 1 2 3 4 5 6 7 8 9         a piece: 0 1 2 5 6 | another: 8 9 ..
 //! ```
 //!
 //! Cost: linear in the number of slots for each step that changes the strip.

@@ -31,7 +31,7 @@ pub fn check_strips(mesh: &IndexedMesh, strips: &StripSet) -> Result<(), ModelEr
 
 /// Sorts the strips of each group along a space-filling curve, so that strips that meet at a vertex get
 /// nearby indices.
-pub(super) fn sorted_by_place(strips: &StripSet, positions: &[[f32; 3]]) -> StripSet {
+pub(super) fn sorted_spatially(strips: &StripSet, positions: &[[f32; 3]]) -> StripSet {
     let mut min = [f64::INFINITY; 3];
     let mut extent = 0f64;
     for p in positions {

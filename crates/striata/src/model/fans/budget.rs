@@ -30,9 +30,9 @@ struct Search {
 }
 
 impl<C: Criterion + Clone> FanFront<C> {
-    /// Moves to the finest level within a budget of `triangle_limit` triangles: that of the smallest
-    /// threshold of at least 1 that fits. Shows the base mesh if even that exceeds the budget. Every step
-    /// in the list is evaluated.
+    /// Moves to the finest level that a criterion wants within `triangle_limit` triangles, using the smallest
+    /// threshold (at least 1) whose level fits. Shows the base mesh if even that exceeds the limit. Every
+    /// step in the list is evaluated.
     ///
     /// # Panics
     /// If the front belongs to a different model.

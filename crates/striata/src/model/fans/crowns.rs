@@ -1,4 +1,4 @@
-//! Crowns \[Cor01, section 3.6.1\]: joins the triangles around a vertex into as few connected runs as
+//! Crowns (\[Cor01\], section 3.6.1): joins the triangles around a vertex into as few connected runs as
 //! possible.
 //!
 //! Each triangle around a pivot is an arc between its two other corners. A run of consecutive arcs is a

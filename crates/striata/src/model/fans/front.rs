@@ -24,14 +24,14 @@ const BASE: u32 = u32::MAX;
 /// Number of views after which the accumulated motion is rebased to zero.
 const VIEWS_PER_SUM: u32 = 256;
 
-/// It is also rebased when it exceeds this multiple of the last motion: after a jump, small validity spans
-/// would be lost to rounding.
+/// The accumulated motion is also rebased when it exceeds this multiple of the last motion: after a jump,
+/// small validity spans would be lost to rounding.
 const MAX_MOTION_RATIO: f64 = 1e4;
 
 /// Number of list entries that are tested together for being due.
 const DUE_BLOCK: usize = 8;
 
-/// Batch size for evaluating a criterion, worth a few hundred CPU cycles.
+/// Number of steps evaluated per batch, which takes a few hundred CPU cycles.
 const BATCH_SIZE: usize = 32;
 
 /// Verdicts are re-evaluated early by this fraction of their validity span, as a safety margin.
@@ -57,7 +57,7 @@ pub struct FanFront<C> {
     last: Option<C>,
     /// Steps that are wanted but still collapsed.
     pending_splits: Vec<u32>,
-    /// Steps that may be refined although they are unwanted and not needed.
+    /// Refined steps that may no longer be wanted or needed.
     pub(super) unneeded: StepBits,
     split_steps: Vec<u32>,
     /// Indices of list entries that are to be removed, ascending.

@@ -26,9 +26,9 @@
 //! one vertex. Crowns are fans too, so no arc has to be marked as void. A position with several wedges has
 //! an entry for each, but only one bit.
 //!
-//! Cost: each step creates one triangle per vertex that it touches; the table has about three times as
-//! many triangles as the full mesh. Extraction is linear in the number of active vertices; a change is
-//! linear in the size of the entries that it touches.
+//! Cost: the table contains every triangle of every level, about three times as many as the full mesh has.
+//! Extraction is linear in the number of active vertices; a change is linear in the size of the entries
+//! that it touches.
 
 mod bounds;
 mod budget;

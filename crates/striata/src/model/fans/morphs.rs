@@ -51,7 +51,7 @@ pub struct FanMorphs {
     /// Steps in motion, ascending.
     moving: Vec<MovingStep>,
     /// Steps whose vertices arrived at their own positions in the last frame.
-    settled: Vec<u32>,
+    arrived: Vec<u32>,
     /// Scratch for the moving steps of the next frame.
     next: Vec<MovingStep>,
 }
@@ -61,8 +61,8 @@ impl FanMorphs {
     /// is immediate.
     pub fn new(instance: &FanInstance, frame_count: u16) -> Self {
         let frame_count = frame_count.max(1);
-        let (moving, settled, next) = (Vec::new(), Vec::new(), Vec::new());
-        Self { drawn: instance.clone(), frame_count, moving, settled, next }
+        let (moving, arrived, next) = (Vec::new(), Vec::new(), Vec::new());
+        Self { drawn: instance.clone(), frame_count, moving, arrived, next }
     }
 
     /// Returns the instance to draw: the target instance plus everything that is still moving back.
@@ -77,7 +77,7 @@ impl FanMorphs {
 
     /// Number of bytes of the drawn instance and of the moving steps.
     pub fn bytes(&self) -> usize {
-        self.drawn.bytes() + 2 * size_of_val(&self.moving[..]) + size_of_val(&self.settled[..])
+        self.drawn.bytes() + 2 * size_of_val(&self.moving[..]) + size_of_val(&self.arrived[..])
     }
 
     /// Advances one frame towards the target instance `wanted`.
@@ -86,7 +86,7 @@ impl FanMorphs {
     /// If the target instance belongs to a different table.
     pub fn advance(&mut self, fans: &Fans, wanted: &FanInstance) {
         self.check(fans, wanted);
-        self.settled.clear();
+        self.arrived.clear();
         let moving = std::mem::take(&mut self.moving);
         let mut moving_steps = moving.iter().copied().peekable();
         let mut next = std::mem::take(&mut self.next);
@@ -115,15 +115,15 @@ impl FanMorphs {
     /// If the instance belongs to a different table.
     pub fn jump_to(&mut self, fans: &Fans, wanted: &FanInstance) {
         self.check(fans, wanted);
-        self.settled.clear();
+        self.arrived.clear();
         for (word, (&drawn, &wanted)) in (0..).zip(self.drawn.words().iter().zip(wanted.words())) {
             let mut changed = drawn & !wanted;
             while changed != 0 {
-                self.settled.push(64 * word + changed.trailing_zeros());
+                self.arrived.push(64 * word + changed.trailing_zeros());
                 changed &= changed - 1;
             }
         }
-        self.settled.extend(self.moving.drain(..).map(|moving| moving.step));
+        self.arrived.extend(self.moving.drain(..).map(|moving| moving.step));
         self.drawn.clone_from(wanted);
     }
 
@@ -146,8 +146,8 @@ impl FanMorphs {
     ///
     /// # Panics
     /// If the sequence belongs to a different mesh.
-    pub fn settled<'a>(&'a self, sequence: &'a CollapseSequence) -> impl Iterator<Item = u32> + 'a {
-        self.settled.iter().flat_map(|&step| sequence.step_vertices(step as usize))
+    pub fn arrived<'a>(&'a self, sequence: &'a CollapseSequence) -> impl Iterator<Item = u32> + 'a {
+        self.arrived.iter().flat_map(|&step| sequence.step_vertices(step as usize))
     }
 
     /// Writes the positions of all vertices that moved in the last frame. Initialize `out` with a copy of
@@ -181,7 +181,7 @@ impl FanMorphs {
         if frame < self.frame_count {
             return Some(MovingStep { step, frame });
         }
-        self.settled.push(step);
+        self.arrived.push(step);
         None
     }
 
@@ -212,7 +212,7 @@ impl FanMorphs {
         own: impl Fn(usize, usize) -> f32,
         out: &mut [f32],
     ) {
-        for vertex in self.settled(sequence) {
+        for vertex in self.arrived(sequence) {
             let values = &mut out[vertex as usize * count..][..count];
             values.iter_mut().enumerate().for_each(|(i, out)| *out = own(vertex as usize, i));
         }

@@ -11,7 +11,7 @@
 //! group   varint, only if there are several groups
 //! nodes   vertex - node, one per arc and, unless the fan is closed, one more
 //! mask    of the permanent arcs, if there are any; one byte per 8 arcs
-//! pairs   for each creator: 2 (step - own step), plus 1 if the step is a child of this one; then its arc mask.
+//! pairs   for each creator: 2 (step - own step), plus 1 if it is a child of this step; then its arc mask.
 //!         The own step of a base vertex counts as -1.
 //! ```
 //!

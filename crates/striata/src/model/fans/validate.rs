@@ -1,6 +1,6 @@
 //! Validates a stored table in time linear in its size.
 //!
-//! Three properties are validator. First, every entry is well-formed: it ends where the next one begins, its
+//! Three properties are checked. First, every entry is well-formed: it ends where the next one begins, its
 //! nodes and steps exist, and each of its triangles is created by exactly one step or is permanent.
 //! Second, each step has exactly one parent. Third, **the positions that a split needs are exactly those
 //! touched by its floor or listed as waiting for the step**: the former follow from the step's own

@@ -7,7 +7,7 @@ use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::ModelError;
 use crate::model::record_arena::{head_bytes, in_refinement_order};
 use crate::model::step_vertices::StepVertices;
-use crate::model::strip_input::{check_strips, sorted_by_place};
+use crate::model::strip_input::{check_strips, sorted_spatially};
 use crate::model::superfluous::drop_superfluous;
 use crate::strip::StripSet;
 
@@ -19,7 +19,7 @@ impl LodStrips<'static> {
     /// counts, or vertices that do not exist.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
-        let strips = sorted_by_place(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
+        let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
         let sequence = &refinable.sequence;
         let mut builder = Builder::new(sequence, &strips);
         let mut reversed = Vec::new();

@@ -13,9 +13,10 @@
 //! length         length of the run              varint, only with kind 2; otherwise the length is 2
 //! ```
 //!
-//! The first head is wide enough for the largest strip index. The anchor of the first drop is the index of the
-//! first substitution; that of a later drop is the first index of the drop before it. `wedges` is the number of vertices of the step, and `wedge` selects the one that is
-//! replaced. A varint has 7 bits per byte, low bits first.
+//! The first head is wide enough for the largest strip index. The anchor of the first drop is the index of
+//! the first substitution; that of a later drop is the first index of the drop before it. `wedges` is the
+//! number of vertices of the step, and `wedge` selects the one that is replaced. A varint has 7 bits per
+//! byte, low bits first.
 
 use crate::model::record_arena::{read_fixed, read_varint, write_varint};
 use crate::model::strip_run::Run;

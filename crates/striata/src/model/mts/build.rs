@@ -7,7 +7,7 @@ use crate::model::ModelError;
 use crate::model::record_arena::{head_bytes, push_record, write_varint};
 use crate::model::step_vertices::StepVertices;
 use crate::model::strip_history::{Piece, StripHistory, Touch};
-use crate::model::strip_input::{check_strips, sorted_by_place};
+use crate::model::strip_input::{check_strips, sorted_spatially};
 use crate::strip::StripSet;
 
 /// Last change of a slot that is never dropped.
@@ -24,7 +24,7 @@ impl Mts<'static> {
     /// counts, or vertices that do not exist.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
-        let strips = sorted_by_place(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
+        let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
         let sequence = &refinable.sequence;
         let mut lifetimes = Lifetimes::default();
         lifetimes.break_offsets.push(0);

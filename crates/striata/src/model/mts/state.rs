@@ -12,8 +12,8 @@ use crate::model::record_arena::{read_fixed, read_varint, record_at, record_befo
 use crate::model::{StoredModel, StripModel};
 use crate::strip::RESTART;
 
-/// If more than this fraction of the strips (1 / divisor) is to be rebuilt, the chains of targets are resolved
-/// for all vertices first.
+/// If more than this fraction of the strips (1 / divisor) is to be rebuilt, the chains of targets are
+/// resolved for all vertices first.
 const RESOLVE_ALL_DIVISOR: usize = 8;
 
 /// An instance of the model: its level and its current strips. Created by
