@@ -57,7 +57,7 @@ test_guarantees! {
 }
 
 fn build(mesh: &IndexedMesh, options: &BatchOptions) -> BuiltBatches {
-    build_batches(mesh, options).expect("sound meshes are simplified")
+    build_batches(mesh, options).expect("valid meshes can be simplified")
 }
 
 /// Batches that are limited to splits of a surface.
@@ -320,7 +320,7 @@ fn limits_are_respected() {
     let terrain = shapes::terrain(17, 5);
     let options = BatchOptions::default().with_sequence(sequence().with_boundary(BoundaryRule::Locked));
     let built = build(&terrain, &options).built;
-    let boundary = |mesh: &IndexedMesh| Statistics::of(mesh).expect("sound").boundary_edge_count;
+    let boundary = |mesh: &IndexedMesh| Statistics::of(mesh).expect("valid").boundary_edge_count;
     assert_eq!(boundary(&replay(&built.refinable, 0)), boundary(&terrain), "a locked boundary stays");
     assert!(built.refinable.sequence.step_count() > 100);
     let sphere = shapes::two_material_sphere(21, 40);
@@ -359,8 +359,8 @@ fn options_out_of_range_are_rejected() {
 fn same_input_gives_same_batches() {
     let mesh = with_patches(rough(shapes::torus(40, 30, 2.0, 0.7), 0.05, 9), 50);
     let [one, other] = [(); 2].map(|()| {
-        let welded = weld(&mesh).expect("a sound mesh");
-        build_welded_batches(welded, &surface_only()).expect("a sound mesh")
+        let welded = weld(&mesh).expect("a valid mesh");
+        build_welded_batches(welded, &surface_only()).expect("a valid mesh")
     });
     assert_eq!(one.built.refinable, other.built.refinable);
     assert_eq!(one.batches, other.batches);

@@ -126,7 +126,7 @@ fn check_random_states(refinable: &RefinableMesh, fans: &Fans) {
             let step = positions.position_of(vertex).checked_sub(base);
             assert!(
                 step.is_none_or(|step| front.instance().is_refined(step)),
-                "vertex {vertex} is not there"
+                "vertex {vertex} is not active"
             );
         }
         let level = front.instance().level(fans, refinable);

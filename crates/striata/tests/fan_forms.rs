@@ -208,7 +208,7 @@ fn empty_groups_at_either_end_have_empty_ranges() {
 }
 
 #[test]
-#[should_panic(expected = "the instance is of another table")]
+#[should_panic(expected = "the instance belongs to a different table")]
 fn an_instance_of_another_table_is_not_written() {
     let wildness = Wildness { far_percent: 0, base_position_count: 3 };
     let [small, large] =

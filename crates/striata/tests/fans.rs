@@ -117,7 +117,7 @@ fn refining_splits_wanted_steps_and_only_what_they_need() {
             let mut less = instance.clone();
             less.collapse(&fans, step);
             let lost = (0..fans.step_count()).any(|s| wanted[s] && !less.is_refined(s as u32));
-            assert!(lost, "step {step} was undone for nothing");
+            assert!(lost, "step {step} was split needlessly");
         }
     }
 }

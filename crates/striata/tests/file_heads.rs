@@ -81,7 +81,7 @@ fn a_damaged_head_is_rejected() {
     for place in (0..table).chain(first..first + 40) {
         let mut damaged = bytes.clone();
         damaged[place] ^= 4;
-        assert!(FileHead::read(&damaged).is_err(), "damage at byte {place} was not seen");
+        assert!(FileHead::read(&damaged).is_err(), "damage at byte {place} was not detected");
     }
 }
 

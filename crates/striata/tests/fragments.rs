@@ -77,7 +77,7 @@ fn inconsistent_fragments_are_rejected() {
     assert_eq!((good.levels().triangle_count_at(0), good.levels().triangle_count_at(1)), (1, 3));
     assert_eq!(good.levels().error_at(0), 0.5);
     let missing = FragmentError::Floor { step: 0, corners: [1, 2, 0] };
-    assert_eq!(build(vec![face([0, 2, 1])], split(0.5)), Err(missing), "turned the other way");
+    assert_eq!(build(vec![face([0, 2, 1])], split(0.5)), Err(missing), "opposite orientation");
     let early = FragmentError::Ceiling { step: None, corners: [0, 1, 3] };
     assert_eq!(build(vec![face([0, 1, 3])], split(0.5)), Err(early));
     assert!(matches!(build(vec![face([0, 1, 2])], split(f32::NAN)), Err(FragmentError::Sequence(_))));

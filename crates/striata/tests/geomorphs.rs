@@ -312,11 +312,11 @@ fn check_motion(
         let target = refinable.sequence.target(v as u32) as usize;
         let share = 1.0 / f64::from(frame_count);
         assert!(f64::from((factors[0][v] - factors[1][v]).abs()) <= share * (1.0 + 1e-6));
-        let way = distance(own[v], positions[0][target]);
+        let gap = distance(own[v], positions[0][target]);
         let limit = if target == v {
             0.0
         } else {
-            way * share + distance(positions[0][target], positions[1][target])
+            gap * share + distance(positions[0][target], positions[1][target])
         };
         let moved = distance(positions[0][v], positions[1][v]);
         assert!(moved <= limit + rounding, "vertex {v} jumps by {moved} of {limit}");

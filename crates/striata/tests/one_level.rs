@@ -9,7 +9,7 @@ use striata::simplify::{
 };
 
 fn level(mesh: &IndexedMesh, options: &SimplifyOptions) -> Simplified {
-    simplify(mesh, options).expect("sound meshes are simplified")
+    simplify(mesh, options).expect("valid meshes can be simplified")
 }
 
 fn options_for(target: Target, options: &SequenceOptions) -> SimplifyOptions {
@@ -19,7 +19,7 @@ fn options_for(target: Target, options: &SequenceOptions) -> SimplifyOptions {
 #[test]
 fn a_level_is_that_of_the_sequence() {
     check_each(all(), |_, mesh, options| {
-        let refinable = build_sequence(mesh, options).expect("sound meshes are simplified").refinable;
+        let refinable = build_sequence(mesh, options).expect("valid meshes can be simplified").refinable;
         let sequence = &refinable.sequence;
         let step_count = sequence.step_count();
         for split_count in [0, step_count / 3, step_count] {
@@ -96,7 +96,7 @@ fn near_parts_contract_if_requested() {
         part.iter_mut().for_each(|p| *p = [p[0] - by, p[1] - up, p[2]]);
     }
     let left = |options: &SequenceOptions| {
-        let built = build_sequence(&mesh, options).expect("sound meshes are simplified");
+        let built = build_sequence(&mesh, options).expect("valid meshes can be simplified");
         built.refinable.sequence.triangle_count_at(0)
     };
     let apart = SequenceOptions::default().with_topology(TopologyRule::Keep);
@@ -111,7 +111,7 @@ fn contraction_keeps_the_counts_of_every_level() {
         for share in [0.01, 0.2] {
             let distance = share * mesh.diagonal();
             let options = options.clone().with_pair_distance(distance);
-            let built = build_sequence(mesh, &options).expect("sound meshes are simplified");
+            let built = build_sequence(mesh, &options).expect("valid meshes can be simplified");
             let sequence = &built.refinable.sequence;
             for split_count in (0..=sequence.step_count()).rev() {
                 let level = replay(&built.refinable, split_count);

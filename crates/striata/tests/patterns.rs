@@ -68,7 +68,7 @@ fn any_set_of_fragments_follows_the_oracle(fragmented: &FragmentedMesh, patterns
         instance.adapt(patterns, &condition);
         other.refine(patterns, &condition);
         shows_its_set(&fragmented.fragments, &instance, group_count);
-        assert_eq!(instance, other, "from the base, and from what was there before");
+        assert_eq!(instance, other, "starting from the base and from the previous set");
         let change = instance.adapt(patterns, &condition);
         assert_eq!(change, Default::default(), "nothing is left to be done");
         assert_eq!(other.coarsen(patterns, &condition), 0);

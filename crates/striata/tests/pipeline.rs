@@ -11,11 +11,11 @@ use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripSet, restart_triangles_into, stripify};
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> RefinableMesh {
-    build_sequence(mesh, options).expect("sound meshes are simplified").refinable
+    build_sequence(mesh, options).expect("valid meshes can be simplified").refinable
 }
 
 fn strips_of(refinable: &RefinableMesh) -> StripSet {
-    stripify(&refinable.mesh).expect("full meshes are sound")
+    stripify(&refinable.mesh).expect("full meshes are valid")
 }
 
 /// Returns the triangles of each group in canonical order.
@@ -86,13 +86,13 @@ fn files_hold_every_level() {
         let found = file.refinable_mesh().expect("written just now");
         assert_same(&found.mesh, &refinable.mesh);
         assert_eq!(found.sequence, refinable.sequence);
-        let stored = file.lod_strips().expect("it was written").expect("it is sound");
+        let stored = file.lod_strips().expect("it was written").expect("it is valid");
         assert_eq!(stored, model);
         let mut state = stored.new_state();
         let step_count = stored.step_count();
         for split_count in (0..=step_count).rev().step_by(1 + step_count / 40).chain([0, step_count]) {
             stored.move_to(&mut state, split_count);
-            let level = file.level_of(&stored, &state).expect("the file is sound");
+            let level = file.level_of(&stored, &state).expect("the file is valid");
             assert_same(&level, &replay(&refinable, split_count));
         }
     });

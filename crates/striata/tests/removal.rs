@@ -23,7 +23,7 @@ use support::Topology;
 
 impl Simplifier for RemovalOptions {
     fn variants() -> Vec<(String, Self)> {
-        hole_fillings().map(|(way, options)| (way.to_owned(), options)).to_vec()
+        hole_fillings().map(|(variant, options)| (variant.to_owned(), options)).to_vec()
     }
 
     fn rules(&mut self) -> Rules<'_> {
@@ -64,7 +64,7 @@ test_guarantees! {
 }
 
 fn build(mesh: &IndexedMesh, options: &RemovalOptions) -> BuiltFragments {
-    build_fragments(mesh, options).expect("sound meshes are simplified")
+    build_fragments(mesh, options).expect("valid meshes can be simplified")
 }
 
 /// All methods of filling holes.
@@ -86,7 +86,7 @@ fn by_source(triangles: &[[u32; 3]], source: &[u32]) -> Vec<[u32; 3]> {
 /// Guarantees for the fragments of any valid mesh.
 fn check_fragments(name: &str, input: &IndexedMesh, options: &RemovalOptions, built: &BuiltFragments) {
     let FragmentedMesh { mesh, fragments } = &built.fragmented;
-    let welded = weld(input).expect("sound");
+    let welded = weld(input).expect("valid");
     let expected = by_source(&welded.mesh.triangles, &welded.source_vertex);
     assert_eq!(by_source(&mesh.triangles, &built.source_vertex), expected, "{name}: the full mesh");
     assert_eq!(built.merged_vertex_count, welded.merged_vertex_count, "{name}");
@@ -263,7 +263,7 @@ fn limits_leave_little_to_remove() {
     let count = built.fragmented.fragments.levels().triangle_count_at(0);
     assert_eq!(built.stop_reason, StopReason::ErrorLimit);
     assert!((count as f64) < 1.8 * needed, "{count} triangles, {needed:.0} needed");
-    let collapsed = build_sequence(&sphere, &SequenceOptions::default()).expect("sound");
+    let collapsed = build_sequence(&sphere, &SequenceOptions::default()).expect("valid");
     let certified = certify_collapses(&collapsed.refinable);
     let levels = certified.sequence.levels();
     let by_collapses = levels.triangle_count_at(levels.split_count_for_error(0.02));
@@ -332,9 +332,9 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, way in 0usize..4) {
+    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, variant in 0usize..4) {
         let mesh = shapes::random_soup(count, seed);
-        let options = &hole_fillings()[way].1;
+        let options = &hole_fillings()[variant].1;
         check_fragments("soup", &mesh, options, &build(&mesh, options));
     }
 
@@ -343,11 +343,11 @@ proptest! {
         (rings, segments) in (3u32..12, 3u32..12),
         run in 1usize..40,
         seed: u64,
-        way in 0usize..4,
+        variant in 0usize..4,
     ) {
         let rough = meshes::rough(shapes::torus(rings, segments, 2.0, 1.0), 0.2, seed);
         let mesh = with_patches(rough, run);
-        let options = &hole_fillings()[way].1.clone().with_topology(TopologyRule::Keep);
+        let options = &hole_fillings()[variant].1.clone().with_topology(TopologyRule::Keep);
         let built = build(&mesh, options);
         check_fragments("patches", &mesh, options, &built);
         for split_count in 0..=built.fragmented.fragments.step_count() {
@@ -357,9 +357,9 @@ proptest! {
     }
 
     #[test]
-    fn random_assets_satisfy_the_guarantees(pieces in 1usize..5, seed: u64, way in 0usize..4, locks: bool) {
+    fn random_assets_satisfy_the_guarantees(pieces in 1usize..5, seed: u64, variant in 0usize..4, locks: bool) {
         let mesh = meshes::asset(pieces, seed);
-        let mut options = hole_fillings()[way].1.clone();
+        let mut options = hole_fillings()[variant].1.clone();
         if locks {
             options = options
                 .with_locked_vertices((0..mesh.vertex_count() as u32).step_by(29).collect())
@@ -369,7 +369,7 @@ proptest! {
         check_fragments("asset", &mesh, &options, &built);
         let fragments = &built.fragmented.fragments;
         let base = positions_of(&built.fragmented.mesh, fragments.levels().base_vertex_count());
-        let welded = weld(&mesh).expect("assets are sound");
+        let welded = weld(&mesh).expect("assets are valid");
         let has_position = |v: &&u32| welded.position_of_source[**v as usize] != u32::MAX;
         let locked = options.locked_vertices.iter().filter(has_position);
         for &v in locked {

@@ -67,7 +67,7 @@ test_guarantees! {
 }
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
-    build_sequence(mesh, options).expect("sound meshes are simplified")
+    build_sequence(mesh, options).expect("valid meshes can be simplified")
 }
 
 /// Triangles as positions, smallest corner first, sorted; those with two corners at one position are
@@ -165,7 +165,7 @@ fn check_locks(input: &IndexedMesh, options: &SequenceOptions, built: &BuiltSequ
         locked.extend(boundary_of(input));
     }
     if options.group_borders == BoundaryRule::Locked {
-        locked.extend(group_border_of(&weld(input).expect("assets are sound").mesh));
+        locked.extend(group_border_of(&weld(input).expect("assets are valid").mesh));
     }
     locked.retain(|place| shown.contains(place));
     assert!(locked.is_subset(&used), "something locked went");
@@ -385,7 +385,7 @@ proptest! {
     fn the_full_mesh_is_the_welded_mesh(count in 1u32..200, seed: u64) {
         let mesh = with_patches(shapes::random_soup(count, seed), 3);
         let built = build(&mesh, &SequenceOptions::default());
-        let welded = weld(&mesh).expect("soups are sound");
+        let welded = weld(&mesh).expect("soups are valid");
         let by_source = |triangles: &[[u32; 3]], source: &[u32]| {
             let named: Vec<_> = triangles.iter().map(|t| t.map(|v| source[v as usize])).collect();
             canonical_triangles(&named)

@@ -32,7 +32,7 @@ impl StepBounds {
             let wrong = |reason| ModelError::Step { step, reason };
             record.check_shape().map_err(wrong)?;
             if errors.is_some_and(|errors| !record.has_error(errors[step])) {
-                return Err(wrong("has another error in its bounds than in the sequence"));
+                return Err(wrong("has different errors in its bounds and in the sequence"));
             }
         }
         Ok(Self { records: records.into() })

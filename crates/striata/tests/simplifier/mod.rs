@@ -48,7 +48,7 @@ pub trait Simplifier: Clone + Debug {
     fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError>;
 
     fn outcome(&self, mesh: &IndexedMesh) -> Outcome {
-        self.run(mesh, &mut ignore_progress).expect("sound meshes are simplified")
+        self.run(mesh, &mut ignore_progress).expect("valid meshes can be simplified")
     }
 
     /// Returns a copy with changed rules.
@@ -89,7 +89,7 @@ pub fn positions_of(mesh: &IndexedMesh, vertex_count: usize) -> BTreeSet<[u32; 3
 
 /// Positions on the boundary.
 pub fn boundary_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
-    let welded = weld(mesh).expect("test meshes are sound");
+    let welded = weld(mesh).expect("test meshes are valid");
     let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
     let place = |p: u32| key(welded.mesh.positions[welded.positions.first_vertex(p) as usize]);
     adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends).map(place).collect()
@@ -170,7 +170,7 @@ pub fn seams_cut_every_level_into_the_same_pieces<S: Simplifier>() {
         ("hard cube", shapes::hard_cube()),
     ];
     check_each(seamed.map(|(name, mesh)| (name.to_owned(), mesh)).to_vec(), |name, mesh, options: &S| {
-        let welded = weld(mesh).expect("shapes are sound").mesh;
+        let welded = weld(mesh).expect("shapes are valid").mesh;
         let built = options.preserving_all().outcome(mesh);
         let step_count = built.levels.step_count();
         let is_simplified = name.starts_with("hard cube") || step_count > welded.vertex_count() / 2;
@@ -189,7 +189,7 @@ pub fn locked_vertices_are_in_the_base<S: Simplifier>() {
             .outcome(mesh)
             .base_positions();
         // Degenerate triangles are dropped, and such a triangle may be the only one that uses a vertex.
-        let position_of_source = weld(mesh).expect("sound").position_of_source;
+        let position_of_source = weld(mesh).expect("valid").position_of_source;
         for &v in locked.iter().filter(|&&v| position_of_source[v as usize] != u32::MAX) {
             assert!(base.contains(&key(mesh.positions[v as usize])), "vertex {v} was locked");
         }
@@ -211,14 +211,14 @@ pub fn locked_group_borders_keep_every_vertex<S: Simplifier>() {
     let sphere = shapes::two_material_sphere(21, 40);
     let border = group_border_of(&sphere);
     assert_eq!(border.len(), 40, "the equator");
-    for (way, options) in S::variants() {
+    for (variant, options) in S::variants() {
         let base_of =
             |rule| options.with_rules(|rules| *rules.group_borders = rule).outcome(&sphere).base_positions();
         let is_subset = border.is_subset(&base_of(BoundaryRule::Kept));
-        assert!(!is_subset, "{way}: borders that are not locked are simplified");
+        assert!(!is_subset, "{variant}: borders that are not locked are simplified");
         let base = base_of(BoundaryRule::Locked);
-        assert!(border.is_subset(&base), "{way}: a vertex of the border went");
-        assert!(base.len() < 2 * border.len(), "{way}: {} positions: the rest is simplified", base.len());
+        assert!(border.is_subset(&base), "{variant}: a vertex of the border went");
+        assert!(base.len() < 2 * border.len(), "{variant}: {} positions: the rest is simplified", base.len());
     }
 }
 
@@ -265,7 +265,7 @@ pub fn invalid_meshes_are_rejected_with_the_location<S: Simplifier>() {
 
 pub fn the_callback_sees_progress_and_can_cancel<S: Simplifier>() {
     let mesh = shapes::torus(110, 80, 2.0, 1.0);
-    for (way, options) in S::variants() {
+    for (variant, options) in S::variants() {
         let mut seen = Vec::new();
         let mut watch = |progress: striata::Progress| {
             seen.push((progress.phase, progress.done, progress.total));
@@ -273,9 +273,9 @@ pub fn the_callback_sees_progress_and_can_cancel<S: Simplifier>() {
         };
         options.run(&mesh, &mut watch).expect("nobody cancels");
         assert!(!seen.is_empty());
-        assert!(seen.iter().all(|(_, done, total)| done <= total), "{way}: {seen:?}");
+        assert!(seen.iter().all(|(_, done, total)| done <= total), "{variant}: {seen:?}");
         let mut phases = seen.chunk_by(|a, b| a.0 == b.0);
-        assert!(phases.all(|phase| phase.is_sorted_by_key(|(_, done, _)| *done)), "{way}: {seen:?}");
+        assert!(phases.all(|phase| phase.is_sorted_by_key(|(_, done, _)| *done)), "{variant}: {seen:?}");
         let mut calls = 0;
         let mut cancel = |_| {
             calls += 1;
@@ -283,20 +283,23 @@ pub fn the_callback_sees_progress_and_can_cancel<S: Simplifier>() {
         };
         let error = options.run(&mesh, &mut cancel).map(|_| ()).unwrap_err();
         assert_eq!(error, SimplifyError::Cancelled(Cancelled));
-        assert_eq!(calls, 1, "{way}: the callback is not called again after cancelling");
+        assert_eq!(calls, 1, "{variant}: the callback is not called again after cancelling");
     }
 }
 
 pub fn no_triangle_of_a_sphere_turns_inward<S: Simplifier>() {
     let mesh = shapes::icosphere(3, 1.0);
-    for (way, options) in S::variants() {
+    for (variant, options) in S::variants() {
         let built = options.outcome(&mesh);
         let from = built.levels.split_count_for_triangles(60);
         for split_count in (from..=built.levels.step_count()).step_by(7) {
             let level = (built.replay)(split_count);
             for t in &level.triangles {
                 let [a, b, c] = t.map(|v| glam::Vec3::from(level.positions[v as usize]));
-                assert!((b - a).cross(c - a).dot(a + b + c) > 0.0, "{way} at {split_count}: triangle {t:?}");
+                assert!(
+                    (b - a).cross(c - a).dot(a + b + c) > 0.0,
+                    "{variant} at {split_count}: triangle {t:?}"
+                );
             }
         }
     }

@@ -258,7 +258,7 @@ impl<C> FanFront<C> {
     }
 
     pub(super) fn begin(&self, scene: &FanScene<'_>, threshold: f32) -> FanUpdate {
-        assert_eq!(self.instance.step_count, scene.fans.step_count, "the front is of another model");
+        assert_eq!(self.instance.step_count, scene.fans.step_count, "the front belongs to a different model");
         FanUpdate { threshold, ..FanUpdate::default() }
     }
 

@@ -112,7 +112,7 @@ impl FanInstance {
     /// If the instance belongs to a different table.
     pub fn refine(&mut self, scene: &FanScene<'_>, criterion: &impl Criterion) -> usize {
         let fans = scene.fans;
-        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
+        assert_eq!(self.step_count, fans.step_count, "the instance belongs to a different table");
         self.collapsed.set_range(0..self.step_count);
         let (mut split_steps, mut steps) = (Vec::new(), Vec::new());
         let (mut parts, mut verdicts) = (Vec::new(), Vec::new());
@@ -152,7 +152,7 @@ impl FanInstance {
     }
 
     fn check(&self, fans: &Fans, step: u32) {
-        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
+        assert_eq!(self.step_count, fans.step_count, "the instance belongs to a different table");
         assert!((step as usize) < self.step_count, "step {step} of {}", self.step_count);
     }
 }

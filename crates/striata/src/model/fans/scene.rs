@@ -21,7 +21,7 @@ impl<'a> FanScene<'a> {
     /// If their vertex counts differ, or the table was built without bounds.
     pub fn new(fans: &'a Fans, refinable: &'a RefinableMesh) -> Self {
         let positions = &refinable.mesh.positions[..];
-        assert_eq!(fans.vertex_count(), positions.len(), "the table is another mesh's");
+        assert_eq!(fans.vertex_count(), positions.len(), "the table belongs to a different mesh");
         let bounds = fans.bounds.as_ref().expect("the table was built with bounds");
         Self { fans, bounds, positions }
     }

@@ -19,7 +19,7 @@ impl FanInstance {
     /// # Panics
     /// If the instances belong to different tables.
     pub fn union(&self, other: &Self) -> Self {
-        assert_eq!(self.step_count, other.step_count, "the instances are of different tables");
+        assert_eq!(self.step_count, other.step_count, "the instances belong to different tables");
         // Each set contains all splits that its refined steps need, so their union does too.
         Self { step_count: self.step_count, collapsed: self.collapsed.and(&other.collapsed) }
     }
@@ -40,6 +40,6 @@ impl FanInstance {
     }
 
     pub(super) fn check_table(&self, fans: &Fans) {
-        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
+        assert_eq!(self.step_count, fans.step_count, "the instance belongs to a different table");
     }
 }

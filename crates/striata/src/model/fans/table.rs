@@ -185,7 +185,7 @@ impl Table {
             length("starts of blocks", blocks.len(), start_count.div_ceil(BLOCK))?;
         }
         if let Some(place) = blocks.iter().position(|&start| start as usize > bytes.len()) {
-            return Err(ModelError::Listed { what: "start", place, reason: "lies behind the entries" });
+            return Err(ModelError::Listed { what: "start", place, reason: "lies beyond the entries" });
         }
         let (blocks, wide_starts) = if is_wide { (Vec::new(), blocks) } else { (blocks, Vec::new()) };
         let table = Self { bytes, blocks, starts, wide_starts, has_groups };
@@ -193,7 +193,7 @@ impl Table {
         for vertex in 0..start_count {
             let start = table.start(vertex);
             if start < end || (vertex == 0 && start > 0) {
-                let reason = "does not begin where the one before ends";
+                let reason = "does not begin at the end of the previous one";
                 return Err(ModelError::Entry { vertex, reason });
             }
             end = start;
@@ -421,7 +421,7 @@ mod tests {
         });
         assert_eq!(wide.unwrap().entry(150, 0).count(), 1);
         for vertex in [0, 3, 64, 199] {
-            let reason = "does not begin where the one before ends";
+            let reason = "does not begin at the end of the previous one";
             let TableArrays { entries, blocks, starts } = table.arrays();
             let (mut blocks, mut starts) = (blocks.to_vec(), starts.to_vec());
             starts[vertex] += 700;

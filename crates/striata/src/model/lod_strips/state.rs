@@ -78,7 +78,7 @@ impl LodStripsState {
         assert!(split_count <= step_count, "split count {split_count} of {step_count}");
         assert!(
             self.slots.len() == model.indices.len() && self.strips.len() == model.strip_count(),
-            "the state belongs to another model"
+            "the state belongs to a different model"
         );
         while self.split_count > split_count {
             let done = self.coarsen(model);

@@ -103,7 +103,7 @@ impl StripBuffer {
     /// # Panics
     /// If the state belongs to a different model than the buffer.
     pub fn sync(&mut self, model: &LodStrips<'_>, state: &mut LodStripsState) -> usize {
-        assert_eq!(self.allocations.len(), state.strips.len(), "the state belongs to another model");
+        assert_eq!(self.allocations.len(), state.strips.len(), "the state belongs to a different model");
         let mut strips = std::mem::take(&mut self.strips);
         state.take_changed_into(&mut strips);
         strips.sort_unstable();

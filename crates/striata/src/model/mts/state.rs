@@ -100,7 +100,7 @@ impl MtsState {
     fn check_model(&self, model: &Mts<'_>) {
         assert!(
             self.slots.len() == model.parts.indices.len() && self.strips.len() == model.strip_count(),
-            "the state belongs to another model"
+            "the state belongs to a different model"
         );
     }
 

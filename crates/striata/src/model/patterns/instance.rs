@@ -219,7 +219,11 @@ impl PatternInstance {
     }
 
     pub(super) fn check(&self, patterns: &Patterns) {
-        assert_eq!(self.heads.len(), patterns.records.step_count, "the instance is of another model");
+        assert_eq!(
+            self.heads.len(),
+            patterns.records.step_count,
+            "the instance belongs to a different model"
+        );
     }
 
     /// Returns the last inserted step before `end`.

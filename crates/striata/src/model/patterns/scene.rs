@@ -19,7 +19,11 @@ impl<'a> PatternScene<'a> {
     /// If their vertex counts differ, or the patterns were built without bounds.
     pub fn new(patterns: &'a Patterns, positions: &'a [[f32; 3]]) -> Self {
         let bounds = patterns.bounds.as_ref().expect("the patterns were built with bounds");
-        assert_eq!(positions.len(), patterns.vertices.vertex_count, "the positions are of another mesh");
+        assert_eq!(
+            positions.len(),
+            patterns.vertices.vertex_count,
+            "the positions belong to a different mesh"
+        );
         Self { patterns, bounds, positions }
     }
 

@@ -53,7 +53,7 @@ impl Shown for FansLevel {
 
 impl FansLevel {
     pub(super) fn check_table(self, fans: &Fans) {
-        assert!(self.split_count <= fans.step_count, "the level is of another table");
+        assert!(self.split_count <= fans.step_count, "the level belongs to a different table");
     }
 }
 
