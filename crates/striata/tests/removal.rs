@@ -23,7 +23,7 @@ use support::Topology;
 
 impl Simplifier for RemovalOptions {
     fn variants() -> Vec<(String, Self)> {
-        hole_fillings().map(|(variant, options)| (variant.to_owned(), options)).to_vec()
+        hole_fillings().map(|(filling, options)| (filling.to_owned(), options)).to_vec()
     }
 
     fn rules(&mut self) -> Rules<'_> {
@@ -332,9 +332,9 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, variant in 0usize..4) {
+    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, filling in 0usize..4) {
         let mesh = shapes::random_soup(count, seed);
-        let options = &hole_fillings()[variant].1;
+        let options = &hole_fillings()[filling].1;
         check_fragments("soup", &mesh, options, &build(&mesh, options));
     }
 
@@ -343,11 +343,11 @@ proptest! {
         (rings, segments) in (3u32..12, 3u32..12),
         run in 1usize..40,
         seed: u64,
-        variant in 0usize..4,
+        filling in 0usize..4,
     ) {
         let rough = meshes::rough(shapes::torus(rings, segments, 2.0, 1.0), 0.2, seed);
         let mesh = with_patches(rough, run);
-        let options = &hole_fillings()[variant].1.clone().with_topology(TopologyRule::Keep);
+        let options = &hole_fillings()[filling].1.clone().with_topology(TopologyRule::Keep);
         let built = build(&mesh, options);
         check_fragments("patches", &mesh, options, &built);
         for split_count in 0..=built.fragmented.fragments.step_count() {
@@ -357,9 +357,9 @@ proptest! {
     }
 
     #[test]
-    fn random_assets_satisfy_the_guarantees(pieces in 1usize..5, seed: u64, variant in 0usize..4, locks: bool) {
+    fn random_assets_satisfy_the_guarantees(pieces in 1usize..5, seed: u64, filling in 0usize..4, locks: bool) {
         let mesh = meshes::asset(pieces, seed);
-        let mut options = hole_fillings()[variant].1.clone();
+        let mut options = hole_fillings()[filling].1.clone();
         if locks {
             options = options
                 .with_locked_vertices((0..mesh.vertex_count() as u32).step_by(29).collect())

@@ -176,7 +176,8 @@ fn check_locks(input: &IndexedMesh, options: &SequenceOptions, built: &BuiltSequ
     assert!(keeps_something || used.len() <= limit, "{} positions of {limit} left", used.len());
 }
 
-/// No vertex may be shared by two materials while seams are kept, which would happen if a border moved.
+/// Checks that no vertex is shared by two materials while seams are kept: a triangle must not adopt a vertex
+/// from across the border.
 fn check_materials(at: &str, level: &IndexedMesh) {
     let mut material_of = vec![None; level.vertex_count()];
     for group in level.groups_or_whole() {

@@ -7,7 +7,7 @@
 //!
 //! A connected run of arcs is a triangle fan (`glDrawFanL` in \[Cor01\], section 3.6.3); on a closed ring,
 //! a run across the end of the mask is one fan rather than two. Current GPUs do not draw fans, so a run
-//! can also be written as a strip; see `form.rs`.
+//! can also be written as a strip; see `fan_form.rs`.
 //!
 //! Cost: linear in the number of active vertices, plus a scan of one 64-bit word per 64 steps. On the
 //! bunny, at any level, the average run has 3.1 triangles, and a triangle takes 3 indices in a list, 2.24
