@@ -1,6 +1,6 @@
-//! What the tests of all crates share: meshes of every kind, random sequences, and the oracles that models are held to.
+//! Shared test support for all crates: test meshes, random collapse sequences, and oracles that check models.
 
-#![expect(missing_docs, reason = "only tests use it, and names say what a mesh is")]
+#![expect(missing_docs, reason = "only used by tests, and the names describe the meshes")]
 
 pub mod meshes;
 pub mod support;

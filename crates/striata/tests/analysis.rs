@@ -1,4 +1,5 @@
-//! Adjacency, dual graph, statistics, validation and distance on every nasty mesh and on random soups.
+//! Adjacency, dual graph, statistics, validation and distance on every problematic mesh and on random
+//! soups.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +8,8 @@ use striata::mesh::{
     Adjacency, DefectKind, DualGraph, Edge, IndexedMesh, Statistics, shapes, validate, weld,
 };
 
-/// Edges the slow way: every side of every triangle with three different corners, by its ends.
+/// Finds edges by brute force: every side of every triangle with three different corners, by its end
+/// points.
 fn sides_by_ends(mesh: &IndexedMesh) -> BTreeMap<[u32; 2], [Vec<u32>; 2]> {
     let mut sides: BTreeMap<[u32; 2], [Vec<u32>; 2]> = BTreeMap::new();
     for (t, &[a, b, c]) in mesh.triangles.iter().enumerate() {
@@ -22,7 +24,7 @@ fn sides_by_ends(mesh: &IndexedMesh) -> BTreeMap<[u32; 2], [Vec<u32>; 2]> {
     sides
 }
 
-/// Pieces around a vertex the slow way: triangles flood over the edges that contain it.
+/// Counts pieces around a vertex by brute force: flood fill across the edges that contain it.
 fn piece_count(mesh: &IndexedMesh, vertex: u32) -> usize {
     let is_proper = |t: &&[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
     let mut left: Vec<&[u32; 3]> =
@@ -66,7 +68,7 @@ fn check_dual_graph(name: &str, mesh: &IndexedMesh) {
         assert_eq!(ends(twin), (ends(side).1, ends(side).0), "{name}");
         assert_eq!(group_of(side / 3), group_of(twin / 3), "{name}");
     }
-    // As many links as the scarcer direction allows, edge by edge, where there is one group.
+    // In a single group, each edge has as many links as its less frequent direction.
     if mesh.groups.is_empty() {
         let links: usize = sides_by_ends(mesh).values().map(|[f, b]| f.len().min(b.len())).sum();
         assert_eq!(graph.link_count(), links, "{name}");
@@ -100,7 +102,7 @@ fn check_everything(name: &str, mesh: &IndexedMesh) {
     check_weld_keeps_topology(name, mesh, &statistics);
 }
 
-/// Welding drops what the adjacency leaves out and nothing else.
+/// Welding drops exactly those triangles that the adjacency leaves out.
 fn check_weld_keeps_topology(name: &str, mesh: &IndexedMesh, statistics: &Statistics) {
     let welded = weld(mesh).unwrap();
     let after = Statistics::of(&welded.mesh).unwrap();
@@ -137,7 +139,7 @@ fn euler_characteristics_of_known_surfaces() {
 }
 
 #[test]
-fn defects_of_a_nasty_mesh_have_lines_of_their_own() {
+fn each_defect_is_reported_on_its_own_line() {
     for (name, mesh) in shapes::nasty() {
         let report = validate(&mesh);
         let lines = report.to_string();
@@ -189,7 +191,7 @@ mod distance {
         assert_eq!((d.max, d.a_to_b.max, d.b_to_a.max), (0.25, 0.25, 0.25));
         assert!((d.rms - 0.25).abs() < 1e-15 && (d.mean - 0.25).abs() < 1e-15);
         assert_eq!(d.diagonal, 1300f64.sqrt());
-        // Sliding along uncovers a strip 2 wide on either mesh, farther out by up to 2.
+        // Sliding sideways uncovers a strip of width 2 on either mesh, farther out by up to 2.
         let mut slid = plane.clone();
         slid.positions.iter_mut().for_each(|p| p[0] += 2.0);
         let d = measure(&plane, &slid);
@@ -209,7 +211,7 @@ mod distance {
     }
 
     #[test]
-    fn exchanging_the_meshes_exchanges_the_ways() {
+    fn swapping_the_meshes_swaps_the_directions() {
         let (a, b) = (shapes::torus(30, 20, 2.0, 0.5), shapes::icosphere(3, 2.2));
         let (there, back) = (measure(&a, &b), measure(&b, &a));
         assert_eq!((there.a_to_b, there.b_to_a), (back.b_to_a, back.a_to_b));
@@ -227,7 +229,7 @@ mod distance {
         assert_eq!(d.max, 0.0);
     }
 
-    /// Fails where threads, sines or vector units get into the result.
+    /// Fails if threads, sines or vector units affect the result.
     #[test]
     fn the_same_bits_on_every_machine() {
         let (a, b) = (shapes::torus(30, 20, 2.0, 0.5), shapes::icosphere(3, 2.2));
@@ -260,7 +262,7 @@ mod distance {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
         #[test]
-        fn the_tree_is_never_beaten_by_a_triangle(triangle_count in 1u32..200, seed: u64) {
+        fn the_tree_finds_the_nearest_triangle(triangle_count in 1u32..200, seed: u64) {
             let mesh = shapes::random_soup(triangle_count, seed);
             let tree = TriangleTree::new(&mesh).unwrap();
             let mut random = Random::new(seed ^ 1);

@@ -1,5 +1,5 @@
-//! Collapses in batches against what a progressive coder relies on, on every mesh of the test set, by a checker that knows
-//! nothing of how they were found.
+//! Checks batches of collapses against what a progressive coder relies on, on every mesh of the test set.
+//! The checker is independent of how the batches were found.
 
 use striata_testing::meshes;
 
@@ -9,7 +9,7 @@ use striata_testing::support;
 
 use std::collections::BTreeSet;
 
-use meshes::{COSTS, Named, all, asset, check_each_way, closed, open, rough, with_patches};
+use meshes::{COSTS, NamedMesh, all, asset, check_each_variant, closed, open, rough, with_patches};
 use proptest::prelude::*;
 use simplifier::{Outcome, Rules, Simplifier};
 use striata::ProgressFn;
@@ -21,7 +21,7 @@ use striata::simplify::{
 use support::{ClosedSurface, nasty};
 
 impl Simplifier for BatchOptions {
-    fn ways() -> Vec<(String, Self)> {
+    fn variants() -> Vec<(String, Self)> {
         vec![("default".to_owned(), Self::default())]
     }
 
@@ -48,26 +48,26 @@ impl Simplifier for BatchOptions {
     }
 }
 
-test_promises! {
+test_guarantees! {
     BatchOptions:
     locked_vertices_are_in_the_base,
     locked_boundaries_keep_every_vertex,
-    unsound_meshes_are_refused_with_their_place,
+    invalid_meshes_are_rejected_with_the_location,
     the_callback_sees_progress_and_can_cancel,
 }
 
 fn build(mesh: &IndexedMesh, options: &BatchOptions) -> BuiltBatches {
-    build_batches(mesh, options).expect("sound meshes are simplified")
+    build_batches(mesh, options).expect("valid meshes can be simplified")
 }
 
-/// Batches of splits of a surface alone.
-fn on_the_surface() -> BatchOptions {
+/// Batches that are limited to splits of a surface.
+fn surface_only() -> BatchOptions {
     BatchOptions::default().with_general(false)
 }
 
-/// As far as it goes.
-fn to_the_end() -> BatchOptions {
-    on_the_surface().with_least_batch(1)
+/// Options without limits.
+fn unlimited() -> BatchOptions {
+    surface_only().with_least_batch(1)
 }
 
 fn position_triangles(refinable: &RefinableMesh, mesh: &IndexedMesh) -> Vec<[u32; 3]> {
@@ -75,13 +75,14 @@ fn position_triangles(refinable: &RefinableMesh, mesh: &IndexedMesh) -> Vec<[u32
     mesh.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect()
 }
 
-/// The position that a removed one goes to.
+/// The position that a removed position collapses to.
 fn target_of(refinable: &RefinableMesh, position: u32) -> u32 {
     let positions = refinable.sequence.positions();
     positions.position_of(refinable.sequence.target(positions.first_vertex(position)))
 }
 
-/// What must hold for `v -> target` on a surface, be the rest of the batch there or not; gives both copies.
+/// Checks `v -> target` on a surface, whether or not the rest of the batch has been applied; returns both
+/// copies.
 fn check_collapse(surface: &ClosedSurface, v: u32, target: u32, max_valence: usize) -> (u32, u32) {
     let copies = surface.copies(v);
     assert_eq!(copies.len(), 1, "position {v} is one copy");
@@ -89,7 +90,7 @@ fn check_collapse(surface: &ClosedSurface, v: u32, target: u32, max_valence: usi
     let ring = surface.ring(v);
     assert!((3..=max_valence).contains(&ring.vertices.len()), "{v} has valence {}", ring.vertices.len());
     let u = surface.neighbor(v, target);
-    let other = surface.loose_ring(u);
+    let other = surface.unordered_ring(u);
     let shared = ring.vertices.intersection(&other.vertices).count();
     assert_eq!(shared, 2, "{v} -> {u}: neighbors in common");
     assert_eq!(ring.edges.intersection(&other.edges).count(), 0, "{v} -> {u}: ring edges in common");
@@ -101,7 +102,8 @@ fn check_collapse(surface: &ClosedSurface, v: u32, target: u32, max_valence: usi
     (v, u)
 }
 
-/// Each wedge of `v` that the collapsed edge shows goes to the one that it shares the edge with; others may cross a seam.
+/// Each wedge of `v` on the collapsed edge must go to the wedge that shares the edge with it; others may
+/// cross a seam.
 fn check_wedges(refinable: &RefinableMesh, level: &IndexedMesh, v: u32, target: u32) {
     let positions = refinable.sequence.positions();
     let at = |t: &[u32; 3], p: u32| t.iter().copied().find(|&w| positions.position_of(w) == p);
@@ -117,7 +119,7 @@ fn check_wedges(refinable: &RefinableMesh, level: &IndexedMesh, v: u32, target: 
     assert!(!paired.is_empty() && paired.is_subset(&shown), "wedges on the edge from {v} to {target}");
 }
 
-/// Everything that a coder relies on.
+/// Checks everything that a coder relies on.
 fn check_batches(name: &str, options: &BatchOptions, built: &BuiltBatches) {
     eprintln!("{name}");
     let refinable = &built.built.refinable;
@@ -177,7 +179,7 @@ fn collapse_in_both_orders(
     one
 }
 
-/// The surface is what the oracle shows, and as manifold as the full mesh was.
+/// Checks that the surface matches the oracle and is as manifold as the full mesh was.
 fn check_surface(surface: &ClosedSurface, refinable: &RefinableMesh, split_count: usize) {
     let level = replay(refinable, split_count);
     let expected = canonical_triangles(&position_triangles(refinable, &level));
@@ -187,7 +189,7 @@ fn check_surface(surface: &ClosedSurface, refinable: &RefinableMesh, split_count
         let copies = surface.copies(p);
         assert_eq!(copies.len(), 1, "position {p} is one copy");
         surface.ring(*copies.first().expect("one copy"));
-        // Copies of one position must not meet here either.
+        // Two copies of one position must not become adjacent either.
         let around = expected.iter().filter(|t| t.contains(&p)).flatten().filter(|&&q| q != p);
         let mut around: Vec<u32> = around.copied().collect();
         around.sort_unstable();
@@ -195,45 +197,48 @@ fn check_surface(surface: &ClosedSurface, refinable: &RefinableMesh, split_count
     }
 }
 
-fn check_all(meshes: Vec<Named>, ways: &[(&str, BatchOptions)]) {
-    check_each_way(meshes, ways, |name, mesh, options| check_batches(name, options, &build(mesh, options)));
+fn check_all(meshes: Vec<NamedMesh>, variants: &[(&str, BatchOptions)]) {
+    check_each_variant(meshes, variants, |name, mesh, options| {
+        check_batches(name, options, &build(mesh, options))
+    });
 }
 
 #[test]
-fn batches_keep_their_promises_on_all_meshes() {
-    let ways = [
-        ("default", on_the_surface()),
-        ("to the end", to_the_end()),
-        ("all at once", to_the_end().with_share(1.0).with_max_valence(12)),
-        ("shape", to_the_end().with_shape_step(Some(0.05)).with_max_valence(6)),
+fn batches_satisfy_the_guarantees_on_all_meshes() {
+    let variants = [
+        ("default", surface_only()),
+        ("to the end", unlimited()),
+        ("one batch", unlimited().with_share(1.0).with_max_valence(12)),
+        ("shape", unlimited().with_shape_step(Some(0.05)).with_max_valence(6)),
     ];
     let nasty = nasty().into_iter().map(|(name, mesh)| (name.to_owned(), mesh));
-    check_all(all().into_iter().chain(nasty).collect(), &ways);
+    check_all(all().into_iter().chain(nasty).collect(), &variants);
 }
 
 #[test]
-fn batches_keep_their_promises_with_every_cost() {
-    let ways = COSTS.map(|cost| ("", to_the_end().with_sequence(SequenceOptions::default().with_cost(cost))));
-    check_all([closed(), open()].concat(), &ways);
+fn batches_satisfy_the_guarantees_with_every_cost() {
+    let variants =
+        COSTS.map(|cost| ("", unlimited().with_sequence(SequenceOptions::default().with_cost(cost))));
+    check_all([closed(), open()].concat(), &variants);
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(150))]
 
     #[test]
-    fn batches_keep_their_promises_on_soups(
+    fn batches_satisfy_the_guarantees_on_soups(
         seed: u64, triangle_count in 1u32..120, has_patches: bool, share in 0.05f64..1.0
     ) {
         let mut mesh = shapes::random_soup(triangle_count, seed);
         if has_patches {
             mesh = with_patches(mesh, 3);
         }
-        let options = to_the_end().with_share(share);
+        let options = unlimited().with_share(share);
         check_batches("soup", &options, &build(&mesh, &options));
     }
 
     #[test]
-    fn batches_keep_their_promises_on_surfaces_with_holes(
+    fn batches_satisfy_the_guarantees_on_surfaces_with_holes(
         seed: u64, holes in proptest::collection::vec(0usize..400, 0..40), has_patches: bool
     ) {
         let mut mesh = rough(shapes::torus(20, 10, 2.0, 0.8), 0.1, seed);
@@ -243,7 +248,7 @@ proptest! {
         if has_patches {
             mesh = with_patches(mesh, 7);
         }
-        check_batches("holes", &to_the_end(), &build(&mesh, &to_the_end()));
+        check_batches("holes", &unlimited(), &build(&mesh, &unlimited()));
     }
 }
 
@@ -256,21 +261,21 @@ fn surfaces_shrink_to_small_bases() {
         (with_patches(shapes::torus(60, 40, 2.0, 0.7), 600), 700),
     ];
     for (mesh, most) in cases {
-        let built = build(&mesh, &on_the_surface());
+        let built = build(&mesh, &surface_only());
         let sequence = &built.built.refinable.sequence;
         let left = sequence.base_position_count();
         assert!(left <= most, "{left} positions are left of {}", sequence.positions().position_count());
         assert_eq!(built.built.stop_reason, StopReason::BaseReached);
-        // A tenth of what is there in each batch, or so.
+        // Each batch removes about a tenth of the positions.
         assert!(built.batches.len() < 80, "{} batches", built.batches.len());
     }
 }
 
 #[test]
-fn general_batches_lead_assets_down() {
+fn general_batches_simplify_assets() {
     for seed in 0..8 {
         let mesh = asset(30, seed);
-        let [surface, general] = [on_the_surface(), BatchOptions::default().with_general_floor(40)]
+        let [surface, general] = [surface_only(), BatchOptions::default().with_general_floor(40)]
             .map(|options| build(&mesh, &options));
         let left = |built: &BuiltBatches| built.built.refinable.sequence.triangle_count_at(0);
         assert!(left(&general) <= 40 && left(&surface) > 100, "{} and {}", left(&general), left(&surface));
@@ -292,17 +297,16 @@ fn general_batches_lead_assets_down() {
 #[test]
 fn closed_scans_have_no_general_batches() {
     for mesh in [shapes::icosphere(4, 1.0), rough(shapes::torus(60, 40, 2.0, 0.7), 0.01, 3)] {
-        let [with, without] =
-            [BatchOptions::default(), on_the_surface()].map(|options| build(&mesh, &options));
+        let [with, without] = [BatchOptions::default(), surface_only()].map(|options| build(&mesh, &options));
         assert_eq!((with.built.refinable, with.batches), (without.built.refinable, without.batches));
     }
 }
 
 #[test]
-fn limits_are_kept() {
+fn limits_are_respected() {
     let mesh = rough(shapes::torus(40, 30, 2.0, 0.7), 0.01, 5);
     let sequence = || SequenceOptions::default();
-    let limited = |sequence| build(&mesh, &on_the_surface().with_sequence(sequence)).built;
+    let limited = |sequence| build(&mesh, &surface_only().with_sequence(sequence)).built;
     let base = limited(sequence().with_base_triangle_count(500));
     assert_eq!(base.stop_reason, StopReason::TargetReached);
     assert!((498..=500).contains(&base.refinable.sequence.triangle_count_at(0)));
@@ -316,7 +320,7 @@ fn limits_are_kept() {
     let terrain = shapes::terrain(17, 5);
     let options = BatchOptions::default().with_sequence(sequence().with_boundary(BoundaryRule::Locked));
     let built = build(&terrain, &options).built;
-    let boundary = |mesh: &IndexedMesh| Statistics::of(mesh).expect("sound").boundary_edge_count;
+    let boundary = |mesh: &IndexedMesh| Statistics::of(mesh).expect("valid").boundary_edge_count;
     assert_eq!(boundary(&replay(&built.refinable, 0)), boundary(&terrain), "a locked boundary stays");
     assert!(built.refinable.sequence.step_count() > 100);
     let sphere = shapes::two_material_sphere(21, 40);
@@ -329,7 +333,7 @@ fn limits_are_kept() {
 }
 
 #[test]
-fn options_out_of_range_are_refused() {
+fn options_out_of_range_are_rejected() {
     let mesh = shapes::icosphere(1, 1.0);
     let cases = [
         ("share", BatchOptions::default().with_share(0.0)),
@@ -348,15 +352,15 @@ fn options_out_of_range_are_refused() {
                 .with_sequence(SequenceOptions::default().with_locked_vertices(vec![9999])),
         ),
     ];
-    simplifier::refuses(&mesh, &cases);
+    simplifier::rejects(&mesh, &cases);
 }
 
 #[test]
 fn same_input_gives_same_batches() {
     let mesh = with_patches(rough(shapes::torus(40, 30, 2.0, 0.7), 0.05, 9), 50);
     let [one, other] = [(); 2].map(|()| {
-        let welded = weld(&mesh).expect("a sound mesh");
-        build_welded_batches(welded, &on_the_surface()).expect("a sound mesh")
+        let welded = weld(&mesh).expect("a valid mesh");
+        build_welded_batches(welded, &surface_only()).expect("a valid mesh")
     });
     assert_eq!(one.built.refinable, other.built.refinable);
     assert_eq!(one.batches, other.batches);

@@ -1,4 +1,4 @@
-//! The `.striata` container: what goes in comes out, and no damaged bytes get past it.
+//! The `.striata` container: files round-trip, and damaged bytes are detected.
 
 use striata_testing::support;
 
@@ -13,11 +13,11 @@ use striata::model::{FanFront, FanScene, Fans, LodModel, LodStrips, ModelKind, M
 use striata::strip::{StripSet, stripify};
 use support::{
     Random, Whim, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
-    with_seams_and_groups, with_sound_checksums,
+    with_seams_and_groups, with_valid_checksums,
 };
 
-/// A mesh with everything that a file can hold.
-fn rich() -> RefinableMesh {
+/// A mesh that uses every feature of the file format.
+fn full_featured_mesh() -> RefinableMesh {
     let mut random = Random::new(7);
     let wildness = Wildness { far_percent: 3, base_position_count: 5 };
     let mut refinable = random_refinable(&with_seams_and_groups(grid(7, false)), wildness, &mut random);
@@ -71,7 +71,7 @@ fn bytes_of(refinable: &RefinableMesh) -> Vec<u8> {
     to_striata(refinable, &models, &options).unwrap()
 }
 
-/// Equal but for the order of triangles within their groups.
+/// Compares meshes up to the order of triangles within their groups.
 fn assert_same_mesh(found: &IndexedMesh, expected: &IndexedMesh) {
     assert_eq!(found.positions, expected.positions);
     assert_eq!(found.layers, expected.layers);
@@ -83,7 +83,8 @@ fn assert_same_mesh(found: &IndexedMesh, expected: &IndexedMesh) {
     }
 }
 
-/// Reads all that a file offers; every error is fine, a panic is not, and what is read must be sound.
+/// Reads everything that a file offers. Errors are accepted, panics are not, and whatever can be read must
+/// be valid.
 fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
     let file = StriataFile::parse(bytes)?;
     file.metadata()?;
@@ -91,10 +92,10 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
     refinable.mesh.check()?;
     let models = (file.lod_strips(), file.mts());
     if let (Some(model), _) = models {
-        walk_through(&file, &model?)?;
+        check_levels(&file, &model?)?;
     }
     if let (_, Some(model)) = models {
-        walk_through(&file, &model?)?;
+        check_levels(&file, &model?)?;
     }
     file.level(file.summary().step_count / 2)?.check()?;
     if let Some(model) = file.fans() {
@@ -104,13 +105,14 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
             fans.move_to(&mut level, split_count);
             file.level_of(&fans, &level)?.check()?;
         }
-        look_around(&refinable, &fans);
+        check_random_states(&refinable, &fans);
     }
     Ok(())
 }
 
-/// A front over some views: no triangle has a corner that is not there, and the front knows how many there are.
-fn look_around(refinable: &RefinableMesh, fans: &Fans) {
+/// Moves a front through several views: no triangle may have an inactive corner, and the triangle count
+/// must be right.
+fn check_random_states(refinable: &RefinableMesh, fans: &Fans) {
     let scene = FanScene::new(fans, refinable);
     let mut front = FanFront::new(&scene);
     for round in 0..6 {
@@ -124,7 +126,7 @@ fn look_around(refinable: &RefinableMesh, fans: &Fans) {
             let step = positions.position_of(vertex).checked_sub(base);
             assert!(
                 step.is_none_or(|step| front.instance().is_refined(step)),
-                "vertex {vertex} is not there"
+                "vertex {vertex} is not active"
             );
         }
         let level = front.instance().level(fans, refinable);
@@ -132,7 +134,7 @@ fn look_around(refinable: &RefinableMesh, fans: &Fans) {
     }
 }
 
-fn walk_through<M: StripModel>(file: &StriataFile<'_>, model: &M) -> Result<(), DecodeError> {
+fn check_levels<M: StripModel>(file: &StriataFile<'_>, model: &M) -> Result<(), DecodeError> {
     let mut state = model.new_state();
     let full = model.new_state();
     for split_count in (0..=model.step_count()).rev().step_by(5).chain([0]) {
@@ -147,8 +149,8 @@ fn walk_through<M: StripModel>(file: &StriataFile<'_>, model: &M) -> Result<(), 
 }
 
 #[test]
-fn all_parts_come_back() {
-    let refinable = rich();
+fn all_parts_round_trip() {
+    let refinable = full_featured_mesh();
     let bytes = bytes_of(&refinable);
     let file = StriataFile::parse_with(&bytes, Verify::All).unwrap();
     let found = file.refinable_mesh().unwrap();
@@ -169,7 +171,7 @@ fn all_parts_come_back() {
 
 #[test]
 fn every_level_of_a_file_is_the_oracle() {
-    let refinable = rich();
+    let refinable = full_featured_mesh();
     let bytes = bytes_of(&refinable);
     let file = StriataFile::parse(&bytes).unwrap();
     for split_count in 0..=refinable.sequence.step_count() {
@@ -181,7 +183,7 @@ fn every_level_of_a_file_is_the_oracle() {
 }
 
 #[test]
-fn fans_of_every_kind_of_mesh_come_back() {
+fn fans_of_every_kind_of_mesh_round_trip() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases()) {
         let refinable = &case.refinable;
         let fans = Fans::build(refinable);
@@ -190,13 +192,13 @@ fn fans_of_every_kind_of_mesh_come_back() {
         let file = StriataFile::parse(&bytes).unwrap();
         let found = file.fans().unwrap().unwrap();
         assert_eq!(found, fans);
-        look_around(refinable, &found);
+        check_random_states(refinable, &found);
     }
 }
 
 #[test]
-fn fans_alone_hold_the_triangles() {
-    let refinable = rich();
+fn a_file_can_store_its_triangles_as_fans() {
+    let refinable = full_featured_mesh();
     let fans = Fans::build(&refinable);
     let bytes = to_striata(&refinable, &[FileModel::Fans(&fans)], &WriteOptions::default()).unwrap();
     let file = StriataFile::parse(&bytes).unwrap();
@@ -209,10 +211,10 @@ fn fans_alone_hold_the_triangles() {
     }
 }
 
-/// Old readers and old files: nothing else of a file depends on its fans.
+/// For compatibility with older readers and files, nothing else in a file may depend on its fans.
 #[test]
 fn a_file_is_the_same_without_its_fans() {
-    let refinable = rich();
+    let refinable = full_featured_mesh();
     let (model, fans) = (model_of(&refinable), Fans::build(&refinable));
     let old = [FileModel::LodStrips(&model)];
     let old = to_striata(&refinable, &old, &WriteOptions::default()).unwrap();
@@ -231,7 +233,7 @@ fn a_file_is_the_same_without_its_fans() {
 
 #[test]
 fn files_without_strips_keep_the_triangles_in_order() {
-    let refinable = rich();
+    let refinable = full_featured_mesh();
     let bytes = to_striata(&refinable, &[], &WriteOptions::default()).unwrap();
     let file = StriataFile::parse(&bytes).unwrap();
     assert_eq!(file.refinable_mesh().unwrap(), refinable);
@@ -241,7 +243,7 @@ fn files_without_strips_keep_the_triangles_in_order() {
 }
 
 #[test]
-fn nasty_meshes_come_back() {
+fn nasty_meshes_round_trip() {
     for (name, mesh) in nasty() {
         let wildness = Wildness { far_percent: 10, base_position_count: 1 };
         let refinable = random_refinable(&mesh, wildness, &mut Random::new(3));
@@ -254,7 +256,7 @@ fn nasty_meshes_come_back() {
 
 #[test]
 fn unaligned_bytes_are_read_too() {
-    let refinable = rich();
+    let refinable = full_featured_mesh();
     let mut bytes = vec![0];
     bytes.extend(bytes_of(&refinable));
     let file = StriataFile::parse(&bytes[1..]).unwrap();
@@ -263,8 +265,8 @@ fn unaligned_bytes_are_read_too() {
 }
 
 #[test]
-fn every_truncation_is_refused() {
-    let bytes = bytes_of(&rich());
+fn every_truncation_is_rejected() {
+    let bytes = bytes_of(&full_featured_mesh());
     for length in 0..bytes.len() {
         assert!(StriataFile::parse(&bytes[..length]).is_err(), "{length} bytes");
     }
@@ -273,8 +275,8 @@ fn every_truncation_is_refused() {
 }
 
 #[test]
-fn every_flipped_bit_of_header_and_table_is_refused() {
-    let bytes = bytes_of(&rich());
+fn every_flipped_bit_of_header_and_table_is_rejected() {
+    let bytes = bytes_of(&full_featured_mesh());
     let file = StriataFile::parse(&bytes).unwrap();
     let head_bytes = 64 + 32 * file.sections().len();
     for bit in 0..8 * head_bytes {
@@ -285,7 +287,7 @@ fn every_flipped_bit_of_header_and_table_is_refused() {
 }
 
 #[test]
-fn every_flipped_bit_of_a_section_is_found() {
+fn every_flipped_bit_of_a_section_is_detected() {
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let refinable = random_refinable(&grid(3, false), wildness, &mut Random::new(5));
     let bytes = bytes_of(&refinable);
@@ -301,20 +303,20 @@ fn every_flipped_bit_of_a_section_is_found() {
     }
 }
 
-/// Rewrites the kind and flags of one section of a sound file.
+/// Rewrites the kind and flags of one section of a valid file.
 fn with_kind(bytes: &[u8], from: SectionKind, to: SectionKind, flags: u32) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     let entry = StriataFile::parse(&bytes).unwrap().sections().iter().position(|s| s.kind == from).unwrap();
     let at = 64 + 32 * entry;
     bytes[at..at + 4].copy_from_slice(&to.0);
     bytes[at + 4..at + 8].copy_from_slice(&flags.to_le_bytes());
-    with_sound_checksums(&mut bytes);
+    with_valid_checksums(&mut bytes);
     bytes
 }
 
 #[test]
 fn unknown_sections_are_skipped_unless_required() {
-    let refinable = rich();
+    let refinable = full_featured_mesh();
     let bytes = bytes_of(&refinable);
     let new = SectionKind(*b"FUT1");
     let file_bytes = with_kind(&bytes, SectionKind::METADATA, new, 0);
@@ -330,7 +332,7 @@ fn unknown_sections_are_skipped_unless_required() {
 
 #[test]
 fn models_of_other_meshes_are_not_written() {
-    let refinable = rich();
+    let refinable = full_featured_mesh();
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let other = model_of(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
     let error = to_striata(&refinable, &[FileModel::LodStrips(&other)], &WriteOptions::default());
@@ -359,7 +361,7 @@ fn models_of_other_meshes_are_not_written() {
 
 #[test]
 fn strips_are_stored_once_for_all_models() {
-    let refinable = rich();
+    let refinable = full_featured_mesh();
     let (model, mts) = (model_of(&refinable), mts_of(&refinable));
     let of = |models: &[FileModel<'_>]| to_striata(&refinable, models, &WriteOptions::default()).unwrap();
     let alone = of(&[FileModel::Mts(&mts)]);
@@ -379,28 +381,30 @@ fn strips_are_stored_once_for_all_models() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 1500, failure_persistence: None, ..ProptestConfig::default()
+    })]
 
     #[test]
-    fn damage_with_sound_checksums_is_an_error_or_a_sound_mesh(
-        places in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4),
+    fn damage_with_valid_checksums_is_an_error_or_a_valid_mesh(
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4),
         seed in 0u64..6,
     ) {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(4, false) };
         let wildness = Wildness { far_percent: 10, base_position_count: 4 };
         let mut bytes = bytes_of(&random_refinable(&mesh, wildness, &mut Random::new(seed)));
-        for (place, byte) in places {
-            // Magic, version, length and count stay: with them damaged nothing else is looked at.
-            let at = 28 + place.index(bytes.len() - 28);
+        for (index, byte) in changes {
+            // Magic, version, length and count are kept, because damage to these ends the reading early.
+            let at = 28 + index.index(bytes.len() - 28);
             bytes[at] ^= byte;
         }
-        with_sound_checksums(&mut bytes);
+        with_valid_checksums(&mut bytes);
         let _ = read_everything(&bytes);
     }
 
     #[test]
     fn damaged_fans_are_an_error_or_fans_without_cracks(
-        places in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..3),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..3),
         seed in 0u64..6,
     ) {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(5, false) };
@@ -413,17 +417,17 @@ proptest! {
         let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
         let spans = sections.iter().filter(|s| is_of_fans(s.kind)).map(|s| s.offset..s.offset + s.bytes);
         let candidates: Vec<u64> = spans.flatten().collect();
-        for (place, byte) in places {
-            bytes[candidates[place.index(candidates.len())] as usize] ^= byte;
+        for (index, byte) in changes {
+            bytes[candidates[index.index(candidates.len())] as usize] ^= byte;
         }
-        with_sound_checksums(&mut bytes);
+        with_valid_checksums(&mut bytes);
         if let Some(Ok(fans)) = StriataFile::parse(&bytes).unwrap().fans() {
-            look_around(&refinable, &fans);
+            check_random_states(&refinable, &fans);
         }
     }
 
     #[test]
-    fn any_bytes_behind_the_magic_are_refused_or_read(tail in prop::collection::vec(any::<u8>(), 0..400)) {
+    fn any_bytes_after_the_magic_are_rejected_or_read(tail in prop::collection::vec(any::<u8>(), 0..400)) {
         let mut bytes = b"STRIATA\0\x01\0\0\0".to_vec();
         bytes.extend(tail);
         let _ = read_everything(&bytes);
@@ -432,7 +436,7 @@ proptest! {
             bytes[16..24].copy_from_slice(&length.to_le_bytes());
             let count = ((length - 64) / 32) as u32;
             bytes[12..16].copy_from_slice(&count.to_le_bytes());
-            with_sound_checksums(&mut bytes);
+            with_valid_checksums(&mut bytes);
             let _ = read_everything(&bytes);
         }
     }

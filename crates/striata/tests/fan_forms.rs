@@ -1,5 +1,5 @@
-//! What fans are written as: triangles, fans and strips of any instance are the same triangles, group by group, and on
-//! any number of threads.
+//! Output forms of fans: for any instance, triangles, fans and strips describe the same triangles, group
+//! by group, for any number of threads.
 
 use striata_testing::support;
 
@@ -14,7 +14,7 @@ use support::{
 
 const FORMS: [FanForm; 3] = [FanForm::Triangles, FanForm::Fans, FanForm::Strips];
 
-/// The triangles that a GPU makes of indices.
+/// The triangles that a GPU draws for these indices.
 fn drawn(form: FanForm, indices: &[u32]) -> Vec<[u32; 3]> {
     let mut out = Vec::new();
     match form {
@@ -25,7 +25,7 @@ fn drawn(form: FanForm, indices: &[u32]) -> Vec<[u32; 3]> {
     canonical_triangles(&out)
 }
 
-/// No fan or strip is empty, and every triangle with area is meant to be there: others only turn strips.
+/// Checks that every fan or strip has a triangle; returns the number of fans or strips.
 fn check_runs(form: FanForm, indices: &[u32]) -> usize {
     if form == FanForm::Triangles || indices.is_empty() {
         return 0;
@@ -35,7 +35,7 @@ fn check_runs(form: FanForm, indices: &[u32]) -> usize {
     runs.count()
 }
 
-/// What a form holds, the groups by themselves and all at once.
+/// Checks the output in a form, each group separately and all groups together.
 fn check_emitted(form: FanForm, out: &FanIndices, groups: &[Vec<[u32; 3]>]) {
     assert_eq!(out.group_ranges.len(), groups.len());
     let mut end = 0;
@@ -85,7 +85,7 @@ fn check_instance(fans: &Fans, instance: &FanInstance, out: &mut FanIndices) {
     }
 }
 
-/// A uniform level is written as the instance is that has the same steps.
+/// A uniform level must produce the same output as the instance with the same steps.
 fn check_level(fans: &Fans, split_count: usize) {
     let mut level = fans.new_state();
     fans.move_to(&mut level, split_count);
@@ -146,9 +146,9 @@ fn every_form_of_a_hub_is_the_same_triangles() {
     hub_cases().for_each(|case| check(&case));
 }
 
-/// Large enough to be written in several pieces, of the base and of the steps.
+/// Large enough for several sections, both of the base and of the steps.
 #[test]
-fn pieces_join_to_what_one_walk_writes() {
+fn parallel_sections_join_to_the_sequential_output() {
     for base_position_count in [3, 6000] {
         for has_groups in [false, true] {
             let mesh = grid(if has_groups { 80 } else { 120 }, true);
@@ -167,7 +167,7 @@ fn pieces_join_to_what_one_walk_writes() {
     }
 }
 
-/// A vertex in the middle of a grid, removed last, has one closed ring, which is one fan wherever it begins.
+/// The center of a grid, removed last, has one closed ring, which is a single fan wherever it begins.
 #[test]
 fn a_whole_ring_is_one_fan() {
     let refinable = random_refinable(
@@ -179,11 +179,12 @@ fn a_whole_ring_is_one_fan() {
     let mut out = Vec::new();
     FanInstance::full(&fans).fans_into(&fans, &mut out);
     let rings = out.split(|&index| index == RESTART).filter(|fan| fan[1] == fan[fan.len() - 1]);
-    // Vertices that are removed before any neighbor have their full star: all steps make a triangle of none.
+    // Vertices removed before any neighbor have their full star, none of whose triangles is created by a
+    // step.
     assert!(rings.count() > 12);
     let pivots: Vec<u32> = out.split(|&index| index == RESTART).map(|fan| fan[0]).collect();
     let open_ends = out.split(|&index| index == RESTART).map(|fan| (fan[0], fan[1], fan[fan.len() - 1]));
-    // Nowhere does a fan begin where another of the same pivot ends: they would have been one.
+    // No fan may begin where another one of the same pivot ends, because the two should have been one.
     for (pivot, _, last) in open_ends.clone().filter(|&(_, first, last)| first != last) {
         assert!(!open_ends.clone().any(|other| other.0 == pivot && other.1 == last), "two fans of {pivot}");
     }
@@ -207,7 +208,7 @@ fn empty_groups_at_either_end_have_empty_ranges() {
 }
 
 #[test]
-#[should_panic(expected = "the instance is of another table")]
+#[should_panic(expected = "the instance belongs to a different table")]
 fn an_instance_of_another_table_is_not_written() {
     let wildness = Wildness { far_percent: 0, base_position_count: 3 };
     let [small, large] =

@@ -1,4 +1,4 @@
-//! A front that follows a view shows what the same criterion refines from the base, whatever way it came.
+//! A front that follows a view shows the same as refining from the base, regardless of the path.
 
 use striata_testing::support;
 
@@ -33,7 +33,7 @@ impl Walk {
         self.to = self.around(1.0);
     }
 
-    /// Mostly a small step, now and then a jump.
+    /// Takes a small step, or occasionally a jump.
     fn step(&mut self, pixels: f32) -> ScreenError {
         if self.random.below(12) == 0 {
             self.jump();
@@ -49,7 +49,7 @@ impl Walk {
     }
 }
 
-/// The criteria that a walk is seen with.
+/// Variants of a criterion that a walk is tested with.
 fn variant(criterion: ScreenError, kind: usize, sphere: Sphere) -> ScreenError {
     match kind {
         0 => criterion,
@@ -65,7 +65,7 @@ fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
     let mut walk = Walk::new(scene.sphere(), seed);
     let mut front = FanFront::new(&scene);
     let mut fresh = FanInstance::full(&fans);
-    let (mut asked, mut listed) = (0, 0);
+    let (mut evaluated, mut listed) = (0, 0);
     for _ in 0..40 {
         let criterion = variant(walk.step(2.0), kind, scene.sphere());
         let update = front.update(&scene, &criterion, usize::MAX);
@@ -75,10 +75,10 @@ fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
         let mut indices = Vec::new();
         fresh.indices_into(&fans, &mut indices);
         assert_eq!(front.triangle_count(), indices.len() / 3);
-        asked += update.asked_count;
+        evaluated += update.asked_count;
         listed += fresh.split_count();
     }
-    [asked, listed]
+    [evaluated, listed]
 }
 
 #[test]
@@ -89,27 +89,27 @@ fn a_front_shows_what_is_refined_from_the_base() {
 }
 
 #[test]
-fn most_of_what_is_there_is_not_asked_again() {
+fn most_active_steps_are_not_evaluated_again() {
     let mesh = striata::mesh::shapes::uv_sphere(60, 60, 1.0);
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let refinable = built.unwrap().refinable;
     let fans = Fans::build(&refinable);
     let scene = FanScene::new(&fans, &refinable);
     let mut front = FanFront::new(&scene);
-    let (mut asked, mut active) = (0, 0);
+    let (mut evaluated, mut active) = (0, 0);
     for frame in 0..200 {
         let eye = [3.0 - frame as f32 * 0.004, 0.5, 1.0];
         let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
         let update =
             front.update(&scene, &ScreenError::new(camera, 1.0).of_model(scene.sphere()), usize::MAX);
-        asked += if frame > 0 { update.asked_count } else { 0 };
+        evaluated += if frame > 0 { update.asked_count } else { 0 };
         active += front.instance().split_count();
     }
-    assert!(active > 40_000 && asked < active / 4, "{asked} asked where {active} were there");
+    assert!(active > 40_000 && evaluated < active / 4, "{evaluated} of {active} active steps evaluated");
 }
 
 #[test]
-fn no_more_changes_than_allowed_and_the_view_is_reached_in_the_end() {
+fn change_limits_hold_and_the_view_is_reached_eventually() {
     for case in surface_cases().chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
         let scene = FanScene::new(&fans, &case.refinable);
@@ -134,7 +134,7 @@ fn no_more_changes_than_allowed_and_the_view_is_reached_in_the_end() {
     }
 }
 
-/// What was begun for a view that is gone goes away with it.
+/// Splits begun for a view that has changed are reverted.
 #[test]
 fn views_that_were_never_reached_leave_nothing_behind() {
     for case in surface_cases().chain(seam_cases()) {
@@ -156,7 +156,7 @@ fn views_that_were_never_reached_leave_nothing_behind() {
 }
 
 #[test]
-fn a_criterion_without_sense_leads_to_levels_without_cracks() {
+fn an_arbitrary_criterion_yields_levels_without_cracks() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
         let scene = FanScene::new(&fans, &case.refinable);
@@ -174,8 +174,8 @@ fn a_criterion_without_sense_leads_to_levels_without_cracks() {
     }
 }
 
-/// What weighs more than a threshold, and what that needs.
-fn of_threshold(scene: &FanScene<'_>, criterion: &ScreenError, threshold: f32) -> FanInstance {
+/// Returns the instance with everything that weighs more than a threshold, and what that needs.
+fn refined_above(scene: &FanScene<'_>, criterion: &ScreenError, threshold: f32) -> FanInstance {
     let mut instance = FanInstance::full(scene.fans());
     instance.refine(scene, &|part: &Part| criterion.weigh(part).weight / threshold);
     instance
@@ -188,7 +188,7 @@ fn triangle_count(fans: &Fans, instance: &FanInstance) -> usize {
 }
 
 #[test]
-fn a_budget_is_used_for_what_weighs_most() {
+fn a_budget_is_spent_on_the_largest_weights() {
     let mut bound = 0;
     for case in surface_cases().chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
@@ -201,9 +201,9 @@ fn a_budget_is_used_for_what_weighs_most() {
             let limit = full * [10, 25, 60][round % 3] / 100;
             let update = front.update_to_budget(&scene, &criterion, limit);
             assert_eq!(front.triangle_count(), triangle_count(&fans, front.instance()));
-            // What weighs the same may be there in part.
+            // Steps of equal weight may be partially refined.
             let [least, more] =
-                [1.0, 1.0 - 1e-6].map(|x| of_threshold(&scene, &criterion, update.threshold * x));
+                [1.0, 1.0 - 1e-6].map(|x| refined_above(&scene, &criterion, update.threshold * x));
             for step in 0..fans.step_count() as u32 {
                 assert!(
                     !least.is_refined(step) || front.instance().is_refined(step),
@@ -216,7 +216,7 @@ fn a_budget_is_used_for_what_weighs_most() {
             }
             assert!(front.triangle_count() <= limit.max(fans.base_triangle_count()));
             if update.threshold > 1.0 {
-                // A little less would not fit.
+                // A slightly smaller threshold would exceed the budget.
                 bound += 1;
                 assert!(triangle_count(&fans, &more) > limit, "{} of {limit}", front.triangle_count());
             }
@@ -226,7 +226,7 @@ fn a_budget_is_used_for_what_weighs_most() {
 }
 
 #[test]
-fn a_budget_and_a_tolerance_may_take_turns() {
+fn budget_and_tolerance_updates_can_alternate() {
     for case in surface_cases() {
         let fans = Fans::build(&case.refinable);
         let scene = FanScene::new(&fans, &case.refinable);
@@ -238,21 +238,21 @@ fn a_budget_and_a_tolerance_may_take_turns() {
                 front.update_to_budget(&scene, &criterion, 40);
             } else {
                 front.update(&scene, &criterion, usize::MAX);
-                assert_eq!(front.instance(), &of_threshold(&scene, &criterion, 1.0));
+                assert_eq!(front.instance(), &refined_above(&scene, &criterion, 1.0));
             }
         }
     }
 }
 
-fn sphere_stage() -> RefinableMesh {
+fn sphere_scene() -> RefinableMesh {
     let mesh = striata::mesh::shapes::uv_sphere(40, 40, 1.0);
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     built.unwrap().refinable
 }
 
 #[test]
-fn what_waits_for_its_turn_waits_once() {
-    let refinable = sphere_stage();
+fn a_pending_split_is_listed_once() {
+    let refinable = sphere_scene();
     let fans = Fans::build(&refinable);
     let scene = FanScene::new(&fans, &refinable);
     let mut front = FanFront::new(&scene);
@@ -268,10 +268,11 @@ fn what_waits_for_its_turn_waits_once() {
     assert_eq!(front.instance(), &FanInstance::full(&fans));
 }
 
-/// Sums of motion are coarse after a journey; what is asked after it is as exact as before.
+/// The accumulated motion is imprecise after a long journey; verdicts given after it must remain as exact
+/// as before.
 #[test]
-fn a_far_journey_makes_no_verdict_last_longer() {
-    let refinable = sphere_stage();
+fn a_long_journey_does_not_extend_verdicts() {
+    let refinable = sphere_scene();
     let fans = Fans::build(&refinable);
     let scene = FanScene::new(&fans, &refinable);
     let mut front = FanFront::new(&scene);
@@ -302,7 +303,7 @@ fn changes_at_once(refinable: &RefinableMesh, pixels: f32, scale: f32) -> usize 
 
 #[test]
 fn any_number_of_pixels_is_a_limit() {
-    let refinable = sphere_stage();
+    let refinable = sphere_scene();
     let none = changes_at_once(&refinable, 0.0, 1.0);
     assert!(none > 100);
     for pixels in [f32::NAN, -1.0, f32::NEG_INFINITY, 1e-40] {
@@ -322,12 +323,12 @@ fn a_view_of_a_model_is_the_same_at_any_scale() {
     };
     let changes = changes_at(1.0);
     for scale in [1e-18, 1e-7, 1e7, 1e18] {
-        // The order of the steps is not quite the same.
+        // The order of the steps differs slightly.
         assert!(changes_at(scale).abs_diff(changes) < changes / 20, "{} at {scale}", changes_at(scale));
     }
 }
 
-/// Weighs all the same, and says of its verdicts that they last for no number.
+/// Gives every part the same weight, with verdicts whose validity span is NaN.
 #[derive(Clone)]
 struct Numberless(f32);
 
@@ -342,7 +343,7 @@ impl Criterion for Numberless {
 }
 
 #[test]
-fn a_verdict_that_lasts_for_no_number_is_asked_again() {
+fn a_verdict_with_nan_validity_is_evaluated_again() {
     let case = surface_cases().next().unwrap();
     let fans = Fans::build(&case.refinable);
     let scene = FanScene::new(&fans, &case.refinable);

@@ -1,4 +1,4 @@
-//! Triangles that are kept from frame to frame are those that the instance shows, group by group.
+//! An incrementally updated triangle list matches the triangles of its instance, group by group.
 
 use striata_testing::support;
 
@@ -23,7 +23,7 @@ fn follow(case: &Case) {
     let mut live = FanTriangles::new(&fans, &instance);
     check(&fans, &live, &instance);
     for round in 0..if fans.step_count() == 0 { 0 } else { 60 } {
-        // Some rounds change one step and what it needs, some many.
+        // Some rounds change a single step and what it needs, others change many.
         for _ in 0..[1, 1, 5, 40][round % 4] {
             let step = random.below(fans.step_count()) as u32;
             if random.below(100) < [30, 70][round / 8 % 2] {
@@ -53,7 +53,7 @@ fn triangles_follow_an_instance() {
 }
 
 #[test]
-fn memory_is_used_again() {
+fn memory_is_reused() {
     let case = surface_cases().last().unwrap();
     let fans = Fans::build(&case.refinable);
     let [base, full] = [0, fans.step_count()].map(|count| FanInstance::uniform(&fans, count));
@@ -68,7 +68,9 @@ fn memory_is_used_again() {
 }
 
 proptest::proptest! {
-    #![proptest_config(proptest::prelude::ProptestConfig { cases: 64, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(proptest::prelude::ProptestConfig {
+        cases: 64, failure_persistence: None, ..Default::default()
+    })]
 
     #[test]
     fn random_meshes_are_followed(case in soups()) {

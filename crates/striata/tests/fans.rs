@@ -1,4 +1,5 @@
-//! Progressive fans against the oracle: uniform levels, and any set of steps that collapses and splits in any order lead to.
+//! Progressive fans against the oracle: uniform levels, and any set of steps reached by collapses and
+//! splits.
 
 use striata_testing::support;
 
@@ -19,14 +20,15 @@ fn check_instance(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance
         assert_eq!(
             canonical_triangles(found.as_chunks().0),
             canonical_triangles(&expected),
-            "group {g} with {} of {} steps taken",
+            "group {g} with {} of {} steps collapsed",
             instance.collapse_count(),
             fans.step_count()
         );
     }
 }
 
-/// The mesh of an instance has its triangles at the same places, group by group, and no vertex that none of them names.
+/// The mesh of an instance must have the same triangles at the same positions, group by group, and no
+/// unused vertex.
 fn check_level(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance) {
     let level = instance.level(fans, refinable);
     level.check().unwrap();
@@ -43,8 +45,9 @@ fn check_level(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance) {
     assert_eq!(level.layers.len(), refinable.mesh.layers.len());
 }
 
-/// Random collapses and splits, by drifts towards coarse and towards fine; every set on the way shows its oracle.
-fn wander(refinable: &RefinableMesh, fans: &Fans, change_count: usize, random: &mut Random) {
+/// Applies random collapses and splits, drifting towards coarse and fine in turn; every set is checked
+/// against the oracle.
+fn random_walk(refinable: &RefinableMesh, fans: &Fans, change_count: usize, random: &mut Random) {
     let step_count = fans.step_count();
     let mut instance = FanInstance::full(fans);
     check_instance(refinable, fans, &instance);
@@ -72,7 +75,7 @@ fn check(case: &Case) {
     for split_count in (0..=fans.step_count()).step_by(stride) {
         check_instance(refinable, &fans, &FanInstance::uniform(&fans, split_count));
     }
-    wander(refinable, &fans, 48, &mut Random::new(case.seed));
+    random_walk(refinable, &fans, 48, &mut Random::new(case.seed));
 }
 
 #[test]
@@ -96,7 +99,7 @@ fn a_vertex_with_many_triangles_has_several_fans() {
 }
 
 #[test]
-fn refining_undoes_what_is_wanted_and_no_more_than_that_needs() {
+fn refining_splits_wanted_steps_and_only_what_they_need() {
     for case in nasty_cases().chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
         let mut random = Random::new(case.seed);
@@ -109,11 +112,12 @@ fn refining_undoes_what_is_wanted_and_no_more_than_that_needs() {
             if !instance.is_refined(step) {
                 continue;
             }
-            // Taken again, an undone step takes along one that was wanted: none was undone for nothing.
+            // Collapsing any refined step again must also collapse a wanted one, so none has been refined
+            // needlessly.
             let mut less = instance.clone();
             less.collapse(&fans, step);
             let lost = (0..fans.step_count()).any(|s| wanted[s] && !less.is_refined(s as u32));
-            assert!(lost, "step {step} was undone for nothing");
+            assert!(lost, "step {step} was split needlessly");
         }
     }
 }

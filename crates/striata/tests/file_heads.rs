@@ -1,4 +1,5 @@
-//! Heads of `.striata` files: read from the first bytes, refused if they are damaged; and streams whose decoder is not there.
+//! File headers of `.striata`: read from the first bytes, rejected if damaged. Also streams without a
+//! decoder.
 
 use striata::file::{
     DecodeError, EncodeError, FileHead, FileModel, StoredStream, StriataFile, WriteOptions, to_striata,
@@ -13,7 +14,7 @@ fn make() -> RefinableMesh {
     build_sequence(&mesh, &SequenceOptions::default()).unwrap().refinable
 }
 
-/// A stream that says it is of a mesh; nobody looks at its bytes here.
+/// A stream that claims to belong to a mesh; its bytes are not read in these tests.
 fn stream_of<'s>(refinable: &RefinableMesh, bytes: &'s [u8]) -> StoredStream<'s> {
     StoredStream {
         bytes,
@@ -38,7 +39,7 @@ fn stream_alone(refinable: &RefinableMesh, stream: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn a_head_is_that_of_the_whole_file() {
+fn the_head_matches_the_whole_file() {
     let (refinable, stream) = (make(), [7; 5000]);
     for (bytes, has_stream) in [
         (with_strips(&refinable, None), false),
@@ -65,7 +66,7 @@ fn a_head_is_that_of_the_whole_file() {
 }
 
 #[test]
-fn the_stream_lies_where_the_head_says() {
+fn the_head_locates_the_stream() {
     let stream = [7; 5000];
     let bytes = with_strips(&make(), Some(&stream));
     let section = FileHead::read(&bytes[..2048]).unwrap().unwrap().stream().unwrap();
@@ -73,14 +74,14 @@ fn the_stream_lies_where_the_head_says() {
 }
 
 #[test]
-fn a_damaged_head_is_refused() {
+fn a_damaged_head_is_rejected() {
     let bytes = with_strips(&make(), None);
     let first = StriataFile::parse(&bytes).unwrap().sections()[0].offset as usize;
     let table = StriataFile::parse(&bytes).unwrap().sections().len() * 32 + 64;
     for place in (0..table).chain(first..first + 40) {
         let mut damaged = bytes.clone();
         damaged[place] ^= 4;
-        assert!(FileHead::read(&damaged).is_err(), "damage at byte {place} was not seen");
+        assert!(FileHead::read(&damaged).is_err(), "damage at byte {place} was not detected");
     }
 }
 
@@ -101,7 +102,7 @@ fn a_stream_alone_needs_a_decoder() {
         DecodeError::NoStreamCodec.to_string(),
         "the mesh is in a progressive stream, which needs the striata-stream crate"
     );
-    // Beside models nobody needs the stream.
+    // With other models in the file, the stream is not needed.
     let bytes = with_strips(&refinable, Some(&[7; 5000]));
     let file = StriataFile::parse(&bytes).unwrap();
     assert_eq!(file.mesh().unwrap().triangle_count(), refinable.mesh.triangle_count());

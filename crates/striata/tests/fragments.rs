@@ -1,4 +1,4 @@
-//! Fragments made of collapses show what the collapses show, at every level.
+//! Fragments made from collapses show the same triangles as the collapses, at every level.
 
 use striata_testing::support;
 
@@ -44,7 +44,7 @@ proptest! {
 }
 
 #[test]
-fn faces_know_who_makes_and_who_replaces_them() {
+fn faces_know_their_creator_and_replacement() {
     for case in surface_cases().take(3) {
         let fragments = FragmentedMesh::from_collapses(&case.refinable).fragments;
         let replaced_by = fragments.replaced_by();
@@ -64,7 +64,7 @@ fn face(corners: [u32; 3]) -> Face {
 }
 
 #[test]
-fn what_does_not_fit_is_refused() {
+fn inconsistent_fragments_are_rejected() {
     let split = |error| Fragment {
         ceiling: vec![face([0, 1, 3]), face([1, 2, 3]), face([2, 0, 3])],
         floor: vec![face([1, 2, 0])],
@@ -77,7 +77,7 @@ fn what_does_not_fit_is_refused() {
     assert_eq!((good.levels().triangle_count_at(0), good.levels().triangle_count_at(1)), (1, 3));
     assert_eq!(good.levels().error_at(0), 0.5);
     let missing = FragmentError::Floor { step: 0, corners: [1, 2, 0] };
-    assert_eq!(build(vec![face([0, 2, 1])], split(0.5)), Err(missing), "turned the other way");
+    assert_eq!(build(vec![face([0, 2, 1])], split(0.5)), Err(missing), "opposite orientation");
     let early = FragmentError::Ceiling { step: None, corners: [0, 1, 3] };
     assert_eq!(build(vec![face([0, 1, 3])], split(0.5)), Err(early));
     assert!(matches!(build(vec![face([0, 1, 2])], split(f32::NAN)), Err(FragmentError::Sequence(_))));
@@ -97,9 +97,9 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(build(vec![face([0, 1, 2]), face([1, 1, 2])], split(0.0)), Err(flat));
 }
 
-/// Where a level has fewer triangles than a coarser one.
+/// A level with fewer triangles than a coarser one.
 #[test]
-fn levels_are_found_by_triangles_wherever_they_rise_and_fall() {
+fn levels_are_found_even_if_triangle_counts_are_not_monotonic() {
     let faces = |corners: &[[u32; 3]]| corners.iter().copied().map(face).collect::<Vec<_>>();
     let base = faces(&[[0, 1, 2], [0, 2, 1]]);
     let steps = [
@@ -116,7 +116,7 @@ fn levels_are_found_by_triangles_wherever_they_rise_and_fall() {
 }
 
 #[test]
-fn collapses_of_triangles_with_a_corner_twice_leave_these_out() {
+fn degenerate_triangles_are_left_out() {
     let case = surface_cases().next().unwrap();
     let mut refinable = case.refinable.clone();
     refinable.mesh.triangles.extend([[0, 0, 1], [7, 8, 7]]);
@@ -127,7 +127,7 @@ fn collapses_of_triangles_with_a_corner_twice_leave_these_out() {
 }
 
 #[test]
-fn sets_of_steps_are_closed_under_what_they_need() {
+fn sets_of_steps_are_closed_under_dependencies() {
     let mut random = Random::new(3);
     for (seed, mesh) in fragment_cases() {
         let fragments = &mesh.fragments;
@@ -137,7 +137,7 @@ fn sets_of_steps_are_closed_under_what_they_need() {
         assert_eq!(canonical_triangles(&full), canonical_triangles(&mesh.mesh.triangles));
         for percent in [1, 10, 60] {
             let set = random_closed_set(fragments, percent, &mut random);
-            // Fails where a face of a floor is missing.
+            // Fails if a face of a floor is missing.
             assert!(!fragment_faces(fragments, |step| set[step as usize]).is_empty());
         }
     }

@@ -1,5 +1,5 @@
-//! Geomorphs: exactly one level at either end, nothing that jumps between, wedges and all; and instances that follow what is
-//! wanted frame by frame.
+//! Geomorphs: both ends match their level exactly, including wedges, nothing jumps in between, and
+//! animated instances follow a changing target without jumps.
 
 use striata_testing::meshes;
 
@@ -7,21 +7,21 @@ use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{AttributeLayer, RefinableMesh, Semantic, canonical_triangles, replay};
-use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, MorphPlace};
+use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, VertexBlend};
 use striata::simplify::build_sequence;
 use support::{
     Case, Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
     with_seams_and_groups,
 };
 
-type Place = [f32; 3];
+type Position = [f32; 3];
 
-/// Triangles by what is at their corners, beginning with the least; those without area are none.
+/// Triangles by the values at their corners, smallest corner first; degenerate ones are dropped.
 fn seen<const N: usize>(triangles: impl IntoIterator<Item = [[f32; N]; 3]>) -> Vec<[[u32; N]; 3]> {
     let mut out: Vec<_> = triangles
         .into_iter()
         .filter(|[a, b, c]| a[..3] != b[..3] && b[..3] != c[..3] && c[..3] != a[..3])
-        // Zero is zero, whatever its sign.
+        // Normalizes -0 to 0.
         .map(|corners| corners.map(|numbers| numbers.map(|x| (x + 0.0).to_bits())))
         .map(|mut corners| {
             let least = (0..3).min_by_key(|&i| corners[i]).unwrap();
@@ -33,13 +33,14 @@ fn seen<const N: usize>(triangles: impl IntoIterator<Item = [[f32; N]; 3]>) -> V
     out
 }
 
-/// The oracle: the triangles of the full mesh, each corner led to the first vertex that is there.
-fn oracle(refinable: &RefinableMesh, is_taken: impl Fn(u32) -> bool) -> Vec<[u32; 3]> {
+/// The oracle: the triangles of the full mesh, with each corner mapped to the first active vertex in its
+/// chain of targets.
+fn oracle(refinable: &RefinableMesh, is_collapsed: impl Fn(u32) -> bool) -> Vec<[u32; 3]> {
     let sequence = &refinable.sequence;
     let base = sequence.base_position_count();
     let shown = |mut v: u32| {
         while let Some(step) = (sequence.positions().position_of(v) as usize).checked_sub(base) {
-            if !is_taken(step as u32) {
+            if !is_collapsed(step as u32) {
                 break;
             }
             v = sequence.target(v);
@@ -55,15 +56,18 @@ fn drawn(fans: &Fans, instance: &FanInstance) -> Vec<[u32; 3]> {
     indices.as_chunks().0.to_vec()
 }
 
-fn at_places<'a>(triangles: &'a [[u32; 3]], places: &'a [Place]) -> impl Iterator<Item = [Place; 3]> + 'a {
-    triangles.iter().map(|t| t.map(|v| places[v as usize]))
+fn at_positions<'a>(
+    triangles: &'a [[u32; 3]],
+    positions: &'a [Position],
+) -> impl Iterator<Item = [Position; 3]> + 'a {
+    triangles.iter().map(|t| t.map(|v| positions[v as usize]))
 }
 
-fn distance(a: Place, b: Place) -> f64 {
+fn distance(a: Position, b: Position) -> f64 {
     (0..3).map(|i| (f64::from(a[i]) - f64::from(b[i])).powi(2)).sum::<f64>().sqrt()
 }
 
-/// An instance that random splits and collapses lead to.
+/// Returns an instance reached by random splits and collapses.
 fn random_instance(fans: &Fans, random: &mut Random) -> FanInstance {
     let step_count = fans.step_count();
     let mut instance = FanInstance::uniform(fans, random.below(step_count + 1));
@@ -77,7 +81,8 @@ fn random_instance(fans: &Fans, random: &mut Random) -> FanInstance {
     instance
 }
 
-/// Blend 0 and 1 are the oracle's levels; in between, the table says the same as the places, and places move evenly.
+/// Blends 0 and 1 match the oracle. In between, the vertex blends match the positions, and positions move
+/// evenly.
 fn check_blend<S>(
     refinable: &RefinableMesh,
     morph: &Geomorph<S>,
@@ -85,10 +90,10 @@ fn check_blend<S>(
     ends: [&[[u32; 3]]; 2],
 ) {
     let own = &refinable.mesh.positions;
-    let mut places = own.clone();
+    let mut positions = own.clone();
     for (blend, end) in [(0.0, ends[0]), (1.0, ends[1])] {
-        morph.blend_into(blend, own, &mut places);
-        assert_eq!(seen(at_places(drawn, &places)), seen(at_places(end, own)), "at blend {blend}");
+        morph.blend_into(blend, own, &mut positions);
+        assert_eq!(seen(at_positions(drawn, &positions)), seen(at_positions(end, own)), "at blend {blend}");
     }
     let mut table = Vec::new();
     let mut before = own.clone();
@@ -100,19 +105,19 @@ fn check_blend<S>(
     };
     for quarter in 1..=4 {
         let blend = quarter as f32 / 4.0;
-        morph.blend_into(blend, own, &mut places);
-        morph.places_into(blend, own.len(), &mut table);
-        for (v, &MorphPlace { target, factor }) in table.iter().enumerate() {
+        morph.blend_into(blend, own, &mut positions);
+        morph.vertex_blends_into(blend, own.len(), &mut table);
+        for (v, &VertexBlend { target, factor }) in table.iter().enumerate() {
             let [from, to] = [own[target as usize], own[v]];
             let mixed = [0, 1, 2].map(|i| from[i] * (1.0 - factor) + to[i] * factor);
-            assert!(distance(mixed, places[v]) <= 1e-5 * (1.0 + lengths[v]));
-            let moved = distance(before[v], places[v]);
+            assert!(distance(mixed, positions[v]) <= 1e-5 * (1.0 + lengths[v]));
+            let moved = distance(before[v], positions[v]);
             assert!((moved - lengths[v] / 4.0).abs() <= 1e-5 * (1.0 + lengths[v]), "vertex {v} at {blend}");
         }
-        before.clone_from(&places);
+        before.clone_from(&positions);
     }
-    morph.restore_into(own, &mut places);
-    assert_eq!(&places, own);
+    morph.restore_into(own, &mut positions);
+    assert_eq!(&positions, own);
     assert_eq!(morph.bytes(), 8 * (morph.appearing().len() + morph.vanishing().len()));
 }
 
@@ -161,7 +166,8 @@ fn geomorphs_of_seams_and_hubs_begin_and_end_exactly() {
     seam_cases().chain(hub_cases().take(4)).for_each(|case| check_between(&case));
 }
 
-/// At either end each corner has the attributes of the wedge that the level shows, not of another of the same place.
+/// At either end, each corner has the attributes of the wedge that the level shows, not those of another
+/// wedge there.
 #[test]
 fn attributes_stay_on_their_side_of_a_seam() {
     for case in seam_cases() {
@@ -169,7 +175,7 @@ fn attributes_stay_on_their_side_of_a_seam() {
         let fans = Fans::build(refinable);
         let mut random = Random::new(case.seed);
         let (own, uv) = (&refinable.mesh.positions, &refinable.mesh.layers[0]);
-        let corner = |v: u32, place: Place, uvs: &[f32]| {
+        let corner = |v: u32, place: Position, uvs: &[f32]| {
             let at = 2 * v as usize;
             [place[0], place[1], place[2], uvs[at], uvs[at + 1]]
         };
@@ -179,10 +185,10 @@ fn attributes_stay_on_their_side_of_a_seam() {
             let morph = Geomorph::between(&refinable.sequence, &ends[0], &ends[1]);
             let all = drawn(&fans, morph.drawn());
             for (blend, end) in [0.0, 1.0].into_iter().zip(&ends) {
-                let (mut places, mut mixed) = (own.clone(), uvs.clone());
-                morph.blend_into(blend, own, &mut places);
+                let (mut positions, mut mixed) = (own.clone(), uvs.clone());
+                morph.blend_into(blend, own, &mut positions);
                 morph.blend_layer_into(blend, uv, &mut mixed);
-                let found = all.iter().map(|t| t.map(|v| corner(v, places[v as usize], &mixed)));
+                let found = all.iter().map(|t| t.map(|v| corner(v, positions[v as usize], &mixed)));
                 let expected = oracle(refinable, |step| !end.is_refined(step));
                 let expected = expected.iter().map(|t| t.map(|v| corner(v, own[v as usize], &uvs)));
                 assert_eq!(seen(found), seen(expected));
@@ -225,9 +231,10 @@ fn normals_keep_their_length() {
     }
 }
 
-/// Where each vertex of the full mesh is shown: at its own place by its factor, else where its target is shown. What is not
-/// drawn has a factor of 0. Nothing here knows what is drawn.
-fn shown_places(refinable: &RefinableMesh, morphs: &FanMorphs, factors: &mut Vec<f32>) -> Vec<Place> {
+/// Computes the drawn position of each vertex of the full mesh: its factor blends between the drawn
+/// position of its target and its own. Vertices that are not drawn have factor 0. Independent of which
+/// vertices the morphs draw.
+fn drawn_positions(refinable: &RefinableMesh, morphs: &FanMorphs, factors: &mut Vec<f32>) -> Vec<Position> {
     let (sequence, own) = (&refinable.sequence, &refinable.mesh.positions);
     let base = sequence.base_position_count() as u32;
     factors.clear();
@@ -245,20 +252,20 @@ fn shown_places(refinable: &RefinableMesh, morphs: &FanMorphs, factors: &mut Vec
     for moving in morphs.moving(sequence) {
         factors[moving.vertex as usize] = moving.factor;
     }
-    let mut places = own.clone();
+    let mut positions = own.clone();
     for v in 0..own.len() {
-        let (from, factor) = (places[sequence.target(v as u32) as usize], factors[v]);
-        places[v] = match factor {
+        let (from, factor) = (positions[sequence.target(v as u32) as usize], factors[v]);
+        positions[v] = match factor {
             1.0 => own[v],
             0.0 => from,
             _ => [0, 1, 2].map(|i| from[i] * (1.0 - factor) + own[v][i] * factor),
         };
     }
-    places
+    positions
 }
 
-/// Follows what is wanted through changes at any time; what is seen at each frame is the full mesh with its vertices where
-/// they are shown, and each vertex moves by no more than its share.
+/// Follows a target instance that changes at arbitrary times. Each frame must match the full mesh with its
+/// vertices at their drawn positions, and each vertex may move only by its share per frame.
 fn check_running(case: &Case, frame_count: u16) {
     let refinable = &case.refinable;
     let (sequence, own) = (&refinable.sequence, &refinable.mesh.positions);
@@ -267,7 +274,7 @@ fn check_running(case: &Case, frame_count: u16) {
     let mut wanted = random_instance(&fans, &mut random);
     let mut morphs = FanMorphs::new(&wanted, frame_count);
     let (mut buffer, mut factors, mut old_factors) = (own.clone(), Vec::new(), Vec::new());
-    let mut old = shown_places(refinable, &morphs, &mut old_factors);
+    let mut old = drawn_positions(refinable, &morphs, &mut old_factors);
     let mut still = 0;
     for frame in 0..40 {
         if frame < 30 && random.below(usize::from(frame_count) + 2) == 0 {
@@ -277,22 +284,27 @@ fn check_running(case: &Case, frame_count: u16) {
         morphs.advance(&fans, &wanted);
         still += 1;
         morphs.positions_into(sequence, own, &mut buffer);
-        let places = shown_places(refinable, &morphs, &mut factors);
+        let positions = drawn_positions(refinable, &morphs, &mut factors);
         let all = drawn(&fans, morphs.drawn());
-        let found = seen(at_places(&all, &buffer));
-        assert_eq!(found, seen(at_places(&refinable.mesh.triangles, &places)), "frame {frame}");
-        check_motion(refinable, frame_count, [&old, &places], [&old_factors, &factors]);
+        let found = seen(at_positions(&all, &buffer));
+        assert_eq!(found, seen(at_positions(&refinable.mesh.triangles, &positions)), "frame {frame}");
+        check_motion(refinable, frame_count, [&old, &positions], [&old_factors, &factors]);
         if still >= usize::from(frame_count) {
             assert_eq!((morphs.drawn(), morphs.moving_count()), (&wanted, 0), "at rest after its frames");
             let level = oracle(refinable, |step| !wanted.is_refined(step));
-            assert_eq!(found, seen(at_places(&level, own)));
+            assert_eq!(found, seen(at_positions(&level, own)));
         }
-        (old, old_factors) = (places, factors.clone());
+        (old, old_factors) = (positions, factors.clone());
     }
 }
 
-/// A vertex moves by its target's move and by its share of the way between the two.
-fn check_motion(refinable: &RefinableMesh, frame_count: u16, places: [&[Place]; 2], factors: [&[f32]; 2]) {
+/// A vertex moves by at most the motion of its target plus its share of the distance between the two.
+fn check_motion(
+    refinable: &RefinableMesh,
+    frame_count: u16,
+    positions: [&[Position]; 2],
+    factors: [&[f32]; 2],
+) {
     let own = &refinable.mesh.positions;
     let extent = own.iter().flatten().fold(1.0, |most: f32, x| most.max(x.abs()));
     let rounding = 4e-7 * f64::from(extent);
@@ -300,10 +312,13 @@ fn check_motion(refinable: &RefinableMesh, frame_count: u16, places: [&[Place]; 
         let target = refinable.sequence.target(v as u32) as usize;
         let share = 1.0 / f64::from(frame_count);
         assert!(f64::from((factors[0][v] - factors[1][v]).abs()) <= share * (1.0 + 1e-6));
-        let way = distance(own[v], places[0][target]);
-        let limit =
-            if target == v { 0.0 } else { way * share + distance(places[0][target], places[1][target]) };
-        let moved = distance(places[0][v], places[1][v]);
+        let gap = distance(own[v], positions[0][target]);
+        let limit = if target == v {
+            0.0
+        } else {
+            gap * share + distance(positions[0][target], positions[1][target])
+        };
+        let moved = distance(positions[0][v], positions[1][v]);
         assert!(moved <= limit + rounding, "vertex {v} jumps by {moved} of {limit}");
     }
 }
@@ -325,7 +340,7 @@ fn nothing_pops_on_surfaces_and_seams() {
 }
 
 #[test]
-fn a_cut_is_at_rest_at_once() {
+fn a_jump_is_immediately_at_rest() {
     for case in seam_cases() {
         let (sequence, own) = (&case.refinable.sequence, &case.refinable.mesh.positions);
         let fans = Fans::build(&case.refinable);
@@ -339,7 +354,7 @@ fn a_cut_is_at_rest_at_once() {
                 morphs.positions_into(sequence, own, &mut buffer);
                 assert_eq!((morphs.drawn(), morphs.moving_count()), (&wanted, 0));
                 let triangles = drawn(&fans, &wanted);
-                assert_eq!(seen(at_places(&triangles, &buffer)), seen(at_places(&triangles, own)));
+                assert_eq!(seen(at_positions(&triangles, &buffer)), seen(at_positions(&triangles, own)));
             } else {
                 morphs.advance(&fans, &wanted);
                 morphs.positions_into(sequence, own, &mut buffer);
@@ -352,13 +367,13 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_meshes_morph_without_a_jump(case in soups(), frame_count in 1u16..6) {
+    fn random_meshes_morph_without_jumps(case in soups(), frame_count in 1u16..6) {
         check_between(&case);
         check_running(&case, frame_count);
     }
 
     #[test]
-    fn random_assets_morph_without_a_jump(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
+    fn random_assets_morph_without_jumps(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
         let mesh = meshes::asset(pieces, seed);
         let options = meshes::random_options(&mesh, seed, cost);
         let refinable = build_sequence(&mesh, &options).unwrap().refinable;

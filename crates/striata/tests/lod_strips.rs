@@ -1,4 +1,5 @@
-//! LodStrips against the oracle: the same triangles at every level, in both forms, and exact undoing.
+//! LodStrips against the oracle: the same triangles at every level, as strips and as a buffer, and exact
+//! inverses.
 
 use striata_testing::support;
 
@@ -17,7 +18,7 @@ fn build(refinable: &RefinableMesh) -> LodStrips<'static> {
     LodStrips::build(refinable, &strips).unwrap()
 }
 
-/// A copy of the buffer as an engine would have it: only changed ranges are copied.
+/// A copy of the buffer as a renderer would keep it, receiving only changed ranges.
 struct Uploaded {
     buffer: StripBuffer,
     copy: Vec<u32>,
@@ -73,7 +74,8 @@ fn check_level(
     assert_eq!(canonical_triangles(&all), canonical_triangles(&level.triangles));
 }
 
-/// Walks down and up by `stride` and checks each level, then that the way up restores what was there.
+/// Moves down and up by `stride`, checks each level, and checks that moving up restores the original
+/// state.
 fn check_all_levels(refinable: &RefinableMesh, stride: usize) {
     let model = build(refinable);
     let full = model.new_state();
@@ -115,12 +117,12 @@ fn seams_and_groups_follow_the_oracle() {
 }
 
 #[test]
-fn a_vertex_that_stands_everywhere_makes_a_long_record() {
+fn a_vertex_in_many_strips_makes_a_long_record() {
     hub_cases().for_each(|case| check_all_levels(&case.refinable, case.stride));
 }
 
 #[test]
-fn strips_of_another_mesh_are_refused() {
+fn strips_of_another_mesh_are_rejected() {
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
     let mut strips = StripSet::new();

@@ -12,13 +12,13 @@ use support::{
     surface_cases,
 };
 
-/// Greedy strips, or such as have joints where ends meet at a vertex.
+/// Greedy strips, or strips joined where their ends meet at a vertex.
 fn strips_of(refinable: &RefinableMesh, has_joints: bool) -> StripSet {
     let stripifier = if has_joints { Stripifier::Cheapest } else { Stripifier::Greedy };
     stripify(&refinable.mesh, &StripOptions::default().with_stripifier(stripifier)).unwrap()
 }
 
-/// The model shows the oracle at every level, and walking what changed is walking all.
+/// The model must match the oracle at every level, and incremental updates must equal a full rebuild.
 fn check(refinable: &RefinableMesh, has_joints: bool, stride: usize) {
     let mts = Mts::build(refinable, &strips_of(refinable, has_joints)).unwrap();
     follows_the_oracle(refinable, &mts, stride);
@@ -52,12 +52,12 @@ fn seams_and_groups_follow_the_oracle() {
 }
 
 #[test]
-fn a_vertex_that_stands_everywhere_makes_a_long_record() {
+fn a_vertex_in_many_strips_makes_a_long_record() {
     hub_cases().for_each(|case| check(&case.refinable, false, case.stride));
 }
 
 #[test]
-fn strips_of_another_mesh_are_refused() {
+fn strips_of_another_mesh_are_rejected() {
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
     let mut strips = StripSet::new();

@@ -1,4 +1,4 @@
-//! One level in one call, and contraction of parts: what comes out keeps to what was asked.
+//! Simplification to a single level in one call, and contraction of separate parts.
 
 use striata_testing::meshes;
 
@@ -9,17 +9,17 @@ use striata::simplify::{
 };
 
 fn level(mesh: &IndexedMesh, options: &SimplifyOptions) -> Simplified {
-    simplify(mesh, options).expect("sound meshes are simplified")
+    simplify(mesh, options).expect("valid meshes can be simplified")
 }
 
-fn asked(target: Target, options: &SequenceOptions) -> SimplifyOptions {
+fn options_for(target: Target, options: &SequenceOptions) -> SimplifyOptions {
     SimplifyOptions::default().with_target(target).with_sequence(options.clone())
 }
 
 #[test]
 fn a_level_is_that_of_the_sequence() {
     check_each(all(), |_, mesh, options| {
-        let refinable = build_sequence(mesh, options).expect("sound meshes are simplified").refinable;
+        let refinable = build_sequence(mesh, options).expect("valid meshes can be simplified").refinable;
         let sequence = &refinable.sequence;
         let step_count = sequence.step_count();
         for split_count in [0, step_count / 3, step_count] {
@@ -30,27 +30,27 @@ fn a_level_is_that_of_the_sequence() {
                 Target::SplitCount(split_count),
             ];
             for target in targets {
-                // Steps that remove no triangle leave several levels of one count.
+                // Steps that remove no triangle produce several levels with the same count.
                 let expected = replay(&refinable, target.resolve(sequence).0);
-                let out = level(mesh, &asked(target, options));
+                let out = level(mesh, &options_for(target, options));
                 assert_eq!(out.mesh.check(), Ok(()), "{target:?}");
                 assert_eq!(out.mesh.triangle_count(), expected.triangle_count(), "{target:?}");
                 assert_eq!(out.mesh.groups.len(), expected.groups.len(), "{target:?}");
-                assert_eq!(places(&out.mesh), places(&expected), "{target:?}");
+                assert_eq!(triangles_by_position(&out.mesh), triangles_by_position(&expected), "{target:?}");
             }
         }
     });
 }
 
 /// Triangles by the bits of their positions.
-fn places(mesh: &IndexedMesh) -> Vec<[u32; 3]> {
+fn triangles_by_position(mesh: &IndexedMesh) -> Vec<[u32; 3]> {
     let mut known: Vec<[u32; 3]> = mesh.positions.iter().map(|p| p.map(f32::to_bits)).collect();
     let positions = known.clone();
     known.sort_unstable();
     known.dedup();
     let number = |v: u32| known.binary_search(&positions[v as usize]).unwrap_or(usize::MAX) as u32;
     let used: Vec<[u32; 3]> = mesh.triangles.iter().map(|t| t.map(number)).collect();
-    // Numbers of places that nothing uses must not count: rank the used ones.
+    // Indices of unused positions must not matter, so rank the used ones.
     let mut ranks: Vec<u32> = used.iter().flatten().copied().collect();
     ranks.sort_unstable();
     ranks.dedup();
@@ -63,12 +63,12 @@ fn a_tolerance_is_never_exceeded() {
     check_each(all(), |_, mesh, options| {
         let diagonal = mesh.diagonal();
         for tolerance in [0.0, 0.002 * diagonal, 0.05 * diagonal] {
-            let out = level(mesh, &asked(Target::Triangles(0), options).with_tolerance(tolerance));
+            let out = level(mesh, &options_for(Target::Triangles(0), options).with_tolerance(tolerance));
             assert!(out.error <= tolerance, "error {} of {tolerance}", out.error);
             if out.mesh.triangle_count() > 0 {
                 assert!(matches!(out.stop_reason, StopReason::ErrorLimit | StopReason::BaseReached));
             }
-            let by_error = level(mesh, &asked(Target::Error(tolerance), options));
+            let by_error = level(mesh, &options_for(Target::Error(tolerance), options));
             assert!(by_error.error <= tolerance, "error {} of {tolerance}", by_error.error);
             assert_eq!(by_error.mesh.triangle_count(), out.mesh.triangle_count());
         }
@@ -76,27 +76,27 @@ fn a_tolerance_is_never_exceeded() {
 }
 
 #[test]
-fn targets_beyond_the_mesh_say_so() {
+fn targets_beyond_the_mesh_are_reported() {
     let mesh = shapes::torus(12, 9, 2.0, 1.0);
-    let out = level(&mesh, &asked(Target::Triangles(1_000_000), &SequenceOptions::default()));
+    let out = level(&mesh, &options_for(Target::Triangles(1_000_000), &SequenceOptions::default()));
     assert_eq!((out.stop_reason, out.mesh.triangle_count()), (StopReason::FullMesh, mesh.triangle_count()));
     assert_eq!(out.error, 0.0);
-    let out = level(&mesh, &asked(Target::Triangles(0), &SequenceOptions::default()));
+    let out = level(&mesh, &options_for(Target::Triangles(0), &SequenceOptions::default()));
     assert_eq!(out.stop_reason, StopReason::BaseReached);
     assert!(out.mesh.triangle_count() > 0);
 }
 
 #[test]
-fn near_parts_contract_where_asked() {
+fn near_parts_contract_if_requested() {
     let gap = 0.1;
     let mut mesh = shapes::many_components(400);
-    // Parts are about 0.2 wide and stand 1 apart, a hundred to a row: moved together.
+    // Parts are about 0.2 wide and 1 apart, a hundred to a row. Move them closer together.
     for (i, part) in mesh.positions.chunks_exact_mut(4).enumerate() {
         let [by, up] = [i % 100, i / 100].map(|n| (0.8 - gap) * n as f32);
         part.iter_mut().for_each(|p| *p = [p[0] - by, p[1] - up, p[2]]);
     }
     let left = |options: &SequenceOptions| {
-        let built = build_sequence(&mesh, options).expect("sound meshes are simplified");
+        let built = build_sequence(&mesh, options).expect("valid meshes can be simplified");
         built.refinable.sequence.triangle_count_at(0)
     };
     let apart = SequenceOptions::default().with_topology(TopologyRule::Keep);
@@ -111,7 +111,7 @@ fn contraction_keeps_the_counts_of_every_level() {
         for share in [0.01, 0.2] {
             let distance = share * mesh.diagonal();
             let options = options.clone().with_pair_distance(distance);
-            let built = build_sequence(mesh, &options).expect("sound meshes are simplified");
+            let built = build_sequence(mesh, &options).expect("valid meshes can be simplified");
             let sequence = &built.refinable.sequence;
             for split_count in (0..=sequence.step_count()).rev() {
                 let level = replay(&built.refinable, split_count);

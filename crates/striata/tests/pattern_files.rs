@@ -1,4 +1,4 @@
-//! Patterns in `.striata` files: they come back as they were, and no damaged bytes get past the checks.
+//! Patterns in `.striata` files: they round-trip, and damaged bytes are detected.
 
 use striata_testing::support;
 
@@ -13,7 +13,7 @@ use striata::mesh::{
 use striata::model::{LodModel, Overlap, PatternInstance, Patterns};
 use support::{
     Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, surface_cases,
-    with_seams_and_groups, with_sound_checksums,
+    with_seams_and_groups, with_valid_checksums,
 };
 
 struct WithPatterns {
@@ -27,7 +27,7 @@ fn patterns_of(refinable: &RefinableMesh) -> WithPatterns {
     WithPatterns { fragmented, patterns }
 }
 
-/// Beside collapses, and in a file without any.
+/// Returns a file with patterns and collapses, and one with patterns only.
 fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
     let WithPatterns { fragmented, patterns } = patterns_of(refinable);
     let models = [FileModel::Patterns(&patterns)];
@@ -38,7 +38,7 @@ fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
 }
 
 #[test]
-fn patterns_of_every_kind_of_mesh_come_back() {
+fn patterns_of_every_kind_of_mesh_round_trip() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(1)) {
         let refinable = &case.refinable;
         let WithPatterns { patterns, .. } = patterns_of(refinable);
@@ -87,14 +87,14 @@ fn a_file_without_collapses_says_so_and_has_its_fragments() {
     }
 }
 
-/// Any sets of fragments: no triangle has a corner that is not there.
-fn look_around(patterns: &Patterns) {
+/// Visits random sets of fragments: no triangle may have an inactive corner.
+fn check_random_states(patterns: &Patterns) {
     let mut instance = PatternInstance::base(patterns);
     for round in 0..8u32 {
-        let whim = |overlap: Overlap| {
+        let condition = |overlap: Overlap| {
             overlap.upper.wrapping_mul(2_654_435_761).wrapping_add(round * 7919) >> 8 & 7 < round % 5
         };
-        instance.adapt(patterns, &whim);
+        instance.adapt(patterns, &condition);
         let step = round * 31 % patterns.fragment_count().max(1) as u32;
         if patterns.fragment_count() > 0 {
             instance.remove(patterns, step);
@@ -117,44 +117,46 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
     file.fragmented_mesh()?.mesh.check()?;
     file.level(file.summary().step_count / 2)?.check()?;
     if let Some(patterns) = patterns {
-        look_around(&patterns?);
+        check_random_states(&patterns?);
     }
     Ok(())
 }
 
 #[test]
-fn sound_files_are_read() {
+fn valid_files_are_read() {
     for seed in 0..4 {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(4, true)) } else { grid(5, false) };
         let wildness = Wildness { far_percent: 10, base_position_count: 4 };
         for mut bytes in both_files(&random_refinable(&mesh, wildness, &mut Random::new(seed))) {
             let before = bytes.clone();
-            with_sound_checksums(&mut bytes);
+            with_valid_checksums(&mut bytes);
             assert!(bytes == before, "checksums are computed as the writer does");
             read_everything(&bytes).unwrap();
         }
     }
 }
 
-/// One number after the other: what is still read is what a build makes of its own fragments.
+/// Damages one number at a time: whatever can still be read must equal what a build makes of its
+/// fragments.
 #[test]
-fn no_damaged_number_leaves_patterns_that_contradict_themselves() {
+fn damaged_numbers_never_yield_inconsistent_patterns() {
     let wildness = Wildness { far_percent: 10, base_position_count: 4 };
     let mut read = 0;
     for mesh in [with_seams_and_groups(grid(3, true)), grid(5, false)] {
         let [_, bytes] = both_files(&random_refinable(&mesh, wildness, &mut Random::new(5)));
         let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
-        let places = sections.iter().filter(|s| s.kind.0.starts_with(b"PT") && s.kind.0 != *b"PTBD");
-        for place in places.flat_map(|s| s.offset..s.offset + s.bytes) {
+        let pattern_sections =
+            sections.iter().filter(|s| s.kind.0.starts_with(b"PT") && s.kind.0 != *b"PTBD");
+        for offset in pattern_sections.flat_map(|s| s.offset..s.offset + s.bytes) {
             for change in [1, 2, 0x10, 0x80] {
                 let mut damaged = bytes.clone();
-                damaged[place as usize] ^= change;
-                with_sound_checksums(&mut damaged);
+                damaged[offset as usize] ^= change;
+                with_valid_checksums(&mut damaged);
                 let file = StriataFile::parse(&damaged).unwrap();
                 let Ok(patterns) = file.patterns().unwrap() else { continue };
                 let fragments = patterns.unpack(vec![0.0; patterns.fragment_count()]).unwrap();
                 let built = Patterns::from_fragments(&fragments, mesh.groups.len().max(1)).unwrap();
-                assert_eq!(built, patterns.without_bounds(), "byte {place} changed by {change}");
+                assert_eq!(built, patterns.without_bounds(), "byte {offset} changed by {change}");
                 read += 1;
             }
         }
@@ -163,7 +165,7 @@ fn no_damaged_number_leaves_patterns_that_contradict_themselves() {
 }
 
 #[test]
-fn more_triangles_than_a_file_may_stand_for_are_not_written() {
+fn patterns_with_too_many_triangles_are_not_written() {
     let face = |corners: [u32; 3]| Face { corners, group: 0 };
     let base = vec![face([0, 1, 2])];
     for (count, is_stored) in [(500, true), (600, false)] {
@@ -186,7 +188,7 @@ proptest! {
 
     #[test]
     fn damaged_patterns_are_an_error_or_patterns_without_cracks(
-        places in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..3),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..3),
         seed in 0u64..6,
         which in 0usize..2,
     ) {
@@ -198,10 +200,10 @@ proptest! {
         let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
         let spans = sections.iter().filter(|s| is_damaged(s.kind)).map(|s| s.offset..s.offset + s.bytes);
         let candidates: Vec<u64> = spans.flatten().collect();
-        for (place, byte) in places {
-            bytes[candidates[place.index(candidates.len())] as usize] ^= byte;
+        for (index, byte) in changes {
+            bytes[candidates[index.index(candidates.len())] as usize] ^= byte;
         }
-        with_sound_checksums(&mut bytes);
+        with_valid_checksums(&mut bytes);
         let _ = read_everything(&bytes);
     }
 }

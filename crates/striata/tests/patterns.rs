@@ -1,4 +1,5 @@
-//! Patterns against the oracle: uniform levels, any set that stands, and the smallest set that satisfies a condition.
+//! Patterns against the oracle: uniform levels, any valid set, and the smallest set that satisfies a
+//! condition.
 
 use striata_testing::support;
 
@@ -14,7 +15,7 @@ use support::{
     nasty_cases, random_removals, seam_cases, smallest_set, soups, surface_cases, with_seams_and_groups,
 };
 
-/// Compares what an instance shows with the oracle, group by group.
+/// Compares the triangles of an instance with the oracle, group by group.
 fn shows_its_set(fragments: &FragmentSequence, instance: &PatternInstance, group_count: u32) {
     let there = fragment_faces(fragments, |step| instance.is_refined(step));
     assert_eq!(instance.triangle_count(), there.len());
@@ -27,14 +28,14 @@ fn shows_its_set(fragments: &FragmentSequence, instance: &PatternInstance, group
     }
 }
 
-fn follows_any_way(case: &Case) {
+fn follows_the_oracle_for_any_set(case: &Case) {
     let fragmented = FragmentedMesh::from_collapses(&case.refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
     follows_the_oracle(&case.refinable, &patterns, case.stride);
-    follows_any_way_of_fragments(&fragmented, &patterns, case.seed);
+    any_set_of_fragments_follows_the_oracle(&fragmented, &patterns, case.seed);
 }
 
-fn follows_any_way_of_fragments(fragmented: &FragmentedMesh, patterns: &Patterns, seed: u64) {
+fn any_set_of_fragments_follows_the_oracle(fragmented: &FragmentedMesh, patterns: &Patterns, seed: u64) {
     let step_count = patterns.fragment_count();
     let errors = (0..step_count as u32).map(|step| fragmented.fragments.floor_error(step)).collect();
     let unpacked = patterns.unpack(errors).unwrap();
@@ -62,20 +63,20 @@ fn follows_any_way_of_fragments(fragmented: &FragmentedMesh, patterns: &Patterns
     }
     for _ in 0..6 {
         let (name, percent) = (u64::from(random.below(1 << 20)), random.below(100));
-        let whim = |overlap: Overlap| is_whim(overlap, name, percent);
+        let condition = |overlap: Overlap| random_condition(overlap, name, percent);
         let mut other = PatternInstance::base(patterns);
-        instance.adapt(patterns, &whim);
-        other.refine(patterns, &whim);
+        instance.adapt(patterns, &condition);
+        other.refine(patterns, &condition);
         shows_its_set(&fragmented.fragments, &instance, group_count);
-        assert_eq!(instance, other, "from the base, and from what was there before");
-        let change = instance.adapt(patterns, &whim);
+        assert_eq!(instance, other, "starting from the base and from the previous set");
+        let change = instance.adapt(patterns, &condition);
         assert_eq!(change, Default::default(), "nothing is left to be done");
-        assert_eq!(other.coarsen(patterns, &whim), 0);
+        assert_eq!(other.coarsen(patterns, &condition), 0);
     }
 }
 
-/// A condition without any sense, but always the same.
-fn is_whim(overlap: Overlap, seed: u64, percent: u32) -> bool {
+/// An arbitrary but deterministic condition.
+fn random_condition(overlap: Overlap, seed: u64, percent: u32) -> bool {
     let name = u64::from(overlap.upper) << 32 | u64::from(overlap.lower.map_or(u32::MAX, |step| step));
     Random::new(name ^ seed << 7).below(100) < percent
 }
@@ -83,7 +84,7 @@ fn is_whim(overlap: Overlap, seed: u64, percent: u32) -> bool {
 #[test]
 fn all_kinds_of_meshes_follow_the_oracle() {
     let cases = nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(4));
-    cases.for_each(|case| follows_any_way(&case));
+    cases.for_each(|case| follows_the_oracle_for_any_set(&case));
 }
 
 #[test]
@@ -91,7 +92,7 @@ fn removals_with_any_triangulation_follow_the_oracle() {
     for (seed, fragmented) in fragment_cases() {
         let patterns = Patterns::build(&fragmented).unwrap();
         follows_the_fragments(&fragmented, &patterns, 1);
-        follows_any_way_of_fragments(&fragmented, &patterns, seed);
+        any_set_of_fragments_follows_the_oracle(&fragmented, &patterns, seed);
     }
 }
 
@@ -100,11 +101,11 @@ proptest! {
 
     #[test]
     fn soups_follow_the_oracle(case in soups()) {
-        follows_any_way(&case);
+        follows_the_oracle_for_any_set(&case);
     }
 }
 
-/// Small pieces of terrain, simplified as far as they go.
+/// Small pieces of terrain, simplified as far as possible.
 fn small_terrains() -> impl Iterator<Item = Case> {
     (0..12).map(|seed| {
         let mesh = striata::mesh::shapes::terrain(4, seed);
@@ -114,7 +115,7 @@ fn small_terrains() -> impl Iterator<Item = Case> {
 }
 
 #[test]
-fn what_a_condition_leads_to_is_the_smallest_set_that_satisfies_it() {
+fn adapting_yields_the_smallest_set_that_satisfies_a_condition() {
     let mut sets_seen = 0;
     let collapsed = nasty_cases().chain(small_terrains());
     let collapsed = collapsed.map(|case| FragmentedMesh::from_collapses(&case.refinable));
@@ -130,7 +131,7 @@ fn what_a_condition_leads_to_is_the_smallest_set_that_satisfies_it() {
         let standing = closed_sets(fragments);
         let mut instance = PatternInstance::base(&patterns);
         for seed in 0..20 {
-            let condition = |overlap: Overlap| is_whim(overlap, seed, (seed as u32 * 17) % 100);
+            let condition = |overlap: Overlap| random_condition(overlap, seed, (seed as u32 * 17) % 100);
             let smallest = smallest_set(fragments, &standing, |face, upper| {
                 condition(Overlap { lower: face.and_then(|face| fragments.maker(face)), upper })
             });
@@ -152,7 +153,8 @@ fn with_errors_as_condition_both_algorithms_agree() {
         let (mut one, mut other) = (PatternInstance::full(&patterns), PatternInstance::base(&patterns));
         for _ in 0..20 {
             let limit = random.below(patterns.fragment_count() as u32);
-            // What is younger than the limit is fine, so whatever satisfied it before does so above.
+            // Steps younger than the limit are never too coarse, so whatever satisfied the condition
+            // before also does above it.
             let condition = |overlap: Overlap| overlap.upper < limit;
             let coarsened = one.coarsen(&patterns, &condition);
             let refined = one.refine(&patterns, &condition);
@@ -163,8 +165,8 @@ fn with_errors_as_condition_both_algorithms_agree() {
     }
 }
 
-/// All fragments that a criterion wants are inserted, and nothing beside but what they stand on.
-fn holds_what_is_wanted(patterns: &Patterns, scene: PatternScene<'_>, criterion: &impl Criterion) -> usize {
+/// All fragments that a criterion wants are inserted, and besides them only what they depend on.
+fn check_wanted_set(patterns: &Patterns, scene: PatternScene<'_>, criterion: &impl Criterion) -> usize {
     let mut instance = PatternInstance::base(patterns);
     instance.adapt(patterns, &Wanted::new(scene, criterion));
     let mut expected = PatternInstance::base(patterns);
@@ -178,7 +180,7 @@ fn holds_what_is_wanted(patterns: &Patterns, scene: PatternScene<'_>, criterion:
 }
 
 #[test]
-fn views_and_boxes_find_all_that_they_want() {
+fn views_and_boxes_refine_everything_wanted() {
     let mesh = striata::mesh::shapes::terrain(48, 7);
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
@@ -191,20 +193,20 @@ fn views_and_boxes_find_all_that_they_want() {
     let middle: [f32; 3] = std::array::from_fn(|a| 0.5 * (all.min[a] + all.max[a]));
     let quarter =
         DetailBox { min: all.min, max: [middle[0], middle[1], all.max[2]], error_outside: f32::INFINITY };
-    let shown = holds_what_is_wanted(&patterns, scene, &quarter);
+    let shown = check_wanted_set(&patterns, scene, &quarter);
     assert!(shown > full / 5 && shown < full * 4 / 5, "{shown} of {full} triangles for a quarter");
     let nowhere = DetailBox { min: [9e9; 3], max: [9e9; 3], ..quarter };
-    assert_eq!(holds_what_is_wanted(&patterns, scene, &nowhere), base);
+    assert_eq!(check_wanted_set(&patterns, scene, &nowhere), base);
     let everywhere = DetailBox { min: all.min, max: all.max, ..quarter };
-    assert_eq!(holds_what_is_wanted(&patterns, scene, &everywhere), full);
+    assert_eq!(check_wanted_set(&patterns, scene, &everywhere), full);
     for eye in [[2.0, 2.0, 2.0], [0.1, 0.1, 0.4], [-3.0, 0.2, 0.3]] {
         let camera = Camera::new(eye, middle, [0.0, 0.0, 1.0], 0.4, [800, 600]).unwrap();
-        let shown = holds_what_is_wanted(&patterns, scene, &ScreenError::new(camera, 2.0));
+        let shown = check_wanted_set(&patterns, scene, &ScreenError::new(camera, 2.0));
         assert!(shown > base && shown < full, "{shown} triangles from {eye:?}");
     }
 }
 
-/// What lies in the box is there as in the full mesh.
+/// Inside the box, the instance must match the full mesh.
 #[test]
 fn a_box_shows_full_detail() {
     let mesh = striata::mesh::shapes::terrain(40, 3);
@@ -235,7 +237,7 @@ fn cone(n: u32) -> IndexedMesh {
     IndexedMesh::new(rim.chain([[0.0, 0.0, 5.0]]).collect(), triangles)
 }
 
-/// Every triangle of a mesh twice more, and once the other way round.
+/// Adds two copies of every triangle, and one with reversed orientation.
 fn with_copies(mut mesh: IndexedMesh) -> IndexedMesh {
     let turned = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b], [a, c, b]];
     mesh.triangles = mesh.triangles.iter().flat_map(turned).collect();
@@ -248,16 +250,16 @@ fn hubs_of_rings_and_triangles_over_triangles_follow_the_oracle() {
     for (mesh, seed) in meshes.iter().zip(0..) {
         for (far_percent, base_position_count) in [(0, 1), (50, 1), (10, 40)] {
             let wildness = Wildness { far_percent, base_position_count };
-            follows_any_way(&Case::new(mesh, wildness, seed, 11));
+            follows_the_oracle_for_any_set(&Case::new(mesh, wildness, seed, 11));
             let seams = with_seams_and_groups(mesh.clone());
-            follows_any_way(&Case::new(&seams, wildness, seed, 11));
+            follows_the_oracle_for_any_set(&Case::new(&seams, wildness, seed, 11));
         }
     }
 }
 
-/// Two fragments with the same ring, one over the other: all triangles of a hub replaced by all of another.
+/// Two fragments with the same ring on top of each other: one hub replaces all triangles of another.
 #[test]
-fn a_hub_may_stand_on_a_hub() {
+fn a_hub_can_replace_a_hub() {
     for n in [5, 64, 65, 300] {
         let around = |hub: u32| (0..n).map(move |i| [hub, i, (i + 1) % n]);
         let face = |corners: [u32; 3]| Face { corners, group: 0 };
@@ -272,13 +274,17 @@ fn a_hub_may_stand_on_a_hub() {
         mesh.positions.push([0.0, 0.0, 6.0]);
         mesh.triangles = around(n + 1).collect();
         let fragmented = FragmentedMesh { mesh, fragments: fragments.unwrap() };
-        follows_any_way_of_fragments(&fragmented, &Patterns::build(&fragmented).unwrap(), u64::from(n));
+        any_set_of_fragments_follows_the_oracle(
+            &fragmented,
+            &Patterns::build(&fragmented).unwrap(),
+            u64::from(n),
+        );
     }
 }
 
-/// An instance gives memory back, and what is left stands as before.
+/// An instance releases memory without changing the remaining triangles.
 #[test]
-fn what_is_taken_away_gives_its_memory_back() {
+fn removing_fragments_releases_memory() {
     let mesh = with_seams_and_groups(grid(32, true));
     let wildness = Wildness { far_percent: 0, base_position_count: 8 };
     let case = Case::new(&mesh, wildness, 1, 100);
@@ -298,7 +304,7 @@ fn what_is_taken_away_gives_its_memory_back() {
     }
 }
 
-/// Errors of floors that differ from step to step, as certified ones do: what is far off is found below what is not.
+/// Floor errors that vary from step to step, as certified ones do: large errors can lie below small ones.
 #[test]
 fn errors_that_rise_and_fall_are_found() {
     let mesh = striata::mesh::shapes::terrain(24, 5);
@@ -311,6 +317,6 @@ fn errors_that_rise_and_fall_are_found() {
     let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
     for error_outside in [0.5, 0.9, 0.99, 0.998] {
         let detail = DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside };
-        holds_what_is_wanted(&patterns, scene, &detail);
+        check_wanted_set(&patterns, scene, &detail);
     }
 }

@@ -1,8 +1,8 @@
-//! From a mesh to a file and back: strips, LodStrips and `.striata` over the simplifier's own sequences.
+//! From a mesh to a file and back: strips, LodStrips and `.striata` on sequences of the simplifier.
 
 use striata_testing::meshes;
 
-use meshes::{Named, all, check_each};
+use meshes::{NamedMesh, all, check_each};
 use proptest::prelude::*;
 use striata::file::{FileModel, StriataFile, Verify, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
@@ -11,19 +11,19 @@ use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripSet, restart_triangles_into, stripify};
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> RefinableMesh {
-    build_sequence(mesh, options).expect("sound meshes are simplified").refinable
+    build_sequence(mesh, options).expect("valid meshes can be simplified").refinable
 }
 
 fn strips_of(refinable: &RefinableMesh) -> StripSet {
-    stripify(&refinable.mesh).expect("full meshes are sound")
+    stripify(&refinable.mesh).expect("full meshes are valid")
 }
 
-/// The triangles of each group; groups are told apart, their order of triangles is not.
+/// Returns the triangles of each group in canonical order.
 fn triangles_by_group(mesh: &IndexedMesh) -> Vec<Vec<[u32; 3]>> {
     mesh.groups_or_whole().iter().map(|g| canonical_triangles(&mesh.triangles[g.range()])).collect()
 }
 
-/// What the model and its buffer show against the oracle, group by group.
+/// Compares the model and its buffer with the oracle, group by group.
 fn check_level(
     refinable: &RefinableMesh,
     model: &LodStrips<'_>,
@@ -61,7 +61,7 @@ fn lod_strips_equal_the_oracle_at_every_level_both_ways() {
     });
 }
 
-/// Equal but for the order of triangles within their groups.
+/// Compares meshes up to the order of triangles within their groups.
 fn assert_same(found: &IndexedMesh, expected: &IndexedMesh) {
     assert_eq!(found.positions, expected.positions);
     assert_eq!(found.groups, expected.groups);
@@ -69,7 +69,7 @@ fn assert_same(found: &IndexedMesh, expected: &IndexedMesh) {
     assert_eq!(found.layers.len(), expected.layers.len());
     for (found, expected) in found.layers.iter().zip(&expected.layers) {
         assert_eq!(found.semantic, expected.semantic);
-        // As bytes: not every attribute is a number.
+        // Compared as bytes, because some attributes are NaN.
         assert_eq!(found.data.as_bytes(), expected.data.as_bytes());
     }
     assert_eq!(triangles_by_group(found), triangles_by_group(expected));
@@ -86,13 +86,13 @@ fn files_hold_every_level() {
         let found = file.refinable_mesh().expect("written just now");
         assert_same(&found.mesh, &refinable.mesh);
         assert_eq!(found.sequence, refinable.sequence);
-        let stored = file.lod_strips().expect("it was written").expect("it is sound");
+        let stored = file.lod_strips().expect("it was written").expect("it is valid");
         assert_eq!(stored, model);
         let mut state = stored.new_state();
         let step_count = stored.step_count();
         for split_count in (0..=step_count).rev().step_by(1 + step_count / 40).chain([0, step_count]) {
             stored.move_to(&mut state, split_count);
-            let level = file.level_of(&stored, &state).expect("the file is sound");
+            let level = file.level_of(&stored, &state).expect("the file is valid");
             assert_same(&level, &replay(&refinable, split_count));
         }
     });
@@ -113,7 +113,7 @@ fn files_without_strips_keep_the_order_of_triangles() {
 
 #[test]
 fn large_surfaces_follow_the_oracle_at_a_spread_of_levels() {
-    let meshes: Vec<Named> = vec![
+    let meshes: Vec<NamedMesh> = vec![
         ("terrain".to_owned(), shapes::terrain(90, 3)),
         ("sphere of two materials".to_owned(), shapes::two_material_sphere(50, 80)),
     ];

@@ -1,4 +1,4 @@
-//! The removal of vertices against what its fragments promise, on every mesh of the test set.
+//! Checks vertex removal against the guarantees of its fragments, on every mesh of the test set.
 
 use striata_testing::meshes;
 
@@ -8,7 +8,7 @@ use striata_testing::support;
 
 use meshes::{all, closed, odd, open, with_patches};
 use proptest::prelude::*;
-use simplifier::{Outcome, Rules, Simplifier, boundary_of, check_each, key, places_of};
+use simplifier::{Outcome, Rules, Simplifier, boundary_of, check_each, key, positions_of};
 use striata::ProgressFn;
 use striata::mesh::{
     DistanceOptions, FragmentedMesh, IndexedMesh, canonical_triangles, replay, replay_fragments, shapes,
@@ -22,8 +22,8 @@ use striata::simplify::{
 use support::Topology;
 
 impl Simplifier for RemovalOptions {
-    fn ways() -> Vec<(String, Self)> {
-        ways().map(|(way, options)| (way.to_owned(), options)).to_vec()
+    fn variants() -> Vec<(String, Self)> {
+        hole_fillings().map(|(filling, options)| (filling.to_owned(), options)).to_vec()
     }
 
     fn rules(&mut self) -> Rules<'_> {
@@ -49,26 +49,26 @@ impl Simplifier for RemovalOptions {
     }
 }
 
-test_promises! {
+test_guarantees! {
     RemovalOptions:
-    every_mesh_ends_at_a_handful,
+    every_mesh_simplifies_to_a_few_triangles,
     manifolds_keep_their_topology_at_every_level,
     seams_cut_every_level_into_the_same_pieces,
     locked_vertices_are_in_the_base,
     locked_boundaries_keep_every_vertex,
     locked_group_borders_keep_every_vertex,
-    the_base_triangle_count_is_undercut_by_less_than_a_step,
-    unsound_meshes_are_refused_with_their_place,
+    the_base_triangle_count_is_missed_by_less_than_a_step,
+    invalid_meshes_are_rejected_with_the_location,
     the_callback_sees_progress_and_can_cancel,
     no_triangle_of_a_sphere_turns_inward,
 }
 
 fn build(mesh: &IndexedMesh, options: &RemovalOptions) -> BuiltFragments {
-    build_fragments(mesh, options).expect("sound meshes are simplified")
+    build_fragments(mesh, options).expect("valid meshes can be simplified")
 }
 
-/// All ways to fill holes.
-fn ways() -> [(&'static str, RemovalOptions); 4] {
+/// All methods of filling holes.
+fn hole_fillings() -> [(&'static str, RemovalOptions); 4] {
     let free = RemovalOptions::default;
     [
         ("distance", free()),
@@ -78,15 +78,15 @@ fn ways() -> [(&'static str, RemovalOptions); 4] {
     ]
 }
 
-/// Triangles of a mesh with corners named by their vertices of the input.
+/// Returns triangles with their corners mapped to the vertices of the input.
 fn by_source(triangles: &[[u32; 3]], source: &[u32]) -> Vec<[u32; 3]> {
     canonical_triangles(&triangles.iter().map(|t| t.map(|v| source[v as usize])).collect::<Vec<_>>())
 }
 
-/// What holds for the fragments of any sound mesh.
+/// Guarantees for the fragments of any valid mesh.
 fn check_fragments(name: &str, input: &IndexedMesh, options: &RemovalOptions, built: &BuiltFragments) {
     let FragmentedMesh { mesh, fragments } = &built.fragmented;
-    let welded = weld(input).expect("sound");
+    let welded = weld(input).expect("valid");
     let expected = by_source(&welded.mesh.triangles, &welded.source_vertex);
     assert_eq!(by_source(&mesh.triangles, &built.source_vertex), expected, "{name}: the full mesh");
     assert_eq!(built.merged_vertex_count, welded.merged_vertex_count, "{name}");
@@ -108,7 +108,7 @@ fn check_fragments(name: &str, input: &IndexedMesh, options: &RemovalOptions, bu
             assert!(ceiling <= options.degree_limit, "{name}: step {step} fills a hole of {ceiling}");
             assert!(floor > 0, "{name}: step {step} fills {ceiling} by nothing");
         }
-        // Positions that have lost all triangles take steps of their own.
+        // Positions that have lost all their triangles are removed by separate steps.
         assert!(floor < ceiling || floor + ceiling == 0, "{name}: step {step} fills {ceiling} by {floor}");
         assert!(fragments.floor_error(step).is_finite(), "{name}");
     }
@@ -128,7 +128,7 @@ fn check_fragments(name: &str, input: &IndexedMesh, options: &RemovalOptions, bu
         assert_eq!(refinable.mesh.triangles, mesh.triangles, "{name}");
         let vanishes = |step| fragments.floor(step).is_empty() && !fragments.ceiling(step).is_empty();
         if !(0..fragments.step_count() as u32).any(vanishes) {
-            // Otherwise errors of levels alone differ from those of any state.
+            // Otherwise the errors of uniform levels differ from those of other sets.
             assert_eq!(refinable.sequence.errors(), levels.errors(), "{name}");
         }
         for split_count in 0..=fragments.step_count() {
@@ -140,16 +140,16 @@ fn check_fragments(name: &str, input: &IndexedMesh, options: &RemovalOptions, bu
 }
 
 #[test]
-fn every_mesh_keeps_the_promises() {
+fn every_mesh_satisfies_the_guarantees() {
     check_each(all(), |name, mesh, options: &RemovalOptions| {
         check_fragments(name, mesh, options, &build(mesh, options));
-        let keeping = options.keeping();
-        check_fragments(name, mesh, &keeping, &build(mesh, &keeping));
+        let preserving_all = options.preserving_all();
+        check_fragments(name, mesh, &preserving_all, &build(mesh, &preserving_all));
     });
 }
 
 #[test]
-fn surfaces_without_seams_run_down_to_a_handful() {
+fn surfaces_without_seams_simplify_to_a_few_triangles() {
     let limits = [
         ("icosphere", 4),
         ("uv sphere", 8),
@@ -159,7 +159,7 @@ fn surfaces_without_seams_run_down_to_a_handful() {
         ("flat grid", 4),
         ("terrain", 12),
     ];
-    simplifier::runs_down_to(&limits, RemovalOptions::clone);
+    simplifier::simplifies_to(&limits, RemovalOptions::clone);
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn degree_limits_hold() {
 }
 
 #[test]
-fn no_error_exceeds_the_limit_and_others_go_on() {
+fn errors_stay_within_the_limit_while_others_continue() {
     check_each([closed(), open()].concat(), |_, mesh, options: &RemovalOptions| {
         let free = build(mesh, options);
         let levels = free.fragmented.fragments.levels();
@@ -207,7 +207,7 @@ fn no_error_exceeds_the_limit_and_others_go_on() {
     });
 }
 
-/// How far the welded mesh is from a level at most, as far as samples see it.
+/// Maximum sampled distance of the welded mesh from a level.
 fn measured(built: &BuiltFragments, split_count: usize) -> f64 {
     let level = replay_fragments(&built.fragmented, split_count);
     let options = DistanceOptions::default().with_sample_count(20_000);
@@ -215,7 +215,7 @@ fn measured(built: &BuiltFragments, split_count: usize) -> f64 {
 }
 
 #[test]
-fn errors_are_never_exceeded_and_seldom_large() {
+fn errors_are_tight_bounds() {
     let mut ratios = Vec::new();
     for (name, mesh) in [closed(), open(), odd()].concat() {
         let built = build(&mesh, &RemovalOptions::default());
@@ -254,15 +254,16 @@ fn limits_hold_for_the_whole_surface() {
 
 #[test]
 fn limits_leave_little_to_remove() {
-    // A sphere of radius 1 within 0.02 takes about this many triangles at least: a cap of that height has a radius of
-    // sqrt(2 * 0.02), and an equilateral triangle in it covers 3 sqrt(3) / 4 of its square.
+    // Lower bound on the triangle count of a unit sphere approximated within 0.02: a cap of that height
+    // has a radius of sqrt(2 * 0.02), and an equilateral triangle in it covers 3 sqrt(3) / 4 of its
+    // square.
     let needed = 4.0 * std::f64::consts::PI / (1.299 * 0.04);
     let sphere = shapes::icosphere(4, 1.0);
     let built = build(&sphere, &RemovalOptions::default().with_max_error(0.02));
     let count = built.fragmented.fragments.levels().triangle_count_at(0);
     assert_eq!(built.stop_reason, StopReason::ErrorLimit);
     assert!((count as f64) < 1.8 * needed, "{count} triangles, {needed:.0} needed");
-    let collapsed = build_sequence(&sphere, &SequenceOptions::default()).expect("sound");
+    let collapsed = build_sequence(&sphere, &SequenceOptions::default()).expect("valid");
     let certified = certify_collapses(&collapsed.refinable);
     let levels = certified.sequence.levels();
     let by_collapses = levels.triangle_count_at(levels.split_count_for_error(0.02));
@@ -270,7 +271,7 @@ fn limits_leave_little_to_remove() {
 }
 
 #[test]
-fn features_stay() {
+fn features_are_kept() {
     // A roof.
     let mut mesh = shapes::grid(12, 12);
     for p in &mut mesh.positions {
@@ -290,21 +291,21 @@ fn features_stay() {
     assert!(fragmented.fragments.levels().triangle_count_at(0) < 40);
 }
 
-/// The middle of a mesh along an axis.
+/// Midpoint of a mesh along an axis.
 fn mid(mesh: &IndexedMesh, axis: usize) -> f32 {
     let bounds = mesh.bounds().expect("vertices");
     0.5 * (bounds.min[axis] + bounds.max[axis])
 }
 
 #[test]
-fn flat_places_go_without_error() {
+fn flat_regions_are_removed_without_error() {
     let grid = build(&shapes::grid(20, 20), &RemovalOptions::default().with_max_error(1e-6));
     let count = grid.fragmented.fragments.levels().triangle_count_at(0);
     assert!(count <= 12, "{count} triangles left of a flat grid");
 }
 
 #[test]
-fn options_out_of_range_are_refused() {
+fn options_out_of_range_are_rejected() {
     let mesh = shapes::cube();
     let options = RemovalOptions::default;
     let cases = [
@@ -315,7 +316,7 @@ fn options_out_of_range_are_refused() {
         ("degree_limit", options().with_degree_limit(17)),
         ("locked_vertices", options().with_locked_vertices(vec![3, 8])),
     ];
-    simplifier::refuses(&mesh, &cases);
+    simplifier::rejects(&mesh, &cases);
 }
 
 #[test]
@@ -331,22 +332,22 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn random_soups_keep_the_promises(count in 1u32..160, seed: u64, way in 0usize..4) {
+    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, filling in 0usize..4) {
         let mesh = shapes::random_soup(count, seed);
-        let options = &ways()[way].1;
+        let options = &hole_fillings()[filling].1;
         check_fragments("soup", &mesh, options, &build(&mesh, options));
     }
 
     #[test]
-    fn random_patches_keep_the_promises(
+    fn random_patches_satisfy_the_guarantees(
         (rings, segments) in (3u32..12, 3u32..12),
         run in 1usize..40,
         seed: u64,
-        way in 0usize..4,
+        filling in 0usize..4,
     ) {
         let rough = meshes::rough(shapes::torus(rings, segments, 2.0, 1.0), 0.2, seed);
         let mesh = with_patches(rough, run);
-        let options = &ways()[way].1.clone().with_topology(TopologyRule::Keep);
+        let options = &hole_fillings()[filling].1.clone().with_topology(TopologyRule::Keep);
         let built = build(&mesh, options);
         check_fragments("patches", &mesh, options, &built);
         for split_count in 0..=built.fragmented.fragments.step_count() {
@@ -356,9 +357,9 @@ proptest! {
     }
 
     #[test]
-    fn random_assets_keep_the_promises(pieces in 1usize..5, seed: u64, way in 0usize..4, locks: bool) {
+    fn random_assets_satisfy_the_guarantees(pieces in 1usize..5, seed: u64, filling in 0usize..4, locks: bool) {
         let mesh = meshes::asset(pieces, seed);
-        let mut options = ways()[way].1.clone();
+        let mut options = hole_fillings()[filling].1.clone();
         if locks {
             options = options
                 .with_locked_vertices((0..mesh.vertex_count() as u32).step_by(29).collect())
@@ -367,9 +368,10 @@ proptest! {
         let built = build(&mesh, &options);
         check_fragments("asset", &mesh, &options, &built);
         let fragments = &built.fragmented.fragments;
-        let base = places_of(&built.fragmented.mesh, fragments.levels().base_vertex_count());
-        let welded = weld(&mesh).expect("assets are sound");
-        let locked = options.locked_vertices.iter().filter(|&&v| welded.position_of_source[v as usize] != u32::MAX);
+        let base = positions_of(&built.fragmented.mesh, fragments.levels().base_vertex_count());
+        let welded = weld(&mesh).expect("assets are valid");
+        let has_position = |v: &&u32| welded.position_of_source[**v as usize] != u32::MAX;
+        let locked = options.locked_vertices.iter().filter(has_position);
         for &v in locked {
             prop_assert!(base.contains(&key(mesh.positions[v as usize])), "vertex {} was locked", v);
         }

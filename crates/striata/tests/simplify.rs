@@ -1,4 +1,5 @@
-//! The simplifier against what its sequence promises, on every mesh of the test set and with every cost.
+//! Checks the simplifier against the guarantees of its sequence, on every mesh of the test set and with
+//! every cost.
 
 use striata_testing::meshes;
 
@@ -10,7 +11,7 @@ use std::collections::BTreeSet;
 
 use meshes::{COSTS, all, check_each, closed, open, with_patches};
 use proptest::prelude::*;
-use simplifier::{Outcome, Rules, Simplifier, boundary_of, group_border_of, key, places_of};
+use simplifier::{Outcome, Rules, Simplifier, boundary_of, group_border_of, key, positions_of};
 use striata::ProgressFn;
 use striata::file::{WriteOptions, to_striata};
 use striata::mesh::{
@@ -24,7 +25,7 @@ use striata::simplify::{
 use support::Topology;
 
 impl Simplifier for SequenceOptions {
-    fn ways() -> Vec<(String, Self)> {
+    fn variants() -> Vec<(String, Self)> {
         meshes::by_cost()
     }
 
@@ -51,25 +52,26 @@ impl Simplifier for SequenceOptions {
     }
 }
 
-test_promises! {
+test_guarantees! {
     SequenceOptions:
-    every_mesh_ends_at_a_handful,
+    every_mesh_simplifies_to_a_few_triangles,
     manifolds_keep_their_topology_at_every_level,
     seams_cut_every_level_into_the_same_pieces,
     locked_vertices_are_in_the_base,
     locked_boundaries_keep_every_vertex,
     locked_group_borders_keep_every_vertex,
-    the_base_triangle_count_is_undercut_by_less_than_a_step,
-    unsound_meshes_are_refused_with_their_place,
+    the_base_triangle_count_is_missed_by_less_than_a_step,
+    invalid_meshes_are_rejected_with_the_location,
     the_callback_sees_progress_and_can_cancel,
     no_triangle_of_a_sphere_turns_inward,
 }
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
-    build_sequence(mesh, options).expect("sound meshes are simplified")
+    build_sequence(mesh, options).expect("valid meshes can be simplified")
 }
 
-/// Triangles as positions, smallest first, sorted; those with two corners at one position left out.
+/// Triangles as positions, smallest corner first, sorted; those with two corners at one position are
+/// dropped.
 fn triangles_in_space(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
     let mut out: Vec<[[u32; 3]; 3]> = mesh
         .triangles
@@ -85,7 +87,7 @@ fn triangles_in_space(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
     out
 }
 
-/// What holds for every sequence of any sound mesh.
+/// Guarantees for every sequence of any valid mesh.
 fn check_sequence(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
     let RefinableMesh { mesh, sequence } = &built.refinable;
     assert_eq!(triangles_in_space(mesh), triangles_in_space(input), "{name}: the full mesh");
@@ -104,7 +106,7 @@ fn check_sequence(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
     }
 }
 
-/// The sequence as a file would hand it over is accepted.
+/// Checks that the sequence is accepted when assembled from stored arrays.
 fn check_parts(name: &str, refinable: &RefinableMesh) {
     let RefinableMesh { mesh, sequence } = refinable;
     let again = CollapseSequence::from_parts(SequenceParts {
@@ -121,11 +123,12 @@ fn check_parts(name: &str, refinable: &RefinableMesh) {
             sequence.positions().wedges(position).map(|v| key(mesh.positions[v as usize])).collect();
         assert_eq!(keys.len(), 1, "{name}: wedges of position {position} lie apart");
     }
-    let position_count = places_of(mesh, mesh.vertex_count()).len();
+    let position_count = positions_of(mesh, mesh.vertex_count()).len();
     assert_eq!(sequence.positions().position_count(), position_count, "{name}: positions are numbered once");
 }
 
-/// Every vertex has what the vertex of the input had that it comes from; levels show a prefix of them.
+/// Every vertex must have the attributes of its source vertex in the input; each level uses a prefix of
+/// the vertices.
 fn check_attributes(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
     let mesh = &built.refinable.mesh;
     assert_eq!(built.source_vertex.len(), mesh.vertex_count(), "{name}");
@@ -145,11 +148,11 @@ fn check_attributes(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
     }
 }
 
-/// What is locked is in the base and has a triangle there; nothing else stays unless a rule says so.
+/// Locked vertices must be used in the base mesh; other vertices remain only if a rule requires it.
 fn check_locks(input: &IndexedMesh, options: &SequenceOptions, built: &BuiltSequence) {
     let base = replay(&built.refinable, 0);
     let used = base.clone().without_unused_vertices();
-    let used = places_of(&used, used.vertex_count());
+    let used = positions_of(&used, used.vertex_count());
     assert_eq!(
         used.len(),
         built.refinable.sequence.base_position_count(),
@@ -162,17 +165,19 @@ fn check_locks(input: &IndexedMesh, options: &SequenceOptions, built: &BuiltSequ
         locked.extend(boundary_of(input));
     }
     if options.group_borders == BoundaryRule::Locked {
-        locked.extend(group_border_of(&weld(input).expect("assets are sound").mesh));
+        locked.extend(group_border_of(&weld(input).expect("assets are valid").mesh));
     }
     locked.retain(|place| shown.contains(place));
     assert!(locked.is_subset(&used), "something locked went");
     let keeps_something = options.topology != TopologyRule::Change || options.seams != SeamRule::Cross;
-    // A locked position needs two more for its triangle; parts of several layers may end before their last triangle.
+    // A locked position needs two more for its triangle; multi-layer parts may stop before their last
+    // triangle.
     let limit = 10 + 3 * locked.len();
     assert!(keeps_something || used.len() <= limit, "{} positions of {limit} left", used.len());
 }
 
-/// No vertex serves two materials while seams are kept: a triangle that took one over from across the border would share it.
+/// Checks that no vertex is shared by two materials while seams are kept: a triangle must not adopt a vertex
+/// from across the border.
 fn check_materials(at: &str, level: &IndexedMesh) {
     let mut material_of = vec![None; level.vertex_count()];
     for group in level.groups_or_whole() {
@@ -184,11 +189,11 @@ fn check_materials(at: &str, level: &IndexedMesh) {
 }
 
 #[test]
-fn every_sequence_keeps_its_promises() {
+fn every_sequence_satisfies_its_guarantees() {
     check_each(all(), |name, mesh, options| {
         check_sequence(name, mesh, &build(mesh, options));
         check_sequence(name, mesh, &build(mesh, &options.clone().with_topology(TopologyRule::KeepParts)));
-        let built = build(mesh, &options.keeping());
+        let built = build(mesh, &options.preserving_all());
         check_sequence(name, mesh, &built);
         for split_count in 0..=built.refinable.sequence.step_count() {
             let at = format!("{name} at {split_count}");
@@ -198,9 +203,9 @@ fn every_sequence_keeps_its_promises() {
 }
 
 #[test]
-fn closed_surfaces_change_only_below_what_keeps_their_topology() {
+fn closed_surfaces_keep_their_topology_down_to_the_minimum() {
     let bumpy = meshes::rough(shapes::icosphere(4, 1.0), 0.01, 7);
-    // Small parts of several may vanish before others are done.
+    // If there are several parts, small ones may vanish before others are done.
     let is_plain = |mesh: &IndexedMesh| {
         mesh.layers.is_empty() && mesh.groups.is_empty() && Topology::of(mesh).component_count == 1
     };
@@ -208,7 +213,7 @@ fn closed_surfaces_change_only_below_what_keeps_their_topology() {
     let large = [("bumpy ball", bumpy), ("large torus", shapes::torus(60, 40, 2.0, 1.0))];
     let large = large.map(|(name, mesh)| (name.to_owned(), mesh));
     check_each(plain.chain(large).collect(), |_, mesh, options| {
-        let (free, kept) = (build(mesh, options).refinable, build(mesh, &options.keeping()).refinable);
+        let (free, kept) = (build(mesh, options).refinable, build(mesh, &options.preserving_all()).refinable);
         let (free_count, kept_count) = (free.sequence.step_count(), kept.sequence.step_count());
         let more = free_count - kept_count;
         for split_count in 0..=kept_count {
@@ -221,7 +226,7 @@ fn closed_surfaces_change_only_below_what_keeps_their_topology() {
 }
 
 #[test]
-fn parts_are_kept_if_asked_for() {
+fn parts_are_kept_if_requested() {
     check_each(vec![("parts".to_owned(), shapes::many_components(30))], |_, mesh, options| {
         let parts = Topology::of(mesh).component_count;
         let refinable = build(mesh, &options.clone().with_topology(TopologyRule::KeepParts)).refinable;
@@ -232,7 +237,7 @@ fn parts_are_kept_if_asked_for() {
 }
 
 #[test]
-fn surfaces_without_seams_run_down_to_a_handful() {
+fn surfaces_without_seams_simplify_to_a_few_triangles() {
     let limits = [
         ("icosphere", 4),
         ("uv sphere", 4),
@@ -242,7 +247,7 @@ fn surfaces_without_seams_run_down_to_a_handful() {
         ("flat grid", 2),
         ("terrain", 6),
     ];
-    simplifier::runs_down_to(&limits, SequenceOptions::keeping);
+    simplifier::simplifies_to(&limits, SequenceOptions::preserving_all);
 }
 
 #[test]
@@ -286,7 +291,7 @@ fn the_error_limit_is_the_last_step_that_fits() {
 }
 
 #[test]
-fn options_out_of_range_are_refused() {
+fn options_out_of_range_are_rejected() {
     let mesh = shapes::cube();
     let options = SequenceOptions::default;
     let cases = [
@@ -296,7 +301,7 @@ fn options_out_of_range_are_refused() {
         ("pair_distance", options().with_pair_distance(-0.5)),
         ("locked_vertices", options().with_locked_vertices(vec![3, 8])),
     ];
-    simplifier::refuses(&mesh, &cases);
+    simplifier::rejects(&mesh, &cases);
 }
 
 #[test]
@@ -314,14 +319,14 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn random_soups_keep_the_promises(count in 1u32..160, seed: u64, cost in 0usize..3) {
+    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, cost in 0usize..3) {
         let mesh = shapes::random_soup(count, seed);
         let options = SequenceOptions::default().with_cost(COSTS[cost]);
         check_sequence("soup", &mesh, &build(&mesh, &options));
     }
 
     #[test]
-    fn random_assets_keep_the_promises(pieces in 1usize..9, seed: u64, cost in 0usize..3, locks: bool) {
+    fn random_assets_satisfy_the_guarantees(pieces in 1usize..9, seed: u64, cost in 0usize..3, locks: bool) {
         let mesh = meshes::asset(pieces, seed);
         let mut options = SequenceOptions::default().with_cost(COSTS[cost]);
         if locks {
@@ -332,7 +337,7 @@ proptest! {
         let sequence = &built.refinable.sequence;
         let limit = if locks { 16 + 3 * mesh.vertex_count().div_ceil(29) } else { 16 };
         prop_assert!(sequence.triangle_count_at(0) <= limit, "{} left", sequence.triangle_count_at(0));
-        let base = places_of(&built.refinable.mesh, sequence.base_vertex_count());
+        let base = positions_of(&built.refinable.mesh, sequence.base_vertex_count());
         let shown: BTreeSet<[u32; 3]> = triangles_in_space(&mesh).into_iter().flatten().collect();
         for &v in &options.locked_vertices {
             let place = key(mesh.positions[v as usize]);
@@ -341,7 +346,7 @@ proptest! {
     }
 
     #[test]
-    fn random_options_keep_the_promises(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
+    fn random_options_satisfy_the_guarantees(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
         let mesh = meshes::asset(pieces, seed);
         let options = meshes::random_options(&mesh, seed, cost);
         let built = build(&mesh, &options);
@@ -349,7 +354,7 @@ proptest! {
         check_sequence("asset", &mesh, &built);
         check_locks(&mesh, &options, &built);
         prop_assert_eq!(built.stop_reason, StopReason::BaseReached);
-        // A target within reach is met, by the same steps.
+        // A target within reach must be met with the same steps.
         let sequence = &built.refinable.sequence;
         let goal = (sequence.triangle_count_at(0) + sequence.triangle_count_at(sequence.step_count())) / 2;
         let some = build(&mesh, &options.clone().with_base_triangle_count(goal));
@@ -360,7 +365,7 @@ proptest! {
     }
 
     #[test]
-    fn random_patches_keep_the_promises(
+    fn random_patches_satisfy_the_guarantees(
         (rings, segments) in (3u32..12, 3u32..12),
         run in 1usize..40,
         seed: u64,
@@ -381,7 +386,7 @@ proptest! {
     fn the_full_mesh_is_the_welded_mesh(count in 1u32..200, seed: u64) {
         let mesh = with_patches(shapes::random_soup(count, seed), 3);
         let built = build(&mesh, &SequenceOptions::default());
-        let welded = weld(&mesh).expect("soups are sound");
+        let welded = weld(&mesh).expect("soups are valid");
         let by_source = |triangles: &[[u32; 3]], source: &[u32]| {
             let named: Vec<_> = triangles.iter().map(|t| t.map(|v| source[v as usize])).collect();
             canonical_triangles(&named)
@@ -396,7 +401,7 @@ proptest! {
 }
 
 #[test]
-fn levels_stay_what_they_are_where_coarser_ones_go() {
+fn dropping_coarse_levels_keeps_the_others() {
     check_each(all(), |name, mesh, options| {
         let whole = build(mesh, options).refinable;
         let step_count = whole.sequence.step_count();

@@ -1,5 +1,5 @@
-//! The meshes that the whole pipeline is tried on.
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+//! Test meshes for the whole pipeline.
+#![allow(dead_code, unreachable_pub, reason = "each test file uses only a part")]
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -9,14 +9,14 @@ use striata::simplify::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, T
 pub const COSTS: [CollapseCost; 3] =
     [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
 
-pub type Named = (String, IndexedMesh);
+pub type NamedMesh = (String, IndexedMesh);
 
-fn named(name: &str, mesh: IndexedMesh) -> Named {
+fn named(name: &str, mesh: IndexedMesh) -> NamedMesh {
     (name.to_owned(), mesh)
 }
 
 /// Closed oriented manifolds; the last ones have seams.
-pub fn closed() -> Vec<Named> {
+pub fn closed() -> Vec<NamedMesh> {
     vec![
         named("tetrahedron", shapes::tetrahedron()),
         named("cube", shapes::cube()),
@@ -33,7 +33,7 @@ pub fn closed() -> Vec<Named> {
 }
 
 /// Oriented manifolds with boundaries.
-pub fn open() -> Vec<Named> {
+pub fn open() -> Vec<NamedMesh> {
     vec![
         named(
             "one triangle",
@@ -49,10 +49,10 @@ pub fn open() -> Vec<Named> {
     ]
 }
 
-/// Everything else that fits together: what breaks algorithms, soups, one-sided surfaces, books.
-pub fn odd() -> Vec<Named> {
+/// All other valid meshes: problematic ones, soups, one-sided surfaces, books.
+pub fn odd() -> Vec<NamedMesh> {
     let nasty = shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
-    let mut all: Vec<Named> = nasty.map(|(name, mesh)| named(name, mesh)).collect();
+    let mut all: Vec<NamedMesh> = nasty.map(|(name, mesh)| named(name, mesh)).collect();
     all.push(named("long moebius strip", shapes::moebius_strip(40)));
     all.push(named("klein bottle", shapes::klein_bottle(12, 9)));
     all.push(named("book of 30", shapes::book(30)));
@@ -63,26 +63,26 @@ pub fn odd() -> Vec<Named> {
     all
 }
 
-/// Runs a check on each mesh with each cost and fails with the list of all that failed it.
-pub fn check_each(meshes: Vec<Named>, check: impl Fn(&str, &IndexedMesh, &SequenceOptions)) {
-    check_each_way(meshes, &by_cost(), check);
+/// Runs a check on each mesh with each cost, and fails with a list of all failures.
+pub fn check_each(meshes: Vec<NamedMesh>, check: impl Fn(&str, &IndexedMesh, &SequenceOptions)) {
+    check_each_variant(meshes, &by_cost(), check);
 }
 
-/// Options with each cost.
+/// Returns options with each cost.
 pub fn by_cost() -> Vec<(String, SequenceOptions)> {
     COSTS.into_iter().map(|cost| (format!("{cost:?}"), SequenceOptions::default().with_cost(cost))).collect()
 }
 
-/// Runs a check on each mesh with each of several named options and fails with the list of all that failed it.
-pub fn check_each_way<O>(
-    meshes: Vec<Named>,
-    ways: &[(impl std::fmt::Display, O)],
+/// Runs a check on each mesh with each of several named options, and fails with a list of all failures.
+pub fn check_each_variant<O>(
+    meshes: Vec<NamedMesh>,
+    variants: &[(impl std::fmt::Display, O)],
     check: impl Fn(&str, &IndexedMesh, &O),
 ) {
     let mut failed = Vec::new();
     for (name, mesh) in meshes {
-        for (way, options) in ways {
-            let name = format!("{name}, {way}");
+        for (variant, options) in variants {
+            let name = format!("{name}, {variant}");
             if catch_unwind(AssertUnwindSafe(|| check(&name, &mesh, options))).is_err() {
                 failed.push(name);
             }
@@ -91,11 +91,11 @@ pub fn check_each_way<O>(
     assert!(failed.is_empty(), "failed: {failed:#?}");
 }
 
-pub fn all() -> Vec<Named> {
+pub fn all() -> Vec<NamedMesh> {
     [closed(), open(), odd()].concat()
 }
 
-/// Every vertex moved at random by at most `by` along each axis.
+/// Displaces every vertex randomly by at most `by` along each axis.
 pub fn rough(mut mesh: IndexedMesh, by: f32, seed: u64) -> IndexedMesh {
     let mut random = Random::new(seed);
     mesh.positions.iter_mut().flatten().for_each(|x| *x += random.between(-by, by));
@@ -115,7 +115,7 @@ fn without_every(mut mesh: IndexedMesh, n: usize) -> IndexedMesh {
     mesh.without_unused_vertices()
 }
 
-/// Grids over shared vertices: edges of three and four triangles beside ordinary ones.
+/// Two grids that share vertices: edges with three and four triangles among ordinary ones.
 fn crossing_sheets(seed: u64) -> IndexedMesh {
     let mut mesh = rough(shapes::grid(6, 6), 0.02, seed);
     let mut random = Random::new(seed);
@@ -127,7 +127,7 @@ fn crossing_sheets(seed: u64) -> IndexedMesh {
     mesh
 }
 
-/// Runs of `run` triangles with texture coordinates of their own, and a material for each of three parts.
+/// Gives every `run` consecutive triangles separate texture coordinates, and each of three parts a material.
 pub fn with_patches(mesh: IndexedMesh, run: usize) -> IndexedMesh {
     let corners: Vec<u32> = mesh.triangles.iter().flatten().copied().collect();
     let texcoords = corners.iter().enumerate().flat_map(|(c, &v)| [(c / (3 * run)) as f32, v as f32]);
@@ -151,23 +151,23 @@ pub fn with_patches(mesh: IndexedMesh, run: usize) -> IndexedMesh {
     out
 }
 
-/// A strip that lies on itself, with triangles that have no area between its runs.
+/// A strip folded onto itself, with degenerate triangles between its runs.
 pub fn folded(count: u32) -> IndexedMesh {
-    let place = |i: u32| [f32::from(i as u8 % 2), (i / 2) as f32 * 0.25, 0.01 * (i % 3) as f32];
-    let positions = (0..2 * count + 2).map(place).chain([[0.5, 0.0, 0.0], [1.0, 0.0, 0.01]]).collect();
+    let position = |i: u32| [f32::from(i as u8 % 2), (i / 2) as f32 * 0.25, 0.01 * (i % 3) as f32];
+    let positions = (0..2 * count + 2).map(position).chain([[0.5, 0.0, 0.0], [1.0, 0.0, 0.01]]).collect();
     let n = 2 * count + 2;
     let runs = (0..2 * count).flat_map(|i| [[i, i + 1, i + 2], [i + 2, i + 1, i]]);
     IndexedMesh::new(positions, runs.chain([[0, n, 1], [0, n + 1, n]]).collect())
 }
 
-/// A body within a copy of it that faces the other way.
+/// A mesh together with a copy of opposite orientation.
 pub fn inside_out(mesh: IndexedMesh) -> IndexedMesh {
     let mut turned = mesh.clone();
     turned.triangles.iter_mut().for_each(|t| t.swap(0, 1));
     joined(mesh, turned)
 }
 
-/// Options of all kinds for a mesh: locks, rules and contractions by chance.
+/// Random options for a mesh: locks, rules and contractions.
 pub fn random_options(mesh: &IndexedMesh, seed: u64, cost: usize) -> SequenceOptions {
     let mut random = Random::new(seed ^ 0x5EED);
     let mut one_in = |n: u32| random.below(n) == 0;
@@ -195,7 +195,7 @@ pub fn random_options(mesh: &IndexedMesh, seed: u64, cost: usize) -> SequenceOpt
     options
 }
 
-/// A piece of an asset: small bodies, sheets, cards and what modelers leave behind.
+/// A random piece of an asset: small bodies, sheets, cards and typical modeling leftovers.
 fn piece(random: &mut Random) -> IndexedMesh {
     let seed = u64::from(random.below(1000));
     match random.below(16) {
@@ -218,13 +218,13 @@ fn piece(random: &mut Random) -> IndexedMesh {
     }
 }
 
-/// Pieces side by side, within and on top of each other, as files from modelers hold them: normals that are flat or smooth,
-/// charts of texture coordinates, three materials, triangles that stand there twice.
+/// Random pieces next to, inside and on top of each other, as in files from modeling tools: flat or smooth
+/// normals, charts of texture coordinates, three materials, duplicate triangles.
 pub fn asset(piece_count: usize, seed: u64) -> IndexedMesh {
     let mut random = Random::new(seed);
     let mut out = IndexedMesh::default();
     let (mut normals, mut texcoords) = (Vec::new(), Vec::new());
-    for number in 0..piece_count {
+    for index in 0..piece_count {
         let mut piece = piece(&mut random);
         if random.below(3) == 0 {
             let first = piece.triangles.first().copied();
@@ -235,20 +235,20 @@ pub fn asset(piece_count: usize, seed: u64) -> IndexedMesh {
         let (is_flat, run) = (random.below(2) == 0, 1 + random.below(12) as usize);
         let first = out.triangles.len() as u32;
         for (t, corners) in piece.triangles.iter().enumerate() {
-            let places = corners.map(|v| glam::Vec3::from(piece.positions[v as usize]));
-            let normal = (places[1] - places[0]).cross(places[2] - places[0]).normalize_or_zero();
+            let points = corners.map(|v| glam::Vec3::from(piece.positions[v as usize]));
+            let normal = (points[1] - points[0]).cross(points[2] - points[0]).normalize_or_zero();
             let n = out.positions.len() as u32;
             out.triangles.push([n, n + 1, n + 2]);
-            for (place, &v) in places.into_iter().zip(corners) {
-                let smooth = place.normalize_or_zero();
+            for (point, &v) in points.into_iter().zip(corners) {
+                let smooth = point.normalize_or_zero();
                 normals.extend(if is_flat { normal } else { smooth }.to_array());
                 texcoords.extend([(t / run) as f32 * 0.1, v as f32 * 0.01]);
-                out.positions.push((scale * place + glam::Vec3::from(offset)).to_array());
+                out.positions.push((scale * point + glam::Vec3::from(offset)).to_array());
             }
         }
         out.groups.push(TriangleGroup {
-            name: format!("piece {number}"),
-            material: Some(number as u32 % 3),
+            name: format!("piece {index}"),
+            material: Some(index as u32 % 3),
             first,
             count: out.triangles.len() as u32 - first,
         });

@@ -1,27 +1,28 @@
-//! A mesh as the progressive coder sees it, in the plainest way: cut into manifold copies, holes closed by virtual vertices.
+//! Reference model of the progressive coder's view of a mesh: cut into manifold copies, with holes closed by
+//! virtual vertices.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Triangles of copies of positions, and of virtual vertices behind them.
+/// A closed surface over copies of positions, followed by virtual vertices that close holes.
 #[derive(Clone)]
 pub struct ClosedSurface {
-    /// All triangles, those that close holes included.
+    /// All triangles, including those that close holes.
     pub triangles: Vec<[u32; 3]>,
-    /// The position of each copy.
+    /// Position of each copy.
     pub position_of: Vec<u32>,
-    /// The part of the surface that each copy belongs to.
+    /// Part of the surface to which each copy belongs.
     pub part_of: Vec<u32>,
     is_manifold: Vec<bool>,
 }
 
-/// The neighbors of a vertex on its ring, and the edges of the ring, both without direction.
+/// The ring of a vertex: its neighbors, and the undirected edges between them.
 pub struct Ring {
     pub vertices: BTreeSet<u32>,
     pub edges: BTreeSet<[u32; 2]>,
 }
 
 impl ClosedSurface {
-    /// Cuts triangles of `position_count` positions.
+    /// Cuts a mesh with `position_count` positions into manifold copies and closes its holes.
     pub fn new(position_count: usize, triangles: &[[u32; 3]]) -> Self {
         let mut users: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
         for (t, &[a, b, c]) in triangles.iter().enumerate() {
@@ -76,7 +77,7 @@ impl ClosedSurface {
         };
         surface.is_manifold = (0..position_count).map(|p| copy_counts[p] == 1 && simple(p as u32)).collect();
         surface.close_holes(&users, &copy_of, across);
-        // A triangle and its reverse are one fan, but no ring.
+        // A triangle and its reverse form a fan, but not a ring.
         for copy in 0..surface.position_of.len() as u32 {
             if surface.edges_around(copy).count() < 3 {
                 surface.is_manifold[surface.position_of[copy as usize] as usize] = false;
@@ -102,31 +103,31 @@ impl ClosedSurface {
             }
         }
         let first = self.position_of.len() as u32;
-        // Numbers of virtual vertices may have gaps: one for each copy that stands for a hole.
+        // The index of a virtual vertex derives from a copy on the hole, so indices may have gaps.
         let closing = rim.iter().map(|&[a, b]| [b, a, first + root(&holes, a as usize) as u32]);
         self.triangles.extend(closing);
     }
 
-    /// True for copies, false for virtual vertices.
+    /// Whether a vertex is a copy of a position, as opposed to a virtual vertex.
     pub fn is_real(&self, vertex: u32) -> bool {
         (vertex as usize) < self.position_of.len()
     }
 
-    /// True where the triangles of a position were one fan in the mesh that was cut.
+    /// Whether the triangles of a position formed a single fan in the original mesh.
     pub fn is_manifold(&self, position: u32) -> bool {
         self.is_manifold[position as usize]
     }
 
-    /// The copies of a position that are there.
+    /// Returns the copies of a position that are still used by a triangle.
     pub fn copies(&self, position: u32) -> BTreeSet<u32> {
         let all = self.triangles.iter().flatten().copied();
         all.filter(|&c| self.is_real(c) && self.position_of[c as usize] == position).collect()
     }
 
-    /// The ring of a vertex; fails where it is no single cycle of different vertices.
+    /// Returns the ring of a vertex; panics if it is not a single cycle of distinct vertices.
     pub fn ring(&self, v: u32) -> Ring {
         let follows: BTreeMap<u32, u32> = self.edges_around(v).collect();
-        assert_eq!(follows.len(), self.edges_around(v).count(), "{v} sees a neighbor twice");
+        assert_eq!(follows.len(), self.edges_around(v).count(), "{v} has a neighbor twice");
         let first = *follows.keys().next().unwrap_or_else(|| panic!("{v} has lost all triangles"));
         let mut at = follows[&first];
         let mut length = 1;
@@ -152,8 +153,8 @@ impl ClosedSurface {
         })
     }
 
-    /// The ring of any vertex, one or not: its vertices and edges.
-    pub fn loose_ring(&self, v: u32) -> Ring {
+    /// Returns the vertices and edges around a vertex, even if they do not form a ring.
+    pub fn unordered_ring(&self, v: u32) -> Ring {
         let edges: Vec<_> = self.edges_around(v).collect();
         Ring {
             vertices: edges.iter().flat_map(|&(a, b)| [a, b]).collect(),
@@ -161,7 +162,7 @@ impl ClosedSurface {
         }
     }
 
-    /// The copy of position `target` that is a neighbor of `v`.
+    /// Returns the only copy of position `target` that is a neighbor of `v`.
     pub fn neighbor(&self, v: u32, target: u32) -> u32 {
         let ring = self.ring(v);
         let mut found =
@@ -171,7 +172,7 @@ impl ClosedSurface {
         u
     }
 
-    /// Puts `u` for `v` and drops what loses a corner.
+    /// Replaces `v` by `u` and drops triangles that become degenerate.
     pub fn collapse(&mut self, v: u32, u: u32) {
         for corner in self.triangles.iter_mut().flatten().filter(|c| **c == v) {
             *corner = u;
@@ -179,13 +180,13 @@ impl ClosedSurface {
         self.triangles.retain(|&[a, b, c]| a != b && b != c && c != a);
     }
 
-    /// The triangles without those that close holes, of positions.
+    /// Returns the triangles over positions, without those that close holes.
     pub fn real_triangles(&self) -> Vec<[u32; 3]> {
         let real = self.triangles.iter().filter(|t| t.iter().all(|&c| self.is_real(c)));
         real.map(|t| t.map(|c| self.position_of[c as usize])).collect()
     }
 
-    /// For each part, how many real triangles it has, and whether it has no hole.
+    /// For each part, returns its number of real triangles and whether it is closed.
     pub fn parts(&self) -> BTreeMap<u32, (usize, bool)> {
         let mut parts: BTreeMap<u32, (usize, bool)> = BTreeMap::new();
         for t in &self.triangles {

@@ -1,6 +1,7 @@
-//! Meshes and random collapse sequences for tests, and what every model is held to.
-#![allow(dead_code, unreachable_pub, unused_imports, reason = "each test file uses its own part")]
+//! Test meshes, random collapse sequences, and the oracles that every model is checked against.
+#![allow(dead_code, unreachable_pub, unused_imports, reason = "each test file uses only a part")]
 
+mod arbitrary_criterion;
 mod checksums;
 mod closed_surface;
 mod fragment_oracle;
@@ -8,9 +9,9 @@ mod oracle;
 mod removals;
 mod suite;
 mod topology;
-mod whim;
 
-pub use checksums::with_sound_checksums;
+pub use arbitrary_criterion::Whim;
+pub use checksums::with_valid_checksums;
 pub use closed_surface::ClosedSurface;
 pub use fragment_oracle::{
     closed_sets, follows_the_fragments, fragment_cases, random_closed_set, shows_a_set, smallest_set,
@@ -23,9 +24,8 @@ use striata::mesh::{
 };
 pub use suite::{Case, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
 pub use topology::Topology;
-pub use whim::Whim;
 
-/// A small generator of numbers (xorshift): the same on every machine.
+/// A small random number generator (xorshift) with the same output on every machine.
 pub struct Random(u64);
 
 impl Random {
@@ -33,7 +33,7 @@ impl Random {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }
 
-    /// A number below `limit`, which is over 0.
+    /// Returns a number below `limit`, which must be positive.
     pub fn below(&mut self, limit: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -42,7 +42,7 @@ impl Random {
     }
 }
 
-/// A grid of `n` by `n` squares, bent so that no two vertices meet; closed into a torus if asked.
+/// A grid of `n` by `n` squares, bent so that no two vertices coincide; optionally closed to a torus.
 pub fn grid(n: usize, is_torus: bool) -> IndexedMesh {
     let side = if is_torus { n } else { n + 1 };
     let at = |x: usize, y: usize| ((y % side) * side + x % side) as u32;
@@ -62,7 +62,7 @@ pub fn grid(n: usize, is_torus: bool) -> IndexedMesh {
     IndexedMesh::new(positions, triangles)
 }
 
-/// Random triangles over few vertices: duplicates, fans of many triangles on an edge, bow-ties.
+/// Random triangles over a few vertices: duplicates, edges with many triangles, bow-ties.
 pub fn soup(vertex_count: usize, triangle_count: usize, random: &mut Random) -> IndexedMesh {
     let positions = (0..vertex_count).map(|v| [v as f32, (v * v % 11) as f32, 0.5]).collect();
     let triangles =
@@ -70,7 +70,7 @@ pub fn soup(vertex_count: usize, triangle_count: usize, random: &mut Random) -> 
     IndexedMesh::new(positions, triangles)
 }
 
-/// Meshes that break assumptions, by name.
+/// NamedMesh meshes that violate common assumptions.
 pub fn nasty() -> Vec<(&'static str, IndexedMesh)> {
     let line = |n: usize| (0..n).map(|i| [i as f32, 0.0, 0.0]).collect::<Vec<_>>();
     let mesh = |n: usize, triangles: &[[u32; 3]]| IndexedMesh::new(line(n), triangles.to_vec());
@@ -91,7 +91,7 @@ pub fn nasty() -> Vec<(&'static str, IndexedMesh)> {
     ]
 }
 
-/// Gives a mesh UVs that split every third vertex, and three groups with materials.
+/// Adds UVs that split every third vertex, and three groups with materials.
 pub fn with_seams_and_groups(mut mesh: IndexedMesh) -> IndexedMesh {
     let corners: Vec<u32> = mesh.triangles.iter().flatten().copied().collect();
     let uvs = corners
@@ -118,18 +118,18 @@ pub fn with_seams_and_groups(mut mesh: IndexedMesh) -> IndexedMesh {
     mesh
 }
 
-/// How wild a random sequence is.
+/// Parameters of a random collapse sequence.
 #[derive(Clone, Copy, Debug)]
 pub struct Wildness {
-    /// Of 100 collapses, how many go to a position anywhere instead of a neighbor.
+    /// Percentage of collapses that go to an arbitrary position instead of a neighbor.
     pub far_percent: usize,
-    /// Positions that stay at least.
+    /// Minimum number of positions in the base mesh.
     pub base_position_count: usize,
 }
 
-/// Welds a mesh and collapses its positions in random order to random targets, wedges to random wedges.
+/// Welds a mesh and collapses its positions in random order to random targets, and wedges to random wedges.
 pub fn random_refinable(mesh: &IndexedMesh, wildness: Wildness, random: &mut Random) -> RefinableMesh {
-    let welded = weld(mesh).expect("test meshes are sound");
+    let welded = weld(mesh).expect("test meshes are valid");
     let positions = &welded.positions;
     let position_count = positions.position_count();
     let mut present: Vec<u32> = (0..position_count as u32).collect();
@@ -195,7 +195,7 @@ pub fn random_refinable(mesh: &IndexedMesh, wildness: Wildness, random: &mut Ran
         removed_triangle_counts: removed_counts,
         triangle_count: welded.mesh.triangle_count(),
     })
-    .expect("a random sequence is sound");
+    .expect("a random sequence is valid");
     let source = welded.mesh;
     let mesh = IndexedMesh {
         positions: order.iter().map(|&v| source.positions[v as usize]).collect(),

@@ -1,4 +1,4 @@
-//! What every model is held to: the oracle's triangles at every level, whatever way led there.
+//! Oracle for all models: a model must show the oracle's triangles at every level, regardless of the path.
 
 use std::fmt::Debug;
 
@@ -8,14 +8,14 @@ use striata::strip::RESTART;
 
 use super::Random;
 
-/// Jumps between levels that are tried beside the walks down and up.
+/// Number of random jumps between levels, in addition to moving down and up.
 const JUMP_COUNT: usize = 24;
 
-/// The oracle of a selective level: every corner follows its targets to the first vertex that is there.
+/// Oracle of a selective level: every corner is mapped to the first active vertex in its chain of targets.
 pub fn selective_triangles(
     refinable: &RefinableMesh,
     triangles: &[[u32; 3]],
-    is_taken: impl Fn(u32) -> bool,
+    is_collapsed: impl Fn(u32) -> bool,
 ) -> Vec<[u32; 3]> {
     let sequence = &refinable.sequence;
     let base = sequence.base_position_count();
@@ -23,7 +23,7 @@ pub fn selective_triangles(
         loop {
             let position = sequence.positions().position_of(v) as usize;
             match position.checked_sub(base) {
-                Some(step) if is_taken(step as u32) => v = sequence.target(v),
+                Some(step) if is_collapsed(step as u32) => v = sequence.target(v),
                 _ => return v,
             }
         }
@@ -32,8 +32,9 @@ pub fn selective_triangles(
     triangles.iter().map(|t| t.map(shown)).filter(proper).collect()
 }
 
-/// Holds a model of all levels to the oracle: down and up by `stride`, then in random jumps, group by group; states
-/// on the way up equal those on the way down, and the full mesh is at last shown by the state that was there first.
+/// Checks a model against the oracle, group by group: down and up by `stride`, then in random jumps.
+/// States on the way up must equal those on the way down, and returning to the full mesh must restore the
+/// initial state.
 pub fn follows_the_oracle<M>(refinable: &RefinableMesh, model: &M, stride: usize)
 where
     M: LodModel,
@@ -42,8 +43,8 @@ where
     follows_the_oracle_at(refinable, model, stride, |split_count| split_count);
 }
 
-/// Does as [`follows_the_oracle`] for a model that has not all levels: `shown` says which level it has to show
-/// where it is asked for another.
+/// Checks a model that does not have all levels, like [`follows_the_oracle`]; `shown` returns the level
+/// that it must show for a requested one.
 pub fn follows_the_oracle_at<M>(
     refinable: &RefinableMesh,
     model: &M,
@@ -58,7 +59,7 @@ pub fn follows_the_oracle_at<M>(
     });
 }
 
-/// Does as [`follows_the_oracle_at`] with whatever oracle there is: `level_of` makes its levels.
+/// Checks a model like [`follows_the_oracle_at`], with `level_of` as the oracle.
 pub(super) fn follows_levels<M>(
     model: &M,
     step_count: usize,
@@ -74,7 +75,7 @@ pub(super) fn follows_levels<M>(
     let mut state = full.clone();
     let go_to = |state: &mut M::State, split_count: usize| {
         model.move_to(state, split_count);
-        assert_eq!(model.split_count(state), shown(split_count), "asked for level {split_count}");
+        assert_eq!(model.split_count(state), shown(split_count), "requested level {split_count}");
         shows_its_level(&level_of(model.split_count(state)), model, state);
     };
     shows_its_level(&level_of(model.split_count(&state)), model, &state);
@@ -90,23 +91,23 @@ pub(super) fn follows_levels<M>(
     }
     for (&split_count, expected) in levels.iter().zip(&seen).rev() {
         go_to(&mut state, split_count);
-        assert!(state == *expected, "down and up again, the state at {split_count} is another");
+        assert!(state == *expected, "the state at {split_count} differs after moving down and up");
     }
     let mut random = Random::new(step_count as u64);
     for _ in 0..JUMP_COUNT.min(step_count) {
         let i = random.below(levels.len());
         go_to(&mut state, levels[i]);
-        assert!(state == seen[i], "after a jump, the state at {} is another", levels[i]);
+        assert!(state == seen[i], "the state at {} differs after a jump", levels[i]);
         go_to(&mut state, random.below(step_count + 1));
     }
     model.move_to(&mut state, step_count);
-    assert_eq!(state, full, "the full mesh again is the first state again");
+    assert_eq!(state, full, "returning to the full mesh restores the initial state");
 }
 
-/// Compares what is drawn with the oracle, group by group, and with the counts that the model tells.
+/// Compares what is drawn with the oracle, group by group, and with the counts that the model reports.
 fn shows_its_level<M: LodModel>(level: &IndexedMesh, model: &M, state: &M::State) {
     let split_count = model.split_count(state);
-    // What was in the buffer stays: models append.
+    // Models append, so existing contents must be kept.
     let mut indices = vec![7];
     model.indices_into(state, &mut indices);
     assert_eq!(indices[0], 7);
@@ -118,7 +119,7 @@ fn shows_its_level<M: LodModel>(level: &IndexedMesh, model: &M, state: &M::State
             assert_eq!(
                 indices.len(),
                 3 * level.triangle_count(),
-                "only what shows is drawn at {split_count}"
+                "only visible triangles are drawn at {split_count}"
             );
             0
         }

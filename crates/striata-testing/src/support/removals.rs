@@ -1,4 +1,4 @@
-//! Random removals of vertices from a surface, with any triangulations of the holes.
+//! Removes random vertices from a surface and fills the holes with random triangulations.
 
 use striata::mesh::{
     AttributeLayer, Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex,
@@ -6,29 +6,30 @@ use striata::mesh::{
 
 use super::Random;
 
-/// Tries in a row that may fail before there is taken to be nothing left to remove.
-const MISSES: usize = 300;
+/// Number of consecutive failed attempts after which no removable vertex is assumed to be left.
+const MAX_FAILURES: usize = 300;
 
-/// A vertex with its ceiling and its floor.
+/// A removed vertex with its ceiling and its floor.
 type Removed = (u32, Vec<[u32; 3]>, Vec<[u32; 3]>);
 
-/// Removes vertices in random order, at most so many, as long as the surface stays a simple one, borders allowed; a vertex whose
-/// hole has a triangulation that would double an edge stays. Looks at all triangles each time.
-pub fn random_removals(mesh: &IndexedMesh, most: usize, random: &mut Random) -> FragmentedMesh {
+/// Removes at most `max_count` vertices in random order while the surface stays manifold, possibly with
+/// boundary. A vertex whose hole receives a triangulation that would duplicate an edge is kept. Quadratic
+/// time.
+pub fn random_removals(mesh: &IndexedMesh, max_count: usize, random: &mut Random) -> FragmentedMesh {
     let vertex_count = mesh.vertex_count();
     let mut triangles = mesh.triangles.clone();
     let mut left: Vec<u32> = (0..vertex_count as u32).collect();
     let mut removed: Vec<Removed> = Vec::new();
-    let mut misses = 0;
-    while misses < MISSES && removed.len() < most && !left.is_empty() {
-        let place = random.below(left.len());
-        let vertex = left[place];
+    let mut failure_count = 0;
+    while failure_count < MAX_FAILURES && removed.len() < max_count && !left.is_empty() {
+        let index = random.below(left.len());
+        let vertex = left[index];
         let Some(floor) = floor_of(&triangles, vertex, random) else {
-            misses += 1;
+            failure_count += 1;
             continue;
         };
-        misses = 0;
-        left.swap_remove(place);
+        failure_count = 0;
+        left.swap_remove(index);
         let ceiling: Vec<[u32; 3]> = triangles.extract_if(.., |t| t.contains(&vertex)).collect();
         triangles.extend_from_slice(&floor);
         removed.push((vertex, ceiling, floor));
@@ -58,7 +59,8 @@ pub fn random_removals(mesh: &IndexedMesh, most: usize, random: &mut Random) -> 
     FragmentedMesh { mesh, fragments }
 }
 
-/// A random triangulation of the hole that a vertex leaves, or none if the surface would not be simple any more.
+/// Returns a random triangulation of the hole that a vertex leaves, or `None` if the result would not be
+/// manifold.
 fn floor_of(triangles: &[[u32; 3]], vertex: u32, random: &mut Random) -> Option<Vec<[u32; 3]>> {
     let (ring, is_closed) = ring_of(triangles, vertex)?;
     if ring.len() < 3 {
@@ -75,31 +77,32 @@ fn floor_of(triangles: &[[u32; 3]], vertex: u32, random: &mut Random) -> Option<
         let [a, b, c] = [polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]];
         floor.push([a, b, c]);
         polygon.remove((i + 1) % n);
-        // A diagonal must not be an edge already, in either direction.
+        // A diagonal must not duplicate an existing edge in either direction.
         if has_edge(a, c) || has_edge(c, a) {
             return None;
         }
     }
     floor.push([polygon[0], polygon[1], polygon[2]]);
-    // At a border the last side is new as well, and must not lie where another triangle has it so.
+    // On a boundary, the last side is new too and must not duplicate a directed edge.
     let [first, last] = [ring[0], ring[ring.len() - 1]];
     if !is_closed && (has_edge(last, first) || has_edge(first, last) && !closes_a_hole(&others, first, last))
     {
         return None;
     }
-    // The smallest closed surface is two triangles back to back; leave it at more than that.
+    // Never end at the smallest closed surface, two triangles back to back.
     let is_back_to_back = |t: &[u32; 3]| others.iter().any(|o| t.iter().all(|v| o.contains(v)));
     (!floor.iter().any(is_back_to_back)).then_some(floor)
 }
 
-/// Whether the side that a triangle has from `first` to `last` is a border, so that a floor may close the hole at it.
+/// Whether the edge from `first` to `last` is a boundary edge, so that a floor can close the hole there.
 fn closes_a_hole(others: &[[u32; 3]], first: u32, last: u32) -> bool {
     let sides =
         |a: u32, b: u32| others.iter().filter(|t| (0..3).any(|i| t[i] == a && t[(i + 1) % 3] == b)).count();
     sides(first, last) == 1 && sides(last, first) == 0
 }
 
-/// The neighbors of a vertex in order, and whether they close a ring; none where its triangles are not one fan.
+/// Returns the neighbors of a vertex in order and whether they form a closed ring; `None` if its triangles
+/// are not a single fan.
 fn ring_of(triangles: &[[u32; 3]], vertex: u32) -> Option<(Vec<u32>, bool)> {
     let mut arcs: Vec<[u32; 2]> = triangles
         .iter()
@@ -107,8 +110,8 @@ fn ring_of(triangles: &[[u32; 3]], vertex: u32) -> Option<(Vec<u32>, bool)> {
         .collect();
     let start = arcs.iter().find(|a| !arcs.iter().any(|b| b[1] == a[0])).or(arcs.first())?[0];
     let mut ring = vec![start];
-    while let Some(place) = arcs.iter().position(|arc| arc[0] == *ring.last().unwrap()) {
-        let to = arcs.swap_remove(place)[1];
+    while let Some(index) = arcs.iter().position(|arc| arc[0] == *ring.last().unwrap()) {
+        let to = arcs.swap_remove(index)[1];
         if to == start {
             return arcs.is_empty().then_some((ring, true));
         }

@@ -1,5 +1,5 @@
-//! The meshes on which every model is held to the oracle: what breaks assumptions, surfaces, seams and groups, a vertex
-//! that stands everywhere, and any soup of triangles.
+//! Meshes on which every model is checked against the oracle: meshes that violate assumptions, surfaces,
+//! seams and groups, a vertex with hundreds of triangles, and random soups.
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh};
@@ -8,9 +8,9 @@ use super::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_an
 
 /// A mesh with a random sequence.
 pub struct Case {
-    /// Steps from one level that is looked at to the next.
+    /// Number of steps between two levels that are checked.
     pub stride: usize,
-    /// What the sequence was made with; for choices that are to differ from case to case.
+    /// Seed of the sequence, also used for other choices that should differ between cases.
     pub seed: u64,
     pub refinable: RefinableMesh,
 }
@@ -21,7 +21,7 @@ impl Case {
     }
 }
 
-/// Meshes that break assumptions, collapsed to one position, to neighbors and to anywhere.
+/// Meshes that violate assumptions, collapsed to one position, with targets nearby or anywhere.
 pub fn nasty_cases() -> impl Iterator<Item = Case> {
     let with_seeds = |(name, mesh): (&'static str, IndexedMesh)| {
         (0..8).map(move |seed| {
@@ -33,7 +33,7 @@ pub fn nasty_cases() -> impl Iterator<Item = Case> {
     nasty().into_iter().flat_map(with_seeds)
 }
 
-/// Surfaces with and without a border; one of them larger, of which not every level is looked at.
+/// Surfaces with and without boundary; not every level of the largest one is checked.
 pub fn surface_cases() -> impl Iterator<Item = Case> {
     let surfaces = [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)];
     surfaces.into_iter().flat_map(|(mesh, stride)| {
@@ -52,7 +52,7 @@ pub fn seam_cases() -> impl Iterator<Item = Case> {
     })
 }
 
-/// The hub of a fan goes first: it stands hundreds of times in whatever holds triangles.
+/// Fans whose hub, which has hundreds of triangles, is removed early.
 pub fn hub_cases() -> impl Iterator<Item = Case> {
     let n = 900;
     let positions = (0..=n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]).collect();
@@ -64,7 +64,7 @@ pub fn hub_cases() -> impl Iterator<Item = Case> {
     })
 }
 
-/// Any soup of triangles, with seams and groups or without, collapsed to one position.
+/// Random triangle soups, with or without seams and groups, collapsed to one position.
 pub fn soups() -> impl Strategy<Value = Case> {
     let shape = (any::<u64>(), 3usize..30, 0usize..60, 0usize..60, any::<bool>());
     shape.prop_map(|(seed, vertex_count, triangle_count, far_percent, has_seams)| {

@@ -1,8 +1,8 @@
-//! What simplification keeps of a surface.
+//! Topological invariants that simplification must preserve.
 
 use striata::mesh::{IndexedMesh, Statistics};
 
-/// Numbers that a step on a manifold must not change.
+/// Invariants that a step on a manifold must not change.
 #[derive(Debug, PartialEq)]
 pub struct Topology {
     pub component_count: usize,
@@ -15,7 +15,7 @@ pub struct Topology {
 
 impl Topology {
     pub fn of(mesh: &IndexedMesh) -> Self {
-        let statistics = Statistics::of(mesh).expect("levels are sound");
+        let statistics = Statistics::of(mesh).expect("levels are valid");
         Self {
             component_count: statistics.component_count,
             boundary_loop_count: statistics.boundary_loop_count,

@@ -1,14 +1,15 @@
-//! Numbers of any width up to 57 bits, one after the other.
+//! A packed array of bit fields up to 57 bits wide.
 
-/// Spare bytes at the end, so that any number can be read as part of a whole word.
+/// Spare bytes at the end, so that any field can be read with one 64-bit load.
 const PADDING: usize = 8;
-/// The widest number that a word holds wherever in a byte it begins.
+/// Widest field that fits into a 64-bit load at any bit offset within a byte.
 pub(in crate::model) const MAX_WIDTH: u32 = 57;
 
-/// Numbers of any width up to 57 bits in bytes, the lowest bit first.
+/// A packed array of bit fields up to 57 bits wide, lowest bit first.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bits {
     bytes: Vec<u8>,
+    /// Number of bits in use.
     len: usize,
 }
 
@@ -19,7 +20,8 @@ impl Default for Bits {
 }
 
 impl Bits {
-    /// From bytes that hold `len` bits and no others; none where there are too few or too many, or bits behind the last.
+    /// Wraps bytes that contain exactly `len` bits. Returns `None` if the number of bytes does not match,
+    /// or if a bit after the last is set.
     pub fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
         if bytes.len() != len.div_ceil(8) {
             return None;
@@ -34,22 +36,22 @@ impl Bits {
         Some(Self { bytes: padded, len })
     }
 
-    /// The bytes that hold the bits.
+    /// Returns the bytes in use, without padding.
     pub fn as_bytes(&self) -> &[u8] {
         &self.bytes[..self.bytes.len() - PADDING]
     }
 
-    /// Whether there are none.
+    /// Whether there are no bits.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// Bits in all.
+    /// Number of bits.
     pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Appends the lower `width` bits of a number that has no others; 57 at most.
+    /// Appends the low `width` bits of a number; `width` is at most 57, and all higher bits must be zero.
     pub fn push(&mut self, number: u64, width: u32) {
         debug_assert!(
             width <= MAX_WIDTH && (width == 64 || number >> width == 0),
@@ -63,10 +65,10 @@ impl Bits {
         self.bytes[byte..byte + 8].copy_from_slice(&word.to_le_bytes());
     }
 
-    /// The number of `width` bits, 57 at most, that begins at a bit.
+    /// Returns the field of `width` bits (at most 57) that begins at bit `at`.
     ///
     /// # Panics
-    /// If the bit lies far behind the last.
+    /// If `at` lies beyond the padding.
     #[inline]
     pub fn get(&self, at: usize, width: u32) -> u64 {
         self.word(at / 8) >> (at % 8) & ((1 << width) - 1)
@@ -77,13 +79,13 @@ impl Bits {
         u64::from_le_bytes(*self.bytes[byte..].first_chunk().expect("bits are padded"))
     }
 
-    /// Bytes in memory.
+    /// Number of bytes in memory, including padding.
     pub fn bytes(&self) -> usize {
         self.bytes.len()
     }
 }
 
-/// Bits that numbers below `count` take.
+/// Returns the number of bits needed for values below `count`.
 pub(in crate::model) fn width_of(count: u64) -> u32 {
     u64::BITS - count.saturating_sub(1).leading_zeros()
 }

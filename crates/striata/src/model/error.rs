@@ -1,120 +1,120 @@
-//! Why strips, baselines or stored arrays do not make a model.
+//! Errors of building a model from strips, or of loading one from stored arrays.
 
 use crate::strip::StripSetError;
 
-/// What keeps strips and a sequence from becoming a model, or makes a stored model unusable.
+/// Error that prevents strips and a sequence from becoming a model, or makes a stored model invalid.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelError {
-    /// The strips have other groups than the mesh.
+    /// The strips and the mesh have different numbers of groups.
     #[error("the strips have {found} groups, the mesh has {expected}")]
     GroupCount {
-        /// Groups of the strips.
+        /// Number of groups of the strips.
         found: usize,
-        /// Groups of the mesh.
+        /// Number of groups of the mesh.
         expected: usize,
     },
-    /// The strips hold other triangles than the mesh.
-    #[error("the strips of group {group} hold {found} triangles, the mesh has {expected}")]
+    /// The strips of a group and the mesh have different numbers of triangles.
+    #[error("the strips of group {group} have {found} triangles, but the mesh has {expected}")]
     TriangleCount {
-        /// The group.
+        /// Index of the group.
         group: usize,
-        /// Triangles of the strips.
+        /// Number of triangles in the strips.
         found: usize,
-        /// Triangles of the mesh.
+        /// Number of triangles in the mesh.
         expected: usize,
     },
-    /// A strip names a vertex that is not there.
+    /// A strip uses a vertex that does not exist.
     #[error("strip {strip} uses vertex {vertex}, but there are {vertex_count} vertices")]
     Vertex {
-        /// The strip.
+        /// Index of the strip.
         strip: usize,
-        /// The vertex it names.
+        /// The invalid vertex.
         vertex: u32,
-        /// Vertices that exist.
+        /// Number of vertices.
         vertex_count: usize,
     },
-    /// Offsets of strips or groups do not fit.
+    /// Offsets of strips or groups are inconsistent.
     #[error(transparent)]
     Offsets(#[from] StripSetError),
-    /// Arrays of a stored model do not fit together.
-    #[error("{what} number {found}, expected {expected}")]
+    /// An array of a stored model has the wrong length.
+    #[error("{what}: found {found}, expected {expected}")]
     Length {
-        /// Which array.
+        /// What was counted.
         what: &'static str,
-        /// Its length.
+        /// Number found.
         found: usize,
-        /// The length that fits.
+        /// Number expected.
         expected: usize,
     },
-    /// A record does not fit the strips that it edits.
+    /// The record of a step does not match the strips that it edits.
     #[error("the record of step {step} {reason}")]
     Record {
-        /// The step.
+        /// Index of the step.
         step: usize,
-        /// What is wrong.
+        /// What is wrong with the record.
         reason: &'static str,
     },
-    /// The model would be too large to number its parts.
-    #[error("the model needs {found} {what}, and 32-bit numbers reach to {limit}")]
+    /// The model has more elements than a 32-bit index can address.
+    #[error("the model needs {found} {what}, but at most {limit} are supported")]
     TooMany {
-        /// What there would be too many of.
+        /// Which elements there are too many of.
         what: &'static str,
-        /// How many.
+        /// Number of elements.
         found: u64,
-        /// The most there can be.
+        /// Largest supported number.
         limit: u64,
     },
-    /// Patterns stand for more triangles than their size lets expect.
-    #[error("the patterns make {found} triangles on the way to the full mesh, at most {limit} can be stored")]
+    /// Patterns expand to more triangles than their stored size allows.
+    #[error("the patterns expand to {found} triangles over all steps, but at most {limit} can be stored")]
     Dense {
-        /// Triangles of all ceilings.
+        /// Number of triangles of all ceilings.
         found: u64,
-        /// The most there can be.
+        /// Largest number allowed.
         limit: u64,
     },
-    /// A model as published has fields that are too narrow for the mesh.
+    /// The mesh does not fit into the fixed-width fields of a model in its published form.
     #[error("the published form holds at most {limit} {what}, and there are {found}")]
     Form {
-        /// What there is too much of.
+        /// Which elements there are too many of.
         what: &'static str,
-        /// How many.
+        /// Number of elements.
         found: u64,
-        /// The most there can be.
+        /// Largest number that fits.
         limit: u64,
     },
-    /// The fans of a vertex make no sense.
+    /// The stored fans of a vertex are invalid.
     #[error("the entry of vertex {vertex} {reason}")]
     Entry {
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
-        /// What is wrong.
+        /// What is wrong with the entry.
         reason: &'static str,
     },
-    /// What is stored of a step does not fit what others say of it.
+    /// Data stored for a step contradicts the rest of the model.
     #[error("step {step} {reason}")]
     Step {
-        /// The step.
+        /// Index of the step.
         step: usize,
-        /// What is wrong.
+        /// What is wrong with the step.
         reason: &'static str,
     },
-    /// A list is out of order, or names what is not there.
+    /// A list is out of order, or one of its entries refers to something that does not exist.
     #[error("{what} {place} {reason}")]
     Listed {
         /// What is listed.
         what: &'static str,
-        /// Its place in the list.
+        /// Index of the entry in the list.
         place: usize,
-        /// What is wrong.
+        /// What is wrong with the entry.
         reason: &'static str,
     },
-    /// What is stored of a strip makes no sense.
+    /// Data stored for a strip is invalid.
     #[error("strip {strip} {reason}")]
     Strip {
-        /// The strip.
+        /// Index of the strip.
         strip: usize,
-        /// What is wrong.
+        /// What is wrong with the strip.
         reason: &'static str,
     },
 }

@@ -1,29 +1,29 @@
-//! The models by name.
+//! Names of the models, as used in files, reports and on the command line.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// A model of levels of detail. Its name is the same in files, in reports and on the command line.
+/// A kind of level-of-detail model. Its name is the same in files, in reports and on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum ModelKind {
-    /// Strips that are edited in place: [`LodStrips`](super::LodStrips).
+    /// Strips that are edited in place; see [`LodStrips`](super::LodStrips).
     LodStrips,
-    /// Strips that are walked again where they change: [`Mts`](super::Mts).
+    /// Strips that are rebuilt only when they change; see [`Mts`](super::Mts).
     Mts,
-    /// Progressive fans, which follow a view: [`Fans`](super::Fans).
+    /// Progressive fans for view-dependent refinement; see [`Fans`](super::Fans).
     Fans,
-    /// Fragments of any kind, which follow a view or a box: [`Patterns`](super::Patterns).
+    /// Fragments of any simplifier, refined by view or by region; see [`Patterns`](super::Patterns).
     Patterns,
-    /// The progressive stream of a mesh, which the crate `striata-stream` codes.
+    /// The progressive stream of a mesh, coded by the crate `striata-stream`.
     Progressive,
 }
 
 impl ModelKind {
-    /// All of them, in the order of files.
+    /// All kinds, in the order in which files store them.
     pub const ALL: [Self; 5] = [Self::LodStrips, Self::Mts, Self::Fans, Self::Patterns, Self::Progressive];
 
-    /// The name.
+    /// Returns the name of the kind.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::LodStrips => "lodstrips",
@@ -50,12 +50,12 @@ impl FromStr for ModelKind {
     }
 }
 
-/// The error of a name that no model has. Its message lists the names that there are.
+/// Error for a name that is not a model. Its message lists the valid names.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no model {name:?}; there are {}", ModelKind::ALL.map(ModelKind::as_str).join(", "))]
+#[error("unknown model {name:?}, expected one of {}", ModelKind::ALL.map(ModelKind::as_str).join(", "))]
 #[non_exhaustive]
 pub struct UnknownModel {
-    /// The name.
+    /// The unknown name.
     pub name: String,
 }
 
@@ -71,7 +71,7 @@ mod tests {
         let error = "MTS".parse::<ModelKind>().unwrap_err();
         assert_eq!(
             error.to_string(),
-            "there is no model \"MTS\"; there are lodstrips, mts, fans, patterns, progressive"
+            "unknown model \"MTS\", expected one of lodstrips, mts, fans, patterns, progressive"
         );
     }
 }

@@ -1,8 +1,8 @@
-//! Multiresolution models over one collapse sequence.
+//! Multiresolution models built from one collapse sequence.
 //!
-//! A model has two halves. The static half is built once, never changes, may be shared by any number of
-//! instances and may borrow its arrays from a mapped file. The state is what one instance on the
-//! screen owns: where it stands and what it shows.
+//! A model has two halves. The static half is built once and never changes; any number of instances can
+//! share it, and it can borrow its arrays from a memory-mapped file. The state belongs to one instance on
+//! screen and records the level that the instance shows.
 //!
 //! ```
 //! use striata::model::{LodModel as _, LodStrips};
@@ -42,7 +42,7 @@ pub use fans::{
     FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate, Fans,
     FansLevel, MovingVertex, fan_triangles_into,
 };
-pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
+pub use geomorph::{Geomorph, MorphVertex, VertexBlend};
 pub use kind::{ModelKind, UnknownModel};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsState};
@@ -57,35 +57,35 @@ use std::ops::Range;
 
 use crate::strip::{RESTART, restart_triangles_into};
 
-/// What a part of a model takes.
+/// Size of one part of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartBytes {
-    /// The part, in the words of the format's description.
+    /// Name of the part, as used in the description of the file format.
     pub name: &'static str,
-    /// Its bytes.
+    /// Size in bytes.
     pub bytes: usize,
 }
 
-/// How the indices of a model are drawn.
+/// How the indices of a model are to be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Topology {
-    /// Three indices a triangle.
+    /// A triangle list: three indices per triangle.
     Triangles,
-    /// Strips with [`RESTART`] between them.
+    /// Triangle strips, separated by [`RESTART`].
     Strips,
 }
 
-/// What it takes to draw what an instance shows.
+/// Number of strips and indices needed to draw an instance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DrawCounts {
-    /// Strips; 0 for a model that draws single triangles.
+    /// Number of strips; 0 for a model that draws a triangle list.
     pub strip_count: usize,
-    /// Indices, those between strips counted.
+    /// Number of indices, including the restarts between strips.
     pub index_count: usize,
 }
 
 impl DrawCounts {
-    /// Of strips drawn with [`RESTART`] between them; empty ones are not drawn.
+    /// Counts strips drawn with [`RESTART`] between them; empty strips are skipped.
     pub fn of_strips<'s>(strips: impl Iterator<Item = &'s [u32]>) -> Self {
         let mut counts = Self::default();
         for strip in strips.filter(|strip| !strip.is_empty()) {
@@ -97,7 +97,7 @@ impl DrawCounts {
     }
 }
 
-/// Appends strips with [`RESTART`] between them; empty ones are left out.
+/// Appends strips with [`RESTART`] between them, skipping empty ones.
 pub fn join_strips<'s>(strips: impl Iterator<Item = &'s [u32]>, out: &mut Vec<u32>) {
     let mut is_first = true;
     for strip in strips.filter(|strip| !strip.is_empty()) {
@@ -109,38 +109,39 @@ pub fn join_strips<'s>(strips: impl Iterator<Item = &'s [u32]>, out: &mut Vec<u3
     }
 }
 
-/// A model that shows any level of a collapse sequence as a whole.
+/// A model that can show any uniform level of a collapse sequence.
 pub trait LodModel {
-    /// What one instance owns.
+    /// The data owned by one instance.
     type State;
 
-    /// Steps from the base mesh to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     fn step_count(&self) -> usize;
 
-    /// A new instance; it shows the full mesh.
+    /// Returns a new instance, which shows the full mesh.
     fn new_state(&self) -> Self::State;
 
-    /// The level that an instance shows.
+    /// Returns the level that an instance shows, as a split count.
     fn split_count(&self, state: &Self::State) -> usize;
 
-    /// Moves an instance to a level; what it keeps to draw is then up to date (fans keep nothing, and make their
-    /// triangles as they hand them over). A model of few levels goes to the finest that does not exceed it, or to its
-    /// coarsest.
+    /// Moves an instance to a level and updates the indices that it keeps for drawing. (Fans keep none;
+    /// they generate their triangles on request.) A model with only a few discrete levels picks the finest
+    /// level that does not exceed `split_count`, or its coarsest level if there is none.
     ///
     /// # Panics
-    /// If `split_count` exceeds the step count, or the state belongs to a model of another shape.
+    /// If `split_count` exceeds the step count, or the state belongs to a model of a different shape.
     fn move_to(&self, state: &mut Self::State, split_count: usize);
 
-    /// How [`indices_into`](Self::indices_into) is drawn.
+    /// Returns how the output of [`indices_into`](Self::indices_into) is to be drawn.
     fn topology(&self) -> Topology;
 
-    /// What drawing the instance takes now.
+    /// Counts what is needed to draw the instance at its current level.
     fn draw_counts(&self, state: &Self::State) -> DrawCounts;
 
-    /// Appends all that is drawn, group after group: as many indices as [`draw_counts`](Self::draw_counts) says.
+    /// Appends all indices of the instance, group by group; their number is the `index_count` of
+    /// [`draw_counts`](Self::draw_counts).
     fn indices_into(&self, state: &Self::State, out: &mut Vec<u32>);
 
-    /// Appends the triangles that an instance shows, group after group.
+    /// Appends the triangles that an instance shows, group by group.
     fn triangles_into(&self, state: &Self::State, out: &mut Vec<[u32; 3]>) {
         let mut indices = Vec::with_capacity(self.draw_counts(state).index_count);
         self.indices_into(state, &mut indices);
@@ -150,24 +151,26 @@ pub trait LodModel {
         }
     }
 
-    /// Bytes of the static half by part; positions and attributes are the mesh's and not counted.
+    /// Returns the size of the static half by part, excluding positions and attributes, which belong to
+    /// the mesh.
     fn bytes(&self) -> Vec<PartBytes>;
 
-    /// Bytes that an instance owns.
+    /// Returns the number of bytes that an instance owns.
     fn state_bytes(&self, state: &Self::State) -> usize;
 }
 
-/// A model that a file holds: it knows how many vertices a level has, and tells groups of triangles apart.
+/// A model that can be stored in a file: it knows the vertex count of every level and keeps triangle
+/// groups apart.
 pub trait StoredModel: LodModel {
-    /// The vertices of the base and of each step.
+    /// Returns the vertices of the base mesh and of each step.
     fn step_vertices(&self) -> &StepVertices<'_>;
 
-    /// Vertices of the full mesh.
+    /// Number of vertices of the full mesh.
     fn vertex_count(&self) -> usize {
         self.step_vertices().vertex_count()
     }
 
-    /// Vertices that a level shows: the first so many.
+    /// Number of vertices of a level; the level uses exactly the vertices below this index.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.
@@ -175,43 +178,44 @@ pub trait StoredModel: LodModel {
         self.step_vertices().count_at(split_count)
     }
 
-    /// Groups of triangles.
+    /// Number of triangle groups.
     fn group_count(&self) -> usize;
 
-    /// Appends the triangles that one group shows now.
+    /// Appends the triangles of one group at the instance's current level.
     ///
     /// # Panics
-    /// If there is no such group.
+    /// If the group does not exist.
     fn group_triangles_into(&self, state: &Self::State, group: usize, out: &mut Vec<[u32; 3]>);
 }
 
-/// A model of strips that a file holds: strips never cross groups, dead ones keep their number.
+/// A stored model made of strips. Strips never cross groups, and a strip that has become empty keeps its
+/// index.
 pub trait StripModel: StoredModel {
-    /// First strip of each group, closed by the number of strips.
+    /// Index of the first strip of each group, followed by the strip count.
     fn group_offsets(&self) -> &[u32];
 
-    /// What a strip shows now, [`RESTART`] between its pieces if there are several; empty once all its triangles are
-    /// gone.
+    /// Returns the current indices of a strip, with [`RESTART`] between its pieces if there are several.
+    /// Empty once all triangles of the strip have collapsed.
     ///
     /// # Panics
-    /// If there is no such strip.
+    /// If the strip does not exist.
     fn strip<'s>(&self, state: &'s Self::State, strip: usize) -> &'s [u32];
 
-    /// Strips, dead ones at coarse levels counted.
+    /// Number of strips, including those that are empty at the current level.
     fn strip_count(&self) -> usize {
         self.group_offsets().last().map_or(0, |&count| count as usize)
     }
 
-    /// The strips of one group.
+    /// Returns the range of strips of one group.
     ///
     /// # Panics
-    /// If there is no such group.
+    /// If the group does not exist.
     fn group_strips(&self, group: usize) -> Range<usize> {
         self.group_offsets()[group] as usize..self.group_offsets()[group + 1] as usize
     }
 }
 
-/// Appends the triangles that the strips of one group show now.
+/// Appends the triangles that the strips of one group currently show.
 fn strips_of_group_into<M: StripModel>(model: &M, state: &M::State, group: usize, out: &mut Vec<[u32; 3]>) {
     for strip in model.group_strips(group) {
         restart_triangles_into(model.strip(state, strip), out);

@@ -1,37 +1,40 @@
-//! Bounds of what steps change, eight bytes each, nested along a tree of steps.
+//! Packs the bounds of a step into eight bytes, nested along a tree of steps.
 //!
-//! A record is a sphere around a known place, a cone of normals and an error. All numbers are rounded to the safe side: a
-//! radius and an error are the upper 16 bits of what they are without a sign, an axis is three bytes, and a sine is one. What is
-//! rounded is what the parent's bounds hold, so that rounding never makes a part weigh more than the whole.
+//! A record is a sphere around a known center, a normal cone and an error. Every number is rounded to the
+//! safe side: radius and error are the upper 16 bits of an unsigned float, the axis takes three bytes and
+//! the sine one. The bounds of a parent enclose the rounded bounds of its children, so rounding never
+//! makes a child weigh more than its parent.
 
 use glam::{DVec3, Vec3};
 
 use super::ModelError;
 use crate::view::{NormalCone, Part, Sphere};
 
-/// Stands for no step.
+/// Marks a step that has no parent.
 pub(in crate::model) const NO_STEP: u32 = u32::MAX;
 
-/// Steps with what they change, and the tree along which bounds are nested.
+/// Steps whose changes are to be bounded, and the tree along which the bounds are nested.
 pub(in crate::model) trait Bounded {
-    /// The step above each in the tree, which is coarser; [`NO_STEP`] for one that hangs from the base.
+    /// Returns the parent of each step in the tree, which is coarser; [`NO_STEP`] for a child of the base.
     fn parents(&self) -> Vec<u32>;
-    /// Where the sphere of a step has its center.
+    /// Returns the center of a step's sphere.
     fn center(&self, step: u32) -> [f32; 3];
-    /// Appends the triangles that go or come with a step.
+    /// Appends the triangles that a step adds or removes.
     fn changed_into(&mut self, step: u32, out: &mut Vec<[[f32; 3]; 3]>);
-    /// The error that is there while a step is left out, mesh units.
+    /// Returns the error that remains while a step is collapsed, in mesh units.
     fn error(&self, step: u32) -> f32;
 }
 
-/// The records of all steps: each holds what its step changes, and the records of all steps below it.
+/// Computes the records of all steps; each bounds what its step changes and the records of all its
+/// descendants.
 pub(in crate::model) fn bound(steps: &mut impl Bounded) -> Vec<PartRecord> {
     let parents = steps.parents();
     let mut records = vec![PartRecord::default(); parents.len()];
     let mut normals = vec![DVec3::ZERO; parents.len()];
     let (mut first_child, mut next_child) = (vec![NO_STEP; parents.len()], vec![NO_STEP; parents.len()]);
     let mut changed = Vec::new();
-    // What is below a step is finer, so its bounds are known by then; and children come in rising order.
+    // Descendants are finer, so their bounds are known by then; and children are linked in ascending
+    // order.
     for step in (0..parents.len()).rev() {
         let children =
             || std::iter::successors(some_step(first_child[step]), |&c| some_step(next_child[c as usize]));
@@ -64,24 +67,25 @@ fn some_step(step: u32) -> Option<u32> {
     (step != NO_STEP).then_some(step)
 }
 
-/// What is stored of a step.
+/// The packed bounds of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(in crate::model) struct PartRecord {
     radius: u16,
     error: u16,
-    /// Of the cone, 127 being 1.
+    /// Axis of the cone; 127 stands for 1.
     axis: [i8; 3],
-    /// Of the cone, 255 being 1.
+    /// Sine of the cone's half-angle; 255 stands for 1.
     sin: u8,
 }
 
 impl PartRecord {
+    /// Packs bounds, rounded up so that the record encloses them.
     pub(in crate::model) fn holding(radius: f32, cone: &NormalCone, error: f32) -> Self {
         let mut record =
             Self { radius: round_up(radius), error: round_up(error), axis: [0; 3], sin: u8::MAX };
         if cone.cos > 0.0 {
-            // Towards zero, so that the axis is never longer than 1.
+            // Rounded towards zero, so that the axis is never longer than 1.
             record.axis = cone.axis.map(|x| (x * 127.0) as i8);
             let around = NormalCone::around(direction(record.axis.map(f32::from)).to_array()).with_cone(cone);
             if around.cos > 0.0 {
@@ -92,10 +96,10 @@ impl PartRecord {
         record
     }
 
-    /// Whether a stored record is one that bounds can be.
+    /// Checks that a stored record is a valid bound.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// A description of what is wrong.
     pub(in crate::model) fn check_shape(self) -> Result<(), &'static str> {
         let axis = self.axis.map(i32::from);
         if self.radius > round_up(f32::INFINITY) || self.error > round_up(f32::INFINITY) {
@@ -107,15 +111,15 @@ impl PartRecord {
         Ok(())
     }
 
-    /// Whether it is the record of a step with such an error.
+    /// Whether the record was made from this error.
     pub(in crate::model) fn has_error(self, error: f32) -> bool {
         self.error == round_up(error)
     }
 
-    /// Reads as many records as there are steps.
+    /// Reads the records of `step_count` steps.
     ///
     /// # Errors
-    /// [`ModelError::Length`] where there are more or fewer.
+    /// [`ModelError::Length`] if the number of bytes does not match.
     pub(in crate::model) fn read_all(bytes: &[u8], step_count: usize) -> Result<Vec<Self>, ModelError> {
         let expected = size_of::<Self>() * step_count;
         if bytes.len() != expected {
@@ -126,11 +130,11 @@ impl PartRecord {
         Ok(records)
     }
 
-    /// The bounds, around a center.
+    /// Unpacks the bounds around a center.
     #[inline]
     pub(in crate::model) fn part(self, center: [f32; 3]) -> Part {
         let sin = f32::from(self.sin) * (1.0 / 255.0);
-        // Shortened by what rounding may have added to it.
+        // Rounding may have lengthened the axis a little; this makes up for it.
         let axis = self.axis.map(|x| f32::from(x) * (1.0 / 127.001));
         let cos = if self.sin == u8::MAX { -1.0 } else { (1.0 - sin * sin).sqrt() };
         Part {
@@ -141,17 +145,20 @@ impl PartRecord {
     }
 }
 
-/// The upper 16 bits of a number that is not negative, without its sign; of the next larger number that has no lower ones.
+/// Returns the upper 16 bits, without the sign, of a non-negative float rounded up to the next value whose
+/// lower bits are zero.
 fn round_up(number: f32) -> u16 {
     let bits = number.max(0.0).to_bits();
     (bits.div_ceil(1 << 15)).min(f32::INFINITY.to_bits() >> 15) as u16
 }
 
 #[inline]
+/// Inverse of [`round_up`].
 fn expand(bits: u16) -> f32 {
     f32::from_bits(u32::from(bits) << 15)
 }
 
+/// Returns the unit vector along an axis, or zero if the axis is zero.
 pub(in crate::model) fn direction(axis: [f32; 3]) -> DVec3 {
     Vec3::from(axis).as_dvec3().normalize_or_zero()
 }
@@ -162,7 +169,7 @@ mod tests {
     use crate::mesh::Random;
 
     #[test]
-    fn numbers_are_rounded_up_by_little() {
+    fn rounding_up_adds_little() {
         for number in [0.0, 1e-40, 1e-20, 0.1, 1.0, 1.001, 12345.6, 3e38] {
             let kept = expand(round_up(number));
             assert!(kept >= number && kept <= number * 1.004 + 1e-40, "{number} became {kept}");
@@ -172,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stored_cone_holds_the_cone_that_it_was_made_of() {
+    fn a_stored_cone_encloses_the_original_cone() {
         let mut random = Random::new(9);
         let mut direction = || DVec3::from([(); 3].map(|()| random.unit() - 0.5)).normalize();
         let mut wider = 0.0f32;

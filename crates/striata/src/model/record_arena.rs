@@ -1,18 +1,18 @@
-//! Records of all steps in one arena of bytes, walked from the base up and from the full mesh down.
+//! Variable-length records of all steps in one byte arena, which can be walked in both directions.
 //!
-//! The length of each record stands beside the arena, in a byte; a record of 255 bytes or more has it at both of its
-//! ends. A varint has 7 bits a byte, low ones first.
+//! A separate array stores the length of each record in one byte. A record of 255 bytes or more stores its
+//! length at both of its ends instead. A varint has 7 bits per byte, low bits first.
 
-/// A record of 255 bytes or more has its length in 4 bytes at both ends, so that it can be walked both ways.
+/// Marks a record of 255 bytes or more, which stores its length in 4 bytes at both ends.
 pub(super) const LONG_RECORD: u8 = u8::MAX;
 
-/// Bytes of the first strip number in a record, so many bits of flags included.
+/// Size of the first strip index in a record, including `flag_bits` bits of flags, in bytes.
 pub(super) fn head_bytes(strip_count: usize, flag_bits: u32) -> usize {
     let largest = ((strip_count.saturating_sub(1) as u64 + 1) << flag_bits) - 1;
     (64 - largest.leading_zeros() as usize).div_ceil(8).min(4)
 }
 
-/// Takes a number of so many bytes off the front.
+/// Reads a little-endian number of `count` bytes and advances the slice.
 #[inline]
 pub(super) fn read_fixed(bytes: &mut &[u8], count: usize) -> Option<u32> {
     let (head, rest) = bytes.split_at_checked(count)?;
@@ -20,7 +20,7 @@ pub(super) fn read_fixed(bytes: &mut &[u8], count: usize) -> Option<u32> {
     Some(head.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte)))
 }
 
-/// Appends a number.
+/// Appends a varint.
 pub(crate) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
     while value >= 0x80 {
         out.push(value as u8 | 0x80);
@@ -29,7 +29,7 @@ pub(crate) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
     out.push(value as u8);
 }
 
-/// Takes a number off the front; `None` where it ends too early or does not fit.
+/// Reads a varint and advances the slice; `None` if it is truncated or exceeds 32 bits.
 #[inline]
 pub(crate) fn read_varint(bytes: &mut &[u8]) -> Option<u32> {
     let (&first, mut rest) = bytes.split_first()?;
@@ -55,7 +55,7 @@ pub(crate) fn read_varint(bytes: &mut &[u8]) -> Option<u32> {
     Some(value)
 }
 
-/// The record that begins at `start`: its body and where it ends.
+/// Returns the body of the record that begins at `start`, and its end.
 #[inline]
 pub(super) fn record_at(arena: &[u8], start: usize, length: u8) -> Option<(&[u8], usize)> {
     if length < LONG_RECORD {
@@ -67,7 +67,7 @@ pub(super) fn record_at(arena: &[u8], start: usize, length: u8) -> Option<(&[u8]
     Some((arena.get(start + 4..end)?.get(..length - 8)?, end))
 }
 
-/// The record that ends at `end`: its body and where it begins.
+/// Returns the body of the record that ends at `end`, and its start.
 #[inline]
 pub(super) fn record_before(arena: &[u8], end: usize, length: u8) -> Option<(&[u8], usize)> {
     if length < LONG_RECORD {
@@ -79,6 +79,7 @@ pub(super) fn record_before(arena: &[u8], end: usize, length: u8) -> Option<(&[u
     Some((arena.get(start + 4..end - 4)?, start))
 }
 
+/// Returns the length stored at one end of a long record, including both length fields.
 fn long_length(bytes: &[u8]) -> Option<usize> {
     let length = u32::from_le_bytes(bytes.try_into().ok()?) as usize;
     (length >= 8).then_some(length)
@@ -98,7 +99,8 @@ pub(super) fn push_record(body: &[u8], arena: &mut Vec<u8>, record_lengths: &mut
     }
 }
 
-/// Turns records written from the full mesh down into the arena, which is read from the base up.
+/// Converts records written from the full mesh down to the base into an arena that is read from the base
+/// up. Returns the arena and the record lengths.
 pub(super) fn in_refinement_order(reversed: &[u8], lengths: &[usize]) -> (Vec<u8>, Vec<u8>) {
     let mut arena = Vec::with_capacity(reversed.len());
     let mut record_lengths = Vec::with_capacity(lengths.len());
@@ -116,7 +118,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_over_32_bits_are_refused() {
+    fn varints_over_32_bits_are_rejected() {
         for bytes in [&[0xff, 0xff, 0xff, 0xff, 0x1f][..], &[0x80, 0x80, 0x80, 0x80, 0x80, 0x00], &[0x80]] {
             assert_eq!(read_varint(&mut &*bytes), None);
         }

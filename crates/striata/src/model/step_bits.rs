@@ -1,13 +1,13 @@
-//! A bit for each step.
+//! A set of steps, stored as one bit per step.
 
-/// Which steps are in a set: a bit for each.
+/// A set of steps, stored as one bit per step.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct StepBits {
     words: Vec<u64>,
 }
 
 impl StepBits {
-    /// No step of so many.
+    /// Returns an empty set with room for `step_count` steps.
     pub fn none(step_count: usize) -> Self {
         Self { words: vec![0; step_count.div_ceil(64)] }
     }
@@ -15,31 +15,31 @@ impl StepBits {
     /// Whether a step is in the set.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn has(&self, step: u32) -> bool {
         self.words[step as usize / 64] & 1 << (step % 64) != 0
     }
 
-    /// Puts a step in.
+    /// Adds a step.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn insert(&mut self, step: u32) {
         self.words[step as usize / 64] |= 1 << (step % 64);
     }
 
-    /// Takes a step out.
+    /// Removes a step.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn remove(&mut self, step: u32) {
         self.words[step as usize / 64] &= !(1 << (step % 64));
     }
 
-    /// The last step of the set before one.
+    /// Returns the last step of the set before `end`.
     pub(in crate::model) fn last_before(&self, end: u32) -> Option<u32> {
         let (mut at, bit) = (end as usize / 64, end % 64);
         let mut word = self.words.get(at).map_or(0, |word| word & ((1 << bit) - 1));
@@ -50,7 +50,7 @@ impl StepBits {
         Some(64 * at as u32 + word.ilog2())
     }
 
-    /// The first step of the set from one on.
+    /// Returns the first step of the set at or after `start`.
     #[inline]
     pub fn first_from(&self, start: u32) -> Option<u32> {
         let (mut at, bit) = (start as usize / 64, start % 64);
@@ -62,7 +62,7 @@ impl StepBits {
         Some(64 * at as u32 + word.trailing_zeros())
     }
 
-    /// Puts the steps of a range in and takes all others out.
+    /// Makes the set contain exactly the steps of a range.
     pub(in crate::model) fn set_range(&mut self, range: std::ops::Range<usize>) {
         for (word, first) in self.words.iter_mut().zip((0..).step_by(64)) {
             let [start, end] = [range.start, range.end].map(|step| step.clamp(first, first + 64) - first);
@@ -71,21 +71,23 @@ impl StepBits {
         }
     }
 
-    /// The steps that are in both sets, which are of the same length.
+    /// Returns the intersection of two sets of equal length.
     pub(in crate::model) fn and(&self, other: &Self) -> Self {
         Self { words: self.words.iter().zip(&other.words).map(|(a, b)| a & b).collect() }
     }
 
+    /// Number of steps in the set.
     pub(in crate::model) fn count(&self) -> usize {
         self.words.iter().map(|word| word.count_ones() as usize).sum()
     }
 
-    /// 64 steps a word, low bits first; those after the last step are 0.
+    /// Returns the bits as words of 64 steps, low bits first. Bits after the last step are 0.
     #[inline]
     pub(in crate::model) fn words(&self) -> &[u64] {
         &self.words
     }
 
+    /// Number of bytes in memory.
     pub(in crate::model) fn bytes(&self) -> usize {
         size_of_val(&self.words[..])
     }
@@ -96,7 +98,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_range_is_in_and_all_others_are_out() {
+    fn set_range_replaces_the_whole_set() {
         for (start, end) in
             [(0, 0), (0, 200), (3, 3), (1, 64), (64, 128), (63, 65), (70, 190), (0, 1), (199, 200)]
         {

@@ -1,27 +1,27 @@
-//! The bounds of all steps of a model: for each a sphere, a cone of normals and an error.
+//! Bounds of all steps of a model: a sphere, a normal cone and an error per step.
 
 use super::ModelError;
 use super::part_record::{Bounded, PartRecord, bound};
 use crate::view::Part;
 
-/// For each step a sphere and a cone of normals that hold whatever it and those below it in the tree of steps change, and
-/// the error that is there while it is left out.
+/// For each step, a sphere and a normal cone that enclose everything changed by the step and its
+/// descendants in the tree of steps, plus the error that remains while the step is collapsed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::model) struct StepBounds {
     records: Box<[PartRecord]>,
 }
 
 impl StepBounds {
-    /// The bounds of steps, nested along their tree.
+    /// Computes the bounds of all steps, nested along their tree.
     pub(in crate::model) fn build(steps: &mut impl Bounded) -> Self {
         Self { records: bound(steps).into() }
     }
 
-    /// The bounds of so many steps from the bytes of their records. If errors are given, each record has to have that of its
-    /// step.
+    /// Reads the bounds of `step_count` steps from stored records. If `errors` is given, the error of each
+    /// record must match the error of its step.
     ///
     /// # Errors
-    /// If there are more or fewer records, or one holds what no bounds are.
+    /// If the number of records is wrong, or a record is not a valid bound.
     pub(in crate::model) fn from_bytes(
         bytes: &[u8],
         step_count: usize,
@@ -32,27 +32,28 @@ impl StepBounds {
             let wrong = |reason| ModelError::Step { step, reason };
             record.check_shape().map_err(wrong)?;
             if errors.is_some_and(|errors| !record.has_error(errors[step])) {
-                return Err(wrong("has another error in its bounds than in the sequence"));
+                return Err(wrong("has different errors in its bounds and in the sequence"));
             }
         }
         Ok(Self { records: records.into() })
     }
 
-    /// What a step is to a criterion, given the center of its sphere.
+    /// Returns the bounds of a step in the form that a criterion evaluates, given the center of its
+    /// sphere.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub(in crate::model) fn part(&self, step: u32, center: [f32; 3]) -> Part {
         self.records[step as usize].part(center)
     }
 
-    /// Steps that there are bounds of.
+    /// Number of steps that have bounds.
     pub(in crate::model) fn step_count(&self) -> usize {
         self.records.len()
     }
 
-    /// The records as files hold them.
+    /// Returns the records in the layout of the file format.
     pub(in crate::model) fn as_bytes(&self) -> &[u8] {
         bytemuck::must_cast_slice(&self.records)
     }

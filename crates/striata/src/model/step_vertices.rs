@@ -1,4 +1,4 @@
-//! What strip models take from a collapse sequence.
+//! The part of a collapse sequence that a model keeps: vertex ranges and targets.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -6,18 +6,20 @@ use std::ops::Range;
 use super::ModelError;
 use crate::mesh::{CollapseSequence, Levels, PositionIndex};
 
-/// What a model takes from a sequence: the vertices of each step and where they collapse to.
+/// For each step, the vertices that it restores and the targets that they collapse to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepVertices<'a> {
     pub(crate) vertex_count: usize,
     pub(crate) base_vertex_count: u32,
-    /// First vertex of each step, closed by the vertex count; empty where each step has one vertex.
+    /// First vertex of each step, followed by the vertex count; empty if every step has exactly one
+    /// vertex.
+    /// Target of each vertex above the base, or empty if targets are not kept.
     pub(crate) firsts: Cow<'a, [u32]>,
     pub(crate) targets: Cow<'a, [u32]>,
 }
 
 impl StepVertices<'_> {
-    /// Steps from the base mesh to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     #[inline]
     pub fn step_count(&self) -> usize {
         if self.firsts.is_empty() {
@@ -27,27 +29,27 @@ impl StepVertices<'_> {
         }
     }
 
-    /// Vertices of the full mesh.
+    /// Number of vertices of the full mesh.
     #[inline]
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
-    /// Vertices of the base: the first so many.
+    /// Number of vertices of the base mesh, which come first in refinement order.
     #[inline]
     pub fn base_vertex_count(&self) -> u32 {
         self.base_vertex_count
     }
 
-    /// Numbers of 32 bits that are stored: first vertices and targets.
+    /// Number of stored 32-bit words: first vertices and targets.
     pub fn word_count(&self) -> usize {
         self.firsts.len() + self.targets.len()
     }
 
-    /// The vertices that a step restores.
+    /// Returns the vertices that a step restores.
     ///
     /// # Panics
-    /// If there is no such step and steps have several vertices.
+    /// If the step does not exist and `firsts` is not empty.
     #[inline]
     pub fn of_step(&self, step: usize) -> Range<u32> {
         if self.firsts.is_empty() {
@@ -58,7 +60,7 @@ impl StepVertices<'_> {
         }
     }
 
-    /// Vertices that a level shows.
+    /// Number of vertices that a level shows.
     ///
     /// # Panics
     /// If the split count exceeds the step count.
@@ -69,7 +71,7 @@ impl StepVertices<'_> {
         if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
     }
 
-    /// The step that restores a vertex above the base.
+    /// Returns the step that restores a vertex above the base.
     #[inline]
     pub(super) fn step_of(&self, vertex: u32) -> usize {
         if self.firsts.is_empty() {
@@ -79,19 +81,19 @@ impl StepVertices<'_> {
         }
     }
 
-    /// Where a vertex above the base collapses to.
+    /// Returns the vertex that a vertex above the base collapses to.
     ///
     /// # Panics
-    /// If there is no such vertex, or no targets are kept.
+    /// If the vertex does not exist or is in the base, or if targets are not kept.
     #[inline]
     pub fn target(&self, vertex: u32) -> u32 {
         self.targets[(vertex - self.base_vertex_count) as usize]
     }
 
-    /// Checks that the first vertices fit so many steps.
+    /// Checks that the first vertices match the number of steps.
     ///
     /// # Errors
-    /// [`ModelError`] naming what does not fit.
+    /// [`ModelError`] naming the first mismatch.
     pub(super) fn check_firsts(&self, step_count: usize) -> Result<(), ModelError> {
         let vertex_count = self.vertex_count;
         let length = |what, found, expected| {
@@ -111,10 +113,10 @@ impl StepVertices<'_> {
         Ok(())
     }
 
-    /// Checks that the arrays fit so many steps, and that every vertex collapses to an older one.
+    /// Checks that the arrays match the number of steps, and that every vertex collapses to an older one.
     ///
     /// # Errors
-    /// [`ModelError`] naming what does not fit.
+    /// [`ModelError`] naming the first mismatch.
     pub(super) fn check(&self, step_count: usize) -> Result<(), ModelError> {
         self.check_firsts(step_count)?;
         let found = (self.base_vertex_count as usize).saturating_add(self.targets.len());
@@ -132,7 +134,7 @@ impl StepVertices<'_> {
 }
 
 impl StepVertices<'static> {
-    /// One vertex for each step, without targets.
+    /// Returns steps with one vertex each and no targets.
     pub fn one_a_step(base_vertex_count: u32, step_count: usize) -> Self {
         Self {
             vertex_count: base_vertex_count as usize + step_count,
@@ -142,7 +144,7 @@ impl StepVertices<'static> {
         }
     }
 
-    /// The vertices of the steps between levels, without targets.
+    /// Returns the vertices of the steps of `levels`, without targets.
     pub fn of_levels(levels: &Levels) -> Self {
         let positions = levels.positions();
         let firsts = &positions.first_vertices()[levels.base_position_count()..];
@@ -157,7 +159,7 @@ impl StepVertices<'static> {
 }
 
 impl<'a> StepVertices<'a> {
-    /// The vertices of the steps as the sequence has them.
+    /// Returns the vertices and targets of the steps of a sequence, borrowed from it.
     pub fn of_sequence(sequence: &'a CollapseSequence) -> Self {
         let positions = sequence.positions();
         let firsts = &positions.first_vertices()[sequence.base_position_count()..];
@@ -169,14 +171,15 @@ impl<'a> StepVertices<'a> {
         }
     }
 
-    /// Positions and their wedges; vertices of the base that share a position are not known here, and get one each.
+    /// Returns positions and their wedges. Base vertices that share a position cannot be recognized here,
+    /// so each gets a position of its own.
     pub fn positions(&self) -> PositionIndex {
         let base = 0..self.base_vertex_count;
         let steps = (0..self.step_count()).map(|step| self.of_step(step).start);
         PositionIndex::from_first(base.chain(steps).chain([self.vertex_count as u32]).collect())
     }
 
-    /// The same without the first vertices where they say nothing: where each step has one vertex.
+    /// Drops the array of first vertices if it is redundant, that is, if each step has one vertex.
     pub(super) fn shortened(mut self) -> Self {
         if self.firsts.len() == 1 + self.vertex_count - self.base_vertex_count as usize {
             self.firsts = Cow::Borrowed(&[]);
@@ -184,13 +187,13 @@ impl<'a> StepVertices<'a> {
         self
     }
 
-    /// The same with arrays of its own and without targets.
+    /// Returns an owned copy without targets.
     pub fn without_targets(mut self) -> StepVertices<'static> {
         self.targets = Cow::Borrowed(&[]);
         self.into_owned()
     }
 
-    /// The same with arrays of its own.
+    /// Returns a copy that owns its arrays.
     pub fn into_owned(self) -> StepVertices<'static> {
         StepVertices {
             vertex_count: self.vertex_count,

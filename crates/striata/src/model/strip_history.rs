@@ -1,52 +1,54 @@
-//! One strip through all levels: what is left of it after each step that touches it.
+//! Follows one strip through all levels and reports what is left after each step that changes it.
 //!
-//! A strip is a row of places. Coarsening puts targets where removed vertices stand and drops places that have
-//! become superfluous (see `superfluous.rs`); where only degenerate triangles lead from one shown triangle
-//! to the next, and a new beginning takes fewer indices, the strip breaks into pieces. Places never come
-//! back and keep their order, so at every level the strip is a rising selection of its places.
+//! A strip is a row of slots. Coarsening replaces removed vertices by their targets and drops slots that
+//! have become superfluous (see `superfluous.rs`). If only degenerate triangles connect one visible
+//! triangle to the next, and a restart takes fewer indices, the strip breaks into pieces. Slots never come
+//! back and keep their order, so at every level the strip is an ascending subset of its slots.
 //!
 //! ```text
-//! places    0 1 2 3 4 5 6 7 8 9         a piece: 0 1 2 5 6 | another: 8 9 ..
+//! slots     0 1 2 3 4 5 6 7 8 9         a piece: 0 1 2 5 6 | another: 8 9 ..
 //! ```
 //!
-//! Cost: linear in the places for each step that touches the strip.
+//! Cost: linear in the number of slots for each step that changes the strip.
 
 use super::superfluous::drop_superfluous;
 use crate::mesh::CollapseSequence;
 
-/// Indices that a break must save to be worth its restart.
+/// Minimum number of indices that a break must save to be worth its restart.
 const LEAST_SAVED: usize = 2;
 
-/// Places of a strip that are drawn in one go, each with the vertex that it shows.
+/// A run of slots that is drawn without a restart, and the vertex that each slot shows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Piece {
-    /// Places of the strip, rising.
+    /// Slots of the strip, ascending.
     pub places: Vec<u32>,
-    /// What each of them shows.
+    /// Vertex shown by each slot.
     pub vertices: Vec<u32>,
 }
 
-/// A step that touched the strip.
+/// A step that changed the strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Touch {
-    /// The step.
+    /// Index of the step.
     pub step: u32,
-    /// Whether other places are left than before; else only vertices were substituted.
+    /// Whether slots were dropped or the strip broke; otherwise only vertices were replaced.
     pub drops: bool,
 }
 
-/// A strip that goes from the full mesh down to the base.
+/// A strip that is followed from the full mesh down to the base.
 #[derive(Debug)]
 pub struct StripHistory<'s> {
     sequence: &'s CollapseSequence,
     base_vertex_count: u32,
+    /// Scratch: indices of the current piece whose vertex has been replaced.
     pieces: Vec<Piece>,
     changed: Vec<u32>,
+    /// Scratch: runs dropped from the current piece.
     runs: Vec<super::strip_run::Run>,
 }
 
 impl<'s> StripHistory<'s> {
-    /// Of a strip of the full mesh.
+    /// Starts with a strip of the full mesh.
     pub fn new(sequence: &'s CollapseSequence, strip: &[u32]) -> Self {
         let whole = Piece { places: (0..strip.len() as u32).collect(), vertices: strip.to_vec() };
         Self {
@@ -58,12 +60,12 @@ impl<'s> StripHistory<'s> {
         }
     }
 
-    /// What is left, in the strip's order; none of the pieces is empty.
+    /// Returns the remaining pieces in the strip's order; none is empty.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
-    /// Takes the next step that touches the strip; `None` where no vertex above the base is left in it.
+    /// Applies the next step that changes the strip. Returns `None` if only base vertices are left in it.
     pub fn coarsen(&mut self) -> Option<Touch> {
         let newest = self.pieces.iter().flat_map(|piece| &piece.vertices).copied().max()?;
         if newest < self.base_vertex_count {
@@ -87,7 +89,7 @@ impl<'s> StripHistory<'s> {
         Some(Touch { step: step as u32, drops: before != after })
     }
 
-    /// Puts targets in a piece where vertices from `first` on stand; false where none does.
+    /// Replaces the vertices of a piece from `first` on by their targets. Returns whether there were any.
     fn substitute(&mut self, piece: usize, first: u32) -> bool {
         self.changed.clear();
         for (i, vertex) in self.pieces[piece].vertices.iter_mut().enumerate() {
@@ -110,7 +112,8 @@ impl<'s> StripHistory<'s> {
         debug_assert_eq!(places.len(), length);
     }
 
-    /// Breaks a piece wherever that takes fewer indices; what follows becomes pieces behind it.
+    /// Breaks a piece wherever that takes fewer indices, and inserts the remainder as new pieces behind
+    /// it.
     fn break_up(&mut self, piece: usize) {
         let mut at = piece;
         while let Some((end, next)) = find_break(&self.pieces[at].vertices) {
@@ -125,12 +128,13 @@ impl<'s> StripHistory<'s> {
     }
 }
 
-/// Where a piece is worth breaking: the end of what comes before, and the even place where what follows begins.
+/// Finds where a piece is worth breaking: the end of the first part, and the even index where the second
+/// begins.
 fn find_break(vertices: &[u32]) -> Option<(usize, usize)> {
     let is_shown = |w: &[u32]| w[0] != w[1] && w[1] != w[2] && w[2] != w[0];
     let mut end = None;
     for (i, _) in vertices.windows(3).enumerate().filter(|(_, w)| is_shown(w)) {
-        // Only an even place keeps the winding of what follows.
+        // Only an even index keeps the winding of what follows.
         let next = i & !1;
         match end {
             Some(end) if next >= end + LEAST_SAVED => return Some((end, next)),
@@ -148,7 +152,8 @@ mod tests {
     #[test]
     fn a_break_keeps_the_winding_and_saves_indices() {
         assert_eq!(find_break(&[0, 1, 2, 3, 4]), None);
-        // 0 1 2 | 7 8 9 behind a stretch: the second begins at an even place, or one early.
+        // Triangles 0 1 2 and 7 8 9 with degenerate ones between: the second begins at an even index, or
+        // one earlier.
         assert_eq!(find_break(&[0, 1, 2, 2, 2, 7, 7, 8, 9]), Some((3, 6)));
         assert_eq!(find_break(&[0, 1, 2, 2, 7, 7, 8, 9]), None);
         assert_eq!(find_break(&[0, 1, 2, 2, 2, 2, 7, 7, 8, 9]), Some((3, 6)));

@@ -1,13 +1,14 @@
-//! Strips of the full mesh, as they come to the builders of strip models.
+//! Validates and sorts the strips of the full mesh before a strip model is built from them.
 
 use super::ModelError;
 use crate::mesh::IndexedMesh;
 use crate::strip::{StripSet, strip_triangles};
 
-/// Whether the strips are those of the mesh, as far as counting tells.
+/// Checks that strips belong to a mesh by comparing their group, vertex and triangle counts.
 ///
 /// # Errors
-/// [`ModelError`] where they have other groups, other numbers of triangles, or vertices that are not there.
+/// [`ModelError`] if the number of groups or the triangle count of a group differs, or a strip uses a
+/// vertex that does not exist.
 pub fn check_strips(mesh: &IndexedMesh, strips: &StripSet) -> Result<(), ModelError> {
     let groups = mesh.groups_or_whole();
     if strips.group_count() != groups.len() {
@@ -28,8 +29,9 @@ pub fn check_strips(mesh: &IndexedMesh, strips: &StripSet) -> Result<(), ModelEr
     Ok(())
 }
 
-/// The strips of each group along a space-filling curve: those that meet at a vertex get near numbers.
-pub(super) fn sorted_by_place(strips: &StripSet, positions: &[[f32; 3]]) -> StripSet {
+/// Sorts the strips of each group along a space-filling curve, so that strips that meet at a vertex get
+/// nearby indices.
+pub(super) fn sorted_spatially(strips: &StripSet, positions: &[[f32; 3]]) -> StripSet {
     let mut min = [f64::INFINITY; 3];
     let mut extent = 0f64;
     for p in positions {
@@ -60,7 +62,7 @@ pub(super) fn sorted_by_place(strips: &StripSet, positions: &[[f32; 3]]) -> Stri
     out
 }
 
-/// The low 10 bits with two zeros between neighbors.
+/// Spreads the low 10 bits of a value apart, with two zeros between neighboring bits.
 fn spread_bits(value: u32) -> u32 {
     let mut x = value & 0x3ff;
     x = (x | x << 16) & 0x0300_00ff;

@@ -1,15 +1,15 @@
-//! Dropping a run of a strip inside its slot, and bringing it back.
+//! Drops a run of a strip's indices in place, and restores it.
 
-/// A run of a strip's live indices.
+/// A run of consecutive live indices of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Run {
-    /// Its first index.
+    /// Index of the first index of the run.
     pub(super) first: u32,
-    /// Its indices, at least one.
+    /// Length of the run, at least 1.
     pub(super) count: u32,
 }
 
-/// Moves a run behind the rest of the live indices; the caller then shortens the live part by it.
+/// Moves a run behind the remaining live indices; the caller then shortens the live part by `run.count`.
 #[inline]
 pub(super) fn drop_run(live: &mut [u32], run: Run) {
     let (first, count) = (run.first as usize, run.count as usize);
@@ -24,7 +24,8 @@ pub(super) fn drop_run(live: &mut [u32], run: Run) {
     }
 }
 
-/// Moves the last `run.count` of the indices, which the caller has just added to the live part, back in.
+/// Moves the last `run.count` indices, which the caller has just added back to the live part, to where the
+/// run was.
 #[inline]
 pub(super) fn restore_run(live: &mut [u32], run: Run) {
     let (first, count) = (run.first as usize, run.count as usize);
@@ -44,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_dropped_run_waits_behind_the_live_part() {
+    fn restoring_undoes_dropping() {
         for (first, count) in [(0, 2), (1, 2), (3, 2), (0, 5), (2, 1), (1, 4)] {
             let mut slot = [10, 11, 12, 13, 14];
             drop_run(&mut slot, Run { first, count });

@@ -1,39 +1,42 @@
-//! Which runs of a strip may go: those without which it shows the same triangles.
+//! Finds runs of indices that can be dropped from a strip without changing the triangles that it shows.
 //!
-//! A run of even length keeps the parity, hence the winding, of everything behind it; so it may go if the
-//! triangles that touch it are just those that appear where its ends meet, degenerate ones aside. That
-//! covers `aa(aa)+`, `ab(ab)+` and every stretch of degenerate triangles that is longer than needed to get
-//! from one shown triangle to the next. At the end of a strip nothing follows, so any count may go.
+//! Dropping a run of even length keeps the parity, and so the winding, of everything behind it. The run
+//! can be dropped if, ignoring degenerate triangles, the triangles that touch it are exactly those that
+//! form where its two ends are joined. This covers `aa(aa)+`, `ab(ab)+` and every stretch of degenerate
+//! triangles that is longer than needed to get from one visible triangle to the next. At the end of a
+//! strip nothing follows, so a run of any length can be dropped.
 
 use super::strip_run::{Run, drop_run};
 
-/// Longest run that is looked for inside a strip in one piece; longer ones go in several.
+/// Longest run that is dropped from inside a strip in one piece; longer ones are dropped in several
+/// pieces.
 const MAX_RUN: usize = 16;
 
-/// Drops what has become superfluous around the `changed` places; returns the live length that is left.
+/// Drops the runs that have become superfluous around the `changed` indices; returns the remaining live
+/// length.
 ///
-/// `changed` is used up; the runs are appended to `drops` in the order in which they went.
-pub(super) fn drop_superfluous(slot: &mut [u32], changed: &mut Vec<u32>, drops: &mut Vec<Run>) -> usize {
-    let mut length = slot.len();
-    trim_end(slot, &mut length, drops);
-    trim_start(slot, &mut length, changed, drops);
-    while let Some(place) = changed.pop() {
-        while let Some(run) = find_run(&slot[..length], place as usize) {
-            apply(slot, &mut length, run, changed, drops);
+/// `changed` is consumed. The runs are appended to `drops` in the order in which they were dropped.
+pub(super) fn drop_superfluous(slots: &mut [u32], changed: &mut Vec<u32>, drops: &mut Vec<Run>) -> usize {
+    let mut length = slots.len();
+    trim_end(slots, &mut length, drops);
+    trim_start(slots, &mut length, changed, drops);
+    while let Some(index) = changed.pop() {
+        while let Some(run) = find_run(&slots[..length], index as usize) {
+            apply(slots, &mut length, run, changed, drops);
         }
     }
-    trim_end(slot, &mut length, drops);
-    trim_start(slot, &mut length, changed, drops);
+    trim_end(slots, &mut length, drops);
+    trim_start(slots, &mut length, changed, drops);
     length
 }
 
-fn apply(slot: &mut [u32], length: &mut usize, run: Run, changed: &mut [u32], drops: &mut Vec<Run>) {
-    drop_run(&mut slot[..*length], run);
+fn apply(slots: &mut [u32], length: &mut usize, run: Run, changed: &mut [u32], drops: &mut Vec<Run>) {
+    drop_run(&mut slots[..*length], run);
     *length -= run.count as usize;
     drops.push(run);
-    for place in changed {
-        if *place >= run.first {
-            *place = (*place).saturating_sub(run.count).max(run.first);
+    for index in changed {
+        if *index >= run.first {
+            *index = (*index).saturating_sub(run.count).max(run.first);
         }
     }
 }
@@ -42,27 +45,27 @@ fn is_degenerate(w: &[u32]) -> bool {
     w[0] == w[1] || w[1] == w[2] || w[2] == w[0]
 }
 
-fn trim_end(slot: &mut [u32], length: &mut usize, drops: &mut Vec<Run>) {
-    let dead = slot[..*length].windows(3).rev().take_while(|w| is_degenerate(w)).count();
+fn trim_end(slots: &mut [u32], length: &mut usize, drops: &mut Vec<Run>) {
+    let dead = slots[..*length].windows(3).rev().take_while(|w| is_degenerate(w)).count();
     let keep = if *length - dead < 3 { 0 } else { *length - dead };
     if keep < *length {
         let run = Run { first: keep as u32, count: (*length - keep) as u32 };
-        apply(slot, length, run, &mut [], drops);
+        apply(slots, length, run, &mut [], drops);
     }
 }
 
-fn trim_start(slot: &mut [u32], length: &mut usize, changed: &mut [u32], drops: &mut Vec<Run>) {
-    let dead = slot[..*length].windows(3).take_while(|w| is_degenerate(w)).count();
+fn trim_start(slots: &mut [u32], length: &mut usize, changed: &mut [u32], drops: &mut Vec<Run>) {
+    let dead = slots[..*length].windows(3).take_while(|w| is_degenerate(w)).count();
     let count = (dead & !1) as u32;
     if count > 0 {
-        apply(slot, length, Run { first: 0, count }, changed, drops);
+        apply(slots, length, Run { first: 0, count }, changed, drops);
     }
 }
 
-/// The longest run near `place` that may go from inside the strip.
-fn find_run(strip: &[u32], place: usize) -> Option<Run> {
+/// Returns the longest run near index `index` that can be dropped from inside the strip.
+fn find_run(strip: &[u32], index: usize) -> Option<Run> {
     let mut best: Option<Run> = None;
-    for first in place.saturating_sub(3).max(1)..=place + 2 {
+    for first in index.saturating_sub(3).max(1)..=index + 2 {
         let mut shown = Shown::default();
         for end in first..strip.len().min(first + MAX_RUN + 1) {
             // Triangles from `first - 2` to `end - 1` touch the run.
@@ -83,7 +86,8 @@ fn find_run(strip: &[u32], place: usize) -> Option<Run> {
     best
 }
 
-/// The triangles that appear where the strip closes over the run `first..end` of even length.
+/// Returns the triangles that form where the ends of the strip are joined over the run `first..end` of
+/// even length.
 fn joined(strip: &[u32], first: usize, end: usize) -> Shown {
     let start = first.saturating_sub(2);
     let mut around = [0; 4];
@@ -99,7 +103,7 @@ fn joined(strip: &[u32], first: usize, end: usize) -> Shown {
     shown
 }
 
-/// A few shown triangles, each turned so that its smallest corner comes first.
+/// Up to four visible triangles, each rotated so that its smallest corner comes first.
 #[derive(Default)]
 struct Shown {
     triangles: [[u32; 3]; 4],
@@ -107,7 +111,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// Adds the triangle at `at`, if there is one and it shows.
+    /// Adds the triangle that starts at `at`, if it exists and is not degenerate.
     fn add(&mut self, strip: &[u32], at: usize, is_even: bool) {
         let Some(w) = strip.get(at..at + 3) else { return };
         if is_degenerate(w) || self.count == self.triangles.len() {
@@ -145,22 +149,22 @@ mod tests {
     use crate::strip::strip_triangles;
 
     fn reduced(strip: &[u32]) -> Vec<u32> {
-        let mut slot = strip.to_vec();
+        let mut slots = strip.to_vec();
         let mut changed: Vec<u32> = (0..strip.len() as u32).collect();
-        let length = drop_superfluous(&mut slot, &mut changed, &mut Vec::new());
-        slot.truncate(length);
-        slot
+        let length = drop_superfluous(&mut slots, &mut changed, &mut Vec::new());
+        slots.truncate(length);
+        slots
     }
 
     #[test]
-    fn known_patterns_go() {
+    fn known_patterns_are_dropped() {
         assert_eq!(reduced(&[0, 1, 2, 1, 2, 3]), [0, 1, 2, 3]);
         assert_eq!(reduced(&[0, 1, 2, 2, 2, 2, 3, 4]), [0, 1, 2, 2, 3, 4]);
         assert_eq!(reduced(&[0, 0, 1, 2, 3]), [0, 0, 1, 2, 3], "a parity fix stays");
         assert_eq!(reduced(&[0, 0, 0, 1, 2, 3]), [0, 1, 2, 3]);
         assert_eq!(reduced(&[0, 1, 2, 1, 1]), [0, 1, 2]);
         assert_eq!(reduced(&[0, 0, 1, 0]), [0; 0]);
-        // A long way of degenerate triangles from 0 1 2 to 5 6 7.
+        // A long stretch of degenerate triangles from 0 1 2 to 5 6 7.
         assert_eq!(reduced(&[0, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 7]).len(), 8);
     }
 

@@ -1,4 +1,4 @@
-//! What every simplifier promises of its levels, asked of each in the same words.
+//! Guarantees that every simplifier gives for its levels, written once for all simplifiers.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
 use std::collections::BTreeSet;
@@ -9,27 +9,27 @@ use striata::mesh::{Adjacency, IndexedMesh, Levels, shapes, weld};
 use striata::simplify::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 use striata::{Cancelled, ProgressFn, ignore_progress};
 
-use crate::meshes::{Named, all, check_each_way, closed, open};
+use crate::meshes::{NamedMesh, all, check_each_variant, closed, open};
 use crate::support::Topology;
 
-/// What a simplifier gives.
+/// Result of a simplifier.
 pub struct Outcome {
     /// The full mesh, in refinement order.
     pub full: IndexedMesh,
     pub levels: Levels,
-    /// Replays the level of a split count.
+    /// Replays the level at a split count.
     pub replay: Box<dyn Fn(usize) -> IndexedMesh>,
     pub stop_reason: StopReason,
 }
 
 impl Outcome {
-    /// Positions of the base.
-    pub fn base_places(&self) -> BTreeSet<[u32; 3]> {
-        places_of(&self.full, self.levels.base_vertex_count())
+    /// Positions of the base mesh.
+    pub fn base_positions(&self) -> BTreeSet<[u32; 3]> {
+        positions_of(&self.full, self.levels.base_vertex_count())
     }
 }
 
-/// The options that all simplifiers have.
+/// The options that all simplifiers share.
 pub struct Rules<'a> {
     pub base_triangle_count: &'a mut usize,
     pub boundary: &'a mut BoundaryRule,
@@ -39,34 +39,34 @@ pub struct Rules<'a> {
     pub locked_vertices: &'a mut Vec<u32>,
 }
 
-/// Options, and with them the simplifier that takes them.
+/// The options of a simplifier, which also select the simplifier.
 pub trait Simplifier: Clone + Debug {
-    /// Options of every kind that promises must not depend on.
-    fn ways() -> Vec<(String, Self)>;
+    /// Named variants of the options; the guarantees hold for all of them.
+    fn variants() -> Vec<(String, Self)>;
     fn rules(&mut self) -> Rules<'_>;
-    /// Simplifies as far as it goes.
+    /// Simplifies as far as possible.
     fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError>;
 
     fn outcome(&self, mesh: &IndexedMesh) -> Outcome {
-        self.run(mesh, &mut ignore_progress).expect("sound meshes are simplified")
+        self.run(mesh, &mut ignore_progress).expect("valid meshes can be simplified")
     }
 
-    /// The same with other rules.
-    fn ruled(&self, change: impl FnOnce(Rules<'_>)) -> Self {
+    /// Returns a copy with changed rules.
+    fn with_rules(&self, change: impl FnOnce(Rules<'_>)) -> Self {
         let mut options = self.clone();
         change(options.rules());
         options
     }
 
-    /// Neither seams nor the topology may change.
-    fn keeping(&self) -> Self {
-        self.ruled(|rules| (*rules.seams, *rules.topology) = (SeamRule::Keep, TopologyRule::Keep))
+    /// Returns a copy that preserves seams and topology.
+    fn preserving_all(&self) -> Self {
+        self.with_rules(|rules| (*rules.seams, *rules.topology) = (SeamRule::Keep, TopologyRule::Keep))
     }
 }
 
-/// Makes each of these checks a test of a simplifier.
+/// Turns each of the named checks into a test of a simplifier.
 #[macro_export]
-macro_rules! test_promises {
+macro_rules! test_guarantees {
     ($options:ty: $($check:ident),+ $(,)?) => {
         $(
             #[test]
@@ -77,25 +77,25 @@ macro_rules! test_promises {
     };
 }
 
-/// A position as its bits, 0 and -0 being one.
+/// Returns the bits of a position, with -0 mapped to 0.
 pub fn key(p: [f32; 3]) -> [u32; 3] {
     p.map(|x| (x + 0.0).to_bits())
 }
 
-/// Places of the first vertices of a mesh.
-pub fn places_of(mesh: &IndexedMesh, vertex_count: usize) -> BTreeSet<[u32; 3]> {
+/// Positions of the first vertices of a mesh.
+pub fn positions_of(mesh: &IndexedMesh, vertex_count: usize) -> BTreeSet<[u32; 3]> {
     mesh.positions[..vertex_count].iter().map(|&p| key(p)).collect()
 }
 
-/// Places on the boundary.
+/// Positions on the boundary.
 pub fn boundary_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
-    let welded = weld(mesh).expect("test meshes are sound");
+    let welded = weld(mesh).expect("test meshes are valid");
     let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
     let place = |p: u32| key(welded.mesh.positions[welded.positions.first_vertex(p) as usize]);
     adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends).map(place).collect()
 }
 
-/// Places used by triangles of more than one group.
+/// Positions used by triangles of more than one group.
 pub fn group_border_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
     let places = mesh.groups.iter().map(|group| -> BTreeSet<[u32; 3]> {
         let corners = mesh.triangles[group.range()].as_flattened().iter();
@@ -105,23 +105,23 @@ pub fn group_border_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
     places.iter().enumerate().flat_map(|(i, a)| places[..i].iter().flat_map(move |b| a & b)).collect()
 }
 
-/// Runs a check on each mesh in each way and fails with the list of all that failed it.
-pub fn check_each<S: Simplifier>(meshes: Vec<Named>, check: impl Fn(&str, &IndexedMesh, &S)) {
-    check_each_way(meshes, &S::ways(), check);
+/// Runs a check on each mesh with each variant of the options, and fails with a list of all failures.
+pub fn check_each<S: Simplifier>(meshes: Vec<NamedMesh>, check: impl Fn(&str, &IndexedMesh, &S)) {
+    check_each_variant(meshes, &S::variants(), check);
 }
 
-pub fn every_mesh_ends_at_a_handful<S: Simplifier>() {
+pub fn every_mesh_simplifies_to_a_few_triangles<S: Simplifier>() {
     check_each(all(), |_, mesh, options: &S| {
         let built = options.outcome(mesh);
         let levels = &built.levels;
         let left = levels.triangle_count_at(0);
-        // Three positions have triangles that only go all together.
+        // With three positions left, all remaining triangles can only disappear together.
         assert!(left <= 8 || levels.base_position_count() <= 3, "{left} triangles left");
         assert_eq!(left == 0, built.full.triangle_count() == 0, "the last triangles stay");
         let base = (built.replay)(0).without_unused_vertices();
-        let used = places_of(&base, base.vertex_count());
+        let used = positions_of(&base, base.vertex_count());
         assert_eq!(used.len(), levels.base_position_count(), "every position of the base is used");
-        // Each target between is undercut by less than a step.
+        // A target in between is missed by less than the triangles of one step.
         for split_count in 1..=levels.step_count() {
             let [coarse, fine] = [split_count - 1, split_count].map(|s| levels.triangle_count_at(s));
             for target in coarse..fine {
@@ -136,15 +136,16 @@ pub fn manifolds_keep_their_topology_at_every_level<S: Simplifier>() {
     check_each([closed(), open()].concat(), |_, mesh, options: &S| {
         let expected = Topology::of(mesh);
         assert!(expected.genus.is_some() && expected.duplicate_triangle_count == 0);
-        let built = options.ruled(|rules| *rules.topology = TopologyRule::Keep).outcome(mesh);
+        let built = options.with_rules(|rules| *rules.topology = TopologyRule::Keep).outcome(mesh);
         for split_count in (0..=built.levels.step_count()).rev() {
             assert_eq!(Topology::of(&(built.replay)(split_count)), expected, "at {split_count}");
         }
     });
 }
 
-/// Surfaces without seams run down to no more triangles than these, once their options have been changed.
-pub fn runs_down_to<S: Simplifier>(limits: &[(&str, usize)], change: impl Fn(&S) -> S) {
+/// Checks that surfaces without seams simplify to at most the given triangle counts after `change` has
+/// been applied.
+pub fn simplifies_to<S: Simplifier>(limits: &[(&str, usize)], change: impl Fn(&S) -> S) {
     let meshes = [closed(), open()].concat();
     let plain = meshes.into_iter().filter(|(name, _)| limits.iter().any(|(n, _)| n == name)).collect();
     check_each(plain, |name, mesh, options: &S| {
@@ -157,7 +158,8 @@ pub fn runs_down_to<S: Simplifier>(limits: &[(&str, usize)], change: impl Fn(&S)
 }
 
 pub fn seams_cut_every_level_into_the_same_pieces<S: Simplifier>() {
-    // Cut open along its seams a mesh falls into pieces, each with its boundaries; what is removed along seams keeps them.
+    // Cut open along its seams, a mesh falls into pieces with boundaries. Removing vertices along seams
+    // preserves both.
     let pieces = |mesh: &IndexedMesh| {
         let adjacency = Adjacency::of_vertices(&mesh.without_unused_vertices());
         (adjacency.component_count(), adjacency.boundary_loop_count(), adjacency.bow_ties().len())
@@ -168,8 +170,8 @@ pub fn seams_cut_every_level_into_the_same_pieces<S: Simplifier>() {
         ("hard cube", shapes::hard_cube()),
     ];
     check_each(seamed.map(|(name, mesh)| (name.to_owned(), mesh)).to_vec(), |name, mesh, options: &S| {
-        let welded = weld(mesh).expect("shapes are sound").mesh;
-        let built = options.keeping().outcome(mesh);
+        let welded = weld(mesh).expect("shapes are valid").mesh;
+        let built = options.preserving_all().outcome(mesh);
         let step_count = built.levels.step_count();
         let is_simplified = name.starts_with("hard cube") || step_count > welded.vertex_count() / 2;
         assert!(is_simplified, "{step_count} steps");
@@ -182,10 +184,12 @@ pub fn seams_cut_every_level_into_the_same_pieces<S: Simplifier>() {
 pub fn locked_vertices_are_in_the_base<S: Simplifier>() {
     check_each(all(), |_, mesh, options: &S| {
         let locked: Vec<u32> = mesh.triangles.iter().flatten().copied().step_by(7).take(12).collect();
-        let base =
-            options.ruled(|rules| rules.locked_vertices.clone_from(&locked)).outcome(mesh).base_places();
-        // A triangle whose corners meet is dropped, and may be all that names a vertex.
-        let position_of_source = weld(mesh).expect("sound").position_of_source;
+        let base = options
+            .with_rules(|rules| rules.locked_vertices.clone_from(&locked))
+            .outcome(mesh)
+            .base_positions();
+        // Degenerate triangles are dropped, and such a triangle may be the only one that uses a vertex.
+        let position_of_source = weld(mesh).expect("valid").position_of_source;
         for &v in locked.iter().filter(|&&v| position_of_source[v as usize] != u32::MAX) {
             assert!(base.contains(&key(mesh.positions[v as usize])), "vertex {v} was locked");
         }
@@ -195,8 +199,8 @@ pub fn locked_vertices_are_in_the_base<S: Simplifier>() {
 pub fn locked_boundaries_keep_every_vertex<S: Simplifier>() {
     check_each([open(), closed()].concat(), |_, mesh, options: &S| {
         let boundary = boundary_of(mesh);
-        let built = options.ruled(|rules| *rules.boundary = BoundaryRule::Locked).outcome(mesh);
-        assert!(boundary.is_subset(&built.base_places()), "a boundary vertex went");
+        let built = options.with_rules(|rules| *rules.boundary = BoundaryRule::Locked).outcome(mesh);
+        assert!(boundary.is_subset(&built.base_positions()), "a boundary vertex went");
         let interior = built.levels.positions().position_count() - boundary.len();
         let is_simplified = interior <= 60 || built.levels.step_count() > interior / 3;
         assert!(is_simplified, "the interior is simplified");
@@ -207,26 +211,26 @@ pub fn locked_group_borders_keep_every_vertex<S: Simplifier>() {
     let sphere = shapes::two_material_sphere(21, 40);
     let border = group_border_of(&sphere);
     assert_eq!(border.len(), 40, "the equator");
-    for (way, options) in S::ways() {
+    for (variant, options) in S::variants() {
         let base_of =
-            |rule| options.ruled(|rules| *rules.group_borders = rule).outcome(&sphere).base_places();
+            |rule| options.with_rules(|rules| *rules.group_borders = rule).outcome(&sphere).base_positions();
         let is_subset = border.is_subset(&base_of(BoundaryRule::Kept));
-        assert!(!is_subset, "{way}: borders that are not locked are simplified");
+        assert!(!is_subset, "{variant}: borders that are not locked are simplified");
         let base = base_of(BoundaryRule::Locked);
-        assert!(border.is_subset(&base), "{way}: a vertex of the border went");
-        assert!(base.len() < 2 * border.len(), "{way}: {} positions: the rest is simplified", base.len());
+        assert!(border.is_subset(&base), "{variant}: a vertex of the border went");
+        assert!(base.len() < 2 * border.len(), "{variant}: {} positions: the rest is simplified", base.len());
     }
 }
 
-pub fn the_base_triangle_count_is_undercut_by_less_than_a_step<S: Simplifier>() {
+pub fn the_base_triangle_count_is_missed_by_less_than_a_step<S: Simplifier>() {
     check_each(all(), |_, mesh, options: &S| {
         let free = options.outcome(mesh).levels;
         let least = free.triangle_count_at(0);
         let goal = usize::midpoint(least, free.triangle_count_at(free.step_count()));
-        let built = options.ruled(|rules| *rules.base_triangle_count = goal).outcome(mesh);
+        let built = options.with_rules(|rules| *rules.base_triangle_count = goal).outcome(mesh);
         let found = &built.levels;
         assert!(found.triangle_count_at(0) <= goal);
-        // The first steps may bring back positions that have no triangle yet.
+        // The first steps may restore positions that have no triangle yet.
         let mut counts = (0..=found.step_count()).map(|s| found.triangle_count_at(s));
         let more = counts.find(|&n| n > found.triangle_count_at(0));
         assert!(more.is_none_or(|n| n > goal), "went too far");
@@ -236,8 +240,8 @@ pub fn the_base_triangle_count_is_undercut_by_less_than_a_step<S: Simplifier>() 
     });
 }
 
-/// Each of these options is refused by its name.
-pub fn refuses<S: Simplifier>(mesh: &IndexedMesh, cases: &[(&str, S)]) {
+/// Checks that each of these options is rejected by name.
+pub fn rejects<S: Simplifier>(mesh: &IndexedMesh, cases: &[(&str, S)]) {
     for (name, options) in cases {
         match options.run(mesh, &mut ignore_progress) {
             Err(SimplifyError::Option { option, .. }) => assert_eq!(option, *name),
@@ -246,13 +250,13 @@ pub fn refuses<S: Simplifier>(mesh: &IndexedMesh, cases: &[(&str, S)]) {
     }
 }
 
-pub fn unsound_meshes_are_refused_with_their_place<S: Simplifier>() {
+pub fn invalid_meshes_are_rejected_with_the_location<S: Simplifier>() {
     let mut count = 0;
     for (name, mesh) in shapes::nasty() {
         let Err(expected) = mesh.check() else { continue };
-        let (_, options) = S::ways().swap_remove(0);
+        let (_, options) = S::variants().swap_remove(0);
         let error = options.run(&mesh, &mut ignore_progress).map(|_| ()).unwrap_err();
-        // Compared as text, since NaN is not equal to itself.
+        // Compared as text, because NaN is not equal to itself.
         assert_eq!(error.to_string(), expected.to_string(), "{name}");
         count += 1;
     }
@@ -261,7 +265,7 @@ pub fn unsound_meshes_are_refused_with_their_place<S: Simplifier>() {
 
 pub fn the_callback_sees_progress_and_can_cancel<S: Simplifier>() {
     let mesh = shapes::torus(110, 80, 2.0, 1.0);
-    for (way, options) in S::ways() {
+    for (variant, options) in S::variants() {
         let mut seen = Vec::new();
         let mut watch = |progress: striata::Progress| {
             seen.push((progress.phase, progress.done, progress.total));
@@ -269,9 +273,9 @@ pub fn the_callback_sees_progress_and_can_cancel<S: Simplifier>() {
         };
         options.run(&mesh, &mut watch).expect("nobody cancels");
         assert!(!seen.is_empty());
-        assert!(seen.iter().all(|(_, done, total)| done <= total), "{way}: {seen:?}");
+        assert!(seen.iter().all(|(_, done, total)| done <= total), "{variant}: {seen:?}");
         let mut phases = seen.chunk_by(|a, b| a.0 == b.0);
-        assert!(phases.all(|phase| phase.is_sorted_by_key(|(_, done, _)| *done)), "{way}: {seen:?}");
+        assert!(phases.all(|phase| phase.is_sorted_by_key(|(_, done, _)| *done)), "{variant}: {seen:?}");
         let mut calls = 0;
         let mut cancel = |_| {
             calls += 1;
@@ -279,20 +283,23 @@ pub fn the_callback_sees_progress_and_can_cancel<S: Simplifier>() {
         };
         let error = options.run(&mesh, &mut cancel).map(|_| ()).unwrap_err();
         assert_eq!(error, SimplifyError::Cancelled(Cancelled));
-        assert_eq!(calls, 1, "{way}: nothing is asked again after a cancellation");
+        assert_eq!(calls, 1, "{variant}: the callback is not called again after cancelling");
     }
 }
 
 pub fn no_triangle_of_a_sphere_turns_inward<S: Simplifier>() {
     let mesh = shapes::icosphere(3, 1.0);
-    for (way, options) in S::ways() {
+    for (variant, options) in S::variants() {
         let built = options.outcome(&mesh);
         let from = built.levels.split_count_for_triangles(60);
         for split_count in (from..=built.levels.step_count()).step_by(7) {
             let level = (built.replay)(split_count);
             for t in &level.triangles {
                 let [a, b, c] = t.map(|v| glam::Vec3::from(level.positions[v as usize]));
-                assert!((b - a).cross(c - a).dot(a + b + c) > 0.0, "{way} at {split_count}: triangle {t:?}");
+                assert!(
+                    (b - a).cross(c - a).dot(a + b + c) > 0.0,
+                    "{variant} at {split_count}: triangle {t:?}"
+                );
             }
         }
     }

@@ -1,12 +1,15 @@
-//! What a criterion needs of each step: a sphere, a cone of normals and an error, in eight bytes.
+//! Bounds of each step for view criteria: a sphere, a normal cone and an error, in eight bytes.
 //!
-//! A step changes what its star and its floor cover. Its bounds hold that, and the bounds of all steps below it in the tree,
-//! each of which needs the one above it \[Hop97\]. So a step whose bounds cannot be seen has nothing below it that can, and
-//! a walk down the tree finds every step that a view wants. What these need beside themselves is undone with them; bounds over
-//! all that a step waits for would spare that, and be so wide that a view shows a third more triangles. Cones that also hold
-//! the normals of the full mesh under the star were tried: 2 % more triangles, and no error on the screen was smaller.
+//! A step changes the surface covered by its star and its floor. Its bounds enclose both, and the bounds
+//! of its descendants in the tree, each of which needs its parent \[Hop97\]. So if the bounds of a step
+//! are invisible, all of its descendants are too, and a walk down the tree finds every step that a view
+//! wants. Steps outside this subtree that a descendant also needs are split along with it. Nesting the
+//! bounds over all dependencies would make that unnecessary, but the bounds become so wide that a view
+//! shows a third more triangles. Including the normals of the full mesh below the star in the cones was
+//! tried too: 2 % more triangles without a smaller screen error.
 //!
-//! Spheres have the positions of the steps as centers, which are there anyway. How a record is packed stands in `part_record.rs`.
+//! The center of a sphere is the position of its step, which is stored anyway. For the packing of a record
+//! see `part_record.rs`.
 
 use super::Fans;
 use crate::mesh::{CollapseSequence, RefinableMesh};
@@ -14,13 +17,13 @@ use crate::model::part_record::{Bounded, NO_STEP};
 use crate::model::step_bounds::StepBounds;
 
 impl StepBounds {
-    /// The bounds of a table's steps.
+    /// Computes the bounds of a table's steps.
     pub(super) fn of_fans(fans: &Fans, refinable: &RefinableMesh) -> Self {
         Self::build(&mut FanSteps { fans, refinable, triangles: Vec::new() })
     }
 }
 
-/// The steps of a table as what is bounded.
+/// Adapter that provides the steps of a table for bounding.
 struct FanSteps<'a> {
     fans: &'a Fans,
     refinable: &'a RefinableMesh,
@@ -52,13 +55,13 @@ impl Bounded for FanSteps<'_> {
 }
 
 impl Fans {
-    /// The vertex at whose position a step's sphere has its center.
+    /// Returns the vertex whose position is the center of a step's sphere.
     #[inline]
     pub(super) fn center_vertex(&self, step: u32) -> usize {
         self.vertices.of_step(step as usize).start as usize
     }
 
-    /// Appends the star that a step takes away and the floor that it leaves.
+    /// Appends the star that a step removes and the floor that it creates.
     fn triangles_changed_by(&self, step: u32, sequence: &CollapseSequence, out: &mut Vec<[u32; 3]>) {
         let vertices = self.vertices.of_step(step as usize);
         let mut indices = Vec::new();
@@ -106,7 +109,7 @@ mod tests {
                     "step {step}: {corners:?} in {part:?}"
                 );
                 let cone = NormalCone::of_triangles([corners].into_iter());
-                // A triangle without area has no normal.
+                // A degenerate triangle has no normal.
                 assert!(
                     cone == NormalCone::ALL || part.cone.holds(cone.axis),
                     "step {step}: {cone:?} in {part:?}"

@@ -1,4 +1,4 @@
-//! Building the table: one pass from the full mesh to the base, step by step around what each removes.
+//! Builds the table in one pass from the full mesh to the base, removing one position per step.
 
 use super::crowns::{RingArc, crowns};
 use super::table::{Creator, Fan, TableWriter};
@@ -7,27 +7,27 @@ use crate::mesh::{CollapseSequence, RefinableMesh, is_proper};
 use crate::model::step_bounds::StepBounds;
 use crate::model::step_vertices::StepVertices;
 
-/// Ends a chain of triangles.
+/// Marks the end of a linked list of triangles.
 const END: u32 = u32::MAX;
 
-/// Stands for the step that makes a triangle of the full mesh.
-const ALWAYS: u32 = u32::MAX;
+/// Creator of the triangles of the full mesh.
+const PERMANENT: u32 = u32::MAX;
 
 impl Fans {
-    /// Builds the table from a mesh and its sequence, with the bounds of its steps.
+    /// Builds the table from a mesh and its sequence, including the bounds of its steps.
     ///
     /// # Panics
-    /// If the mesh is not the sequence's: it names vertices that the sequence does not have.
+    /// If the mesh uses vertices that the sequence does not have.
     pub fn build(refinable: &RefinableMesh) -> Self {
         let fans = Self::build_without_bounds(refinable);
         Self { bounds: Some(StepBounds::of_fans(&fans, refinable)), ..fans }
     }
 
-    /// Builds the table alone, which takes less time. Uniform levels and instances that are moved step by step need no more; a
-    /// [`FanScene`](super::FanScene) and a file do.
+    /// Builds the table without bounds, which takes less time. That is sufficient for uniform levels and
+    /// for instances that are moved step by step; a [`FanScene`](super::FanScene) and a file need bounds.
     ///
     /// # Panics
-    /// As [`build`](Self::build).
+    /// If the mesh uses vertices that the sequence does not have.
     pub fn build_without_bounds(refinable: &RefinableMesh) -> Self {
         let mut builder = Builder::new(refinable);
         for step in (0..refinable.sequence.step_count()).rev() {
@@ -37,7 +37,7 @@ impl Fans {
     }
 }
 
-/// A triangle, the step that makes it, and its group.
+/// A triangle, the step that creates it, and its group.
 #[derive(Clone, Copy, Debug)]
 struct Triangle {
     corners: [u32; 3],
@@ -47,18 +47,20 @@ struct Triangle {
 
 struct Builder<'r> {
     sequence: &'r CollapseSequence,
-    /// All triangles that there ever are.
+    /// All triangles of all levels.
     triangles: Vec<Triangle>,
     is_gone: Vec<bool>,
-    /// The first of three links of each triangle's chains: one for each corner.
+    /// For each corner of a triangle, the next triangle in the list of that corner's vertex.
     next: Vec<[u32; 3]>,
-    /// First triangle of each vertex, triangles that are gone among them.
+    /// First triangle in the list of each vertex; lists may contain removed triangles.
     chains: Vec<u32>,
-    /// The triangles of each vertex's entry.
+    /// Triangles of each vertex's entry.
     entries: Vec<Vec<u32>>,
-    /// Steps that each position waits for beside those that make its triangles.
-    bare: Vec<(u32, u32)>,
-    /// Steps whose floor has a corner at a position that the star has none at: that of their target.
+    /// Pairs of a position and a step that must be collapsed before it although it creates no triangle of
+    /// its entry.
+    unlisted: Vec<(u32, u32)>,
+    /// Pairs of a step and the step of its target, if the floor uses the target's position but the star
+    /// does not.
     far: Vec<[u32; 2]>,
     star: Vec<u32>,
     group_count: usize,
@@ -74,31 +76,32 @@ impl<'r> Builder<'r> {
             next: Vec::new(),
             chains: vec![END; vertex_count],
             entries: vec![Vec::new(); vertex_count],
-            bare: Vec::new(),
+            unlisted: Vec::new(),
             far: Vec::new(),
             star: Vec::new(),
             group_count: refinable.mesh.groups.len().max(1),
         };
         for (group, range) in (0..).zip(refinable.mesh.groups_or_whole().iter().map(|group| group.range())) {
             for &corners in refinable.mesh.triangles[range].iter().filter(|t| is_proper(t)) {
-                builder.add(Triangle { corners, creator: ALWAYS, group });
+                builder.add(Triangle { corners, creator: PERMANENT, group });
             }
         }
         builder
     }
 
     fn add(&mut self, triangle: Triangle) {
-        let number = self.triangles.len() as u32;
+        let index = self.triangles.len() as u32;
         self.triangles.push(triangle);
         self.is_gone.push(false);
-        self.next.push(triangle.corners.map(|v| std::mem::replace(&mut self.chains[v as usize], number)));
+        self.next.push(triangle.corners.map(|v| std::mem::replace(&mut self.chains[v as usize], index)));
     }
 
-    /// Removes a position: its star becomes the entries of its vertices, its floor takes the star's place.
+    /// Removes a position: its star becomes the entries of its vertices, and its floor replaces the star.
     fn remove(&mut self, step: usize) {
         let vertices = self.sequence.step_vertices(step);
         self.star.clear();
-        // A triangle stands with its last vertex, also where wedges of the position meet in it.
+        // A triangle is stored with its newest vertex, even if several wedges of the position are among
+        // its corners.
         for vertex in vertices.clone().rev() {
             let mut at = self.chains[vertex as usize];
             while at != END {
@@ -123,12 +126,13 @@ impl<'r> Builder<'r> {
         }
         covered.sort_unstable();
         self.note_far_target(step as u32, &star, &covered);
-        // Where nothing of the floor is left at a neighbor, no triangle tells it to wait for this step.
+        // If the floor leaves no triangle at a neighbor, the dependency does not follow from any entry and
+        // is listed.
         for &triangle in &star {
             for vertex in self.triangles[triangle as usize].corners {
                 let position = self.sequence.positions().position_of(vertex);
                 if !vertices.contains(&vertex) && covered.binary_search(&position).is_err() {
-                    self.bare.push((position, step as u32));
+                    self.unlisted.push((position, step as u32));
                 }
             }
         }
@@ -148,14 +152,14 @@ impl<'r> Builder<'r> {
         }
     }
 
-    /// A triangle as its vertex sees it.
+    /// Returns a triangle as an arc around one of its vertices.
     fn arc(&self, vertex: u32, triangle: u32) -> RingArc {
         let Triangle { corners, creator, .. } = self.triangles[triangle as usize];
         let turn = corners.iter().position(|&v| v == vertex).unwrap_or(0);
         RingArc { from: corners[(turn + 1) % 3], to: corners[(turn + 2) % 3], creator }
     }
 
-    /// The step that takes a vertex away and one, or 0 for a vertex of the base.
+    /// Returns the step that removes a vertex plus 1, or 0 for a base vertex.
     fn own_step(&self, vertex: usize) -> u32 {
         let position = self.sequence.positions().position_of(vertex as u32);
         (position + 1).saturating_sub(self.sequence.base_position_count() as u32)
@@ -165,21 +169,24 @@ impl<'r> Builder<'r> {
         let mut tree = Tree::new(self.sequence.step_count());
         for (vertex, entry) in self.entries.iter().enumerate() {
             let own_step = self.own_step(vertex);
-            entry.iter().for_each(|&triangle| tree.note(self.triangles[triangle as usize].creator, own_step));
+            entry.iter().for_each(|&triangle| {
+                tree.add_entry_step(self.triangles[triangle as usize].creator, own_step)
+            });
         }
         tree
     }
 
     fn finish(mut self) -> Fans {
-        // What is left is the base: its triangles stand with their last vertex, as all others do.
+        // The remaining triangles form the base mesh; like all others, they are stored with their newest
+        // vertex.
         for triangle in 0..self.triangles.len() {
             if !self.is_gone[triangle] {
                 let [a, b, c] = self.triangles[triangle].corners;
                 self.entries[a.max(b).max(c) as usize].push(triangle as u32);
             }
         }
-        self.bare.sort_unstable();
-        self.bare.dedup();
+        self.unlisted.sort_unstable();
+        self.unlisted.dedup();
         let mut table = TableWriter::new(self.group_count > 1);
         let base = self.sequence.base_position_count() as u32;
         let mut tree = self.tree();
@@ -194,11 +201,11 @@ impl<'r> Builder<'r> {
                 push_crowns(&crowns(&mut arcs), group_of(&of_group[0]), &mut fans);
             }
             let own_step = self.own_step(vertex);
-            tree.tell(own_step, &mut fans);
+            tree.mark_children(own_step, &mut fans);
             table.push(own_step, &fans);
         }
-        let waits = self.bare.iter().filter(|wait| wait.0 >= base);
-        // They came from the last step down.
+        let waits = self.unlisted.iter().filter(|wait| wait.0 >= base);
+        // They were found from the last step to the first.
         self.far.reverse();
         Fans {
             vertices: StepVertices::of_sequence(self.sequence).without_targets(),
@@ -214,42 +221,43 @@ impl<'r> Builder<'r> {
     }
 }
 
-/// The coarsest position that waits for each step, and which steps have been told by an entry of it.
+/// The parent of each step, which is the coarsest position that depends on it, and whether an entry lists
+/// the step as its child.
 struct Tree {
-    /// Numbers of steps and one; 0 for the base, more than there are where no entry has the step.
+    /// Step of the parent plus 1, 0 for the base, or `u32::MAX` if no entry names the step.
     parents: Vec<u32>,
-    is_told: Vec<bool>,
+    is_listed: Vec<bool>,
 }
 
 impl Tree {
     fn new(step_count: usize) -> Self {
-        Self { parents: vec![u32::MAX; step_count], is_told: vec![false; step_count] }
+        Self { parents: vec![u32::MAX; step_count], is_listed: vec![false; step_count] }
     }
 
-    /// Takes note of a step in the entry of a position, whose own step is `own_step - 1`.
-    fn note(&mut self, step: u32, own_step: u32) {
+    /// Records that the entry of a position names a step; `own_step` is the step of the position plus 1.
+    fn add_entry_step(&mut self, step: u32, own_step: u32) {
         if let Some(parent) = self.parents.get_mut(step as usize) {
             *parent = own_step.min(*parent);
         }
     }
 
-    /// Marks in the fans of a vertex the steps that are its position's, each once.
-    fn tell(&mut self, own_step: u32, fans: &mut [Fan]) {
+    /// Marks the children of a position in the fans of one of its vertices, each only once.
+    fn mark_children(&mut self, own_step: u32, fans: &mut [Fan]) {
         for creator in fans.iter_mut().flat_map(|fan| &mut fan.creators) {
             let step = creator.step as usize;
             if self.parents[step] == own_step {
-                creator.is_child = !std::mem::replace(&mut self.is_told[step], true);
+                creator.is_child = !std::mem::replace(&mut self.is_listed[step], true);
             }
         }
     }
 
-    /// The steps that no entry has.
+    /// Returns the steps that no entry lists as a child.
     fn orphans(self) -> Vec<u32> {
-        (0..).zip(&self.is_told).filter(|(_, is_told)| !**is_told).map(|(step, _)| step).collect()
+        (0..).zip(&self.is_listed).filter(|(_, is_listed)| !**is_listed).map(|(step, _)| step).collect()
     }
 }
 
-/// Appends fans: crowns one after the other, long ones in pieces.
+/// Appends the fans of crowns, cutting those with more than [`MAX_ARCS`] arcs.
 fn push_crowns(crowns: &[Vec<RingArc>], group: u32, fans: &mut Vec<Fan>) {
     for crown in crowns {
         let pieces = crown.chunks(MAX_ARCS);
@@ -257,7 +265,8 @@ fn push_crowns(crowns: &[Vec<RingArc>], group: u32, fans: &mut Vec<Fan>) {
     }
 }
 
-/// The fan of some arcs; `is_whole` where they are all of a crown, which may then be closed.
+/// Makes a fan of consecutive arcs; `is_whole` is set if they are an entire crown, which may then be
+/// closed.
 fn fan_of(arcs: &[RingArc], is_whole: bool, group: u32) -> Fan {
     let mut fan = Fan { group, arc_count: arcs.len(), ..Fan::default() };
     fan.nodes.extend(arcs.iter().map(|arc| arc.from));
@@ -267,8 +276,8 @@ fn fan_of(arcs: &[RingArc], is_whole: bool, group: u32) -> Fan {
     }
     for (at, arc) in arcs.iter().enumerate() {
         let bit = 1 << at;
-        if arc.creator == ALWAYS {
-            fan.always |= bit;
+        if arc.creator == PERMANENT {
+            fan.permanent |= bit;
         } else if let Some(creator) = fan.creators.iter_mut().find(|c| c.step == arc.creator) {
             creator.mask |= bit;
         } else {

@@ -1,27 +1,29 @@
-//! Crowns: the triangles around a vertex as few connected runs \[Cor01\], section 3.6.1.
+//! Crowns (\[Cor01\], section 3.6.1): joins the triangles around a vertex into as few connected runs as
+//! possible.
 //!
-//! Each triangle around a pivot is an arc between its two other corners. Arcs that follow each other are a crown; for a
-//! vertex of a manifold they are one ring or one open run, elsewhere there may be several, and nodes may be passed twice.
-//! An Euler tour finds the fewest: where more arcs leave a node than enter it, crowns begin, and where more enter, they end.
+//! Each triangle around a pivot is an arc between its two other corners. A run of consecutive arcs is a
+//! crown. A manifold vertex has a single crown, closed or open; other vertices may have several, and a
+//! crown may pass a node twice. The minimum is found by an Euler tour: crowns begin at nodes with more
+//! outgoing than incoming arcs, and end at nodes with fewer.
 
-/// A triangle around a pivot, without the pivot, and what it is labeled with.
+/// A triangle around a pivot, given by its other two corners and its creator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct RingArc {
     /// The corner after the pivot.
     pub(super) from: u32,
-    /// The corner after that.
+    /// The corner after `from`.
     pub(super) to: u32,
-    /// The step that makes the triangle, or what stands for none.
+    /// The step that creates the triangle, or a marker for none.
     pub(super) creator: u32,
 }
 
-/// Cuts arcs into crowns, each a run of arcs that follow each other. Equal arcs give equal crowns.
+/// Splits arcs into crowns, runs of consecutive arcs. The result does not depend on the order of the arcs.
 pub(super) fn crowns(arcs: &mut [RingArc]) -> Vec<Vec<RingArc>> {
     arcs.sort_unstable();
     let mut tour = Tour::new(arcs);
     let mut out = Vec::new();
     for node in 0..tour.nodes.len() {
-        // Crowns that are open have to begin where arcs are left over, or they would be cut in two.
+        // Open crowns must begin at a node with a surplus of outgoing arcs, or they would be cut in two.
         while tour.surplus(node) > 0 {
             out.push(tour.walk(node));
         }
@@ -35,24 +37,24 @@ pub(super) fn crowns(arcs: &mut [RingArc]) -> Vec<Vec<RingArc>> {
     out
 }
 
-/// Arcs by the node that they leave, some of them walked.
+/// Arcs grouped by the node that they leave, some of them already visited.
 struct Tour<'a> {
     arcs: &'a [RingArc],
-    /// Each node once, rising, with its first arc.
+    /// Nodes in ascending order, each with the index of its first outgoing arc.
     nodes: Vec<(u32, usize)>,
-    /// The next arc to walk of each node.
+    /// For each node, the next outgoing arc to visit.
     next: Vec<usize>,
-    /// Arcs that enter each node and have not been walked.
+    /// For each node, the number of incoming arcs not yet visited.
     entering: Vec<usize>,
 }
 
 impl<'a> Tour<'a> {
     fn new(arcs: &'a [RingArc]) -> Self {
-        let mut names: Vec<u32> = arcs.iter().flat_map(|arc| [arc.from, arc.to]).collect();
-        names.sort_unstable();
-        names.dedup();
-        let first = |name: u32| arcs.partition_point(|arc| arc.from < name);
-        let nodes: Vec<(u32, usize)> = names.iter().map(|&name| (name, first(name))).collect();
+        let mut node_ids: Vec<u32> = arcs.iter().flat_map(|arc| [arc.from, arc.to]).collect();
+        node_ids.sort_unstable();
+        node_ids.dedup();
+        let first = |id: u32| arcs.partition_point(|arc| arc.from < id);
+        let nodes: Vec<(u32, usize)> = node_ids.iter().map(|&id| (id, first(id))).collect();
         let next = nodes.iter().map(|node| node.1).collect();
         let mut tour = Self { arcs, entering: vec![0; nodes.len()], nodes, next };
         for arc in arcs {
@@ -62,20 +64,20 @@ impl<'a> Tour<'a> {
         tour
     }
 
-    fn node_of(&self, name: u32) -> usize {
-        self.nodes.partition_point(|node| node.0 < name)
+    fn node_of(&self, id: u32) -> usize {
+        self.nodes.partition_point(|node| node.0 < id)
     }
 
     fn end(&self, node: usize) -> usize {
         self.nodes.get(node + 1).map_or(self.arcs.len(), |node| node.1)
     }
 
-    /// How many more unwalked arcs leave a node than enter it.
+    /// Number of unvisited arcs that leave a node in excess of those that enter it.
     fn surplus(&self, node: usize) -> usize {
         (self.end(node) - self.next[node]).saturating_sub(self.entering[node])
     }
 
-    /// Walks on from a node until no arc leaves.
+    /// Follows unvisited arcs from a node until there is none left to follow.
     fn walk(&mut self, mut node: usize) -> Vec<RingArc> {
         let mut out = Vec::new();
         while self.next[node] < self.end(node) {
@@ -88,15 +90,16 @@ impl<'a> Tour<'a> {
         out
     }
 
-    /// Puts a closed run into a crown that passes its node, or beside them where none does.
+    /// Inserts a closed run into a crown that passes one of its nodes, or adds it as a crown if there is
+    /// none.
     fn splice(&self, crowns: &mut Vec<Vec<RingArc>>, ring: Vec<RingArc>) {
         for crown in crowns.iter_mut() {
-            // Any node will do, so the first place where the crown meets the ring is taken.
-            let met = crown
+            // Any shared node will do, so the first one found is used.
+            let shared = crown
                 .iter()
                 .enumerate()
                 .find_map(|(at, arc)| ring.iter().position(|r| r.from == arc.from).map(|turn| (at, turn)));
-            if let Some((at, turn)) = met {
+            if let Some((at, turn)) = shared {
                 let turned = ring[turn..].iter().chain(&ring[..turn]).copied();
                 crown.splice(at..at, turned);
                 return;

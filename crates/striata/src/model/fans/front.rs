@@ -1,13 +1,16 @@
-//! An instance that follows a view from frame to frame: only what may have changed its mind is asked again.
+//! An instance that follows a view from frame to frame and re-evaluates only steps whose verdict may have
+//! changed.
 //!
-//! What is asked are the steps that are wanted and those right below them in the tree: the front between what is wanted and what
-//! is not, and what lies above it. A verdict says how much motion it lasts for; the sum of all motion is compared with it, and
-//! most steps wait for many frames. Steps that are wanted are undone with all that they need. Those that are not are taken
-//! once nothing is there that needs them, and when the last such thing is taken, they are looked at again. So the
-//! instance shows what is wanted and what that needs, whatever the way it came \[Hop97\].
+//! The list of candidates contains the children of all wanted steps, so it covers the front between wanted
+//! and unwanted steps and everything above it. A verdict states for how much camera motion it remains
+//! valid; it is compared with the accumulated motion, so most steps are not evaluated for many frames.
+//! Wanted steps are split together with everything that they need. An unwanted step is collapsed once no
+//! active step needs it; whenever such a step is collapsed, those that it needed are reconsidered. The
+//! instance therefore always shows what is wanted and what that needs, regardless of the path that led
+//! there \[Hop97\].
 //!
-//! Differs: \[Hop97\] keeps the active mesh with its neighborhoods; here the table tells them: a front adds to its
-//! instance three bits a step, and twelve bytes for each step that it may ask for.
+//! Differs: \[Hop97\] maintains the active mesh with its adjacency; here the table provides it. In
+//! addition to its instance, a front stores three bits per step, and twelve bytes per step in the list.
 
 use wide::f32x8;
 
@@ -15,68 +18,71 @@ use super::{FanInstance, FanScene, Fans};
 use crate::model::step_bits::StepBits;
 use crate::view::{Criterion, Part, Verdict};
 
-/// Parent of the steps below the base.
+/// Parent of the children of the base.
 const BASE: u32 = u32::MAX;
 
-/// Motion is summed up for so many views before it is taken off what verdicts last.
-const VIEWS_A_SUM: u32 = 256;
+/// Number of views after which the accumulated motion is rebased to zero.
+const VIEWS_PER_SUM: u32 = 256;
 
-/// And no longer than until the sum is so many times the last motion: after a jump, what lasts for little is lost in it.
-const FAR: f64 = 1e4;
+/// The accumulated motion is also rebased when it exceeds this multiple of the last motion: after a jump,
+/// small validity spans would be lost to rounding.
+const MAX_MOTION_RATIO: f64 = 1e4;
 
-/// Places of the list that are looked at together.
+/// Number of list entries that are tested together for being due.
 const DUE_BLOCK: usize = 8;
 
-/// As many as the parts of a few hundred cycles.
-const ASKED_TOGETHER: usize = 32;
+/// Number of steps evaluated per batch, which takes a few hundred CPU cycles.
+const BATCH_SIZE: usize = 32;
 
-/// Verdicts are asked again by so large a part of what they last before they have to be.
+/// Verdicts are re-evaluated early by this fraction of their validity span, as a safety margin.
 const SLACK: f32 = 1e-4;
 
-/// An instance with what it needs to follow a view at the cost of what changes; `C` is the criterion of the last view.
+/// An instance that follows a view at a cost proportional to what changes; `C` is the type of the view
+/// criterion.
 #[derive(Clone, Debug)]
 pub struct FanFront<C> {
     pub(super) instance: FanInstance,
     pub(super) triangle_count: usize,
-    /// Steps that were wanted when they were last asked.
+    /// Steps that were wanted by their last verdict.
     pub(super) wanted: StepBits,
     /// Steps that are in the list.
     known: StepBits,
-    /// The list: steps, what they are below, and how much motion since `elapsed` began their verdicts last for.
+    /// The list, as parallel arrays: the steps, their parents, and the accumulated motion up to which
+    /// their verdicts are valid.
     pub(super) steps: Vec<u32>,
     parents: Vec<u32>,
     due: Vec<f32>,
     elapsed: f64,
     view_count: u32,
     last: Option<C>,
-    /// Steps that are wanted and taken.
-    late_splits: Vec<u32>,
-    /// Steps that may be undone, unwanted, and needed by nothing.
+    /// Steps that are wanted but still collapsed.
+    pending_splits: Vec<u32>,
+    /// Refined steps that may no longer be wanted or needed.
     pub(super) unneeded: StepBits,
-    undone: Vec<u32>,
-    /// Places of the list that are struck out, rising.
+    split_steps: Vec<u32>,
+    /// Indices of list entries that are to be removed, ascending.
     stale: Vec<u32>,
-    asked: Asked,
+    batch: Batch,
 }
 
-/// What a view changed.
+/// Summary of what an update changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FanUpdate {
-    /// Steps whose weight was asked for.
+    /// Number of steps whose weight was evaluated.
     pub asked_count: usize,
-    /// Steps that were undone.
+    /// Number of steps that were split.
     pub split_count: usize,
-    /// Steps that were taken.
+    /// Number of steps that were collapsed.
     pub collapse_count: usize,
     /// Whether nothing is left to do for this view.
     pub is_settled: bool,
-    /// Parts that weigh more are refined: 1, or more where a budget of triangles asked for it.
+    /// Weight above which parts are refined: 1, or more if a triangle budget required it.
     pub threshold: f32,
 }
 
 impl<C: Criterion + Clone> FanFront<C> {
-    /// A front around the base of a model.
+    /// Creates a front that shows the base mesh.
     pub fn new(scene: &FanScene<'_>) -> Self {
         let fans = scene.fans;
         let step_count = fans.step_count;
@@ -91,116 +97,117 @@ impl<C: Criterion + Clone> FanFront<C> {
             elapsed: 0.0,
             view_count: 0,
             last: None,
-            late_splits: Vec::new(),
+            pending_splits: Vec::new(),
             unneeded: StepBits::none(step_count),
-            undone: Vec::new(),
+            split_steps: Vec::new(),
             stale: Vec::new(),
-            asked: Asked::default(),
+            batch: Batch::default(),
         };
         front.list_children(fans, BASE);
         front
     }
 
-    /// What is shown.
+    /// Returns the instance that is shown.
     pub fn instance(&self) -> &FanInstance {
         &self.instance
     }
 
-    /// Triangles that are shown.
+    /// Number of triangles shown.
     pub fn triangle_count(&self) -> usize {
         self.triangle_count
     }
 
-    /// Bytes that the front and its instance own.
+    /// Number of bytes owned by the front and its instance.
     pub fn bytes(&self) -> usize {
         let bits = self.instance.bytes() + self.wanted.bytes() + self.known.bytes() + self.unneeded.bytes();
-        let words = [&self.steps, &self.parents, &self.late_splits, &self.undone, &self.stale];
+        let words = [&self.steps, &self.parents, &self.pending_splits, &self.split_steps, &self.stale];
         let words = words.iter().map(|list| list.capacity()).sum::<usize>() + self.due.capacity();
-        bits + 4 * words + self.asked.bytes()
+        bits + 4 * words + self.batch.bytes()
     }
 
-    /// Goes to what a criterion wants and what that needs. No more than `change_limit` steps change; what is left is done with
-    /// later views, even of the same criterion. `usize::MAX` is no limit.
+    /// Moves to what a criterion wants and what that needs. At most `change_limit` steps change; the
+    /// remaining ones follow in later updates, even with an unchanged criterion. Use `usize::MAX` for no
+    /// limit.
     ///
     /// # Panics
-    /// If the front is of another model.
+    /// If the front belongs to a different model.
     pub fn update(&mut self, scene: &FanScene<'_>, criterion: &C, change_limit: usize) -> FanUpdate {
         let motion = self.last.as_ref().map_or(f32::INFINITY, |last| criterion.motion_since(last));
         self.last = Some(criterion.clone());
         self.move_by(motion);
         let mut update = self.begin(scene, 1.0);
-        self.late_splits.retain(|&step| self.wanted.has(step) && !self.instance.is_refined(step));
-        let is_whole = self.split_late(scene.fans, change_limit, &mut update);
+        self.pending_splits.retain(|&step| self.wanted.has(step) && !self.instance.is_refined(step));
+        let is_whole = self.split_pending(scene.fans, change_limit, &mut update);
         let elapsed = (self.elapsed as f32).next_up();
         let mut at = 0;
         while self.gather_due(scene, elapsed, &mut at) {
-            update.asked_count += self.asked.parts.len();
-            let mut asked = std::mem::take(&mut self.asked);
-            asked.verdicts.clear();
-            criterion.weigh_all(&asked.parts, &mut asked.verdicts);
-            for (&at, verdict) in asked.places.iter().zip(&asked.verdicts) {
+            update.asked_count += self.batch.parts.len();
+            let mut batch = std::mem::take(&mut self.batch);
+            batch.verdicts.clear();
+            criterion.weigh_all(&batch.parts, &mut batch.verdicts);
+            for (&at, verdict) in batch.entries.iter().zip(&batch.verdicts) {
                 let step = self.steps[at as usize];
-                // What lasts for no number is asked again at once.
+                // A NaN validity span becomes 0, so the step is evaluated again in the next update.
                 self.due[at as usize] = self.due_after(verdict.lasts.max(0.0));
                 let was_wanted = self.wanted.has(step);
-                self.hear(scene.fans, step, verdict.is_wanted());
-                // One that was wanted before waits already.
+                self.set_wanted(scene.fans, step, verdict.is_wanted());
+                // A step that was wanted before is already waiting.
                 if verdict.is_wanted() && !was_wanted && !self.instance.is_refined(step) {
-                    self.late_splits.push(step);
+                    self.pending_splits.push(step);
                     if is_whole {
-                        self.split_late(scene.fans, change_limit, &mut update);
+                        self.split_pending(scene.fans, change_limit, &mut update);
                     }
                 }
             }
-            self.asked = asked;
+            self.batch = batch;
         }
         self.drop_stale();
-        if self.late_splits.is_empty() || update.changes() < change_limit {
-            self.take_unneeded(scene.fans, change_limit, &mut update);
+        if self.pending_splits.is_empty() || update.changes() < change_limit {
+            self.collapse_unneeded(scene.fans, change_limit, &mut update);
         }
-        update.is_settled = self.late_splits.is_empty()
+        update.is_settled = self.pending_splits.is_empty()
             && self.unneeded.last_before(self.instance.step_count as u32).is_none();
         update
     }
 }
 
-/// Steps that are asked for together.
+/// A batch of steps that are evaluated together.
 #[derive(Clone, Debug, Default)]
-struct Asked {
-    /// Places in the list.
-    places: Vec<u32>,
+struct Batch {
+    /// Indices in the list.
+    entries: Vec<u32>,
     parts: Vec<Part>,
     verdicts: Vec<Verdict>,
 }
 
-impl Asked {
+impl Batch {
     fn bytes(&self) -> usize {
-        4 * self.places.capacity()
+        4 * self.entries.capacity()
             + size_of::<Part>() * self.parts.capacity()
             + size_of::<Verdict>() * self.verdicts.capacity()
     }
 }
 
 impl<C> FanFront<C> {
-    /// Has everything asked again at the next view, and drops from the list what nobody asks for.
+    /// Invalidates all verdicts, and removes stale entries from the list.
     pub(super) fn forget_views(&mut self) {
         self.last = None;
         self.move_by(f32::INFINITY);
-        // What waits for its turn is not there, and may not be wanted any more.
-        for step in std::mem::take(&mut self.late_splits) {
+        // Steps that are waiting to be split are not active, and may no longer be wanted.
+        for step in std::mem::take(&mut self.pending_splits) {
             if !self.instance.is_refined(step) {
                 self.wanted.remove(step);
             }
         }
         for at in 0..self.steps.len() {
             if self.is_stale(at) {
-                self.strike(at);
+                self.mark_stale(at);
             }
         }
         self.drop_stale();
     }
 
-    /// Adds motion to what has been; verdicts that may not last any more are due.
+    /// Adds to the accumulated motion. Verdicts whose validity has been exceeded become due.
     fn move_by(&mut self, motion: f32) {
         if !motion.is_finite() {
             self.due.fill(f32::NEG_INFINITY);
@@ -209,9 +216,10 @@ impl<C> FanFront<C> {
         }
         self.elapsed += f64::from(motion);
         self.view_count += u32::from(motion > 0.0);
-        let is_far = motion > 0.0 && self.elapsed > FAR * f64::from(motion);
-        if is_far || self.view_count > VIEWS_A_SUM {
-            // Far from now numbers are coarse; verdicts that last longer than a thousand sums may as well be asked before.
+        let is_large = motion > 0.0 && self.elapsed > MAX_MOTION_RATIO * f64::from(motion);
+        if is_large || self.view_count > VIEWS_PER_SUM {
+            // Large sums are imprecise, so start again at zero. Verdicts that remain valid for more than a
+            // thousand sums are evaluated early.
             let elapsed = self.elapsed;
             let since = |due: f32| below(f64::from(due) - elapsed);
             self.due.iter_mut().for_each(|due| *due = since(*due).min(1000.0 * elapsed as f32));
@@ -219,16 +227,16 @@ impl<C> FanFront<C> {
         }
     }
 
-    /// How much motion there will have been when a verdict of now has lasted; where sums are coarse, rather less.
+    /// Returns the accumulated motion at which a verdict given now expires, rounded down.
     fn due_after(&self, lasts: f32) -> f32 {
         below(self.elapsed + f64::from(lasts * (1.0 - SLACK)))
     }
 
-    /// Gathers the next steps of the list whose verdicts may not last any more; whether there are any.
+    /// Gathers the next batch of due steps from the list. Returns whether there are any.
     fn gather_due(&mut self, scene: &FanScene<'_>, elapsed: f32, at: &mut usize) -> bool {
-        self.asked.places.clear();
-        self.asked.parts.clear();
-        while *at < self.due.len() && self.asked.parts.len() < ASKED_TOGETHER {
+        self.batch.entries.clear();
+        self.batch.parts.clear();
+        while *at < self.due.len() && self.batch.parts.len() < BATCH_SIZE {
             let (first, ahead) = (*at, &self.due[*at..]);
             *at += ahead.len().min(DUE_BLOCK);
             let mut is_due = match ahead.first_chunk::<DUE_BLOCK>() {
@@ -236,32 +244,33 @@ impl<C> FanFront<C> {
                 None => (0..).zip(ahead).fold(0, |mask, (i, &due)| mask | u32::from(due <= elapsed) << i),
             };
             while is_due != 0 {
-                let place = first + is_due.trailing_zeros() as usize;
+                let entry = first + is_due.trailing_zeros() as usize;
                 is_due &= is_due - 1;
-                if self.is_stale(place) {
-                    self.strike(place);
+                if self.is_stale(entry) {
+                    self.mark_stale(entry);
                 } else {
-                    self.asked.places.push(place as u32);
-                    self.asked.parts.push(scene.part(self.steps[place]));
+                    self.batch.entries.push(entry as u32);
+                    self.batch.parts.push(scene.part(self.steps[entry]));
                 }
             }
         }
-        !self.asked.parts.is_empty()
+        !self.batch.parts.is_empty()
     }
 
     pub(super) fn begin(&self, scene: &FanScene<'_>, threshold: f32) -> FanUpdate {
-        assert_eq!(self.instance.step_count, scene.fans.step_count, "the front is of another model");
+        assert_eq!(self.instance.step_count, scene.fans.step_count, "the front belongs to a different model");
         FanUpdate { threshold, ..FanUpdate::default() }
     }
 
-    /// Whether what a place of the list is below is not wanted: then neither is the step, and nobody asks for it.
+    /// Whether the parent of a list entry is unwanted: then its step is unwanted too and need not be
+    /// evaluated.
     fn is_stale(&self, at: usize) -> bool {
         let parent = self.parents[at];
         parent != BASE && !self.wanted.has(parent)
     }
 
-    /// Marks a place as stale; its step may come to the list again.
-    fn strike(&mut self, at: usize) {
+    /// Marks a list entry as stale; its step may be listed again later.
+    fn mark_stale(&mut self, at: usize) {
         let step = self.steps[at];
         self.known.remove(step);
         self.unwant(step);
@@ -269,9 +278,9 @@ impl<C> FanFront<C> {
         self.stale.push(at as u32);
     }
 
-    /// Takes stale places out of the list. Their steps are not in it any more, or are by another place.
+    /// Removes stale entries from the list. Their steps are no longer listed, or have a newer entry.
     fn drop_stale(&mut self) {
-        // From the end, where what fills a gap is not stale itself.
+        // From the end, so that the entry that fills a gap is not stale itself.
         while let Some(at) = self.stale.pop() {
             let at = at as usize;
             self.steps.swap_remove(at);
@@ -280,8 +289,8 @@ impl<C> FanFront<C> {
         }
     }
 
-    /// Notes whether a step is wanted.
-    pub(super) fn hear(&mut self, fans: &Fans, step: u32, is_wanted: bool) {
+    /// Records whether a step is wanted.
+    pub(super) fn set_wanted(&mut self, fans: &Fans, step: u32, is_wanted: bool) {
         if !is_wanted {
             self.unwant(step);
         } else if !self.wanted.has(step) {
@@ -293,16 +302,18 @@ impl<C> FanFront<C> {
     }
 
     fn unwant(&mut self, step: u32) {
-        // One that was unwanted before is there because something needs it, and looked at when that goes.
+        // A step that was already unwanted is active because another step needs it; it is reconsidered
+        // when that one collapses.
         if self.wanted.has(step) {
             self.wanted.remove(step);
             self.unneeded.insert(step);
         }
     }
 
-    /// Undoes what is wanted and taken, as far as the limit goes; whether that was all.
-    fn split_late(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) -> bool {
-        while let Some(&step) = self.late_splits.last() {
+    /// Splits steps that are wanted but collapsed, as far as the limit allows. Returns whether all were
+    /// split.
+    fn split_pending(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) -> bool {
+        while let Some(&step) = self.pending_splits.last() {
             if self.wanted.has(step) && !self.instance.is_refined(step) {
                 let left = change_limit.saturating_sub(update.changes());
                 if left == 0 {
@@ -313,31 +324,32 @@ impl<C> FanFront<C> {
                     return false;
                 }
             }
-            self.late_splits.pop();
+            self.pending_splits.pop();
         }
         true
     }
 
-    /// Undoes a step, and before it what it needs; of these no more than so many, coarsest first. Returns how many.
+    /// Splits a step and what it needs, but at most `limit` steps, coarsest first. Returns the number of
+    /// steps split.
     pub(super) fn split(&mut self, fans: &Fans, step: u32, limit: usize) -> usize {
-        let mut undone = std::mem::take(&mut self.undone);
-        undone.clear();
-        self.instance.split_into(fans, step, &mut undone);
-        if undone.len() > limit {
+        let mut split_steps = std::mem::take(&mut self.split_steps);
+        split_steps.clear();
+        self.instance.split_into(fans, step, &mut split_steps);
+        if split_steps.len() > limit {
             // What a step needs is coarser.
-            undone.sort_unstable();
-            undone.drain(limit..).for_each(|step| self.instance.taken.insert(step));
-            // What needs them is not there yet, and may never be.
-            undone.iter().for_each(|&step| self.unneeded.insert(step));
+            split_steps.sort_unstable();
+            split_steps.drain(limit..).for_each(|step| self.instance.collapsed.insert(step));
+            // The steps that need them are not active yet, and may never be.
+            split_steps.iter().for_each(|&step| self.unneeded.insert(step));
         }
-        for &step in &undone {
+        for &step in &split_steps {
             self.triangle_count += usize::from(fans.removed[step as usize]);
             if self.wanted.has(step) {
                 self.list_children(fans, step);
             }
         }
-        let count = undone.len();
-        self.undone = undone;
+        let count = split_steps.len();
+        self.split_steps = split_steps;
         count
     }
 
@@ -352,9 +364,10 @@ impl<C> FanFront<C> {
         });
     }
 
-    /// Takes what is unwanted and needed by nothing, and then what only that needed.
-    pub(super) fn take_unneeded(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) {
-        // What only a step needed is coarser than the step, so one walk from the finest down meets all of them.
+    /// Collapses steps that are neither wanted nor needed, and then those that only they needed.
+    pub(super) fn collapse_unneeded(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) {
+        // What a step needs is coarser than the step, so a single pass from fine to coarse reaches all of
+        // them.
         let mut end = self.instance.step_count as u32;
         while let Some(step) = self.unneeded.last_before(end) {
             if update.changes() >= change_limit {
@@ -365,8 +378,8 @@ impl<C> FanFront<C> {
             if !self.instance.is_refined(step) || self.wanted.has(step) {
                 continue;
             }
-            if fans.is_free(step, &self.instance.taken) {
-                self.instance.taken.insert(step);
+            if fans.is_free(step, &self.instance.collapsed) {
+                self.instance.collapsed.insert(step);
                 self.triangle_count -= usize::from(fans.removed[step as usize]);
                 update.collapse_count += 1;
                 fans.for_each_needed_by_split(step, |coarser| {
@@ -379,13 +392,13 @@ impl<C> FanFront<C> {
     }
 }
 
-/// A number that is no larger, by as little as can be.
+/// Returns the next `f32` below a number, so that rounding never exceeds it.
 fn below(number: f64) -> f32 {
     (number as f32).next_down()
 }
 
 impl FanUpdate {
-    /// Steps that were undone or taken.
+    /// Number of steps that were split or collapsed.
     pub fn changes(&self) -> usize {
         self.split_count + self.collapse_count
     }

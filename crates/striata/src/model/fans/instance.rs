@@ -1,62 +1,64 @@
-//! An instance of the table: a bit for each step, and the moves between sets of steps that are possible.
+//! An instance of the table: one bit per step, and the moves from one valid set of steps to another.
 
 use super::{FanScene, Fans, listed};
 use crate::model::step_bits::StepBits;
 use crate::view::Criterion;
 
-/// Which steps an instance has taken: one bit each. Any set that it comes to is one that the sequence, leaving steps out,
-/// can come to.
+/// A selectively refined instance of the model: the set of its collapsed steps, one bit each. Every set
+/// that it can reach is also reachable by running the collapse sequence while leaving out some of its
+/// steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FanInstance {
     pub(super) step_count: usize,
-    pub(super) taken: StepBits,
+    pub(super) collapsed: StepBits,
 }
 
 impl FanInstance {
-    /// An instance that shows the full mesh.
+    /// Returns an instance that shows the full mesh.
     pub fn full(fans: &Fans) -> Self {
-        Self { step_count: fans.step_count, taken: StepBits::none(fans.step_count) }
+        Self { step_count: fans.step_count, collapsed: StepBits::none(fans.step_count) }
     }
 
-    /// An instance at a uniform level.
+    /// Returns an instance at a uniform level.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.
     pub fn uniform(fans: &Fans, split_count: usize) -> Self {
         assert!(split_count <= fans.step_count, "split count {split_count} of {}", fans.step_count);
         let mut instance = Self::full(fans);
-        instance.taken.set_range(split_count..fans.step_count);
+        instance.collapsed.set_range(split_count..fans.step_count);
         instance
     }
 
-    /// Whether a step is undone: its position is then there.
+    /// Whether a step is refined, that is, its position is active.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn is_refined(&self, step: u32) -> bool {
-        !self.taken.has(step)
+        !self.collapsed.has(step)
     }
 
-    /// Steps that are undone.
+    /// Number of refined steps.
     pub fn split_count(&self) -> usize {
-        self.step_count - self.taken.count()
+        self.step_count - self.collapsed.count()
     }
 
-    /// Steps that are taken: those that are not undone.
+    /// Number of collapsed steps.
     pub fn collapse_count(&self) -> usize {
-        self.taken.count()
+        self.collapsed.count()
     }
 
-    /// Bytes that the instance owns: a bit a step.
+    /// Number of bytes that the instance owns: one bit per step.
     pub fn bytes(&self) -> usize {
-        self.taken.bytes()
+        self.collapsed.bytes()
     }
 
-    /// Collapses a step, and before it every step that it waits for; returns how many that were.
+    /// Collapses a step and every step that must be collapsed before it; returns the number of steps
+    /// collapsed.
     ///
     /// # Panics
-    /// If there is no such step, or the instance is of another table.
+    /// If the step does not exist, or the instance belongs to a different table.
     pub fn collapse(&mut self, fans: &Fans, step: u32) -> usize {
         self.check(fans, step);
         let mut waiting = vec![step];
@@ -65,7 +67,7 @@ impl FanInstance {
             if !self.is_refined(step) {
                 continue;
             }
-            self.taken.insert(step);
+            self.collapsed.insert(step);
             count += 1;
             fans.for_each_needed_by_collapse(step, |needed| {
                 if self.is_refined(needed) {
@@ -76,21 +78,22 @@ impl FanInstance {
         count
     }
 
-    /// Undoes a step, and before it every step that has taken a position around it; returns how many that were.
+    /// Splits a step and every step that must be split before it; returns the number of steps split.
     ///
     /// # Panics
-    /// If there is no such step, or the instance is of another table.
+    /// If the step does not exist, or the instance belongs to a different table.
     pub fn split(&mut self, fans: &Fans, step: u32) -> usize {
         self.check(fans, step);
-        let mut undone = Vec::new();
+        let mut split_steps = Vec::new();
         if !self.is_refined(step) {
-            self.split_into(fans, step, &mut undone);
+            self.split_into(fans, step, &mut split_steps);
         }
-        undone.len()
+        split_steps.len()
     }
 
-    /// An instance that has undone every step that is wanted, and beside these only what they need: the coarsest one that
-    /// does. Every step is asked for once, coarsest first, unless it has been undone for another.
+    /// Returns the coarsest instance in which every wanted step is refined. `is_wanted` is evaluated at
+    /// most once per step, coarsest first, and not for steps that have already been refined because
+    /// another step needs them.
     pub fn refined(fans: &Fans, mut is_wanted: impl FnMut(u32) -> bool) -> Self {
         let mut instance = Self::uniform(fans, 0);
         for step in 0..fans.step_count as u32 {
@@ -101,20 +104,20 @@ impl FanInstance {
         instance
     }
 
-    /// Goes to what a criterion wants and to no more than that needs, from the base and without a memory of the last view:
-    /// the instance stays a bit a step. Asks only for steps that are right below a wanted one in the tree. Returns how many
-    /// were undone.
+    /// Refines from the base to exactly what a criterion wants and what that needs. Nothing is remembered
+    /// from one view to the next, so the instance stays at one bit per step. Only the children of wanted
+    /// steps are evaluated. Returns the number of refined steps.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn refine(&mut self, scene: &FanScene<'_>, criterion: &impl Criterion) -> usize {
         let fans = scene.fans;
-        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
-        self.taken.set_range(0..self.step_count);
-        let (mut undone, mut steps) = (Vec::new(), Vec::new());
+        assert_eq!(self.step_count, fans.step_count, "the instance belongs to a different table");
+        self.collapsed.set_range(0..self.step_count);
+        let (mut split_steps, mut steps) = (Vec::new(), Vec::new());
         let (mut parts, mut verdicts) = (Vec::new(), Vec::new());
         fans.for_each_child(None, |child| steps.push(child));
-        // Generation by generation, so that many can be asked at once.
+        // One generation at a time, so that many steps can be evaluated together.
         while !steps.is_empty() {
             parts.clear();
             parts.extend(steps.iter().map(|&step| scene.part(step)));
@@ -122,40 +125,40 @@ impl FanInstance {
             criterion.weigh_all(&parts, &mut verdicts);
             for (step, verdict) in std::mem::take(&mut steps).into_iter().zip(&verdicts) {
                 if verdict.is_wanted() {
-                    if self.taken.has(step) {
-                        self.split_into(fans, step, &mut undone);
+                    if self.collapsed.has(step) {
+                        self.split_into(fans, step, &mut split_steps);
                     }
                     fans.for_each_child(Some(step), |child| steps.push(child));
                 }
             }
         }
-        undone.len()
+        split_steps.len()
     }
 
-    /// Undoes a step and before it what it needs, and appends all that were.
-    pub(super) fn split_into(&mut self, fans: &Fans, step: u32, undone: &mut Vec<u32>) {
-        let mut at = undone.len();
-        self.taken.remove(step);
-        undone.push(step);
-        while let Some(&step) = undone.get(at) {
+    /// Splits a step and everything that it needs, and appends all steps split.
+    pub(super) fn split_into(&mut self, fans: &Fans, step: u32, split_steps: &mut Vec<u32>) {
+        let mut at = split_steps.len();
+        self.collapsed.remove(step);
+        split_steps.push(step);
+        while let Some(&step) = split_steps.get(at) {
             at += 1;
             fans.for_each_needed_by_split(step, |needed| {
-                if self.taken.has(needed) {
-                    self.taken.remove(needed);
-                    undone.push(needed);
+                if self.collapsed.has(needed) {
+                    self.collapsed.remove(needed);
+                    split_steps.push(needed);
                 }
             });
         }
     }
 
     fn check(&self, fans: &Fans, step: u32) {
-        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
+        assert_eq!(self.step_count, fans.step_count, "the instance belongs to a different table");
         assert!((step as usize) < self.step_count, "step {step} of {}", self.step_count);
     }
 }
 
 impl Fans {
-    /// Steps that have to be collapsed before this one.
+    /// Visits the steps that must be collapsed before this one.
     pub(super) fn for_each_needed_by_collapse(&self, step: u32, mut visit: impl FnMut(u32)) {
         for vertex in self.vertices.of_step(step as usize) {
             for fan in self.step_entry(vertex, step) {
@@ -167,20 +170,20 @@ impl Fans {
         listed(&self.waits, step).for_each(visit);
     }
 
-    /// Whether all steps are taken that have to be before this one.
-    pub(super) fn is_free(&self, step: u32, taken: &StepBits) -> bool {
+    /// Whether all steps that must be collapsed before this one are collapsed.
+    pub(super) fn is_free(&self, step: u32, collapsed: &StepBits) -> bool {
         let vertices = self.vertices.of_step(step as usize);
         vertices
             .flat_map(|vertex| self.step_entry(vertex, step))
-            .all(|fan| fan.creators().all(|c| taken.has(c.step)))
-            && listed(&self.waits, step).all(|finer| taken.has(finer))
+            .all(|fan| fan.creators().all(|c| collapsed.has(c.step)))
+            && listed(&self.waits, step).all(|finer| collapsed.has(finer))
     }
 
-    /// Steps that have to be undone before this one.
+    /// Visits the steps that must be split before this one.
     pub(super) fn for_each_needed_by_split(&self, step: u32, mut visit: impl FnMut(u32)) {
         let vertices = self.vertices.of_step(step as usize);
         let mut visit_vertex = |vertex: u32| {
-            // Wedges of the position itself stand in its rings where wedges meet in a triangle.
+            // A triangle between wedges of one position puts a wedge of the position itself into the ring.
             if vertex >= self.vertices.base_vertex_count && !vertices.contains(&vertex) {
                 visit(self.vertices.step_of(vertex) as u32);
             }
@@ -195,9 +198,9 @@ impl Fans {
         listed(&self.far, step).for_each(visit);
     }
 
-    /// The steps below one in the tree, or below the base: those that wait for nothing coarser than it. Each step is below
-    /// one of the steps that it needs, and below one only.
-    // Always: most of what a view without a memory takes is here.
+    /// Visits the children of a step in the tree, or of the base if `parent` is `None`. The parent of a
+    /// step is one of the steps that must be split before it; each step has one parent.
+    // Forced, because refining without memory spends most of its time here.
     #[inline(always)]
     pub(super) fn for_each_child(&self, parent: Option<u32>, mut visit: impl FnMut(u32)) {
         let vertices = match parent {

@@ -1,14 +1,14 @@
-//! What an instance shows as a mesh of its own.
+//! Extracts the current level of an instance as a mesh.
 
 use super::{FanInstance, Fans};
 use crate::mesh::{IndexedMesh, RefinableMesh, TriangleGroup};
 
 impl FanInstance {
-    /// The mesh that the instance shows: its triangles group by group, and of the vertices those that they name, in their
-    /// order.
+    /// Returns the mesh that the instance shows, with its triangles sorted by group. It contains only
+    /// vertices in use, in their original order.
     ///
     /// # Panics
-    /// If the instance or the table are of another mesh.
+    /// If the instance or the table belongs to a different mesh.
     pub fn level(&self, fans: &Fans, refinable: &RefinableMesh) -> IndexedMesh {
         let full = &refinable.mesh;
         let (mut indices, mut groups) = (Vec::new(), Vec::new());

@@ -1,51 +1,56 @@
-//! Progressive fans \[Cor01\]: every level, uniform or not, from one static table and one bit for each step.
+//! Progressive fans \[Cor01\]: every level, uniform or view-dependent, from one static table and one bit
+//! per step.
 //!
-//! Each triangle of every level stands with the vertex that leaves it first, which is the one with the highest number; the
-//! triangles that a vertex has when it is removed are its entry. A triangle is there while its entry's vertex is and
-//! once the step that makes it has been taken, if one does. So what an instance shows is told by which steps it has taken,
-//! a bit each, and each vertex can say by itself which of its triangles are there.
+//! Every triangle of every level is stored with the first of its corners to be removed, which is the one
+//! with the highest index. The triangles that a vertex has when it is removed form its entry. A triangle
+//! is active while the vertex of its entry is active and after the step that creates it (if any) has been
+//! collapsed. An instance is therefore fully described by the set of its collapsed steps, one bit each,
+//! and the active triangles of a vertex depend only on these bits.
 //!
 //! ```text
 //!          c                 entry of v: ring a b c d e, closed
 //!       d / \ b              arcs a-b, b-c ... are the triangles v a b, v b c ...
-//!       |  v  |              dependencies: always 11000, made by step 7: 00110, by step 9: 00001
-//!        e---a               shown with 7 taken and 9 not: arcs 11110, the fan v; a b c d e
+//!       |  v  |              arcs 11000 need no step, 00110 are created by step 7, 00001 by step 9
+//!        e---a               with 7 collapsed and 9 not, arcs 11110 are active: the fan v; a b c d e
 //! ```
 //!
-//! **Which sets of steps are possible.** A step can be taken once all steps are that once took a triangle from one of its
-//! vertices: those that make the triangles of its entry, and some whose floor left nothing at the vertex, which are
-//! listed beside (a step at a border, say). It can be undone once every position around it is there, and its target if
-//! its floor reaches to one that is not around.
-//! [`FanInstance::collapse`] and [`FanInstance::split`] take along whatever is needed for that.
+//! **Valid sets of steps.** A step can be collapsed once all steps are collapsed that replaced a triangle
+//! at one of its vertices: those that create the triangles of its entry, and some whose floor left no
+//! triangle at the vertex, for example at a boundary; these are listed separately. A step can be split
+//! once every position around it is active, and so is its target if the floor uses a target that is not in
+//! the ring. [`FanInstance::collapse`] and [`FanInstance::split`] also move all steps that are needed for
+//! this.
 //!
-//! Differs: \[Cor01\] stores words, here an entry is a few bytes (see `table.rs`); it recurses, here steps wait on a stack. A
-//! ring longer than [`MAX_ARCS`] is cut into several fans of one vertex; crowns are fans too, so that no arc has to be
-//! void. Positions with several wedges have an entry for each, and one bit.
+//! Differs: \[Cor01\] stores machine words, while an entry here is a few bytes (see `table.rs`). The paper
+//! recurses; this implementation uses a stack. A ring longer than [`MAX_ARCS`] is cut into several fans of
+//! one vertex. Crowns are fans too, so no arc has to be marked as void. A position with several wedges has
+//! an entry for each, but only one bit.
 //!
-//! Cost: a triangle a vertex is made by each step that touches it, three times as many as the full mesh has. Extraction
-//! is linear in the vertices that are there, a change in the entries that it touches.
+//! Cost: the table contains every triangle of every level, about three times as many as the full mesh has.
+//! Extraction is linear in the number of active vertices; a change is linear in the size of the entries
+//! that it touches.
 
 mod bounds;
 mod budget;
 mod build;
 mod crowns;
 mod emit;
+mod fan_triangles;
 mod front;
 mod instance;
 mod level;
-mod live;
 mod morphs;
 mod scene;
-mod sets;
+mod set_operations;
 mod stored;
 mod table;
 mod table_fan;
 mod validate;
 
 pub use emit::{FanForm, FanIndices, fan_triangles_into};
+pub use fan_triangles::FanTriangles;
 pub use front::{FanFront, FanUpdate};
 pub use instance::FanInstance;
-pub use live::FanTriangles;
 pub use morphs::{FanMorphs, MovingVertex};
 pub use scene::FanScene;
 pub(crate) use stored::FansParts;
@@ -57,32 +62,32 @@ use super::step_bounds::StepBounds;
 use super::step_vertices::StepVertices;
 use super::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
 
-/// The static half of the model; see the [module](self).
+/// The static table of fans, shared by all instances; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fans {
     vertices: StepVertices<'static>,
     step_count: usize,
     group_count: usize,
     table: Table,
-    /// Steps and further steps that they wait for, rising.
+    /// Pairs of a step and an additional step that must be collapsed before it, ascending.
     waits: Vec<[u32; 2]>,
-    /// Steps and those of their targets, where the target is not among the nodes around.
+    /// Pairs of a step and the step of its target, for targets that are not in the ring, ascending.
     far: Vec<[u32; 2]>,
-    /// Steps that no position waits for; in the tree they hang from the base.
+    /// Steps that no entry lists as a child; in the tree they are children of the base.
     orphans: Vec<u32>,
-    /// Triangles that each step takes away.
+    /// Number of triangles that each step removes.
     removed: Box<[u8]>,
-    /// What views ask of each step; none if the table was built without.
+    /// Bounds of each step for view-dependent refinement, unless the table was built without them.
     bounds: Option<StepBounds>,
 }
 
 impl Fans {
-    /// Vertices of the full mesh.
+    /// Number of vertices of the full mesh.
     pub fn vertex_count(&self) -> usize {
         self.vertices.vertex_count
     }
 
-    /// Vertices that a uniform level shows: the first so many.
+    /// Number of vertices of a uniform level; the level uses exactly the vertices below this index.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.
@@ -90,36 +95,36 @@ impl Fans {
         self.vertices.count_at(split_count)
     }
 
-    /// Triangles of the base mesh.
+    /// Number of triangles of the base mesh.
     pub fn base_triangle_count(&self) -> usize {
         self.draw_counts(&self.level_at(0)).index_count / 3
     }
 
-    /// Groups of triangles.
+    /// Number of triangle groups.
     pub fn group_count(&self) -> usize {
         self.group_count
     }
 
-    /// The state of a uniform level.
+    /// Returns the state of a uniform level.
     pub(crate) fn level_at(&self, split_count: usize) -> FansLevel {
         let mut level = self.new_state();
         self.move_to(&mut level, split_count);
         level
     }
 
-    /// The fans of a vertex of the base.
+    /// Returns the fans of a base vertex.
     #[inline]
     fn base_entry(&self, vertex: u32) -> Entry<'_> {
         self.table.entry(vertex, 0)
     }
 
-    /// The fans of a vertex that a step takes away.
+    /// Returns the fans of a vertex that a step removes.
     #[inline]
     fn step_entry(&self, vertex: u32, step: u32) -> Entry<'_> {
         self.table.entry(vertex, step + 1)
     }
 
-    /// Visits the fans of all vertices that are there at a uniform level.
+    /// Visits the fans of all vertices that are active at a uniform level.
     fn for_each_fan_at(&self, split_count: usize, mut visit: impl FnMut(table::FanView<'_>)) {
         for vertex in 0..self.vertices.base_vertex_count {
             for fan in self.base_entry(vertex) {
@@ -136,13 +141,13 @@ impl Fans {
     }
 }
 
-/// What is listed for a step in rising pairs.
+/// Returns the second elements of all pairs whose first is `step`; the pairs are sorted.
 fn listed(pairs: &[[u32; 2]], step: u32) -> impl Iterator<Item = u32> {
     let first = pairs.partition_point(|pair| pair[0] < step);
     pairs[first..].iter().take_while(move |pair| pair[0] == step).map(|pair| pair[1])
 }
 
-/// An instance at a uniform level: nothing but its number.
+/// An instance of [`Fans`] at a uniform level, which is just a split count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FansLevel {
     split_count: usize,
@@ -211,11 +216,11 @@ impl StoredModel for Fans {
 
     fn group_triangles_into(&self, state: &FansLevel, group: usize, out: &mut Vec<[u32; 3]>) {
         assert!(group < self.group_count, "group {group} of {}", self.group_count);
-        let is_taken = |step: u32| step as usize >= state.split_count;
+        let is_collapsed = |step: u32| step as usize >= state.split_count;
         let mut indices = Vec::new();
         self.for_each_fan_at(state.split_count, |fan| {
             if fan.group as usize == group {
-                fan.triangles_into(fan.mask(is_taken), &mut indices);
+                fan.triangles_into(fan.mask(is_collapsed), &mut indices);
             }
         });
         out.extend_from_slice(indices.as_chunks().0);

@@ -1,95 +1,99 @@
-//! An instance that follows what is wanted frame by frame, in motion instead of jumps.
+//! Animates an instance towards a changing target instance, frame by frame, without jumps.
 //!
-//! A step that is newly undone is drawn at once, but its vertices begin at their targets' places and move to their own over
-//! some frames; a step that is no longer wanted moves back, and is taken in the drawn instance once it has arrived: by then all
-//! that it waits for has arrived, too. A vertex is shown between where its *target is shown* and its own place; worked out from coarse
-//! to fine, chains of vertices that all move stay together. So a place depends on nothing but how far each step has come, which
-//! changes by one frame's share at a time: nothing can jump, whatever is wanted next, also in the middle of a motion.
+//! A step that is newly refined is drawn immediately, but its vertices start at the positions of their
+//! targets and move to their own over several frames. A step that is no longer wanted moves back, and is
+//! collapsed in the drawn instance once it has arrived; by then every step that must be collapsed before
+//! it has arrived too. A vertex is drawn between the *drawn position of its target* and its own position;
+//! evaluating vertices from coarse to fine keeps chains of moving vertices connected. Each drawn position
+//! depends only on the progress of the steps, which changes by one frame at a time. Nothing can jump, even
+//! if the target instance changes in the middle of a motion.
 //!
 //! ```text
-//! wanted    undone               taken again
+//! target    refined              collapsed
 //! frame     1    2    3    4     5    6    7
-//! factor   1/4  2/4  3/4   1    3/4  2/4  1/4   0: taken
+//! factor   1/4  2/4  3/4   1    3/4  2/4  1/4   0: collapsed in the drawn instance too
 //! ```
 //!
-//! Geomorphs at run time are \[Hop97\]'s, of a vertex between two places that are fixed; here refining and coarsening are one
-//! motion that may turn round at any time.
+//! Run-time geomorphs in \[Hop97\] move a vertex between two fixed positions; here, refining and
+//! coarsening are a single motion that can be reversed at any time.
 //!
-//! Cost: an instance, 8 bytes a step that moves; a frame takes a look at each 64 steps and time in proportion to what moves.
+//! Cost: one instance plus 8 bytes per moving step. A frame scans one 64-bit word per 64 steps and takes
+//! time proportional to the number of moving vertices.
 
 use super::{FanInstance, Fans};
 use crate::mesh::{AttributeLayer, CollapseSequence};
 use crate::model::geomorph::Mix;
 
-/// A vertex that is on its way.
+/// A vertex in motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MovingVertex {
-    /// The vertex.
+    /// Index of the vertex.
     pub vertex: u32,
-    /// The drawn vertex that it comes from or goes to; it may move, too.
+    /// The drawn vertex that it comes from or goes to, which may be moving too.
     pub target: u32,
-    /// 0 where its target is shown, 1 at its own place.
+    /// Progress: 0 at the drawn position of its target, 1 at its own position.
     pub factor: f32,
 }
 
-/// A step that is drawn on its way.
+/// A step whose vertices are in motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct MovingStep {
     step: u32,
-    /// Frames of the way to its own place.
+    /// Progress in frames; `frame_count` is its own position.
     frame: u16,
 }
 
-/// The motion of an instance from frame to frame: it follows what is wanted, and nothing jumps \[Hop96\].
+/// Continuous morphing of an instance from frame to frame \[Hop96\].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FanMorphs {
     drawn: FanInstance,
     frame_count: u16,
-    /// Rising.
+    /// Steps in motion, ascending.
     moving: Vec<MovingStep>,
-    /// Steps that came to their own place in the last frame.
-    settled: Vec<u32>,
-    /// Memory for the next frame's steps.
+    /// Steps whose vertices arrived at their own positions in the last frame.
+    arrived: Vec<u32>,
+    /// Scratch for the moving steps of the next frame.
     next: Vec<MovingStep>,
 }
 
 impl FanMorphs {
-    /// Begins at rest with an instance. Each motion takes `frame_count` frames; 0 is as 1, a change at once.
+    /// Starts at rest with an instance. Each motion takes `frame_count` frames; with 0 or 1, every change
+    /// is immediate.
     pub fn new(instance: &FanInstance, frame_count: u16) -> Self {
         let frame_count = frame_count.max(1);
-        let (moving, settled, next) = (Vec::new(), Vec::new(), Vec::new());
-        Self { drawn: instance.clone(), frame_count, moving, settled, next }
+        let (moving, arrived, next) = (Vec::new(), Vec::new(), Vec::new());
+        Self { drawn: instance.clone(), frame_count, moving, arrived, next }
     }
 
-    /// The instance to draw: what is wanted, and what is still on its way out.
+    /// Returns the instance to draw: the target instance plus everything that is still moving back.
     pub fn drawn(&self) -> &FanInstance {
         &self.drawn
     }
 
-    /// Steps that move.
+    /// Number of steps in motion.
     pub fn moving_count(&self) -> usize {
         self.moving.len()
     }
 
-    /// Bytes of the drawn instance and of the steps that move.
+    /// Number of bytes of the drawn instance and of the moving steps.
     pub fn bytes(&self) -> usize {
-        self.drawn.bytes() + 2 * size_of_val(&self.moving[..]) + size_of_val(&self.settled[..])
+        self.drawn.bytes() + 2 * size_of_val(&self.moving[..]) + size_of_val(&self.arrived[..])
     }
 
-    /// Moves one frame on towards what is wanted now.
+    /// Advances one frame towards the target instance `wanted`.
     ///
     /// # Panics
-    /// If the wanted instance is of another table.
+    /// If the target instance belongs to a different table.
     pub fn advance(&mut self, fans: &Fans, wanted: &FanInstance) {
         self.check(fans, wanted);
-        self.settled.clear();
+        self.arrived.clear();
         let moving = std::mem::take(&mut self.moving);
         let mut moving_steps = moving.iter().copied().peekable();
         let mut next = std::mem::take(&mut self.next);
         next.clear();
         for word in 0..wanted.words().len() {
             let mut steps = self.drawn.words()[word] ^ wanted.words()[word];
-            // All that moves goes on, whether or not it is drawn as wanted.
+            // Steps in motion continue even if they are already drawn as wanted.
             let at_first = moving_steps.clone();
             let of_word = at_first.take_while(|moving| moving.step as usize / 64 == word);
             of_word.for_each(|moving| steps |= 1 << (moving.step % 64));
@@ -102,31 +106,32 @@ impl FanMorphs {
         }
         self.next = moving;
         self.moving = next;
-        self.take_arrived(fans);
+        self.collapse_arrived(fans);
     }
 
-    /// Is at rest with another instance at once, as after a cut.
+    /// Jumps to another instance immediately, as after a camera cut.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn jump_to(&mut self, fans: &Fans, wanted: &FanInstance) {
         self.check(fans, wanted);
-        self.settled.clear();
+        self.arrived.clear();
         for (word, (&drawn, &wanted)) in (0..).zip(self.drawn.words().iter().zip(wanted.words())) {
-            let mut undone = drawn & !wanted;
-            while undone != 0 {
-                self.settled.push(64 * word + undone.trailing_zeros());
-                undone &= undone - 1;
+            let mut changed = drawn & !wanted;
+            while changed != 0 {
+                self.arrived.push(64 * word + changed.trailing_zeros());
+                changed &= changed - 1;
             }
         }
-        self.settled.extend(self.moving.drain(..).map(|moving| moving.step));
+        self.arrived.extend(self.moving.drain(..).map(|moving| moving.step));
         self.drawn.clone_from(wanted);
     }
 
-    /// All vertices that move, from coarse to fine: a target that moves comes before those that go to it.
+    /// Returns all vertices in motion from coarse to fine, so a moving target comes before the vertices
+    /// that depend on it.
     ///
     /// # Panics
-    /// If the sequence is another mesh's.
+    /// If the sequence belongs to a different mesh.
     pub fn moving<'a>(&'a self, sequence: &'a CollapseSequence) -> impl Iterator<Item = MovingVertex> + 'a {
         self.moving.iter().flat_map(move |moving| {
             let factor = f32::from(moving.frame) / f32::from(self.frame_count);
@@ -137,52 +142,53 @@ impl FanMorphs {
         })
     }
 
-    /// Vertices that came to their own places in the last frame.
+    /// Returns the vertices that arrived at their own positions in the last frame.
     ///
     /// # Panics
-    /// If the sequence is another mesh's.
-    pub fn settled<'a>(&'a self, sequence: &'a CollapseSequence) -> impl Iterator<Item = u32> + 'a {
-        self.settled.iter().flat_map(|&step| sequence.step_vertices(step as usize))
+    /// If the sequence belongs to a different mesh.
+    pub fn arrived<'a>(&'a self, sequence: &'a CollapseSequence) -> impl Iterator<Item = u32> + 'a {
+        self.arrived.iter().flat_map(|&step| sequence.step_vertices(step as usize))
     }
 
-    /// Brings the places of all vertices up to date that moved in the last frame. `out` begins as a copy of the positions,
-    /// and is brought up to date in every frame: then all that is drawn is where it should be.
+    /// Writes the positions of all vertices that moved in the last frame. Initialize `out` with a copy of
+    /// the positions and call this in every frame; then the positions of all drawn vertices are correct.
     ///
     /// # Panics
-    /// If the positions or `out` are not those of all vertices, or the sequence is another mesh's.
+    /// If `positions` or `out` does not cover all vertices, or the sequence belongs to a different mesh.
     pub fn positions_into(&self, sequence: &CollapseSequence, positions: &[[f32; 3]], out: &mut [[f32; 3]]) {
         let own = |vertex: usize, i: usize| positions[vertex][i];
         self.write(sequence, (Mix::Linear, 3), own, out.as_flattened_mut());
     }
 
-    /// Does as [`positions_into`](Self::positions_into) for another layer, as floats: normals and tangents keep their
-    /// length, joints and their weights are the nearer vertex's.
+    /// Writes another attribute layer, like [`positions_into`](Self::positions_into) does for positions.
+    /// Normals and tangents stay normalized; joints and their weights are those of the nearer vertex.
     ///
     /// # Panics
-    /// If the layer or `out` are not those of all vertices, or the sequence is another mesh's.
+    /// If the layer or `out` does not cover all vertices, or the sequence belongs to a different mesh.
     pub fn layer_into(&self, sequence: &CollapseSequence, layer: &AttributeLayer, out: &mut [f32]) {
         let shape = (Mix::of(&layer.semantic), usize::from(layer.component_count));
         self.write(sequence, shape, |vertex, i| layer.get(vertex, i), out);
     }
 
-    /// One frame of a step's way; none if it is then at its own place.
+    /// Advances a step by one frame. Returns `None` if its vertices have arrived at their own positions.
     fn move_step(&mut self, step: u32, known: Option<u16>, wanted: &FanInstance) -> Option<MovingStep> {
         if !wanted.is_refined(step) {
             let frame = known.unwrap_or(self.frame_count).saturating_sub(1);
             return Some(MovingStep { step, frame });
         }
-        self.drawn.taken.remove(step);
+        self.drawn.collapsed.remove(step);
         let frame = known.unwrap_or(0) + 1;
         if frame < self.frame_count {
             return Some(MovingStep { step, frame });
         }
-        self.settled.push(step);
+        self.arrived.push(step);
         None
     }
 
-    /// Takes the steps that are at their targets. What they wait for is there, too: it was never wanted for longer, and all
-    /// ways take the same time.
-    fn take_arrived(&mut self, fans: &Fans) {
+    /// Collapses the steps that have arrived at their targets. The steps that must be collapsed before
+    /// them have arrived too, because they have been unwanted for at least as long and all motions take
+    /// the same time.
+    fn collapse_arrived(&mut self, fans: &Fans) {
         let Self { drawn, moving, .. } = self;
         for &MovingStep { step, frame } in moving.iter().rev() {
             if frame > 0 {
@@ -190,15 +196,15 @@ impl FanMorphs {
             }
             if cfg!(debug_assertions) {
                 fans.for_each_needed_by_collapse(step, |finer| {
-                    assert!(!drawn.is_refined(finer), "step {step} is taken before {finer}");
+                    assert!(!drawn.is_refined(finer), "step {step} is collapsed before {finer}");
                 });
             }
-            drawn.taken.insert(step);
+            drawn.collapsed.insert(step);
         }
         moving.retain(|moving| moving.frame > 0);
     }
 
-    /// Writes a layer of `count` numbers a vertex where something moved.
+    /// Writes a layer with `count` components per vertex for all vertices that moved.
     fn write(
         &self,
         sequence: &CollapseSequence,
@@ -206,9 +212,9 @@ impl FanMorphs {
         own: impl Fn(usize, usize) -> f32,
         out: &mut [f32],
     ) {
-        for vertex in self.settled(sequence) {
-            let slot = &mut out[vertex as usize * count..][..count];
-            slot.iter_mut().enumerate().for_each(|(i, out)| *out = own(vertex as usize, i));
+        for vertex in self.arrived(sequence) {
+            let values = &mut out[vertex as usize * count..][..count];
+            values.iter_mut().enumerate().for_each(|(i, out)| *out = own(vertex as usize, i));
         }
         let (mut from, mut to) = (vec![0.0; count], vec![0.0; count]);
         for MovingVertex { vertex, target, factor } in self.moving(sequence) {

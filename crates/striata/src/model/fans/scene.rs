@@ -1,12 +1,12 @@
-//! A table with what it takes to ask a criterion of its steps.
+//! Combines a table with the positions that a view criterion needs.
 
 use super::Fans;
 use crate::mesh::RefinableMesh;
 use crate::model::step_bounds::StepBounds;
 use crate::view::{Part, Sphere};
 
-/// What all instances of a model share: the table with the bounds of its steps, and the positions of the mesh's vertices. It only borrows,
-/// and costs nothing to make: make one wherever it is needed, from owners that are kept elsewhere.
+/// A table with bounds and the vertex positions of its mesh, shared by all instances. It only borrows and
+/// costs nothing to create, so make one whenever it is needed.
 #[derive(Clone, Copy, Debug)]
 pub struct FanScene<'a> {
     pub(super) fans: &'a Fans,
@@ -15,33 +15,34 @@ pub struct FanScene<'a> {
 }
 
 impl<'a> FanScene<'a> {
-    /// Puts a table and the mesh's positions together.
+    /// Combines a table with the positions of its mesh.
     ///
     /// # Panics
-    /// If they are not of the same mesh, by their counts, or the table was built without bounds.
+    /// If their vertex counts differ, or the table was built without bounds.
     pub fn new(fans: &'a Fans, refinable: &'a RefinableMesh) -> Self {
         let positions = &refinable.mesh.positions[..];
-        assert_eq!(fans.vertex_count(), positions.len(), "the table is another mesh's");
+        assert_eq!(fans.vertex_count(), positions.len(), "the table belongs to a different mesh");
         let bounds = fans.bounds.as_ref().expect("the table was built with bounds");
         Self { fans, bounds, positions }
     }
 
-    /// The table.
+    /// Returns the table.
     pub fn fans(&self) -> &'a Fans {
         self.fans
     }
 
-    /// What a step is to a criterion.
+    /// Returns the bounds of a step in the form that a criterion evaluates.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn part(&self, step: u32) -> Part {
         self.bounds.part(step, self.positions[self.fans.center_vertex(step)])
     }
 
-    /// A sphere around all positions, for [`ScreenError::of_model`](crate::view::ScreenError::of_model). Walks all of them:
-    /// keep it.
+    /// Returns a sphere around all positions, for
+    /// [`ScreenError::of_model`](crate::view::ScreenError::of_model). Takes time linear in the vertex
+    /// count, so keep the result.
     pub fn sphere(&self) -> Sphere {
         let mut corners = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
         for position in self.positions {

@@ -1,4 +1,4 @@
-//! What a file holds of a table, and the table that comes out of it.
+//! Converts a table to and from the arrays of the file format.
 
 use super::table::{Table, TableArrays};
 use super::{Fans, validate};
@@ -6,32 +6,32 @@ use crate::model::ModelError;
 use crate::model::step_bounds::StepBounds;
 use crate::model::step_vertices::StepVertices;
 
-/// The stored arrays of a table, without what the sequence knows already.
+/// The stored arrays of a table, except for those that come from the sequence.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FansParts<'a> {
-    /// Bytes of all entries.
+    /// Encoded entries of all vertices.
     pub(crate) entries: &'a [u8],
-    /// Where each block of vertices begins, or each vertex where `starts` is empty.
+    /// Offset of each block of vertices, or of each vertex if `starts` is empty.
     pub(crate) blocks: &'a [u32],
-    /// Where each vertex begins in its block.
+    /// Offset of each vertex from the start of its block.
     pub(crate) starts: &'a [u16],
-    /// Steps and further steps that they wait for.
+    /// Pairs of a step and an additional step that must be collapsed before it.
     pub(crate) waits: &'a [[u32; 2]],
-    /// Steps and those of targets that are not around them.
+    /// Pairs of a step and the step of its target, for targets that are not in the ring.
     pub(crate) far: &'a [[u32; 2]],
-    /// Steps that hang from the base.
+    /// Steps that are children of the base without being listed in a base entry.
     pub(crate) orphans: &'a [u32],
 }
 
 impl Fans {
-    /// The arrays that a file is to hold.
+    /// Returns the arrays to store in a file.
     pub(crate) fn parts(&self) -> FansParts<'_> {
         let TableArrays { entries, blocks, starts } = self.table.arrays();
         FansParts { entries, blocks, starts, waits: &self.waits, far: &self.far, orphans: &self.orphans }
     }
 
-    /// Puts stored arrays together, in memory of their own, and checks them once, so that nothing can fail later. `removed` are
-    /// the triangles that each step of the sequence takes away.
+    /// Copies stored arrays into a table and validates them, so that no later operation can fail.
+    /// `removed` is the number of triangles that each step of the sequence removes.
     pub(crate) fn from_parts(
         vertices: StepVertices<'_>,
         removed: &[u8],
@@ -58,21 +58,21 @@ impl Fans {
         Ok(fans)
     }
 
-    /// The same table with the bounds of its steps from their bytes, given the errors of the steps.
+    /// Adds bounds read from their stored bytes; `errors` are the errors of the steps.
     ///
     /// # Errors
-    /// If there are more or fewer records than errors, or one holds what no bounds are.
+    /// If the number of records differs from that of the errors, or a record is not a valid bound.
     pub(crate) fn with_stored_bounds(self, bytes: &[u8], errors: &[f32]) -> Result<Self, ModelError> {
         let bounds = StepBounds::from_bytes(bytes, errors.len(), Some(errors))?;
         Ok(Self { bounds: Some(bounds), ..self })
     }
 
-    /// The bounds as a file is to hold them; none if the table was built without.
+    /// Returns the bounds to store in a file; empty if the table was built without bounds.
     pub(crate) fn stored_bounds(&self) -> &[u8] {
         self.bounds.as_ref().map_or(&[], StepBounds::as_bytes)
     }
 
-    /// Steps that there are bounds of.
+    /// Number of steps that have bounds.
     pub(crate) fn bounded_step_count(&self) -> usize {
         self.bounds.as_ref().map_or(0, StepBounds::step_count)
     }

@@ -1,72 +1,75 @@
-//! The table in bytes: the fans of every vertex one after the other, numbers relative to the vertex.
+//! Byte layout of the table: the fans of all vertices one after the other, with indices relative to the
+//! vertex.
 //!
-//! Nodes of a ring are older than the vertex that they are around and steps that make its triangles are later than
-//! its own, so all numbers are small differences: as many bytes as the largest needs, at least two. A fan is:
+//! Nodes of a ring are older than the vertex in its center, and steps that create its triangles come later
+//! than its own step, so all numbers are small non-negative differences. All numbers of a fan have the
+//! same width, at least two bytes and wide enough for the largest. The layout of a fan is:
 //!
 //! ```text
-//! byte    bits 0..4 arcs - 1, bit 5 closed, bit 6 numbers of 3 bytes, bit 7 another fan of this vertex follows
-//! byte    bits 0..5 creators, bit 6 a byte more, bit 7 some arcs are there always
-//! group   varint, only where there are several
-//! nodes   vertex - node, for each arc and, unless closed, one more
-//! mask    of the arcs that are there always, if there are any; as many bytes as arcs need bits
-//! pairs   2 (step - own step), 1 more if the step is below this one, and mask of each creator; -1 being the own step
-//!         of a vertex of the base
+//! byte    bits 0..4 arc count - 1, bit 5 closed, bit 6 one more byte per number, bit 7 another fan follows
+//! byte    bits 0..5 creator count, bit 6 one more byte per number, bit 7 some arcs are permanent
+//! group   varint, only if there are several groups
+//! nodes   vertex - node, one per arc and, unless the fan is closed, one more
+//! mask    of the permanent arcs, if there are any; one byte per 8 arcs
+//! pairs   for each creator: 2 (step - own step), plus 1 if it is a child of this step; then its arc mask.
+//!         The own step of a base vertex counts as -1.
 //! ```
 //!
-//! Where the fans of a vertex begin is a number of two bytes from the start of its block of vertices.
+//! The start of a vertex's fans is stored as a two-byte offset from the start of its block of vertices.
 
 use crate::model::ModelError;
 use crate::model::record_arena::{read_varint, write_varint};
 
-/// Arcs of a fan: as many as its masks have bits.
+/// Largest number of arcs of a fan, limited by the width of its masks.
 pub const MAX_ARCS: usize = 32;
 
-/// Vertices whose entries share one start.
+/// Number of vertices per block.
 const BLOCK: usize = 64;
 
-/// Bytes after the last entry, so that four can be read wherever a number begins.
+/// Padding after the last entry, so that four bytes can be read wherever a number begins.
 const PADDING: usize = 4;
 
 const CLOSED: u8 = 1 << 5;
-/// Numbers have a byte more than the two that they have at least; in either byte.
+/// Numbers are one byte wider; the flag can be set in either of the two header bytes.
 const WIDE: u8 = 1 << 6;
 const FOLLOWED: u8 = 1 << 7;
-const SOME_ALWAYS: u8 = 1 << 7;
+const HAS_PERMANENT: u8 = 1 << 7;
 
-/// A fan before it is written: nodes, arcs that are there always, and other arcs by the step that makes them.
+/// A fan before it is encoded: its nodes, its permanent arcs, and its other arcs by the step that creates
+/// them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Fan {
     pub(super) group: u32,
     pub(super) arc_count: usize,
-    /// One for each arc and, unless the fan is closed, one more.
+    /// One node per arc and, unless the fan is closed, one more.
     pub(super) nodes: Vec<u32>,
-    pub(super) always: u32,
+    pub(super) permanent: u32,
     pub(super) creators: Vec<Creator>,
 }
 
-/// A step that makes some arcs of a fan.
+/// A step that creates some arcs of a fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Creator {
     pub(super) step: u32,
     pub(super) mask: u32,
-    /// Whether the step is told here to be below the vertex in the tree; each is told once.
+    /// Whether this entry lists the step as a child in the tree; only one entry does so for each step.
     pub(super) is_child: bool,
 }
 
-/// All entries in bytes; see the [module](self).
+/// The encoded entries of all vertices; see the [module](self).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Table {
     bytes: Vec<u8>,
-    /// Where each block of vertices begins.
+    /// Offset of each block of vertices in `bytes`.
     blocks: Vec<u32>,
-    /// Where each vertex begins in its block, closed by one more.
+    /// Offset of each vertex from the start of its block, followed by the offset of the end.
     starts: Vec<u16>,
-    /// The same from the start of all, where two bytes do not reach; then `starts` is empty.
+    /// Offset of each vertex in `bytes`, if two bytes are too few for some; `starts` is then empty.
     wide_starts: Vec<u32>,
     has_groups: bool,
 }
 
-/// Writes entries, vertex by vertex.
+/// Encodes entries, vertex by vertex.
 #[derive(Debug)]
 pub(super) struct TableWriter {
     bytes: Vec<u8>,
@@ -79,7 +82,7 @@ impl TableWriter {
         Self { bytes: Vec::new(), starts: vec![0], has_groups }
     }
 
-    /// Appends the entry of the next vertex, whose own step is `own_step - 1`.
+    /// Appends the entry of the next vertex; `own_step` is its step plus 1, or 0 for a base vertex.
     pub(super) fn push(&mut self, own_step: u32, fans: &[Fan]) {
         let vertex = self.starts.len() as u32 - 1;
         for (i, fan) in fans.iter().enumerate() {
@@ -102,7 +105,7 @@ impl TableWriter {
                 | flag(is_followed, FOLLOWED),
         );
         self.bytes.push(
-            fan.creators.len() as u8 | flag(number_bytes > 3, WIDE) | flag(fan.always != 0, SOME_ALWAYS),
+            fan.creators.len() as u8 | flag(number_bytes > 3, WIDE) | flag(fan.permanent != 0, HAS_PERMANENT),
         );
         if self.has_groups {
             write_varint(fan.group, &mut self.bytes);
@@ -111,8 +114,8 @@ impl TableWriter {
             self.bytes.extend_from_slice(&number.to_le_bytes()[..number_bytes]);
         }
         let mask_bytes = fan.arc_count.div_ceil(8);
-        if fan.always != 0 {
-            self.bytes.extend_from_slice(&fan.always.to_le_bytes()[..mask_bytes]);
+        if fan.permanent != 0 {
+            self.bytes.extend_from_slice(&fan.permanent.to_le_bytes()[..mask_bytes]);
         }
         for (number, Creator { mask, .. }) in steps().zip(&fan.creators) {
             self.bytes.extend_from_slice(&number.to_le_bytes()[..number_bytes]);
@@ -134,34 +137,35 @@ impl TableWriter {
     }
 }
 
-/// The arrays of a table, as files hold them.
+/// The arrays of a table in the layout of the file format.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TableArrays<'a> {
-    /// The entries of all vertices.
+    /// Encoded entries of all vertices.
     pub(super) entries: &'a [u8],
-    /// Where blocks of entries begin; where vertices begin, if there are no `starts`.
+    /// Offset of each block of vertices, or of each vertex if `starts` is empty.
     pub(super) blocks: &'a [u32],
-    /// Where vertices begin in their blocks.
+    /// Offset of each vertex from the start of its block.
     pub(super) starts: &'a [u16],
 }
 
 impl Table {
-    /// Bytes of the entries, and of where they begin.
+    /// Returns the size in bytes of the entries, and of the arrays that locate them.
     pub(super) fn sizes(&self) -> [usize; 2] {
         let starts = 4 * (self.blocks.len() + self.wide_starts.len()) + 2 * self.starts.len();
         [self.bytes.len(), starts]
     }
 
-    /// The arrays that a file holds.
+    /// Returns the arrays to store in a file.
     pub(super) fn arrays(&self) -> TableArrays<'_> {
         let blocks = if self.starts.is_empty() { &self.wide_starts } else { &self.blocks };
         TableArrays { entries: &self.bytes, blocks, starts: &self.starts }
     }
 
-    /// A table of the arrays that another one had.
+    /// Creates a table from stored arrays.
     ///
     /// # Errors
-    /// Where they do not say for each of so many vertices where it begins, rising to the end of the entries.
+    /// If the arrays do not give an ascending sequence of starts for `vertex_count` vertices, up to the
+    /// end of the entries.
     pub(super) fn from_arrays(
         arrays: TableArrays<'_>,
         vertex_count: usize,
@@ -181,7 +185,7 @@ impl Table {
             length("starts of blocks", blocks.len(), start_count.div_ceil(BLOCK))?;
         }
         if let Some(place) = blocks.iter().position(|&start| start as usize > bytes.len()) {
-            return Err(ModelError::Listed { what: "start", place, reason: "lies behind the entries" });
+            return Err(ModelError::Listed { what: "start", place, reason: "lies beyond the entries" });
         }
         let (blocks, wide_starts) = if is_wide { (Vec::new(), blocks) } else { (blocks, Vec::new()) };
         let table = Self { bytes, blocks, starts, wide_starts, has_groups };
@@ -189,7 +193,7 @@ impl Table {
         for vertex in 0..start_count {
             let start = table.start(vertex);
             if start < end || (vertex == 0 && start > 0) {
-                let reason = "does not begin where the one before ends";
+                let reason = "does not begin at the end of the previous one";
                 return Err(ModelError::Entry { vertex, reason });
             }
             end = start;
@@ -198,6 +202,7 @@ impl Table {
         Ok(table)
     }
 
+    /// Returns the offset of a vertex's entry.
     #[inline]
     pub(super) fn start(&self, vertex: usize) -> usize {
         if self.starts.is_empty() {
@@ -207,7 +212,7 @@ impl Table {
         }
     }
 
-    /// The fans of a vertex, whose own step is `own_step - 1`.
+    /// Returns the fans of a vertex; `own_step` is its step plus 1, or 0 for a base vertex.
     #[inline]
     pub(super) fn entry(&self, vertex: u32, own_step: u32) -> Entry<'_> {
         let start = self.start(vertex as usize);
@@ -217,7 +222,7 @@ impl Table {
     }
 }
 
-/// Reads the fans of a vertex.
+/// Decodes the fans of a vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry<'t> {
     bytes: &'t [u8],
@@ -226,24 +231,25 @@ pub(super) struct Entry<'t> {
     has_groups: bool,
 }
 
-/// A fan as it stands in the table.
+/// A fan in its encoded form.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FanView<'t> {
     pub(super) group: u32,
     pub(super) vertex: u32,
     own_step: u32,
     pub(super) is_closed: bool,
-    pub(super) always: u32,
+    pub(super) permanent: u32,
     pub(super) node_count: usize,
     creator_count: usize,
     numbers: Width,
     masks: Width,
-    /// From the first node on, and where the creators begin.
+    /// Bytes from the first node on.
     bytes: &'t [u8],
+    /// Offset of the first creator in `bytes`.
     creators_at: usize,
 }
 
-/// How many bytes a number has.
+/// Width of an encoded number.
 #[derive(Clone, Copy, Debug)]
 struct Width {
     bytes: usize,
@@ -256,7 +262,7 @@ impl Width {
         Self { bytes, mask: u32::MAX >> (32 - 8 * bytes) }
     }
 
-    /// The number that begins somewhere.
+    /// Reads the number at an offset.
     #[inline]
     fn read(self, bytes: &[u8], at: usize) -> u32 {
         let word = bytes.get(at..).and_then(|rest| rest.first_chunk());
@@ -267,7 +273,7 @@ impl Width {
 impl<'t> Iterator for Entry<'t> {
     type Item = FanView<'t>;
 
-    // Always: what it returns is large, and callers use a few numbers of it.
+    // Forced, because the returned value is large and callers use only a few of its fields.
     #[inline(always)]
     fn next(&mut self) -> Option<FanView<'t>> {
         let [flags, creator_flags, rest @ ..] = self.bytes else { return None };
@@ -278,10 +284,10 @@ impl<'t> Iterator for Entry<'t> {
         let masks = Width::new(arc_count.div_ceil(8));
         let is_closed = flags & CLOSED != 0;
         let node_count = arc_count + usize::from(!is_closed);
-        let always_at = numbers.bytes * node_count;
-        let has_always = creator_flags & SOME_ALWAYS != 0;
-        let always = if has_always { masks.read(bytes, always_at) } else { 0 };
-        let creators_at = always_at + if has_always { masks.bytes } else { 0 };
+        let permanent_at = numbers.bytes * node_count;
+        let has_permanent = creator_flags & HAS_PERMANENT != 0;
+        let permanent = if has_permanent { masks.read(bytes, permanent_at) } else { 0 };
+        let creators_at = permanent_at + if has_permanent { masks.bytes } else { 0 };
         let creator_count = usize::from(creator_flags & 0x3f);
         let end = creators_at + creator_count * (numbers.bytes + masks.bytes);
         self.bytes = if flags & FOLLOWED == 0 { &[] } else { bytes.get(end..)? };
@@ -291,7 +297,7 @@ impl<'t> Iterator for Entry<'t> {
             vertex,
             own_step,
             is_closed,
-            always,
+            permanent,
             node_count,
             creator_count,
             numbers,
@@ -303,32 +309,32 @@ impl<'t> Iterator for Entry<'t> {
 }
 
 impl<'t> FanView<'t> {
-    /// The vertices around, in their order.
+    /// Returns the vertices around the center, in order.
     #[inline]
     pub(super) fn nodes(&self) -> impl Iterator<Item = u32> + use<'t> {
         let vertex = self.vertex;
         self.distances().map(move |distance| vertex - distance)
     }
 
-    /// How far before the vertex its nodes are, as stored.
+    /// Returns the nodes as stored: as distances before the vertex.
     #[inline]
     pub(super) fn distances(&self) -> impl Iterator<Item = u32> + use<'t> {
         let Self { numbers, bytes, .. } = *self;
         (0..self.node_count).map(move |i| numbers.read(bytes, i * numbers.bytes))
     }
 
-    /// The steps that make some of the triangles, each with their arcs.
+    /// Returns the steps that create some of the arcs, each with the mask of its arcs.
     #[inline]
     pub(super) fn creators(&self) -> impl Iterator<Item = Creator> + use<'t> {
         let own_step = self.own_step;
-        self.pairs().map(move |[told, mask]| Creator {
-            step: (told >> 1) + own_step - 1,
+        self.pairs().map(move |[number, mask]| Creator {
+            step: (number >> 1) + own_step - 1,
             mask,
-            is_child: told & 1 != 0,
+            is_child: number & 1 != 0,
         })
     }
 
-    /// What is told of each creator, and its mask, as stored.
+    /// Returns the creators as stored: the relative step with its child flag, and the mask.
     #[inline]
     pub(super) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + use<'t> {
         let Self { numbers, masks, bytes, creators_at, .. } = *self;
@@ -338,33 +344,33 @@ impl<'t> FanView<'t> {
         })
     }
 
-    /// Bytes of the table behind the fan; `None` where it would end after them.
+    /// Number of bytes of the table after the fan; `None` if the fan extends beyond the end.
     pub(super) fn bytes_after(&self) -> Option<usize> {
         let end = self.creators_at + self.creator_count * (self.numbers.bytes + self.masks.bytes);
         self.bytes.len().checked_sub(end)
     }
 
-    /// Which arcs are there.
+    /// Returns the mask of the active arcs.
     #[inline]
-    pub(super) fn mask(&self, is_taken: impl Fn(u32) -> bool) -> u32 {
-        // As a product and not as a branch: half of what is taken cannot be foretold.
-        self.creators().fold(self.always, |all, c| all | (c.mask * u32::from(is_taken(c.step))))
+    pub(super) fn mask(&self, is_collapsed: impl Fn(u32) -> bool) -> u32 {
+        // A multiplication, because a branch would be mispredicted half of the time.
+        self.creators().fold(self.permanent, |all, c| all | (c.mask * u32::from(is_collapsed(c.step))))
     }
 
-    /// Arcs, each between a node and the next.
+    /// Number of arcs; each connects a node with the next.
     #[inline]
     pub(super) fn arc_count(&self) -> usize {
         self.node_count - usize::from(!self.is_closed)
     }
 
-    /// The nodes, and the first once more where the fan is closed.
+    /// Writes the nodes, and the first one again if the fan is closed.
     #[inline]
     pub(super) fn ring_into(&self, ring: &mut [u32; MAX_ARCS + 1]) {
         for (slot, node) in ring.iter_mut().zip(self.nodes()) {
             *slot = node;
         }
         if self.is_closed {
-            // A fan of all arcs that its masks can hold is closed by its first node, too.
+            // Room for one more node, because a closed fan can have `MAX_ARCS` nodes.
             ring[self.node_count] = ring[0];
         }
     }
@@ -389,13 +395,13 @@ impl<'t> FanView<'t> {
 mod tests {
     use super::*;
 
-    fn fan(nodes: &[u32], arc_count: usize, always: u32, creators: &[(u32, u32)]) -> Fan {
+    fn fan(nodes: &[u32], arc_count: usize, permanent: u32, creators: &[(u32, u32)]) -> Fan {
         let creators = creators.iter().map(|&(step, mask)| Creator { step, mask, is_child: step % 2 == 0 });
-        Fan { group: 0, arc_count, nodes: nodes.to_vec(), always, creators: creators.collect() }
+        Fan { group: 0, arc_count, nodes: nodes.to_vec(), permanent, creators: creators.collect() }
     }
 
     #[test]
-    fn arrays_make_the_same_table_or_none() {
+    fn arrays_rebuild_the_table_or_are_rejected() {
         let mut writer = TableWriter::new(false);
         for vertex in 0..200 {
             let fans = [fan(&[0, vertex / 2], 1, 1, &[])];
@@ -415,7 +421,7 @@ mod tests {
         });
         assert_eq!(wide.unwrap().entry(150, 0).count(), 1);
         for vertex in [0, 3, 64, 199] {
-            let reason = "does not begin where the one before ends";
+            let reason = "does not begin at the end of the previous one";
             let TableArrays { entries, blocks, starts } = table.arrays();
             let (mut blocks, mut starts) = (blocks.to_vec(), starts.to_vec());
             starts[vertex] += 700;
@@ -440,7 +446,7 @@ mod tests {
     }
 
     #[test]
-    fn fans_come_back_near_and_far_closed_and_open() {
+    fn fans_survive_encoding() {
         let wide: Vec<u32> = (0..33).map(|i| 5 * i).collect();
         let small =
             vec![fan(&[0, 1], 1, 1, &[]), fan(&[1, 0, 1], 3, 0b100, &[(70_000, 0b001), (20_000_000, 0b010)])];
@@ -461,7 +467,7 @@ mod tests {
                     group: view.group,
                     arc_count: view.node_count - usize::from(!view.is_closed),
                     nodes: view.nodes().collect(),
-                    always: view.always,
+                    permanent: view.permanent,
                     creators: view.creators().collect(),
                 })
                 .collect()

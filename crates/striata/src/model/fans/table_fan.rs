@@ -1,26 +1,28 @@
-//! The table as others may read it, fan by fan: to store it in another way, as a GPU wants it, say.
+//! Read access to the table, fan by fan, for storing it in another layout such as that of a GPU.
 
 use super::Fans;
 use super::table::FanView;
 
-/// A fan of the table: all triangles that a vertex may show in one run around it, and what has to be so that each shows.
+/// A fan of the table: triangles around a vertex that form a run, and the steps on which each of them
+/// depends.
 #[derive(Clone, Copy, Debug)]
 pub struct TableFan<'t> {
     view: FanView<'t>,
     own_step: Option<u32>,
 }
 
-/// A step that makes some arcs of a fan: they are there once it has been taken.
+/// A step that creates some arcs of a fan: they are active once the step has been collapsed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ArcMaker {
-    /// The step.
+    /// Index of the step.
     pub step: u32,
-    /// Its arcs, a bit each, the first arc the lowest.
+    /// Bit mask of the arcs; the lowest bit is the first arc.
     pub arcs: u32,
 }
 
 impl Fans {
-    /// All fans of the table, by rising vertices; those of one vertex in the order in which they are drawn.
+    /// Returns all fans of the table by ascending vertex; the fans of one vertex come in the order in
+    /// which they are drawn.
     pub fn table_fans(&self) -> impl Iterator<Item = TableFan<'_>> {
         let base = (0..self.vertices.base_vertex_count).map(|vertex| (vertex, None));
         let steps = 0..self.step_count as u32;
@@ -34,27 +36,27 @@ impl Fans {
 }
 
 impl<'t> TableFan<'t> {
-    /// The vertex that it is around.
+    /// Returns the vertex at the center of the fan.
     pub fn vertex(&self) -> u32 {
         self.view.vertex
     }
 
-    /// The step that takes the vertex away, and all of the fan with it; none takes one of the base.
+    /// Returns the step that removes the vertex together with the fan, or `None` for a base vertex.
     pub fn own_step(&self) -> Option<u32> {
         self.own_step
     }
 
-    /// The group of its triangles.
+    /// Returns the group of the fan's triangles.
     pub fn group(&self) -> u32 {
         self.view.group
     }
 
-    /// The vertices around, in their order: the n-th arc is between the n-th and the next.
+    /// Returns the vertices around the center in order; arc `n` connects node `n` with the next.
     pub fn nodes(&self) -> impl Iterator<Item = u32> + use<'t> {
         self.view.nodes()
     }
 
-    /// How many there are: one more than arcs, or as many where it is closed.
+    /// Number of nodes: one more than arcs, or as many as arcs if the fan is closed.
     pub fn node_count(&self) -> usize {
         self.view.node_count
     }
@@ -64,12 +66,12 @@ impl<'t> TableFan<'t> {
         self.view.is_closed
     }
 
-    /// Arcs that are there as long as the vertex is, a bit each.
+    /// Bit mask of the arcs that are active whenever the vertex is.
     pub fn lasting_arcs(&self) -> u32 {
-        self.view.always
+        self.view.permanent
     }
 
-    /// The steps that make the other arcs.
+    /// Returns the steps that create the other arcs.
     pub fn makers(&self) -> impl Iterator<Item = ArcMaker> + use<'t> {
         self.view.creators().map(|creator| ArcMaker { step: creator.step, arcs: creator.mask })
     }
@@ -83,7 +85,7 @@ mod tests {
     use crate::simplify::build_sequence;
 
     #[test]
-    fn the_fans_of_the_table_tell_all_that_an_instance_shows() {
+    fn table_fans_give_the_triangles_of_any_instance() {
         for mesh in [shapes::icosphere(2, 1.0), shapes::uv_cylinder(9, 4), shapes::two_material_sphere(6, 8)]
         {
             let built = build_sequence(&mesh, &Default::default()).unwrap();
@@ -95,8 +97,8 @@ mod tests {
                     if fan.own_step().is_some_and(|step| !instance.is_refined(step)) {
                         continue;
                     }
-                    let made = fan.makers().filter(|maker| !instance.is_refined(maker.step));
-                    let arcs = made.fold(fan.lasting_arcs(), |all, maker| all | maker.arcs);
+                    let active = fan.makers().filter(|maker| !instance.is_refined(maker.step));
+                    let arcs = active.fold(fan.lasting_arcs(), |all, maker| all | maker.arcs);
                     let nodes: Vec<u32> = fan.nodes().collect();
                     assert_eq!(nodes.len(), fan.node_count());
                     let ends = nodes.iter().skip(1).chain(fan.is_closed().then_some(&nodes[0]));

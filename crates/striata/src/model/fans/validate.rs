@@ -1,14 +1,16 @@
-//! Whether a stored table can be trusted, in time linear in its bytes.
+//! Validates a stored table in time linear in its size.
 //!
-//! Three things are checked. Each entry is what a build could have written: it ends where the next begins, its nodes and steps
-//! are there, and each of its triangles is made by one step or is there always. Each step has one parent. And
-//! **a step needs exactly the positions where its floor has corners, and those that wait for it beside**: what it needs is
-//! told by its own entries, its floor by those of others, so the two have to agree.
+//! Three properties are checked. First, every entry is well-formed: it ends where the next one begins, its
+//! nodes and steps exist, and each of its triangles is created by exactly one step or is permanent.
+//! Second, each step has exactly one parent. Third, **the positions that a split needs are exactly those
+//! touched by its floor or listed as waiting for the step**: the former follow from the step's own
+//! entries, the latter from the entries of others, so the two must agree.
 //!
-//! That is enough for every set of steps that an instance can come to. A triangle of an entry names a position only if
-//! undoing the entry's step undoes that one too; and taking that one takes the entry's step with it, since it waits for it, or
-//! for a step between them that has a triangle there. So no triangle is shown with a corner that is not, and as a
-//! step is only taken once all of its star is there and undone onto all of its floor, counts of triangles are exact.
+//! This is sufficient for every set of steps that an instance can reach. A triangle of an entry uses a
+//! position only if splitting the entry's step also splits that position's step. Conversely, collapsing
+//! that position's step also collapses the entry's step, because it waits for it, or for a step in between
+//! that has a triangle there. So no visible triangle has an inactive corner. And since a step is collapsed
+//! only when its whole star is active, and split only when its whole floor is, triangle counts are exact.
 
 use super::table::FanView;
 use super::{Fans, listed};
@@ -17,30 +19,32 @@ use crate::model::ModelError;
 /// Stands for the base in a list of steps.
 const BASE: u32 = u32::MAX;
 
+/// Validates a table.
+///
 /// # Errors
-/// [`ModelError`] naming the first part that no build would make.
+/// [`ModelError`] naming the first part that no build would produce.
 pub(super) fn check(fans: &Fans) -> Result<(), ModelError> {
     check_pairs("wait", &fans.waits, fans.step_count, |step, waits_for| step < waits_for)?;
     check_pairs("far target", &fans.far, fans.step_count, |step, target| target < step)?;
-    let mut checked = Checked::new(fans);
-    checked.read_entries()?;
-    checked.check_parents()?;
-    checked.check_needs()
+    let mut validator = Validator::new(fans);
+    validator.read_entries()?;
+    validator.check_parents()?;
+    validator.check_needs()
 }
 
 fn check_pairs(
     what: &'static str,
     pairs: &[[u32; 2]],
     step_count: usize,
-    is_sound: impl Fn(u32, u32) -> bool,
+    is_valid: impl Fn(u32, u32) -> bool,
 ) -> Result<(), ModelError> {
     let listed = |place, reason| Err(ModelError::Listed { what, place, reason });
     for (place, &[step, other]) in pairs.iter().enumerate() {
         if step.max(other) as usize >= step_count {
-            return listed(place, "names a step that is not there");
+            return listed(place, "names a step that does not exist");
         }
-        if !is_sound(step, other) {
-            return listed(place, "is the wrong way round");
+        if !is_valid(step, other) {
+            return listed(place, "has its steps in the wrong order");
         }
         if place > 0 && pairs[place - 1] >= [step, other] {
             return listed(place, "is out of order");
@@ -49,20 +53,21 @@ fn check_pairs(
     Ok(())
 }
 
-/// What has been read of a table.
-struct Checked<'f> {
+/// What has been read from the table so far.
+struct Validator<'f> {
     fans: &'f Fans,
-    /// The step of each vertex.
+    /// Step of each vertex.
     step_of: Vec<u32>,
-    /// Whether each step has a parent.
-    is_told: Vec<bool>,
-    /// How many corners of its floor, and steps that wait for it, each step has in the table.
+    /// Whether each step has been listed as a child.
+    is_listed: Vec<bool>,
+    /// For each step, the number of corners of its floor and of steps that wait for it, as found in the
+    /// table.
     corner_counts: Vec<u32>,
-    /// Triangles of each step's star without those of its floor.
+    /// For each step, the triangle count of its star minus that of its floor.
     removed: Vec<i64>,
 }
 
-impl<'f> Checked<'f> {
+impl<'f> Validator<'f> {
     fn new(fans: &'f Fans) -> Self {
         let step_count = fans.step_count;
         let mut step_of = vec![BASE; fans.vertices.vertex_count];
@@ -70,16 +75,16 @@ impl<'f> Checked<'f> {
             let vertices = fans.vertices.of_step(step);
             step_of[vertices.start as usize..vertices.end as usize].fill(step as u32);
         }
-        let (is_told, corner_counts) = (vec![false; step_count], vec![0; step_count]);
-        Self { fans, step_of, is_told, corner_counts, removed: vec![0; step_count] }
+        let (is_listed, corner_counts) = (vec![false; step_count], vec![0; step_count]);
+        Self { fans, step_of, is_listed, corner_counts, removed: vec![0; step_count] }
     }
 
-    /// The step of a vertex and one, or 0 for a vertex of the base.
+    /// Returns the step of a vertex plus 1, or 0 for a base vertex.
     fn own_step(&self, vertex: u32) -> u32 {
         self.step_of[vertex as usize].wrapping_add(1)
     }
 
-    /// Reads each entry to its end, and adds up what it says of steps.
+    /// Decodes every entry to its end, and accumulates what it says about steps.
     fn read_entries(&mut self) -> Result<(), ModelError> {
         let table = &self.fans.table;
         let byte_count = table.arrays().entries.len();
@@ -101,7 +106,7 @@ impl<'f> Checked<'f> {
         let counts = self.removed.iter().zip(&self.fans.removed);
         match { counts }.position(|(&found, &expected)| found != i64::from(expected)) {
             Some(step) => {
-                Err(ModelError::Step { step, reason: "takes away another number of triangles than it says" })
+                Err(ModelError::Step { step, reason: "removes a different number of triangles than stored" })
             }
             None => Ok(()),
         }
@@ -109,7 +114,7 @@ impl<'f> Checked<'f> {
 
     fn read_fan(&mut self, fan: &FanView<'_>) -> Result<(), &'static str> {
         if fan.group as usize >= self.fans.group_count {
-            return Err("is in a group that is not there");
+            return Err("is in a group that does not exist");
         }
         if fan.distances().any(|distance| distance == 0 || distance > fan.vertex) {
             return Err("has a node that is not older than its vertex");
@@ -124,21 +129,26 @@ impl<'f> Checked<'f> {
         let mut claim = |mask: u32| {
             let is_free = mask & !free == 0 && mask != 0;
             free &= !mask;
-            if is_free { Ok(()) } else { Err("has a triangle that is made twice, or a step that makes none") }
-        };
-        if fan.always != 0 {
-            claim(fan.always)?;
-        }
-        for [told, mask] in fan.pairs() {
-            claim(mask)?;
-            // A step and one is never 0, and neither is what is told of a later step than the own.
-            let step = u64::from(told >> 1) + u64::from(own_step.wrapping_add(1));
-            if told < 2 || step > self.fans.step_count as u64 {
-                return Err("has a triangle that is made by a step that is not later, or not there");
+            if is_free {
+                Ok(())
+            } else {
+                Err("has a triangle that is created twice, or a step that creates none")
             }
-            self.read_creator(step as usize - 1, told & 1 != 0, mask, fan)?;
+        };
+        if fan.permanent != 0 {
+            claim(fan.permanent)?;
         }
-        if free == 0 { Ok(()) } else { Err("has a triangle that is never made") }
+        for [number, mask] in fan.pairs() {
+            claim(mask)?;
+            // The own step plus 1 is 0 for the base. A number below 2 would name the own step or, for a
+            // base vertex, none.
+            let step = u64::from(number >> 1) + u64::from(own_step.wrapping_add(1));
+            if number < 2 || step > self.fans.step_count as u64 {
+                return Err("has a triangle created by a step that is not later or does not exist");
+            }
+            self.read_creator(step as usize - 1, number & 1 != 0, mask, fan)?;
+        }
+        if free == 0 { Ok(()) } else { Err("has a triangle that is never created") }
     }
 
     fn read_creator(
@@ -148,43 +158,44 @@ impl<'f> Checked<'f> {
         mask: u32,
         fan: &FanView<'_>,
     ) -> Result<(), &'static str> {
-        if is_child && std::mem::replace(&mut self.is_told[step], true) {
-            return Err("has a child that has another parent");
+        if is_child && std::mem::replace(&mut self.is_listed[step], true) {
+            return Err("has a child that already has a parent");
         }
         self.removed[step] -= i64::from(mask.count_ones());
         self.corner_counts[step] += 1 + fan.corners_of(mask).count_ones();
         Ok(())
     }
 
-    /// Every step has a parent: a step that has told it, or the base.
+    /// Checks that every step has a parent: either a step whose entry lists it, or the base.
     fn check_parents(&mut self) -> Result<(), ModelError> {
         let mut last = None;
         for (place, &step) in self.fans.orphans.iter().enumerate() {
             let is_rising = last.is_none_or(|last| last < step);
             last = Some(step);
-            let is_told = self.is_told.get_mut(step as usize);
-            if !is_told.is_some_and(|is_told| is_rising && !std::mem::replace(is_told, true)) {
-                let reason = "is out of order, not there, or has a parent";
+            let is_listed = self.is_listed.get_mut(step as usize);
+            if !is_listed.is_some_and(|is_listed| is_rising && !std::mem::replace(is_listed, true)) {
+                let reason = "is out of order, does not exist, or already has a parent";
                 return Err(ModelError::Listed { what: "orphan", place, reason });
             }
         }
-        match self.is_told.iter().position(|is_told| !is_told) {
+        match self.is_listed.iter().position(|is_listed| !is_listed) {
             Some(step) => Err(ModelError::Step { step, reason: "has no parent" }),
             None => Ok(()),
         }
     }
 
-    /// What each step needs to be there is what its floor touches and what waits for it.
+    /// Checks that each step needs exactly the positions that its floor touches and those that wait for
+    /// it.
     fn check_needs(&self) -> Result<(), ModelError> {
         let corners = self.corners();
         let mut marks = Marks { marks: vec![0; self.fans.step_count], step: 0, open_count: 0 };
         for step in 0..self.fans.step_count {
             marks.begin(step);
             self.for_each_needed(step, |needed| marks.need(needed));
-            let mut is_sound = true;
-            corners.of_step(step).for_each(|corner| is_sound &= corner == BASE || marks.meet(corner));
-            if !is_sound {
-                let reason = "changes what is at a vertex that it does not need";
+            let mut is_valid = true;
+            corners.of_step(step).for_each(|corner| is_valid &= corner == BASE || marks.find(corner));
+            if !is_valid {
+                let reason = "changes triangles at a vertex that it does not need";
                 return Err(ModelError::Step { step, reason });
             }
             if marks.open_count > 0 {
@@ -205,7 +216,7 @@ impl<'f> Checked<'f> {
         listed(&self.fans.far, step as u32).for_each(visit);
     }
 
-    /// Steps that have corners of each step's floor, and those that wait for it.
+    /// Collects for each step the steps whose vertices its floor touches, and those that wait for it.
     fn corners(&self) -> Corners {
         let mut counts = self.corner_counts.clone();
         self.fans.waits.iter().for_each(|wait| counts[wait[1] as usize] += 1);
@@ -233,7 +244,7 @@ impl<'f> Checked<'f> {
     }
 }
 
-/// No triangle of a fan has an edge without length.
+/// Checks that no triangle of a fan has an edge between equal vertices.
 fn check_arcs(fan: &FanView<'_>) -> Result<(), &'static str> {
     let mut distances = fan.distances();
     let first = distances.next();
@@ -247,7 +258,7 @@ fn check_arcs(fan: &FanView<'_>) -> Result<(), &'static str> {
 }
 
 impl FanView<'_> {
-    /// The nodes that the arcs of a mask have, a bit each.
+    /// Returns a bit mask of the nodes that the arcs of a mask touch.
     fn corners_of(&self, mask: u32) -> u64 {
         let touched = u64::from(mask) | u64::from(mask) << 1;
         let over = touched >> self.node_count;
@@ -255,7 +266,7 @@ impl FanView<'_> {
     }
 }
 
-/// Lists of steps, one for each step.
+/// One list of steps for each step.
 struct Corners {
     firsts: Vec<usize>,
     next: Vec<usize>,
@@ -274,12 +285,12 @@ impl Corners {
     }
 }
 
-/// Which steps one step needs, and which of these have been met.
+/// The set of steps needed by the current step, and which of them have been found.
 struct Marks {
-    /// Twice the number of the step that needed each last, one more once it has been met, and 2.
+    /// For each step, `2 * step + 2` of the last step that needed it, plus 1 once it has been found.
     marks: Vec<u32>,
     step: u32,
-    /// Steps that are needed and have not been met.
+    /// Number of needed steps not found yet.
     open_count: usize,
 }
 
@@ -296,8 +307,8 @@ impl Marks {
         }
     }
 
-    /// Meets a step; false where it is not needed.
-    fn meet(&mut self, step: u32) -> bool {
+    /// Marks a step as found; returns whether it is needed.
+    fn find(&mut self, step: u32) -> bool {
         let mark = &mut self.marks[step as usize];
         if *mark == self.step {
             *mark += 1;

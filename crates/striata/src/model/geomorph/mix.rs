@@ -1,19 +1,22 @@
-//! Mixing the numbers of two vertices.
+//! Interpolates the attribute values of two vertices.
 
 use crate::mesh::Semantic;
 
-/// How the numbers of a layer are mixed.
+/// How the components of a layer are interpolated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::model) enum Mix {
-    /// Each number by itself.
+    /// Each component separately.
     Linear,
-    /// The first three numbers keep the length 1; others are the nearer vertex's, like the hand of a tangent.
+    /// The first three components are normalized; the others, such as a tangent's handedness, come from
+    /// the nearer vertex.
     Unit,
-    /// All of the nearer vertex: numbers that name something have nothing between them.
+    /// All components come from the nearer vertex. For values that cannot be interpolated, such as joint
+    /// indices.
     Nearer,
 }
 
 impl Mix {
+    /// Returns how a layer of the given semantic is interpolated.
     pub(in crate::model) fn of(semantic: &Semantic) -> Self {
         match semantic {
             Semantic::Normal | Semantic::Tangent => Self::Unit,
@@ -22,7 +25,7 @@ impl Mix {
         }
     }
 
-    /// Writes what lies between two vertices: at factor 0 exactly `from`, at 1 exactly `to`.
+    /// Interpolates from `from` (factor 0) to `to` (factor 1); both ends are reproduced exactly.
     pub(in crate::model) fn write(self, from: &[f32], to: &[f32], factor: f32, out: &mut [f32]) {
         let nearer = if factor < 0.5 { from } else { to };
         if self == Self::Nearer || factor <= 0.0 || factor >= 1.0 {
@@ -34,7 +37,7 @@ impl Mix {
         }
         if self == Self::Unit && out.len() >= 3 {
             let length = out[..3].iter().map(|x| x * x).sum::<f32>().sqrt();
-            // Opposite normals meet in nothing.
+            // Opposite normals cancel out.
             if length > 1e-6 {
                 out[..3].iter_mut().for_each(|x| *x /= length);
                 out[3..].copy_from_slice(&nearer[3..]);
@@ -56,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_are_exact_also_where_numbers_are_none() {
+    fn ends_are_exact_for_any_numbers() {
         for mix in [Mix::Linear, Mix::Unit, Mix::Nearer] {
             let (from, to) = ([0.1, f32::INFINITY, 3.0], [7.7, f32::MAX, -0.3]);
             assert_eq!(mixed(mix, &from, &to, 0.0), from);
@@ -65,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn normals_keep_their_length_and_tangents_their_hand() {
+    fn normals_stay_normalized_and_tangents_keep_their_handedness() {
         let half = std::f32::consts::FRAC_1_SQRT_2;
         let found = mixed(Mix::Unit, &[1.0, 0.0, 0.0, -1.0], &[0.0, 1.0, 0.0, 1.0], 0.5);
         assert!((found[0] - half).abs() < 1e-6 && (found[1] - half).abs() < 1e-6);

@@ -1,9 +1,11 @@
-//! Geomorphs \[Hop96\]: from one level to another without a jump.
+//! Geomorphs \[Hop96\]: smooth transitions from one level to another.
 //!
-//! Between two sets of steps everything is drawn that either of them shows. A vertex that the first lacks begins where its
-//! targets lead to in the first and ends at its own place; one that the second lacks begins at its own place and ends
-//! where its targets lead to in the second. So the drawn surface is the first one's at blend 0, triangle by triangle, since
-//! what it has beside has no area then; it is the second one's at blend 1, and moves on straight lines between.
+//! While a geomorph runs, every vertex of either level is drawn. A vertex that the first level lacks
+//! starts at the position of its nearest target in the first level and moves to its own position. A vertex
+//! that the second level lacks starts at its own position and moves to that of its nearest target in the
+//! second level. At blend 0 the drawn surface is exactly that of the first level, because all additional
+//! triangles have zero area; at blend 1 it is that of the second. In between, vertices move along straight
+//! lines.
 //!
 //! ```text
 //!    first          drawn at 0        0.5            1 = second
@@ -13,13 +15,13 @@
 //!    ./----.         v/----.        .--v--.        .--v--.
 //! ```
 //!
-//! Both sets hold what their steps need, hence their union does, and every level of a mesh can be morphed to every other,
-//! uniform or not. Wedges move to wedges, so that each side of a seam keeps its attributes.
+//! The union of two valid sets of steps is valid too, so every level of a mesh can be morphed to every
+//! other level, uniform or not. Wedges move to wedges, so each side of a seam keeps its attributes.
 //!
-//! Differs: \[Hop96\] morphs along one sequence; here also between any two instances of fans. What morphs while the wanted
-//! level still changes is [`FanMorphs`](super::FanMorphs).
+//! Differs: \[Hop96\] morphs along one sequence; this also morphs between any two instances of fans. For
+//! continuous morphing towards a target that is still changing, see [`FanMorphs`](super::FanMorphs).
 //!
-//! Cost: 8 bytes a vertex that moves, and time in proportion, beside a look at each 64 steps.
+//! Cost: 8 bytes and constant time per moving vertex, plus a scan of one 64-bit word per 64 steps.
 
 mod mix;
 
@@ -30,40 +32,42 @@ use bytemuck::{Pod, Zeroable};
 use super::fans::FanInstance;
 use crate::mesh::{AttributeLayer, CollapseSequence};
 
-/// A vertex that moves, and the vertex at whose place it is not there.
+/// A vertex that moves, and the vertex that it merges with at the level that lacks it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 pub struct MorphVertex {
-    /// The vertex.
+    /// Index of the vertex.
     pub vertex: u32,
-    /// Where its targets lead to in the level that lacks it.
+    /// Nearest target of the vertex that exists in the level without it.
     pub target: u32,
 }
 
-/// Where a vertex shader finds a vertex: `mix(positions[target], positions[vertex], factor)`.
+/// Blend parameters of one vertex for a vertex shader: `mix(positions[target], positions[vertex],
+/// factor)`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-pub struct MorphPlace {
-    /// The vertex that it comes from or goes to; itself where it does not move.
+pub struct VertexBlend {
+    /// The vertex that it moves out of or into; the vertex itself if it does not move.
     pub target: u32,
-    /// 1 at its own place, 0 at its target's.
+    /// 1 at the vertex's own position, 0 at that of its target.
     pub factor: f32,
 }
 
-/// The way from one level to another; `S` says which level is drawn meanwhile. See the [module](self).
+/// The transition from one level to another; `S` identifies the level that is drawn meanwhile. See the
+/// [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Geomorph<S> {
     drawn: S,
-    /// Those that appear, rising, then those that vanish, rising.
+    /// Appearing vertices in ascending order, then vanishing vertices in ascending order.
     vertices: Vec<MorphVertex>,
     appearing_count: usize,
 }
 
 impl Geomorph<FanInstance> {
-    /// The way from one instance of a table of fans to another.
+    /// Creates the transition from one instance of a table of fans to another.
     ///
     /// # Panics
-    /// If the instances or the sequence are of another table.
+    /// If the instances or the sequence belong to a different table.
     pub fn between(sequence: &CollapseSequence, from: &FanInstance, to: &FanInstance) -> Self {
         let step_count = sequence.step_count();
         let fits = from.step_count() == step_count && to.step_count() == step_count;
@@ -89,7 +93,8 @@ impl Geomorph<FanInstance> {
 }
 
 impl Geomorph<usize> {
-    /// The way from one uniform level to another, for any model; drawn is the finer one's split count.
+    /// Creates the transition from one uniform level to another, for any model. [`drawn`](Self::drawn) is
+    /// the larger split count.
     ///
     /// # Panics
     /// If a split count exceeds the step count.
@@ -98,7 +103,7 @@ impl Geomorph<usize> {
         let mut vertices: Vec<MorphVertex> = Vec::with_capacity((fine - coarse) as usize);
         for vertex in coarse..fine {
             let target = sequence.target(vertex);
-            // A target that moves itself has been led on already.
+            // If the target moves too, its own target is already resolved.
             let target = if target < coarse { target } else { vertices[(target - coarse) as usize].target };
             vertices.push(MorphVertex { vertex, target });
         }
@@ -108,31 +113,31 @@ impl Geomorph<usize> {
 }
 
 impl<S> Geomorph<S> {
-    /// What to draw while blending: an instance, or the split count of a uniform level.
+    /// Returns what to draw while blending: an instance, or the split count of a uniform level.
     pub fn drawn(&self) -> &S {
         &self.drawn
     }
 
-    /// Vertices that only the second level has, rising.
+    /// Returns the vertices that only the second level has, ascending.
     pub fn appearing(&self) -> &[MorphVertex] {
         &self.vertices[..self.appearing_count]
     }
 
-    /// Vertices that only the first level has, rising.
+    /// Returns the vertices that only the first level has, ascending.
     pub fn vanishing(&self) -> &[MorphVertex] {
         &self.vertices[self.appearing_count..]
     }
 
-    /// Bytes of the vertices that move.
+    /// Number of bytes of the list of moving vertices.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.vertices[..])
     }
 
-    /// Writes the places of all vertices that move, at a blend of 0 (the first level) to 1 (the second); others in `out` are
-    /// left alone: it begins as a copy of the positions.
+    /// Writes the positions of all moving vertices at a blend from 0 (the first level) to 1 (the second).
+    /// Other entries of `out` are left unchanged, so initialize `out` with a copy of the positions.
     ///
     /// # Panics
-    /// If the positions or `out` are not those of all vertices.
+    /// If `positions` or `out` does not cover all vertices.
     pub fn blend_into(&self, blend: f32, positions: &[[f32; 3]], out: &mut [[f32; 3]]) {
         for (MorphVertex { vertex, target }, factor) in self.factors(blend) {
             let [from, to] = [target, vertex].map(|v| &positions[v as usize]);
@@ -140,11 +145,12 @@ impl<S> Geomorph<S> {
         }
     }
 
-    /// Does as [`blend_into`](Self::blend_into) for another layer, as floats: normals and tangents keep their length, joints
-    /// and their weights are the nearer vertex's.
+    /// Writes the values of another attribute layer for all moving vertices, like
+    /// [`blend_into`](Self::blend_into). Normals and tangents stay normalized; joints and their weights
+    /// are those of the nearer vertex.
     ///
     /// # Panics
-    /// If the layer or `out` are not those of all vertices.
+    /// If the layer or `out` does not cover all vertices.
     pub fn blend_layer_into(&self, blend: f32, layer: &AttributeLayer, out: &mut [f32]) {
         let (mix, count) = (Mix::of(&layer.semantic), usize::from(layer.component_count));
         let (mut from, mut to) = (vec![0.0; count], vec![0.0; count]);
@@ -157,29 +163,29 @@ impl<S> Geomorph<S> {
         }
     }
 
-    /// Puts all vertices that moved back to their own places.
+    /// Resets all moving vertices to their own positions.
     ///
     /// # Panics
-    /// If the positions or `out` are not those of all vertices.
+    /// If `positions` or `out` does not cover all vertices.
     pub fn restore_into(&self, positions: &[[f32; 3]], out: &mut [[f32; 3]]) {
         self.vertices.iter().map(|moved| moved.vertex as usize).for_each(|v| out[v] = positions[v]);
     }
 
-    /// Makes the table that lets a vertex shader blend, one entry for each of so many vertices.
+    /// Fills `out` with the blend parameters of vertices `0..vertex_count`, for a vertex shader.
     ///
     /// # Panics
-    /// If vertices move that are not among them.
-    pub fn places_into(&self, blend: f32, vertex_count: usize, out: &mut Vec<MorphPlace>) {
+    /// If a moving vertex is not below `vertex_count`.
+    pub fn vertex_blends_into(&self, blend: f32, vertex_count: usize, out: &mut Vec<VertexBlend>) {
         out.clear();
-        out.extend((0..vertex_count as u32).map(|vertex| MorphPlace { target: vertex, factor: 1.0 }));
+        out.extend((0..vertex_count as u32).map(|vertex| VertexBlend { target: vertex, factor: 1.0 }));
         for (MorphVertex { vertex, target }, factor) in self.factors(blend) {
-            out[vertex as usize] = MorphPlace { target, factor };
+            out[vertex as usize] = VertexBlend { target, factor };
         }
     }
 
-    /// Each vertex that moves with how far it is at its own place.
+    /// Returns each moving vertex with its blend factor: 1 at its own position, 0 at its target's.
     fn factors(&self, blend: f32) -> impl Iterator<Item = (MorphVertex, f32)> {
-        // What is no number blends nothing.
+        // A NaN blend counts as 0.
         let blend = if blend > 0.0 { blend.min(1.0) } else { 0.0 };
         let appearing = self.appearing().iter().map(move |&vertex| (vertex, blend));
         appearing.chain(self.vanishing().iter().map(move |&vertex| (vertex, 1.0 - blend)))

@@ -1,4 +1,5 @@
-//! Building the records: one pass from the full mesh to the base, following where each vertex stands.
+//! Builds the edit records in one pass from the full mesh to the base, tracking which strips use each
+//! vertex.
 
 use super::record::{Edit, FLAG_BITS, write_record};
 use super::{LodStrips, LodStripsParts, MAX_STRIP_INDICES};
@@ -6,7 +7,7 @@ use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::ModelError;
 use crate::model::record_arena::{head_bytes, in_refinement_order};
 use crate::model::step_vertices::StepVertices;
-use crate::model::strip_input::{check_strips, sorted_by_place};
+use crate::model::strip_input::{check_strips, sorted_spatially};
 use crate::model::superfluous::drop_superfluous;
 use crate::strip::StripSet;
 
@@ -14,11 +15,11 @@ impl LodStrips<'static> {
     /// Builds the model from strips of the full mesh; strips longer than [`MAX_STRIP_INDICES`] are cut.
     ///
     /// # Errors
-    /// [`ModelError`] where the strips are not those of the mesh: other groups, other numbers of
-    /// triangles, vertices that are not there.
+    /// [`ModelError`] if the strips do not belong to the mesh: different groups, different triangle
+    /// counts, or vertices that do not exist.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
-        let strips = sorted_by_place(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
+        let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
         let sequence = &refinable.sequence;
         let mut builder = Builder::new(sequence, &strips);
         let mut reversed = Vec::new();
@@ -46,7 +47,7 @@ struct Builder<'s> {
     head_bytes: usize,
     slots: Vec<u32>,
     lengths: Vec<u32>,
-    /// Strips that may hold each vertex: all that do, and some that no longer do.
+    /// For each vertex, the strips that use it, possibly with some that no longer do.
     strips_of: Vec<Vec<u32>>,
     edits: Vec<Edit>,
     touched: Vec<u32>,
@@ -77,6 +78,7 @@ impl<'s> Builder<'s> {
         }
     }
 
+    /// Applies a step to all strips that use its vertices, and appends the record of these edits.
     fn write_step(&mut self, step: usize, out: &mut Vec<u8>) {
         let vertices = self.sequence.step_vertices(step);
         let wedge_count = vertices.end - vertices.start;
@@ -98,18 +100,19 @@ impl<'s> Builder<'s> {
         write_record(&self.edits[..used], wedge_count, self.head_bytes, out);
     }
 
-    /// Substitutes and drops in one strip; false where none of the vertices is left in it.
+    /// Replaces the vertices in one strip and drops what becomes superfluous. Returns whether the strip
+    /// used any of them.
     fn edit_strip(&mut self, strip: u32, vertices: std::ops::Range<u32>, edit: usize) -> bool {
         let first = self.strips.offsets()[strip as usize] as usize;
         let length = &mut self.lengths[strip as usize];
-        let slot = &mut self.slots[first..first + *length as usize];
+        let slots = &mut self.slots[first..first + *length as usize];
         let edit = &mut self.edits[edit];
         edit.strip = strip;
-        edit.places.clear();
+        edit.substitutions.clear();
         edit.drops.clear();
-        for (place, v) in slot.iter_mut().enumerate() {
+        for (index, v) in slots.iter_mut().enumerate() {
             if vertices.contains(v) {
-                edit.places.push((place as u32, *v - vertices.start));
+                edit.substitutions.push((index as u32, *v - vertices.start));
                 *v = self.sequence.target(*v);
                 let list = &mut self.strips_of[*v as usize];
                 if list.last() != Some(&strip) {
@@ -117,12 +120,12 @@ impl<'s> Builder<'s> {
                 }
             }
         }
-        if edit.places.is_empty() {
+        if edit.substitutions.is_empty() {
             return false;
         }
         self.changed.clear();
-        self.changed.extend(edit.places.iter().map(|p| p.0));
-        *length = drop_superfluous(slot, &mut self.changed, &mut edit.drops) as u32;
+        self.changed.extend(edit.substitutions.iter().map(|s| s.0));
+        *length = drop_superfluous(slots, &mut self.changed, &mut edit.drops) as u32;
         true
     }
 }

@@ -1,23 +1,25 @@
-//! LodStrips: triangle strips that follow a collapse sequence, edited in place \[RCRG06\].
+//! LodStrips: triangle strips that are edited in place to follow a collapse sequence \[RCRG06\].
 //!
-//! The strips of the full mesh are stored once. Each step of the sequence has a record that says where its
-//! vertices stand in which strips; coarsening puts their targets there and drops what has become
-//! superfluous, refining undoes both. A change of level costs the records in between and nothing else.
+//! The strips of the full mesh are stored once. Each step of the sequence has a record that lists where
+//! its vertices occur in the strips. Coarsening replaces these vertices by their targets and drops indices
+//! that have become superfluous; refining undoes both. Changing the level costs only the records between
+//! the two levels.
 //!
 //! ```text
-//! slot of a strip    | live indices .......... | dropped indices, the last dropped first |
+//! slots of a strip   | live indices .......... | dropped indices, the last dropped first |
 //!                    0                      length                             full length
 //! ```
 //!
-//! Dropping a run rotates it behind the live part, so its indices wait in the slot until refining rotates them
-//! back: a record holds places only, no values, and undoing is exact by construction. A run is dropped
-//! when the strip shows the same triangles without it (see `superfluous.rs`).
+//! Dropping a run rotates it behind the live indices, where it stays until refining rotates it back. A
+//! record therefore contains only indices, no vertices, and refining is an exact inverse by construction.
+//! A run is dropped if the strip shows the same triangles without it (see `superfluous.rs`).
 //!
-//! Differs: \[RCRG06\] drops only `aa(a)+` and `ab(ab)+` and stores machine words; records here are
-//! bytes in one arena, delta-coded over strips sorted by place, walked both ways.
+//! Differs: \[RCRG06\] drops only `aa(a)+` and `ab(ab)+` and stores machine words. Here a record is a few
+//! bytes in one arena that can be walked in both directions; strips are sorted along a space-filling
+//! curve, so that the gaps between strip indices are small.
 //!
-//! Cost: a step touches about three indices in two or three strips. Building is linear in the steps times
-//! [`MAX_STRIP_INDICES`].
+//! Cost: a step replaces about three indices in two or three strips. Building takes time linear in the
+//! number of steps times [`MAX_STRIP_INDICES`].
 
 mod build;
 mod record;
@@ -38,24 +40,25 @@ use super::{
     strips_of_group_into,
 };
 
-/// Longer strips are cut when the model is built, so that an edit moves few indices.
+/// Longest strip of a model. Longer strips are cut when the model is built, so that an edit moves few
+/// indices.
 pub const MAX_STRIP_INDICES: usize = 128;
 
-/// The static half of the model; see the [module](self).
+/// The static half of the model, shared by all instances; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LodStrips<'a> {
     pub(crate) vertices: StepVertices<'a>,
     pub(crate) indices: Cow<'a, [u32]>,
     pub(crate) offsets: Cow<'a, [u32]>,
     pub(crate) group_offsets: Cow<'a, [u32]>,
-    /// Bytes of each step's record; 255 stands for "255 or more, see the record's ends".
+    /// Size of each step's record in bytes; 255 means that the record stores its own length at both ends.
     pub(crate) record_lengths: Cow<'a, [u8]>,
     pub(crate) arena: Cow<'a, [u8]>,
-    /// Bytes of the first strip number in a record, from the strip count.
+    /// Size of the first strip index of a record in bytes, derived from the strip count.
     head_bytes: usize,
 }
 
-/// The stored arrays of a model, without what the sequence knows already.
+/// The stored arrays of a model, except for those that come from the sequence.
 pub(crate) struct LodStripsParts<'a> {
     pub(crate) indices: Cow<'a, [u32]>,
     pub(crate) offsets: Cow<'a, [u32]>,
@@ -65,7 +68,7 @@ pub(crate) struct LodStripsParts<'a> {
 }
 
 impl<'a> LodStrips<'a> {
-    /// Puts stored arrays together and checks every record once, so that no later step can fail.
+    /// Assembles a model from stored arrays and validates every record, so that no later move can fail.
     pub(crate) fn from_parts(
         vertices: StepVertices<'a>,
         parts: LodStripsParts<'a>,
@@ -81,7 +84,7 @@ impl<'a> LodStrips<'a> {
         Self { vertices, indices, offsets, group_offsets, record_lengths, arena, head_bytes }
     }
 
-    /// The same model with arrays of its own.
+    /// Returns a copy that owns its arrays.
     pub fn into_owned(self) -> LodStrips<'static> {
         LodStrips {
             vertices: self.vertices.into_owned(),
@@ -94,12 +97,12 @@ impl<'a> LodStrips<'a> {
         }
     }
 
-    /// The strips of the full mesh, one after the other.
+    /// Returns the strips of the full mesh, one after the other.
     pub fn indices(&self) -> &[u32] {
         &self.indices
     }
 
-    /// What all records edit, in numbers.
+    /// Counts the edits of all records.
     pub fn edit_counts(&self) -> EditCounts {
         let mut counts = EditCounts::default();
         let mut cursor = 0;

@@ -1,61 +1,65 @@
-//! The bytes of a step's record: which places of which strips a step edits.
+//! The byte layout of a step's record, which lists the edits of each strip.
 //!
-//! A record is a list of edits, one for each strip, by rising strip number:
+//! A record is a list of edits, one per strip, in ascending order of strip indices:
 //!
 //! ```text
-//! head      strip number << 2 | flags         the first in as many bytes as the largest needs,
-//!           (gap to the last - 1) << 2 | flags  the others as a varint; 1: several places, 2: has drops
-//! count     number of places - 2               varint, only with flag 1
-//! places    gap * wedges + wedge               varints; the first gap from 0, the others from the last + 1
-//! drops     zigzag(first - anchor) << 2 | kind varints, only with flag 2; 1: another follows,
-//! counts    run's count                        2: its count follows (else it is 2)
+//! head           strip << 2 | flags             fixed width for the first strip of a record;
+//!                (gap to the last - 1) << 2 | flags   a varint for later strips;
+//!                                               flag 1: several substitutions, flag 2: has drops
+//! count          number of substitutions - 2    varint, only with flag 1
+//! substitutions  gap * wedges + wedge           varints; the first gap from 0, others from the last + 1
+//! drops          zigzag(first - anchor) << 2 | kind   varints, only with flag 2;
+//!                                               kind 1: another drop follows, kind 2: a length follows
+//! length         length of the run              varint, only with kind 2; otherwise the length is 2
 //! ```
 //!
-//! The anchor of the first drop is the first place, then the first index of the last drop. `wedges` is the number
-//! of vertices of the step and `wedge` which of them stands at the place. A varint has 7 bits a byte, low ones
-//! first.
+//! The first head is wide enough for the largest strip index. The anchor of the first drop is the index of
+//! the first substitution; that of a later drop is the first index of the drop before it. `wedges` is the
+//! number of vertices of the step, and `wedge` selects the one that is replaced. A varint has 7 bits per
+//! byte, low bits first.
 
 use crate::model::record_arena::{read_fixed, read_varint, write_varint};
 use crate::model::strip_run::Run;
 
-/// Flags of each strip number in a record.
+/// Number of flag bits next to each strip index in a record.
 pub(super) const FLAG_BITS: u32 = 2;
-pub(super) const HAS_SEVERAL_PLACES: u32 = 1;
+pub(super) const HAS_SEVERAL_SUBSTITUTIONS: u32 = 1;
 pub(super) const HAS_DROPS: u32 = 2;
 const DROP_FOLLOWS: u32 = 1;
 const COUNT_FOLLOWS: u32 = 2;
 
-/// What a step does to one strip.
+/// The edit of one strip by one step.
 #[derive(Debug, Default)]
 pub(super) struct Edit {
     pub(super) strip: u32,
-    /// Places before any drop, rising, each with the wedge that stands there.
-    pub(super) places: Vec<(u32, u32)>,
+    /// Live indices that are replaced, before any drop, in ascending order; each with the wedge found
+    /// there.
+    pub(super) substitutions: Vec<(u32, u32)>,
     pub(super) drops: Vec<Run>,
 }
 
-/// What records edit, in numbers.
+/// Number of edits in all records of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EditCounts {
-    /// Strips, counted once for each record that edits them.
+    /// Number of edited strips; a strip counts once for every record that edits it.
     pub strips: usize,
-    /// Places where a vertex is substituted.
+    /// Number of indices that are replaced.
     pub places: usize,
-    /// Runs that are dropped.
+    /// Number of runs that are dropped.
     pub drops: usize,
 }
 
 impl EditCounts {
-    /// Counts one record.
+    /// Adds the edits of one record. Returns `None` if the record is malformed.
     pub(super) fn add(&mut self, body: &[u8], head_bytes: usize, wedge_count: u32) -> Option<()> {
         let mut reader = RecordReader::new(body);
         let mut last = None;
         while !reader.is_empty() {
             let (strip, flags) = reader.head(last, head_bytes)?;
             last = Some(strip);
-            let further = reader.further_place_count(flags)?;
+            let further = reader.further_substitution_count(flags)?;
             for _ in 0..=further {
-                reader.place(0, wedge_count)?;
+                reader.substitution(0, wedge_count)?;
             }
             self.strips += 1;
             self.places += further as usize + 1;
@@ -69,7 +73,7 @@ impl EditCounts {
     }
 }
 
-/// Writes a record of edits, sorted by strip.
+/// Appends the record of a step, given its edits in ascending order of strips.
 pub(super) fn write_record<'e>(
     edits: impl IntoIterator<Item = &'e Edit>,
     wedge_count: u32,
@@ -78,7 +82,7 @@ pub(super) fn write_record<'e>(
 ) {
     let mut last_strip = None;
     for edit in edits {
-        let several = if edit.places.len() > 1 { HAS_SEVERAL_PLACES } else { 0 };
+        let several = if edit.substitutions.len() > 1 { HAS_SEVERAL_SUBSTITUTIONS } else { 0 };
         let flags = several | if edit.drops.is_empty() { 0 } else { HAS_DROPS };
         match last_strip {
             None => out.extend_from_slice(&(edit.strip << 2 | flags).to_le_bytes()[..head_bytes]),
@@ -86,14 +90,14 @@ pub(super) fn write_record<'e>(
         }
         last_strip = Some(edit.strip);
         if several != 0 {
-            write_varint(edit.places.len() as u32 - 2, out);
+            write_varint(edit.substitutions.len() as u32 - 2, out);
         }
         let mut from = 0;
-        for &(place, wedge) in &edit.places {
-            write_varint((place - from) * wedge_count + wedge, out);
-            from = place + 1;
+        for &(index, wedge) in &edit.substitutions {
+            write_varint((index - from) * wedge_count + wedge, out);
+            from = index + 1;
         }
-        let mut anchor = edit.places.first().map_or(0, |p| p.0);
+        let mut anchor = edit.substitutions.first().map_or(0, |s| s.0);
         for (i, run) in edit.drops.iter().enumerate() {
             let follows = if i + 1 < edit.drops.len() { DROP_FOLLOWS } else { 0 };
             let counted = if run.count == 2 { 0 } else { COUNT_FOLLOWS };
@@ -106,11 +110,13 @@ pub(super) fn write_record<'e>(
     }
 }
 
+/// Maps signed to unsigned numbers so that those near zero stay small: 0, -1, 1, -2 become 0, 1, 2, 3.
 fn zigzag(value: i32) -> u32 {
     (value << 1 ^ value >> 31) as u32
 }
 
-/// Reads the parts of a record; `None` where it ends too early or a number does not fit.
+/// Reads a record piece by piece. All methods return `None` if the record is truncated or a number is too
+/// large.
 #[derive(Clone, Copy)]
 pub(super) struct RecordReader<'r> {
     bytes: &'r [u8],
@@ -126,7 +132,7 @@ impl<'r> RecordReader<'r> {
         self.bytes.is_empty()
     }
 
-    /// The next strip of a record and its flags; `last` is the strip before it, if there is one.
+    /// Reads the next strip and its flags; `last` is the preceding strip of the record, if any.
     #[inline]
     pub(super) fn head(&mut self, last: Option<u32>, head_bytes: usize) -> Option<(u32, u32)> {
         match last {
@@ -135,36 +141,36 @@ impl<'r> RecordReader<'r> {
         }
     }
 
-    /// The first strip of a record and its flags.
+    /// Reads the first strip of a record and its flags.
     #[inline]
     pub(super) fn first_head(&mut self, head_bytes: usize) -> Option<(u32, u32)> {
         let value = read_fixed(&mut self.bytes, head_bytes)?;
         Some((value >> 2, value & 3))
     }
 
-    /// A later strip and its flags.
+    /// Reads a later strip of a record and its flags.
     #[inline]
     pub(super) fn next_head(&mut self, last: u32) -> Option<(u32, u32)> {
         let value = self.varint()?;
         Some((last.checked_add(value >> 2)?.checked_add(1)?, value & 3))
     }
 
-    /// Places beyond the first.
+    /// Reads the number of substitutions after the first.
     #[inline]
-    pub(super) fn further_place_count(&mut self, flags: u32) -> Option<u32> {
-        if flags & HAS_SEVERAL_PLACES == 0 { Some(0) } else { self.varint()?.checked_add(1) }
+    pub(super) fn further_substitution_count(&mut self, flags: u32) -> Option<u32> {
+        if flags & HAS_SEVERAL_SUBSTITUTIONS == 0 { Some(0) } else { self.varint()?.checked_add(1) }
     }
 
-    /// A place at or after `from`, and the wedge that stands there.
+    /// Reads a substitution: the index that is replaced, at or after `from`, and the wedge found there.
     #[inline]
-    pub(super) fn place(&mut self, from: u32, wedge_count: u32) -> Option<(u32, u32)> {
+    pub(super) fn substitution(&mut self, from: u32, wedge_count: u32) -> Option<(u32, u32)> {
         let value = self.varint()?;
         let (gap, wedge) =
             if wedge_count == 1 { (value, 0) } else { (value / wedge_count, value % wedge_count) };
         Some((from.checked_add(gap)?, wedge))
     }
 
-    /// A dropped run, and whether another follows.
+    /// Reads a dropped run, and whether another one follows.
     #[inline]
     pub(super) fn run(&mut self, anchor: u32) -> Option<(Run, bool)> {
         let value = self.varint()?;
@@ -188,24 +194,24 @@ mod tests {
     #[test]
     fn a_record_reads_back() {
         let edits = [
-            Edit { strip: 700, places: vec![(3, 1), (4, 0), (900, 2)], drops: vec![] },
+            Edit { strip: 700, substitutions: vec![(3, 1), (4, 0), (900, 2)], drops: vec![] },
             Edit {
                 strip: 703,
-                places: vec![(17, 2)],
+                substitutions: vec![(17, 2)],
                 drops: vec![Run { first: 15, count: 2 }, Run { first: 40, count: 300 }],
             },
         ];
         let mut bytes = Vec::new();
         write_record(&edits, 3, head_bytes(1000, FLAG_BITS), &mut bytes);
         let mut reader = RecordReader::new(&bytes);
-        assert_eq!(reader.first_head(2), Some((700, HAS_SEVERAL_PLACES)));
-        assert_eq!(reader.further_place_count(1), Some(2));
-        assert_eq!(reader.place(0, 3), Some((3, 1)));
-        assert_eq!(reader.place(4, 3), Some((4, 0)));
-        assert_eq!(reader.place(5, 3), Some((900, 2)));
+        assert_eq!(reader.first_head(2), Some((700, HAS_SEVERAL_SUBSTITUTIONS)));
+        assert_eq!(reader.further_substitution_count(1), Some(2));
+        assert_eq!(reader.substitution(0, 3), Some((3, 1)));
+        assert_eq!(reader.substitution(4, 3), Some((4, 0)));
+        assert_eq!(reader.substitution(5, 3), Some((900, 2)));
         assert_eq!(reader.next_head(700), Some((703, HAS_DROPS)));
-        assert_eq!(reader.further_place_count(2), Some(0));
-        assert_eq!(reader.place(0, 3), Some((17, 2)));
+        assert_eq!(reader.further_substitution_count(2), Some(0));
+        assert_eq!(reader.substitution(0, 3), Some((17, 2)));
         assert_eq!(reader.run(17), Some((Run { first: 15, count: 2 }, true)));
         assert_eq!(reader.run(15), Some((Run { first: 40, count: 300 }, false)));
         assert!(reader.is_empty());

@@ -1,4 +1,4 @@
-//! What one instance of LodStrips owns, and how it moves between levels.
+//! State of one LodStrips instance: its level and current strips, and how it moves between levels.
 
 use super::LodStrips;
 use super::record::{HAS_DROPS, RecordReader};
@@ -6,27 +6,28 @@ use crate::model::StripModel;
 use crate::model::record_arena::{record_at, record_before};
 use crate::model::strip_run::{Run, drop_run, restore_run};
 
-/// An instance: its level and its current strips. Made by [`LodModel::new_state`](crate::model::LodModel).
+/// An instance of the model: its level and its current strips. Created by
+/// [`LodModel::new_state`](crate::model::LodModel::new_state).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LodStripsState {
     split_count: usize,
-    /// End of the record of step `split_count - 1` in the arena, where that of step `split_count` begins.
+    /// Arena offset between the records of steps `split_count - 1` and `split_count`.
     cursor: usize,
-    /// All strips in fixed slots of their full length; see the drawing in the [module](super).
+    /// Slots of all strips at their full lengths; see the drawing in the [module](super).
     pub(super) slots: Vec<u32>,
     pub(super) strips: Vec<LiveStrip>,
-    /// Strips that changed since a buffer last followed them, each once.
+    /// Strips that changed since a buffer last synchronized, without duplicates.
     changed: Vec<u32>,
-    /// Kept between steps so that none allocates.
+    /// Scratch, kept so that no step allocates.
     drops: Vec<Run>,
 }
 
-/// One strip of an instance; all that a step needs of it lies together.
+/// One strip of an instance. Everything that a step needs of it is in one struct, for locality.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct LiveStrip {
-    /// Where its slot begins.
+    /// Index of its first slot.
     pub(super) first: u32,
-    /// Live indices.
+    /// Number of live indices.
     pub(super) length: u32,
     is_changed: bool,
 }
@@ -45,30 +46,30 @@ impl LodStripsState {
         }
     }
 
-    /// The level it shows.
+    /// Returns the level that the instance shows.
     pub fn split_count(&self) -> usize {
         self.split_count
     }
 
-    /// Bytes that the instance owns.
+    /// Number of bytes that the instance owns.
     pub fn bytes(&self) -> usize {
         4 * (self.slots.len() + self.changed.capacity()) + size_of_val(&self.strips[..])
     }
 
-    /// What a strip shows now.
+    /// Returns the live indices of a strip.
     pub(super) fn live(&self, strip: usize) -> &[u32] {
         let LiveStrip { first, length, .. } = self.strips[strip];
         &self.slots[first as usize..(first + length) as usize]
     }
 
-    /// Empties the list of changed strips into `strips`.
+    /// Moves the list of changed strips into `strips` and clears it here.
     pub(super) fn take_changed_into(&mut self, strips: &mut Vec<u32>) {
         strips.clear();
         std::mem::swap(&mut self.changed, strips);
         for &strip in strips.iter() {
             self.strips[strip as usize].is_changed = false;
         }
-        // The lists change places: both must have room for all.
+        // The two lists have been swapped, so both need room for all strips.
         self.changed.reserve(self.strips.len());
     }
 
@@ -77,7 +78,7 @@ impl LodStripsState {
         assert!(split_count <= step_count, "split count {split_count} of {step_count}");
         assert!(
             self.slots.len() == model.indices.len() && self.strips.len() == model.strip_count(),
-            "the state belongs to another model"
+            "the state belongs to a different model"
         );
         while self.split_count > split_count {
             let done = self.coarsen(model);
@@ -87,11 +88,13 @@ impl LodStripsState {
             let done = self.refine(model);
             debug_assert!(done.is_some(), "a checked record ended early");
         }
-        // States at a level are equal, whatever way led there, once buffers have followed.
+        // Leaves no trace of the path, so that states of one level are equal once buffers have
+        // synchronized.
         self.drops.clear();
     }
 
-    /// Applies the record of the step below: substitute, then drop. `None` would mean an unchecked record.
+    /// Applies the record of the step before: substitutes, then drops. `None` would mean that the record
+    /// was not validated.
     fn coarsen(&mut self, model: &LodStrips<'_>) -> Option<()> {
         self.split_count -= 1;
         let step = self.split_count;
@@ -109,22 +112,22 @@ impl LodStripsState {
             if !std::mem::replace(&mut live.is_changed, true) {
                 self.changed.push(strip);
             }
-            let further = reader.further_place_count(flags)?;
-            let slot = &mut self.slots[live.first as usize..(live.first + live.length) as usize];
-            let (first_place, wedge) = reader.place(0, wedge_count)?;
-            slot[first_place as usize] =
+            let further = reader.further_substitution_count(flags)?;
+            let slots = &mut self.slots[live.first as usize..(live.first + live.length) as usize];
+            let (first_index, wedge) = reader.substitution(0, wedge_count)?;
+            slots[first_index as usize] =
                 if wedge == 0 { target } else { model.vertices.target(vertices.start + wedge) };
-            let mut place = first_place;
+            let mut index = first_index;
             for _ in 0..further {
-                let (next, wedge) = reader.place(place + 1, wedge_count)?;
-                slot[next as usize] = model.vertices.target(vertices.start + wedge);
-                place = next;
+                let (next, wedge) = reader.substitution(index + 1, wedge_count)?;
+                slots[next as usize] = model.vertices.target(vertices.start + wedge);
+                index = next;
             }
             if flags & HAS_DROPS != 0 {
-                let mut anchor = first_place;
+                let mut anchor = first_index;
                 loop {
                     let (run, follows) = reader.run(anchor)?;
-                    drop_run(&mut slot[..live.length as usize], run);
+                    drop_run(&mut slots[..live.length as usize], run);
                     live.length -= run.count;
                     anchor = run.first;
                     if !follows {
@@ -136,7 +139,7 @@ impl LodStripsState {
         Some(())
     }
 
-    /// Undoes the record of the step above: restore what was dropped, then the step's vertices.
+    /// Undoes the record of the next step: restores the dropped runs, then the step's vertices.
     fn refine(&mut self, model: &LodStrips<'_>) -> Option<()> {
         let step = self.split_count;
         let (body, end) = record_at(&model.arena, self.cursor, model.record_lengths[step])?;
@@ -153,40 +156,41 @@ impl LodStripsState {
             if !std::mem::replace(&mut live.is_changed, true) {
                 self.changed.push(strip);
             }
-            let further = reader.further_place_count(flags)?;
-            let (first_place, first_wedge) = reader.place(0, wedge_count)?;
-            // Places count in the strip before its drops: look at the drops first, then come back.
-            let mut places = reader;
+            let further = reader.further_substitution_count(flags)?;
+            let (first_index, first_wedge) = reader.substitution(0, wedge_count)?;
+            // Substitutions refer to the strip before its drops: skip them, restore the drops, then come
+            // back.
+            let mut substitutions = reader;
             for _ in 0..further {
-                reader.place(0, wedge_count)?;
+                reader.substitution(0, wedge_count)?;
             }
             if flags & HAS_DROPS != 0 {
-                let slot = &mut self.slots[live.first as usize..];
-                let (run, follows) = reader.run(first_place)?;
+                let slots = &mut self.slots[live.first as usize..];
+                let (run, follows) = reader.run(first_index)?;
                 if follows {
                     read_runs(&mut reader, run, &mut self.drops)?;
                     for &run in self.drops.iter().rev() {
                         live.length += run.count;
-                        restore_run(&mut slot[..live.length as usize], run);
+                        restore_run(&mut slots[..live.length as usize], run);
                     }
                 }
                 live.length += run.count;
-                restore_run(&mut slot[..live.length as usize], run);
+                restore_run(&mut slots[..live.length as usize], run);
             }
-            let slot = &mut self.slots[live.first as usize..];
-            slot[first_place as usize] = vertices.start + first_wedge;
-            let mut place = first_place;
+            let slots = &mut self.slots[live.first as usize..];
+            slots[first_index as usize] = vertices.start + first_wedge;
+            let mut index = first_index;
             for _ in 0..further {
-                let (next, wedge) = places.place(place + 1, wedge_count)?;
-                slot[next as usize] = vertices.start + wedge;
-                place = next;
+                let (next, wedge) = substitutions.substitution(index + 1, wedge_count)?;
+                slots[next as usize] = vertices.start + wedge;
+                index = next;
             }
         }
         Some(())
     }
 }
 
-/// Reads the runs behind `first`.
+/// Reads the runs after `first` into `runs`.
 fn read_runs(reader: &mut RecordReader<'_>, first: Run, runs: &mut Vec<Run>) -> Option<()> {
     runs.clear();
     let mut anchor = first.first;

@@ -1,9 +1,10 @@
-//! The hardware form: one index buffer with primitive restart that follows an instance.
+//! An index buffer with primitive restart that follows an instance, ready for upload to a GPU.
 //!
-//! Each group owns a fixed region of the buffer, each strip a place in it, filled up with restart indices. A
-//! strip that outgrows its place moves to the end of the used part; when that part is a quarter larger
-//! than what it shows, or full, the region is packed afresh. So a move costs what it changes, amortised, and
-//! each group draws one contiguous range. A GPU buffer of the same size never has to grow.
+//! Each group owns a fixed region of the buffer, and each strip an allocation inside it, padded with
+//! restart indices. A strip that outgrows its allocation is_moved to the end of the used part of the region.
+//! When the used part has become a quarter larger than the live indices, or the region is full, the region
+//! is repacked. The amortized cost of a move is therefore proportional to what changes, each group is
+//! drawn as one contiguous range, and the GPU buffer never has to grow.
 
 use crate::model::{StoredModel, StripModel};
 use std::ops::Range;
@@ -11,7 +12,7 @@ use std::ops::Range;
 use super::{LodStrips, LodStripsState};
 use crate::strip::RESTART;
 
-/// Changed ranges with fewer unchanged indices between them are uploaded as one.
+/// Changed ranges with fewer than this many unchanged indices between them are merged.
 const JOIN_GAP: u32 = 32;
 
 /// An index buffer that follows one [`LodStripsState`].
@@ -19,9 +20,9 @@ const JOIN_GAP: u32 = 32;
 pub struct StripBuffer {
     indices: Vec<u32>,
     regions: Vec<Region>,
-    places: Vec<Place>,
+    allocations: Vec<Allocation>,
     changed: Vec<Range<u32>>,
-    /// Strips to follow; kept so that a sync allocates nothing.
+    /// Scratch for the strips to write, kept so that `sync` does not allocate.
     strips: Vec<u32>,
 }
 
@@ -29,33 +30,33 @@ pub struct StripBuffer {
 struct Region {
     first: u32,
     capacity: u32,
-    /// Indices from `first` that are drawn.
+    /// Number of indices from `first` that are drawn.
     used: u32,
-    /// Indices that the strips and their restarts need.
+    /// Number of indices that the strips and their restarts need.
     live: u32,
     is_full: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-struct Place {
+struct Allocation {
     first: u32,
     capacity: u32,
-    /// Indices of the strip, the restart not counted.
+    /// Length of the strip, without its restart.
     length: u32,
 }
 
-impl Place {
+impl Allocation {
     fn needed(length: u32) -> u32 {
         if length == 0 { 0 } else { length + 1 }
     }
 }
 
 impl StripBuffer {
-    /// A buffer that shows what the state shows. A state is followed by one buffer only: what changed
-    /// since the last [`sync`](Self::sync) is noted once.
+    /// Creates a buffer with the current strips of a state. Only one buffer can follow a state, because
+    /// the state reports each change once, to the next [`sync`](Self::sync).
     ///
     /// # Panics
-    /// If the state belongs to another model.
+    /// If the state belongs to a different model.
     pub fn new(model: &LodStrips<'_>, state: &mut LodStripsState) -> Self {
         let mut regions = Vec::with_capacity(model.group_count());
         let mut first = 0;
@@ -69,7 +70,7 @@ impl StripBuffer {
         let mut buffer = Self {
             indices: vec![RESTART; first as usize],
             regions,
-            places: vec![Place::default(); model.strip_count()],
+            allocations: vec![Allocation::default(); model.strip_count()],
             changed: Vec::new(),
             strips: Vec::new(),
         };
@@ -80,27 +81,29 @@ impl StripBuffer {
         buffer
     }
 
-    /// All regions; [`group_ranges`](Self::group_ranges) says what to draw of it. Its length never changes.
+    /// Returns the whole buffer, whose length never changes. Draw the [`group_ranges`](Self::group_ranges)
+    /// of it.
     pub fn indices(&self) -> &[u32] {
         &self.indices
     }
 
-    /// For each group (material) the range to draw as strips with primitive restart.
+    /// Returns for each group (material) the range to draw as strips with primitive restart.
     pub fn group_ranges(&self) -> impl Iterator<Item = Range<u32>> {
         self.regions.iter().map(|r| r.first..r.first + r.used)
     }
 
-    /// Where each strip stands, for multi-draw calls without restart; empty for a strip that is gone.
+    /// Returns the range of each strip, for multi-draw calls without primitive restart; empty for an empty
+    /// strip.
     pub fn strip_ranges(&self) -> impl Iterator<Item = Range<u32>> {
-        self.places.iter().map(|p| p.first..p.first + p.length)
+        self.allocations.iter().map(|p| p.first..p.first + p.length)
     }
 
-    /// Follows the state; returns how many indices were written.
+    /// Updates the buffer to the state; returns the number of indices written.
     ///
     /// # Panics
-    /// If the state belongs to another model than the buffer.
+    /// If the state belongs to a different model than the buffer.
     pub fn sync(&mut self, model: &LodStrips<'_>, state: &mut LodStripsState) -> usize {
-        assert_eq!(self.places.len(), state.strips.len(), "the state belongs to another model");
+        assert_eq!(self.allocations.len(), state.strips.len(), "the state belongs to a different model");
         let mut strips = std::mem::take(&mut self.strips);
         state.take_changed_into(&mut strips);
         strips.sort_unstable();
@@ -124,7 +127,8 @@ impl StripBuffer {
         written
     }
 
-    /// What changed in [`indices`](Self::indices) since the last call, sorted and apart: upload just that.
+    /// Returns the ranges of [`indices`](Self::indices) that changed since the last call, sorted and
+    /// disjoint, for a partial upload.
     pub fn take_changed_ranges(&mut self) -> Vec<Range<u32>> {
         self.changed.sort_unstable_by_key(|r| r.start);
         let mut out: Vec<Range<u32>> = Vec::new();
@@ -139,35 +143,36 @@ impl StripBuffer {
         out
     }
 
-    /// Writes one strip in its place, or at the end of the region; marks the region where neither fits.
+    /// Writes one strip into its allocation or, if that is too small, at the end of the region. Marks the
+    /// region as full if neither has room. Returns the number of indices written.
     fn write_strip(&mut self, group: usize, strip: usize, live: &[u32]) -> usize {
         let region = &mut self.regions[group];
-        let place = self.places[strip];
-        let needed = Place::needed(live.len() as u32);
-        let mut target = place;
-        let moves = needed > place.capacity;
-        if moves {
+        let allocation = self.allocations[strip];
+        let needed = Allocation::needed(live.len() as u32);
+        let mut target = allocation;
+        let is_moved = needed > allocation.capacity;
+        if is_moved {
             let capacity = needed + needed / 4 + 1;
             if region.used + capacity > region.capacity {
                 region.is_full = true;
                 return 0;
             }
-            target = Place { first: region.first + region.used, capacity, length: 0 };
+            target = Allocation { first: region.first + region.used, capacity, length: 0 };
             region.used += capacity;
-            self.fill(place.first, 0, place.length);
+            self.fill(allocation.first, 0, allocation.length);
         }
         let region = &mut self.regions[group];
-        region.live = region.live + needed - Place::needed(place.length);
+        region.live = region.live + needed - Allocation::needed(allocation.length);
         let first = target.first as usize;
         self.indices[first..first + live.len()].copy_from_slice(live);
-        self.places[strip] = Place { length: live.len() as u32, ..target };
-        // A place at the region's end may hold what the last packing left there.
-        let stale = if moves { target.capacity } else { place.length };
+        self.allocations[strip] = Allocation { length: live.len() as u32, ..target };
+        // An allocation at the end of the region may contain stale indices from before the last repack.
+        let stale = if is_moved { target.capacity } else { allocation.length };
         self.fill(target.first, live.len() as u32, stale);
         live.len()
     }
 
-    /// Notes a place as changed and overwrites what of it is no longer shown.
+    /// Marks the start of an allocation as changed and overwrites its indices `from..to` with restarts.
     fn fill(&mut self, first: u32, from: u32, to: u32) {
         if from < to {
             self.indices[(first + from) as usize..(first + to) as usize].fill(RESTART);
@@ -183,8 +188,8 @@ impl StripBuffer {
         let mut at = region.first;
         for strip in model.group_strips(group) {
             let live = model.strip(state, strip);
-            let (length, needed) = (live.len() as u32, Place::needed(live.len() as u32));
-            self.places[strip] = Place { first: at, capacity: needed, length };
+            let (length, needed) = (live.len() as u32, Allocation::needed(live.len() as u32));
+            self.allocations[strip] = Allocation { first: at, capacity: needed, length };
             if length > 0 {
                 self.indices[at as usize..at as usize + live.len()].copy_from_slice(live);
                 self.indices[at as usize + live.len()] = RESTART;
@@ -193,7 +198,8 @@ impl StripBuffer {
         }
         let used = at - region.first;
         self.regions[group] = Region { used, live: used, is_full: false, ..region };
-        // Earlier changes in this region are covered, or lie behind what is drawn.
+        // Earlier changes in this region are covered by the new range, or lie behind the part that is
+        // drawn.
         self.changed.retain(|r| r.start < region.first || r.start >= region.first + region.capacity);
         if used > 0 {
             self.changed.push(region.first..at);

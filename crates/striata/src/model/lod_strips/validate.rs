@@ -1,9 +1,10 @@
-//! The one check of a stored model that lets every later step trust its records.
+//! Validates a stored model once, so that later moves can trust its records.
 //!
-//! All records are applied once, from the full mesh to the base, on a copy of the strips: each place and run
-//! must lie in its strip, the step's vertices must stand where the record says, and none may be left over.
-//! What passes can be walked up and down without a failing step, and shows at each level only vertices that
-//! the level has. Time as one sweep, memory as one instance.
+//! All records are applied once, from the full mesh to the base, to a copy of the strips. Every index and
+//! run must lie within its strip, every replaced vertex must be found at its index, and none of the step's
+//! vertices may be left over. A model that passes can be moved up and down without failing, and each of
+//! its levels uses only vertices of that level. Takes the time of one full sweep and the memory of one
+//! instance.
 
 use super::record::{HAS_DROPS, RecordReader};
 use super::{LodStrips, ModelError};
@@ -34,7 +35,7 @@ struct Sweep<'m, 'a> {
     model: &'m LodStrips<'a>,
     slots: Vec<u32>,
     lengths: Vec<u32>,
-    /// How often each vertex stands in the live strips.
+    /// Number of live indices that refer to each vertex.
     uses: Vec<u32>,
     cursor: usize,
 }
@@ -56,11 +57,11 @@ impl<'m, 'a> Sweep<'m, 'a> {
     }
 
     fn apply(&mut self, step: usize) -> Result<(), &'static str> {
-        const SHORT: &str = "ends too early";
+        const TRUNCATED: &str = "ends too early";
         let model = self.model;
         let (body, start) =
-            record_before(&model.arena, self.cursor, model.record_lengths[step]).ok_or(SHORT)?;
-        // Long records hold their length at both ends, and both ways must agree.
+            record_before(&model.arena, self.cursor, model.record_lengths[step]).ok_or(TRUNCATED)?;
+        // A long record stores its length at both ends; the two must agree.
         let forward = record_at(&model.arena, start, model.record_lengths[step]);
         if forward != Some((body, self.cursor)) {
             return Err("has different lengths at its ends");
@@ -70,14 +71,14 @@ impl<'m, 'a> Sweep<'m, 'a> {
         let mut reader = RecordReader::new(body);
         let mut last = None;
         while !reader.is_empty() {
-            let (strip, flags) = reader.head(last, model.head_bytes).ok_or(SHORT)?;
+            let (strip, flags) = reader.head(last, model.head_bytes).ok_or(TRUNCATED)?;
             last = Some(strip);
             if strip as usize >= model.strip_count() {
-                return Err("edits a strip that is not there");
+                return Err("edits a strip that does not exist");
             }
-            let first_place = self.substitute(strip as usize, flags, vertices.clone(), &mut reader)?;
+            let first_index = self.substitute(strip as usize, flags, vertices.clone(), &mut reader)?;
             if flags & HAS_DROPS != 0 {
-                self.drop_runs(strip as usize, first_place, &mut reader)?;
+                self.drop_runs(strip as usize, first_index, &mut reader)?;
             }
         }
         if vertices.into_iter().any(|v| self.uses[v as usize] != 0) {
@@ -98,26 +99,26 @@ impl<'m, 'a> Sweep<'m, 'a> {
         vertices: std::ops::Range<u32>,
         reader: &mut RecordReader<'_>,
     ) -> Result<u32, &'static str> {
-        const SHORT: &str = "ends too early";
-        let further = reader.further_place_count(flags).ok_or(SHORT)?;
+        const TRUNCATED: &str = "ends too early";
+        let further = reader.further_substitution_count(flags).ok_or(TRUNCATED)?;
         let wedge_count = vertices.end - vertices.start;
-        let mut first_place = None;
+        let mut first_index = None;
         let mut from = 0;
         for _ in 0..u64::from(further) + 1 {
-            let (place, wedge) = reader.place(from, wedge_count).ok_or(SHORT)?;
+            let (index, wedge) = reader.substitution(from, wedge_count).ok_or(TRUNCATED)?;
             let vertex = vertices.start + wedge;
             let target = self.model.vertices.target(vertex);
-            match self.live(strip).get_mut(place as usize) {
+            match self.live(strip).get_mut(index as usize) {
                 Some(v) if *v == vertex => *v = target,
-                Some(_) => return Err("substitutes a vertex that is not where it says"),
-                None => return Err("substitutes behind the end of a strip"),
+                Some(_) => return Err("replaces a vertex at an index that holds a different one"),
+                None => return Err("replaces a vertex beyond the end of a strip"),
             }
             self.uses[vertex as usize] -= 1;
             self.uses[target as usize] += 1;
-            first_place.get_or_insert(place);
-            from = place + 1;
+            first_index.get_or_insert(index);
+            from = index + 1;
         }
-        first_place.ok_or(SHORT)
+        first_index.ok_or(TRUNCATED)
     }
 
     fn drop_runs(
@@ -130,7 +131,7 @@ impl<'m, 'a> Sweep<'m, 'a> {
             let (run, follows) = reader.run(anchor).ok_or("ends too early")?;
             let length = self.lengths[strip];
             if run.count == 0 || run.first.checked_add(run.count).is_none_or(|end| end > length) {
-                return Err("drops a run behind the end of a strip");
+                return Err("drops a run beyond the end of a strip");
             }
             let first = self.model.offsets[strip] as usize + run.first as usize;
             for &v in &self.slots[first..first + run.count as usize] {
@@ -155,7 +156,7 @@ mod tests {
     use crate::strip::stripify;
 
     #[test]
-    fn a_step_has_to_put_its_vertices_out_of_every_strip() {
+    fn a_step_must_remove_its_vertices_from_every_strip() {
         let mesh = shapes::grid(8, 8);
         let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
         let strips = stripify(&built.refinable.mesh).unwrap();

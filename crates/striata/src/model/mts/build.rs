@@ -1,4 +1,5 @@
-//! Building: each strip goes down its history on its own, then the steps learn which strips they change.
+//! Builds the model: follows each strip through its history, then collects the strips that each step
+//! changes.
 
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::mesh::{CollapseSequence, RefinableMesh};
@@ -6,29 +7,29 @@ use crate::model::ModelError;
 use crate::model::record_arena::{head_bytes, push_record, write_varint};
 use crate::model::step_vertices::StepVertices;
 use crate::model::strip_history::{Piece, StripHistory, Touch};
-use crate::model::strip_input::{check_strips, sorted_by_place};
+use crate::model::strip_input::{check_strips, sorted_spatially};
 use crate::strip::StripSet;
 
-/// The last change of a place that never goes.
-pub(super) const NEVER: u8 = u8::MAX;
+/// Last change of a slot that is never dropped.
+pub(super) const NEVER_DROPPED: u8 = u8::MAX;
 
-// Places, and with them changes, are numbered in bytes.
-const _: () = assert!(MAX_STRIP_INDICES < NEVER as usize);
+// Slots, and so changes, must be countable in a byte.
+const _: () = assert!(MAX_STRIP_INDICES < NEVER_DROPPED as usize);
 
 impl Mts<'static> {
     /// Builds the model from strips of the full mesh; strips longer than [`MAX_STRIP_INDICES`] are cut.
     ///
     /// # Errors
-    /// [`ModelError`] where the strips are not those of the mesh: other groups, other numbers of
-    /// triangles, vertices that are not there.
+    /// [`ModelError`] if the strips do not belong to the mesh: different groups, different triangle
+    /// counts, or vertices that do not exist.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
-        let strips = sorted_by_place(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
+        let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
         let sequence = &refinable.sequence;
         let mut lifetimes = Lifetimes::default();
         lifetimes.break_offsets.push(0);
-        for (number, strip) in strips.strips().enumerate() {
-            lifetimes.push(sequence, number as u32, strip);
+        for (index, strip) in strips.strips().enumerate() {
+            lifetimes.push(sequence, index as u32, strip);
         }
         let (arena, record_lengths) = lifetimes.records(sequence.step_count(), strips.strip_count());
         let parts = MtsParts {
@@ -45,46 +46,47 @@ impl Mts<'static> {
     }
 }
 
-/// What is known of all strips so far.
+/// Lifetimes of the slots and breaks of all strips added so far.
 #[derive(Debug, Default)]
 struct Lifetimes {
     lasts: Vec<u8>,
     break_offsets: Vec<u32>,
     breaks: Vec<[u8; 2]>,
-    /// The strips that were touched, each with what touched it.
+    /// Pairs of a strip and a step that changes it.
     touches: Vec<(u32, Touch)>,
 }
 
 impl Lifetimes {
-    fn push(&mut self, sequence: &CollapseSequence, number: u32, strip: &[u32]) {
+    /// Adds the history of the next strip.
+    fn push(&mut self, sequence: &CollapseSequence, index: u32, strip: &[u32]) {
         let mut history = StripHistory::new(sequence, strip);
         let first = self.lasts.len();
-        // Until it is seen again a place is gone.
+        // A slot counts as dropped until it is seen again after a later change.
         self.lasts.resize(first + strip.len(), 0);
         let mut change = 0;
         let mut breaks = Vec::new();
-        self.take(history.pieces(), first, change, &mut breaks);
+        self.record_pieces(history.pieces(), first, change, &mut breaks);
         while let Some(touch) = history.coarsen() {
-            self.touches.push((number, touch));
+            self.touches.push((index, touch));
             if touch.drops {
-                // Each change drops a place, and there are few enough places.
+                // Each change drops at least one slot, and there are few enough slots for a byte.
                 change += 1;
-                self.take(history.pieces(), first, change, &mut breaks);
+                self.record_pieces(history.pieces(), first, change, &mut breaks);
             }
         }
         for piece in history.pieces() {
-            piece.places.iter().for_each(|&place| self.lasts[first + place as usize] = NEVER);
+            piece.places.iter().for_each(|&slot| self.lasts[first + slot as usize] = NEVER_DROPPED);
         }
         breaks.sort_unstable();
         self.breaks.extend(breaks);
         self.break_offsets.push(self.breaks.len() as u32);
     }
 
-    /// Takes what the strip is after one of its changes.
-    fn take(&mut self, pieces: &[Piece], first: usize, change: u8, breaks: &mut Vec<[u8; 2]>) {
+    /// Records the slots and breaks that a strip has after one of its changes.
+    fn record_pieces(&mut self, pieces: &[Piece], first: usize, change: u8, breaks: &mut Vec<[u8; 2]>) {
         for (i, piece) in pieces.iter().enumerate() {
-            piece.places.iter().for_each(|&place| self.lasts[first + place as usize] = change);
-            // Where a piece begins one begins for good: pieces are cut but never joined.
+            piece.places.iter().for_each(|&slot| self.lasts[first + slot as usize] = change);
+            // A break is permanent: pieces are split but never joined.
             let begin = piece.places[0] as u8;
             if i > 0 && breaks.iter().all(|b| b[0] != begin) {
                 breaks.push([begin, change]);
@@ -92,7 +94,8 @@ impl Lifetimes {
         }
     }
 
-    /// For each step which strips it changes, and their lengths: see [`super::state`].
+    /// Returns the arena of records, which list the strips that each step changes, and the record lengths.
+    /// For the layout see [`super::state`].
     fn records(&self, step_count: usize, strip_count: usize) -> (Vec<u8>, Vec<u8>) {
         let mut ends = vec![0u32; step_count + 1];
         for (_, touch) in &self.touches {
@@ -101,7 +104,7 @@ impl Lifetimes {
         for step in 0..step_count {
             ends[step + 1] += ends[step];
         }
-        // Strips come in order, so those of each step do.
+        // Touches are sorted by strip, so the strips of each step come out in ascending order.
         let mut heads = vec![0u32; self.touches.len()];
         let mut next = ends.clone();
         for &(strip, touch) in &self.touches {

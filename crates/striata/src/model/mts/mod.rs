@@ -1,26 +1,30 @@
-//! MTS, multiresolution triangle strips \[BRR02\], without what the paper stores twice, and with coherence.
+//! MTS, multiresolution triangle strips \[BRR02\], in a compact form that also exploits coherence between
+//! levels.
 //!
-//! Each strip is stored at full detail, and with each of its places how many changes of the strip the place outlives. At
-//! any level the strip is what is left of its places, in their order, each showing the first vertex in its chain of
-//! targets that the level has. Strips are independent, so a change of level walks only those that it changes.
+//! Each strip is stored once, at full detail. For every slot we also store the last change of the strip
+//! that the slot survives. At any level, the strip consists of the surviving slots in their original
+//! order, and each slot shows the first vertex in its chain of targets that exists at the level. Strips
+//! are independent of each other, so a change of level rebuilds only the strips that it affects.
 //!
 //! ```text
-//! places       0   1   2   3   4   5   6   7   8   9   10  11  12
+//! slot         0   1   2   3   4   5   6   7   8   9   10  11  12
 //! last change  2   2   255 255 255 3   3   3   255 255 255 0   0
 //! break        before 8, from change 4 on
-//! shown        after one change 0 .. 10, after three 2 .. 10, after four 2 3 4 | 8 9 10
+//! result       after change 1: 0 .. 10, after change 3: 2 .. 10, after change 4: 2 3 4 | 8 9 10
 //! ```
 //!
-//! Differs: the published model is a graph of the strip's vertices whose arcs say which comes next and
-//! down to which level (`res`); each collapse brings a new column and new arcs into every strip that it touches. Here
-//! a column is a place of the strip. What vertex it shows is no matter of the strip: chains of targets are stored
-//! once for all strips. Places keep their order, so where an arc leads and how far it reaches follows from how long
-//! the places between are there: of row and arcs one `res` for each column is left. It counts the changes of the strip
-//! and not levels of the mesh, and fits a byte; which strips a step changes is a record of a few bytes. The special
-//! nodes -1 and -2 are breaks, -3 is the end of the places.
+//! Differs: the published model is a graph over the strip's vertices whose arcs store the next vertex and
+//! the coarsest level at which the arc is used (`res`); each collapse adds a column and new arcs to every
+//! strip that it touches. Here a column becomes a slot of the strip. The strip does not store which vertex
+//! a slot currently shows; chains of targets are shared by all strips. Slots keep their order, so the
+//! target and range of an arc follow from the lifetimes of the slots in between: of rows and arcs, only
+//! one `res` per column remains. It counts changes of the strip rather than levels of the mesh, so it fits
+//! into a byte; a record of a few bytes lists the strips that a step changes. The special nodes -1 and -2
+//! of the paper are our breaks, and -3 is the end of the slots.
 //!
-//! Cost: a step walks two or three strips, of [`MAX_STRIP_INDICES`] places at most; recovery of a whole level is
-//! linear in the places. Building is linear in the steps times [`MAX_STRIP_INDICES`].
+//! Cost: a step rebuilds two or three strips of at most [`MAX_STRIP_INDICES`] slots; recovering a whole
+//! level is linear in the number of slots. Building takes time linear in the number of steps times
+//! [`MAX_STRIP_INDICES`].
 
 mod build;
 mod state;
@@ -38,37 +42,38 @@ use super::{
 };
 use crate::strip::RESTART;
 
-/// The static half of the model; see the [module](self).
+/// The static half of the model, shared by all instances; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mts<'a> {
     pub(crate) vertices: StepVertices<'a>,
     pub(crate) parts: MtsParts<'a>,
-    /// Bytes of the first strip number in a record, from the strip count.
+    /// Size of the first strip index of a record in bytes, derived from the strip count.
     head_bytes: usize,
 }
 
-/// The stored arrays of a model, without what the sequence knows already.
+/// The stored arrays of a model, except for those that come from the sequence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct MtsParts<'a> {
-    /// Vertex of each place at full detail.
+    /// Vertex of each slot at full detail.
     pub(crate) indices: Cow<'a, [u32]>,
-    /// First place of each strip, closed by their number.
+    /// First slot of each strip, followed by the slot count.
     pub(crate) offsets: Cow<'a, [u32]>,
     pub(crate) group_offsets: Cow<'a, [u32]>,
-    /// For each place the last change of its strip after which it is still there; 255 if it never goes.
+    /// For each slot, the last change of its strip that it survives; 255 if it is never dropped.
     pub(crate) lasts: Cow<'a, [u8]>,
-    /// First break of each strip, closed by their number.
+    /// First break of each strip, followed by the break count.
     pub(crate) break_offsets: Cow<'a, [u32]>,
-    /// Breaks by rising place: the place of its strip before which one is, and the change from which on.
+    /// Breaks in ascending slot order: the slot before which the strip breaks, and the change since which
+    /// it does.
     pub(crate) breaks: Cow<'a, [[u8; 2]]>,
-    /// Bytes of each step's record, as in LodStrips.
+    /// Size of each step's record in bytes, as in LodStrips.
     pub(crate) record_lengths: Cow<'a, [u8]>,
-    /// For each step the strips that it changes.
+    /// For each step, the strips that it changes.
     pub(crate) arena: Cow<'a, [u8]>,
 }
 
 impl<'a> Mts<'a> {
-    /// Puts stored arrays together and checks them once, so that no later step can fail.
+    /// Assembles a model from stored arrays and validates them, so that no later move can fail.
     pub(crate) fn from_parts(vertices: StepVertices<'a>, parts: MtsParts<'a>) -> Result<Self, ModelError> {
         let model = Self::unchecked(vertices, parts);
         validate::check(&model)?;
@@ -80,25 +85,26 @@ impl<'a> Mts<'a> {
         Self { vertices, parts, head_bytes }
     }
 
-    /// Vertex of each place at full detail, strip after strip.
+    /// Returns the vertex of each slot at full detail, strip by strip.
     pub fn indices(&self) -> &[u32] {
         &self.parts.indices
     }
 
-    /// Breaks between pieces of strips, over all levels.
+    /// Number of breaks between pieces of strips, over all levels.
     pub fn break_count(&self) -> usize {
         self.parts.breaks.len()
     }
 
-    /// Walks every strip of an instance at its level, as the published model does at each change of level.
+    /// Rebuilds every strip of an instance at its level, as the published model does whenever the level
+    /// changes.
     ///
     /// # Panics
-    /// If the state belongs to a model of another shape.
+    /// If the state belongs to a model of a different shape.
     pub fn recover(&self, state: &mut MtsState) {
         state.recover(self);
     }
 
-    /// The same model with arrays of its own.
+    /// Returns a copy that owns its arrays.
     pub fn into_owned(self) -> Mts<'static> {
         let parts = self.parts;
         Mts {
@@ -157,15 +163,14 @@ impl LodModel for Mts<'_> {
 
     fn bytes(&self) -> Vec<PartBytes> {
         let part = |name, bytes| PartBytes { name, bytes };
-        let MtsParts { indices, offsets, group_offsets, lasts, break_offsets, breaks, record_lengths, arena } =
-            &self.parts;
+        let parts = &self.parts;
         vec![
-            part("strips", 4 * indices.len()),
-            part("strip offsets", 4 * (offsets.len() + group_offsets.len())),
+            part("strips", 4 * parts.indices.len()),
+            part("strip offsets", 4 * (parts.offsets.len() + parts.group_offsets.len())),
             part("targets", 4 * (self.vertices.targets.len() + self.vertices.firsts.len())),
-            part("last changes", lasts.len()),
-            part("breaks", 4 * break_offsets.len() + 2 * breaks.len()),
-            part("changed strips", record_lengths.len() + arena.len()),
+            part("last changes", parts.lasts.len()),
+            part("breaks", 4 * parts.break_offsets.len() + 2 * parts.breaks.len()),
+            part("changed strips", parts.record_lengths.len() + parts.arena.len()),
         ]
     }
 

@@ -1,8 +1,9 @@
-//! What one instance of MTS owns, and how it moves between levels.
+//! State of one MTS instance: its level and current strips, and how it moves between levels.
 //!
-//! The record of a step names the strips that it changes, by rising number: the first in as many bytes as the largest
-//! needs, the others as varints of the gap to the last less one; each shifted by one bit, which says whether the strip
-//! loses places, or only shows other vertices at them.
+//! The record of a step lists the strips that it changes in ascending order. The first strip index has as
+//! many bytes as the largest one needs; the others are varints of the gap to the previous strip, minus
+//! one. Each is shifted left by one bit. If the low bit is set, the strip loses slots; otherwise only the
+//! vertices that its slots show change.
 
 use std::ops::Range;
 
@@ -11,37 +12,40 @@ use crate::model::record_arena::{read_fixed, read_varint, record_at, record_befo
 use crate::model::{StoredModel, StripModel};
 use crate::strip::RESTART;
 
-/// Where more than one strip in so many is walked, all chains of targets are followed first.
-const MANY: usize = 8;
+/// If more than this fraction of the strips (1 / divisor) is to be rebuilt, the chains of targets are
+/// resolved for all vertices first.
+const RESOLVE_ALL_DIVISOR: usize = 8;
 
-/// An instance: its level and its current strips. Made by [`LodModel::new_state`](crate::model::LodModel).
+/// An instance of the model: its level and its current strips. Created by
+/// [`LodModel::new_state`](crate::model::LodModel::new_state).
 #[derive(Clone, Debug)]
 pub struct MtsState {
     split_count: usize,
-    /// End of the record of step `split_count - 1` in the arena, where that of step `split_count` begins.
+    /// Arena offset between the records of steps `split_count - 1` and `split_count`.
     cursor: usize,
-    /// What the strips show, each in a slot of its full length.
+    /// Current indices of all strips; each strip has room for its full length.
     slots: Vec<u32>,
     strips: Vec<LiveStrip>,
-    /// Strips to walk again at the end of a move; kept so that no move allocates.
+    /// Strips to rebuild at the end of a move; kept so that no move allocates.
     touched: Vec<u32>,
-    /// What each vertex shows at the level; made when many strips are walked at once, empty before.
-    shown: Vec<u32>,
+    /// For every vertex, the vertex that represents it at the current level. Empty until many strips are
+    /// first rebuilt together.
+    representatives: Vec<u32>,
 }
 
 /// One strip of an instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct LiveStrip {
-    /// Where its slot begins.
+    /// Index of its first slot.
     first: u32,
-    /// What it shows, restarts between its pieces counted.
+    /// Number of current indices, including restarts between its pieces.
     length: u32,
-    /// How often it has changed since the full mesh.
+    /// Number of changes since the full mesh.
     change: u8,
     is_touched: bool,
 }
 
-/// Equal where the same is shown: what a slot held before is no part of the state.
+/// States are equal if they show the same strips; stale contents of unused slots do not count.
 impl PartialEq for MtsState {
     fn eq(&self, other: &Self) -> bool {
         (self.split_count, self.cursor, self.slots.len())
@@ -62,39 +66,41 @@ impl MtsState {
             slots: vec![0; model.parts.indices.len()],
             strips: model.parts.offsets.windows(2).map(strip).collect(),
             touched: Vec::with_capacity(model.strip_count()),
-            shown: Vec::new(),
+            representatives: Vec::new(),
         };
         state.recover(model);
         state
     }
 
-    /// The level it shows.
+    /// Returns the level that the instance shows.
     pub fn split_count(&self) -> usize {
         self.split_count
     }
 
-    /// Bytes that the instance owns.
+    /// Number of bytes that the instance owns.
     pub fn bytes(&self) -> usize {
-        4 * (self.slots.len() + self.touched.capacity() + self.shown.capacity())
+        4 * (self.slots.len() + self.touched.capacity() + self.representatives.capacity())
             + size_of_val(&self.strips[..])
     }
 
+    /// Returns the current indices of a strip.
     pub(super) fn live(&self, strip: usize) -> &[u32] {
         let LiveStrip { first, length, .. } = self.strips[strip];
         &self.slots[first as usize..(first + length) as usize]
     }
 
+    /// Rebuilds all strips at the current level.
     pub(super) fn recover(&mut self, model: &Mts<'_>) {
         self.check_model(model);
         self.touched.clear();
         self.touched.extend(0..self.strips.len() as u32);
-        self.walk_touched(model);
+        self.rebuild_touched(model);
     }
 
     fn check_model(&self, model: &Mts<'_>) {
         assert!(
             self.slots.len() == model.parts.indices.len() && self.strips.len() == model.strip_count(),
-            "the state belongs to another model"
+            "the state belongs to a different model"
         );
     }
 
@@ -110,35 +116,37 @@ impl MtsState {
             let done = self.touch_finer(model);
             debug_assert!(done.is_some(), "a checked record ended early");
         }
-        self.walk_touched(model);
+        self.rebuild_touched(model);
     }
 
-    /// Walks the touched strips, after which none is.
-    fn walk_touched(&mut self, model: &Mts<'_>) {
+    /// Rebuilds the touched strips and clears the list.
+    fn rebuild_touched(&mut self, model: &Mts<'_>) {
         let vertex_count = model.vertex_count_at(self.split_count) as u32;
         let mut touched = std::mem::take(&mut self.touched);
         let is_full = self.split_count == model.parts.record_lengths.len();
-        // Following chains of targets place by place costs more than following all of them once.
-        if !is_full && touched.len() > self.strips.len() / MANY {
-            self.show_all(model, vertex_count);
-            touched.iter().for_each(|&strip| self.walk_shown(model, strip as usize));
+        // Resolving chains of targets slot by slot costs more than resolving every vertex once.
+        if !is_full && touched.len() > self.strips.len() / RESOLVE_ALL_DIVISOR {
+            self.find_representatives(model, vertex_count);
+            touched.iter().for_each(|&strip| self.rebuild_from_representatives(model, strip as usize));
         } else {
-            touched.iter().for_each(|&strip| self.walk(model, strip as usize, vertex_count));
+            touched.iter().for_each(|&strip| self.rebuild(model, strip as usize, vertex_count));
         }
         touched.clear();
         self.touched = touched;
     }
 
-    /// Finds what every vertex shows at the level. A target is older than its vertex, so it is known by then.
-    fn show_all(&mut self, model: &Mts<'_>, vertex_count: u32) {
-        self.shown.clear();
-        self.shown.extend(0..vertex_count);
+    /// Finds the representative of every vertex at the level. A target is older than its vertex, so it is
+    /// resolved first.
+    fn find_representatives(&mut self, model: &Mts<'_>, vertex_count: u32) {
+        self.representatives.clear();
+        self.representatives.extend(0..vertex_count);
         for vertex in vertex_count..model.vertices.vertex_count as u32 {
             let target = model.vertices.target(vertex);
-            self.shown.push(self.shown[target as usize]);
+            self.representatives.push(self.representatives[target as usize]);
         }
     }
 
+    /// Passes the record of the step before, touching the strips that it changes.
     fn touch_coarser(&mut self, model: &Mts<'_>) -> Option<()> {
         self.split_count -= 1;
         let length = model.parts.record_lengths[self.split_count];
@@ -147,6 +155,7 @@ impl MtsState {
         self.touch(body, model.head_bytes, |change, drops| *change += u8::from(drops))
     }
 
+    /// Passes the record of the next step, touching the strips that it changes.
     fn touch_finer(&mut self, model: &Mts<'_>) -> Option<()> {
         let length = model.parts.record_lengths[self.split_count];
         let (body, end) = record_at(&model.parts.arena, self.cursor, length)?;
@@ -155,7 +164,7 @@ impl MtsState {
         self.touch(body, model.head_bytes, |change, drops| *change -= u8::from(drops))
     }
 
-    /// Marks the strips of a record for a walk; `count` counts the changes of their places.
+    /// Marks the strips of a record for rebuilding; `count` updates the change count of each.
     #[inline]
     fn touch(&mut self, body: &[u8], head_bytes: usize, count: impl Fn(&mut u8, bool)) -> Option<()> {
         for_each_strip(body, head_bytes, |strip, drops| {
@@ -167,11 +176,12 @@ impl MtsState {
         })
     }
 
-    fn walk(&mut self, model: &Mts<'_>, strip: usize, vertex_count: u32) {
+    /// Rebuilds one strip, following the chain of targets of each slot.
+    fn rebuild(&mut self, model: &Mts<'_>, strip: usize, vertex_count: u32) {
         let live = &mut self.strips[strip];
-        let slot = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
-        let length = model.places(strip).recover(live.change, slot, |vertex| vertex);
-        for vertex in &mut slot[..length] {
+        let slots = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
+        let length = model.strip_slots(strip).recover(live.change, slots, |vertex| vertex);
+        for vertex in &mut slots[..length] {
             while *vertex >= vertex_count && *vertex != RESTART {
                 *vertex = model.vertices.target(*vertex);
             }
@@ -180,17 +190,18 @@ impl MtsState {
         live.is_touched = false;
     }
 
-    /// The same where it is known what each vertex shows.
-    fn walk_shown(&mut self, model: &Mts<'_>, strip: usize) {
+    /// Rebuilds one strip from the representatives that `find_representatives` has computed.
+    fn rebuild_from_representatives(&mut self, model: &Mts<'_>, strip: usize) {
         let live = &mut self.strips[strip];
-        let slot = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
-        let shown = |vertex: u32| self.shown[vertex as usize];
-        live.length = model.places(strip).recover(live.change, slot, shown) as u32;
+        let slots = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
+        let shown = |vertex: u32| self.representatives[vertex as usize];
+        live.length = model.strip_slots(strip).recover(live.change, slots, shown) as u32;
         live.is_touched = false;
     }
 }
 
-/// Calls `visit` with each strip of a record and whether its places change; `None` where the record ends too early.
+/// Calls `visit` with each strip of a record and whether it loses slots. Returns `None` if the record is
+/// truncated.
 #[inline]
 pub(super) fn for_each_strip(
     mut body: &[u8],
@@ -211,58 +222,59 @@ pub(super) fn for_each_strip(
     Some(())
 }
 
-/// One strip's part of the arrays.
+/// The slots and breaks of one strip.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Places<'m> {
+pub(super) struct StripSlots<'m> {
     pub(super) indices: &'m [u32],
     pub(super) lasts: &'m [u8],
     pub(super) breaks: &'m [[u8; 2]],
 }
 
-impl Places<'_> {
-    /// Writes what is left of the strip after so many changes; returns how many indices that is.
+impl StripSlots<'_> {
+    /// Writes the indices that are left after `change` changes of the strip; returns their number.
     #[inline]
-    pub(super) fn recover(&self, change: u8, slot: &mut [u32], shown: impl Fn(u32) -> u32) -> usize {
-        let take = |range: Range<usize>, slot: &mut [u32], mut length: usize| {
-            // Each index is written, and kept or not: which of them are left cannot be guessed.
+    pub(super) fn recover(&self, change: u8, slots: &mut [u32], shown: impl Fn(u32) -> u32) -> usize {
+        let take = |range: Range<usize>, slots: &mut [u32], mut length: usize| {
+            // Every index is written and then kept or overwritten: a branch here would be unpredictable.
             for (&index, &last) in self.indices[range.clone()].iter().zip(&self.lasts[range]) {
-                slot[length] = shown(index);
+                slots[length] = shown(index);
                 length += usize::from(last >= change);
             }
             length
         };
         let mut length = 0;
         let mut from = 0;
-        for &[place, since] in self.breaks {
-            let place = usize::from(place);
-            if since <= change && self.lasts[place] >= change {
-                length = take(from..place, slot, length);
-                from = place;
-                // Nothing may be left of what came before; behind a restart the place of its break is.
+        for &[slot, since] in self.breaks {
+            let slot = usize::from(slot);
+            if since <= change && self.lasts[slot] >= change {
+                length = take(from..slot, slots, length);
+                from = slot;
+                // Nothing may be left of the piece before. Otherwise the slot of the break follows the
+                // restart, so it survives.
                 if length > 0 {
-                    slot[length] = RESTART;
+                    slots[length] = RESTART;
                     length += 1;
                 }
             }
         }
-        take(from..self.indices.len(), slot, length)
+        take(from..self.indices.len(), slots, length)
     }
 }
 
 impl Mts<'_> {
     #[inline]
-    pub(super) fn places(&self, strip: usize) -> Places<'_> {
+    pub(super) fn strip_slots(&self, strip: usize) -> StripSlots<'_> {
         let parts = &self.parts;
-        let places = parts.offsets[strip] as usize..parts.offsets[strip + 1] as usize;
+        let slots = parts.offsets[strip] as usize..parts.offsets[strip + 1] as usize;
         let breaks = parts.break_offsets[strip] as usize..parts.break_offsets[strip + 1] as usize;
-        Places {
-            indices: &parts.indices[places.clone()],
-            lasts: &parts.lasts[places],
+        StripSlots {
+            indices: &parts.indices[slots.clone()],
+            lasts: &parts.lasts[slots],
             breaks: &parts.breaks[breaks],
         }
     }
 
-    /// How often strips change, over all steps.
+    /// Number of changes of strips, summed over all steps.
     pub fn change_count(&self) -> usize {
         let mut count = 0;
         let mut cursor = 0;

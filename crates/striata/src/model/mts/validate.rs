@@ -1,10 +1,10 @@
-//! Checking stored arrays: whatever passes cannot make a later walk fail, nor leave a strip unwalked that has to be.
+//! Validates stored arrays, so that later moves neither fail nor miss a strip that has to be rebuilt.
 //!
-//! What is left of a strip has to fit its slot after any of its changes. Every record is read once both ways. And each
-//! place is followed through its chain of targets for as long as it is there: the step of each vertex that it shows
-//! has to name its strip.
+//! After each of its changes, what is left of a strip must fit into its slots. Every record is read in
+//! both directions. Each slot is followed through its chain of targets for as long as it survives: the
+//! step of every vertex that it shows must list the slot's strip.
 
-use super::state::{Places, for_each_strip};
+use super::state::{StripSlots, for_each_strip};
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::model::record_arena::{record_at, record_before};
 use crate::model::{ModelError, StripModel};
@@ -22,21 +22,22 @@ pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
     }
     let touches = Touches::of(model)?;
     (0..model.strip_count()).try_for_each(|strip| {
-        let places = model.places(strip);
-        let fits = places.check().and_then(|()| places.check_touches(model, touches.of_strip(strip)));
+        let slots = model.strip_slots(strip);
+        let fits = slots.check().and_then(|()| slots.check_touches(model, touches.of_strip(strip)));
         fits.map_err(|reason| ModelError::Strip { strip, reason })
     })
 }
 
-/// For each strip the steps that change it, rising, each with the strip's change after it.
+/// For each strip, the steps that change it in ascending order, each with the strip's change count after
+/// it.
 struct Touches {
-    /// Where those of each strip begin, closed by their number.
+    /// Index of the first touch of each strip, followed by the number of touches.
     firsts: Vec<usize>,
     touches: Vec<(u32, u8)>,
 }
 
 impl Touches {
-    /// Reads every record both ways.
+    /// Reads every record in both directions.
     fn of(model: &Mts<'_>) -> Result<Self, ModelError> {
         let mut firsts = vec![0; model.strip_count() + 1];
         for_each_record(model, |_, strip, _| firsts[strip + 1] += 1)?;
@@ -65,25 +66,25 @@ impl Touches {
     }
 }
 
-impl Places<'_> {
-    /// Whether what is left of the strip fits its slot after any change, breaks counted.
+impl StripSlots<'_> {
+    /// Checks that what is left of the strip, including restarts, fits into its slots after every change.
     fn check(&self) -> Result<(), &'static str> {
         if !self.breaks.is_sorted_by(|a, b| a[0] < b[0]) {
             return Err("has breaks out of order");
         }
         if self.breaks.last().is_some_and(|b| usize::from(b[0]) >= self.indices.len()) {
-            return Err("has a break behind its end");
+            return Err("has a break beyond its end");
         }
-        // Places only go and breaks only come, so it is fullest where one comes.
+        // Slots only disappear and breaks only appear, so the strip is fullest just after a break appears.
         for &[_, change] in self.breaks {
             let (mut length, mut from) = (0, 0);
-            for &[place, since] in self.breaks {
-                let place = usize::from(place);
-                length += self.lasts[from..place].iter().filter(|&&last| last >= change).count();
-                from = place;
-                length += usize::from(since <= change && self.lasts[place] >= change);
-                if length > place {
-                    return Err("breaks where nothing was left out");
+            for &[slot, since] in self.breaks {
+                let slot = usize::from(slot);
+                length += self.lasts[from..slot].iter().filter(|&&last| last >= change).count();
+                from = slot;
+                length += usize::from(since <= change && self.lasts[slot] >= change);
+                if length > slot {
+                    return Err("has a break where no slot has been dropped");
                 }
             }
         }
@@ -91,8 +92,8 @@ impl Places<'_> {
     }
 }
 
-impl Places<'_> {
-    /// Whether the strip is walked at every step that takes a vertex away which one of its places shows.
+impl StripSlots<'_> {
+    /// Checks that the strip is rebuilt at every step that removes a vertex shown by one of its slots.
     fn check_touches(&self, model: &Mts<'_>, touches: &[(u32, u8)]) -> Result<(), &'static str> {
         let vertices = &model.vertices;
         for (&index, &last) in self.indices.iter().zip(self.lasts) {
@@ -105,7 +106,7 @@ impl Places<'_> {
                     break;
                 }
                 if touches.get(at).is_none_or(|touch| touch.0 != step) {
-                    return Err("is left alone by a step that takes one of its vertices");
+                    return Err("is not listed by a step that removes one of its vertices");
                 }
                 vertex = vertices.target(vertex);
             }
@@ -123,13 +124,14 @@ fn check_shape(model: &Mts<'_>) -> Result<(), ModelError> {
         if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
     };
     if let Some(found) = offsets.windows(2).map(|w| (w[1] - w[0]) as usize).find(|&n| n > MAX_STRIP_INDICES) {
-        return Err(ModelError::Length { what: "places of a strip", found, expected: MAX_STRIP_INDICES });
+        return Err(ModelError::Length { what: "slots of a strip", found, expected: MAX_STRIP_INDICES });
     }
     length("strips with breaks", break_offsets.len(), offsets.len())?;
     length("last changes", lasts.len(), indices.len())
 }
 
-/// Visits step, strip and whether it loses places, for all records; both lengths of each have to agree.
+/// Visits the step, the strip and whether it loses slots, for all records; the lengths at both ends must
+/// agree.
 fn for_each_record(model: &Mts<'_>, mut visit: impl FnMut(u32, usize, bool)) -> Result<(), ModelError> {
     let MtsParts { record_lengths, arena, .. } = &model.parts;
     let strip_count = model.strip_count();
@@ -151,7 +153,7 @@ fn for_each_record(model: &Mts<'_>, mut visit: impl FnMut(u32, usize, bool)) -> 
         })
         .ok_or(error("ends too early"))?;
         if !fits {
-            return Err(error("changes a strip that is not there"));
+            return Err(error("changes a strip that does not exist"));
         }
     }
     if cursor != arena.len() {
@@ -184,12 +186,12 @@ mod tests {
     }
 
     #[test]
-    fn what_was_built_is_sound() {
+    fn a_built_model_is_valid() {
         assert_eq!(checked(model(), |_| ()), Ok(()));
     }
 
     #[test]
-    fn a_step_has_to_name_every_strip_that_shows_its_vertices() {
+    fn a_step_must_list_every_strip_that_shows_its_vertices() {
         let step_count = model().parts.record_lengths.len();
         for step in 0..step_count {
             let found = checked(model(), |parts| {
@@ -198,16 +200,16 @@ mod tests {
                 assert!(length > 0, "on a grid each step changes a strip");
                 parts.arena.to_mut().drain(start..start + length);
             });
-            // Which strip it is that a place is left in depends on the step.
+            // Which strip keeps the stale slot depends on the step.
             assert!(
-                matches!(found, Err(ModelError::Strip { reason, .. }) if reason.contains("left alone")),
+                matches!(found, Err(ModelError::Strip { reason, .. }) if reason.contains("not listed")),
                 "step {step}: {found:?}"
             );
         }
     }
 
     #[test]
-    fn breaks_lie_in_their_strip_where_places_are_gone() {
+    fn breaks_must_lie_in_their_strip_where_slots_are_dropped() {
         let with_breaks = |at: &[[u8; 2]]| {
             checked(model(), |parts| {
                 parts.breaks = at.to_vec().into();
@@ -219,31 +221,28 @@ mod tests {
             Err(ModelError::Strip { strip: 0, reason }) => reason,
             other => panic!("{other:?}"),
         };
-        assert_eq!(reason(with_breaks(&[[200, 0]])), "has a break behind its end");
-        assert_eq!(reason(with_breaks(&[[2, 0]])), "breaks where nothing was left out");
+        assert_eq!(reason(with_breaks(&[[200, 0]])), "has a break beyond its end");
+        assert_eq!(reason(with_breaks(&[[2, 0]])), "has a break where no slot has been dropped");
         for breaks in [[[3, 9], [2, 9]], [[2, 9], [2, 9]]] {
             assert_eq!(reason(with_breaks(&breaks)), "has breaks out of order");
         }
     }
 
     #[test]
-    fn strips_are_short_and_change_seldom_enough_for_bytes() {
+    fn strip_lengths_and_change_counts_must_fit_into_a_byte() {
         let too_long = checked(model(), |parts| {
-            let place_count = parts.indices.len() as u32;
-            assert!(place_count as usize > MAX_STRIP_INDICES);
-            parts.offsets = vec![0, place_count].into();
+            let slot_count = parts.indices.len() as u32;
+            assert!(slot_count as usize > MAX_STRIP_INDICES);
+            parts.offsets = vec![0, slot_count].into();
             parts.group_offsets = vec![0, 1].into();
             parts.break_offsets = vec![0, 0].into();
             parts.breaks = Vec::new().into();
         });
-        assert!(
-            matches!(too_long, Err(ModelError::Length { what: "places of a strip", .. })),
-            "{too_long:?}"
-        );
+        assert!(matches!(too_long, Err(ModelError::Length { what: "slots of a strip", .. })), "{too_long:?}");
         let found = checked(model_of(&shapes::grid(20, 20)), |parts| {
             let step_count = parts.record_lengths.len();
             assert!(step_count > usize::from(u8::MAX));
-            // Each step takes places from the first strip, and from no other.
+            // Each step drops slots of the first strip only.
             parts.record_lengths.to_mut().fill(1);
             parts.arena = vec![1; step_count].into();
         });

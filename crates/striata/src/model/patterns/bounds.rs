@@ -1,22 +1,23 @@
-//! Where each fragment is, how its triangles are turned, and how far off its floor is: eight bytes each.
+//! Bounds of each fragment: a sphere, a normal cone and the error of its floor, in eight bytes.
 //!
-//! Fragments are nested along a tree: above each (coarser) is the oldest of those that make its floor. A fragment's bounds hold
-//! what it changes and the bounds of all below it in the tree, so that a fragment which is wanted is reached over others that
-//! are: the one above it weighs no less. The error is that of the fragment's own floor, or of one below where that is
-//! larger: what a certified sequence says of a floor holds wherever the floor is shown.
+//! Fragments are nested along a tree: the parent of a fragment is the oldest of those that create its
+//! floor. The bounds of a fragment enclose what it changes and the bounds of its descendants. Its parent
+//! never weighs less, so a wanted fragment is always reached through wanted ones. The error is that of the
+//! fragment's own floor or of a descendant's, whichever is larger; the certified error of a floor is valid
+//! wherever the floor is shown.
 
 use crate::mesh::FragmentedMesh;
 use crate::model::part_record::{Bounded, NO_STEP};
 use crate::model::step_bounds::StepBounds;
 
 impl StepBounds {
-    /// The bounds of a mesh's fragments.
+    /// Computes the bounds of a mesh's fragments.
     pub(super) fn of_fragments(mesh: &FragmentedMesh) -> Self {
         Self::build(&mut FragmentSteps { mesh })
     }
 }
 
-/// The fragments of a mesh as what is bounded.
+/// Adapter that provides the fragments of a mesh for bounding.
 struct FragmentSteps<'a> {
     mesh: &'a FragmentedMesh,
 }

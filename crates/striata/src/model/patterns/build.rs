@@ -1,8 +1,8 @@
-//! From fragments to patterns.
+//! Builds patterns from fragments.
 
 use std::collections::BinaryHeap;
 
-use super::overlaps::{MAX_RUN, OverlapBook, Share};
+use super::overlaps::{MAX_RUN, OverlapTableBuilder, Share};
 use super::records::{Draft, Records, Widths};
 use super::rule::{Rule, first_corner};
 use super::rule_table::RuleTable;
@@ -12,86 +12,92 @@ use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
 use crate::model::step_bounds::StepBounds;
 use crate::model::{ModelError, StepVertices};
 
-/// Steps that are looked at to find out whether one is needed by another; what is not found is listed though it need not be.
-const MAX_SEARCH: usize = 24;
+/// Limit of the search for redundant links down. A dependency that is not recognized as redundant is
+/// stored.
+const MAX_VISITED: usize = 24;
 
 impl Patterns {
-    /// The patterns of a mesh with fragments, whatever made them, with the bounds of the fragments.
+    /// Builds the patterns of a mesh with fragments of any origin, including the bounds of the fragments.
     ///
     /// # Errors
-    /// [`ModelError::TooMany`] where the links would take more than 512 MB.
+    /// [`ModelError::TooMany`] if the links would take more than 512 MB.
     pub fn build(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         let patterns = Self::build_without_bounds(mesh)?;
         Ok(Self { bounds: Some(StepBounds::of_fragments(mesh)), ..patterns })
     }
 
-    /// The same without bounds, as [`from_fragments`](Self::from_fragments).
+    /// Builds the patterns without bounds; see [`from_fragments`](Self::from_fragments).
     ///
     /// # Errors
-    /// As [`build`](Self::build).
+    /// Fails under the same conditions as [`build`](Self::build).
     pub fn build_without_bounds(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         Self::from_fragments(&mesh.fragments, mesh.mesh.groups.len().max(1))
     }
 
-    /// The same patterns without bounds.
+    /// Removes the bounds.
     pub fn without_bounds(self) -> Self {
         Self { bounds: None, ..self }
     }
 
-    /// The patterns of fragments alone, without positions and so without bounds. Uniform levels and conditions that ask nothing
-    /// of bounds need no more; a [`PatternScene`](super::PatternScene) and a file do.
+    /// Builds the patterns from fragments alone, without positions and therefore without bounds. That is
+    /// sufficient for uniform levels and for conditions that do not evaluate bounds; a
+    /// [`PatternScene`](super::PatternScene) and a file need them.
     ///
     /// # Errors
-    /// As [`build`](Self::build).
+    /// Fails under the same conditions as [`build`](Self::build).
     pub fn from_fragments(fragments: &FragmentSequence, group_count: usize) -> Result<Self, ModelError> {
         let mut rulebook = Rulebook::new(fragments, group_count);
-        let mut places = Places::new(fragments);
+        let mut locations = FaceLocations::new(fragments);
         let mut extras = Vec::new();
         let mut rules_of = Vec::with_capacity(fragments.step_count());
         for step in 0..fragments.step_count() as u32 {
             let matched = rulebook.find(step);
-            places.note(&matched, rulebook.rule(matched.rule));
+            locations.record(&matched, rulebook.rule(matched.rule));
             rules_of.push(matched.rule);
             extras.push(matched.locals);
         }
         let rules = rulebook.into_table();
         let extras = Extras::of(&rules, &rules_of, extras);
-        let mut ways = OverlapBook::default();
+        let mut sharings = OverlapTableBuilder::default();
         let mut drafts: Vec<Draft> = Vec::with_capacity(fragments.step_count());
         let mut ancestry = Ancestry::new(fragments.step_count());
         for step in 0..fragments.step_count() as u32 {
-            let (way, up) = places.share(step, &rules, &rules_of);
+            let (sharing, up) = locations.share(step, &rules, &rules_of);
             let below = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face)).collect();
             let down = ancestry.add(below);
-            drafts.push(Draft { rule: rules_of[step as usize], way: ways.find(way), up, down });
+            drafts.push(Draft { rule: rules_of[step as usize], sharing: sharings.find(sharing), up, down });
         }
-        let ways = ways.into_table();
-        let base = (0..fragments.base_face_count() as u32).map(|face| places.base_face(face)).collect();
+        let sharings = sharings.into_table();
+        let base = (0..fragments.base_face_count() as u32).map(|face| locations.base_face(face)).collect();
         let half_edge_count = rules.iter().map(|rule| 3 * rule.floor_count()).max().unwrap_or(0) as u32;
-        let widths =
-            Widths { rule_count: rules.len(), way_count: ways.len(), half_edge_count, offset_width: 0 };
+        let widths = Widths {
+            rule_count: rules.len(),
+            sharing_count: sharings.len(),
+            half_edge_count,
+            offset_width: 0,
+        };
         Ok(Self {
             vertices: StepVertices::of_levels(fragments.levels()),
             group_count,
             base,
-            unfounded: (0..fragments.step_count() as u32)
+            floorless: (0..fragments.step_count() as u32)
                 .filter(|&s| fragments.floor(s).is_empty())
                 .collect(),
             records: Records::pack(&drafts, widths)?,
             rules,
-            ways,
+            sharings,
             extras,
             bounds: None,
         })
     }
 }
 
-/// Vertices that a fragment has to name, since its triangles do not show them.
+/// Vertices that a fragment must list explicitly, because they do not follow from its triangles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::model) struct Extras {
-    /// Steps that name some, rising.
+    /// Steps that have extra vertices, ascending.
     pub(super) steps: Vec<u32>,
-    /// First vertex of each, closed by their number.
+    /// Index of the first extra vertex of each of these steps, followed by the number of extra vertices.
     pub(super) firsts: Vec<u32>,
     pub(super) vertices: Vec<u32>,
 }
@@ -110,7 +116,7 @@ impl Extras {
         extras
     }
 
-    /// The vertices that a step names.
+    /// Returns the extra vertices of a step.
     pub(super) fn of_step(&self, step: u32) -> &[u32] {
         match self.steps.binary_search(&step) {
             Ok(i) => &self.vertices[self.firsts[i] as usize..self.firsts[i + 1] as usize],
@@ -123,17 +129,18 @@ impl Extras {
     }
 }
 
-/// Where each face stands: in the ceiling of its maker and in the floor of what replaces it.
-struct Places<'a> {
+/// Location of each face in the ceiling of its creator and in the floor of the fragment that replaces it.
+struct FaceLocations<'a> {
     fragments: &'a FragmentSequence,
     replaced_by: Vec<u32>,
-    /// Faces of all ceilings in the order of their rules.
+    /// Faces of all ceilings, in the order of their rules.
     ceilings: Vec<u32>,
-    /// For each face the corner of its youngest vertex in the floor that it is in, as a half-edge of the rule.
+    /// For each face, the corner of its youngest vertex in the floor that contains it, as a half-edge of
+    /// the rule.
     half_edges: Vec<u32>,
 }
 
-impl<'a> Places<'a> {
+impl<'a> FaceLocations<'a> {
     fn new(fragments: &'a FragmentSequence) -> Self {
         Self {
             fragments,
@@ -143,8 +150,8 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// Takes down where the faces of the next step stand.
-    fn note(&mut self, matched: &Matched, rule: &Rule) {
+    /// Records the locations of the faces of the next step.
+    fn record(&mut self, matched: &Matched, rule: &Rule) {
         self.ceilings.extend_from_slice(&matched.ceiling);
         for (j, (&face, triangle)) in matched.floor.iter().zip(&rule.floor).enumerate() {
             let corners = triangle.map(|local| matched.locals[local as usize]);
@@ -160,7 +167,7 @@ impl<'a> Places<'a> {
         BaseFace { corners: first_corner([a, b, c], a.max(b).max(c)), group, above, half_edge }
     }
 
-    /// How a step's ceiling is shared, and the links of the shares.
+    /// Returns how the ceiling of a step is shared, and its links up.
     fn share(&self, step: u32, rules: &RuleTable, rules_of: &[u32]) -> (Vec<Share>, Vec<(u32, u32)>) {
         let base = self.fragments.base_face_count();
         let range = self.fragments.ceiling(step);
@@ -175,47 +182,48 @@ impl<'a> Places<'a> {
             }
         };
         let count = faces.len();
-        let mut way = vec![Share { link: Share::FULL, place: 0 }; count];
+        let mut sharing = vec![Share { link: Share::FULL, offset: 0 }; count];
         let mut up = Vec::new();
-        // Begins where a run does, so that none is cut where the ring was; links are numbered as their runs come.
+        // Starting at the beginning of a run ensures that no run is split at an arbitrary point of the
+        // ring.
         let start = (0..count).find(|&s| !follows(s, (s + count - 1) % count)).unwrap_or(0);
-        let mut place = 0;
+        let mut offset = 0;
         for i in 0..count {
             let s = (start + i) % count;
             if above(s) == FragmentSequence::NO_STEP {
                 continue;
             }
-            place += 1;
-            if i == 0 || place == MAX_RUN || !follows(s, (s + count - 1) % count) {
-                place = 0;
+            offset += 1;
+            if i == 0 || offset == MAX_RUN || !follows(s, (s + count - 1) % count) {
+                offset = 0;
                 up.push((above(s), half_edge(s)));
             }
-            way[s] = Share { link: up.len() as u32 - 1, place };
+            sharing[s] = Share { link: up.len() as u32 - 1, offset };
         }
-        renumber(&mut way, &mut up);
-        (way, up)
+        renumber(&mut sharing, &mut up);
+        (sharing, up)
     }
 }
 
-/// Numbers links in the order in which the ceiling names them, so that equal ways are equal.
-fn renumber(way: &mut [Share], up: &mut Vec<(u32, u32)>) {
+/// Renumbers links by first use in the ceiling, so that equivalent sharings become equal.
+fn renumber(sharing: &mut [Share], up: &mut Vec<(u32, u32)>) {
     let mut fresh = vec![u32::MAX; up.len()];
     let mut order = Vec::with_capacity(up.len());
-    for share in way.iter_mut().filter(|share| share.link != Share::FULL) {
-        let number = &mut fresh[share.link as usize];
-        if *number == u32::MAX {
-            *number = order.len() as u32;
+    for share in sharing.iter_mut().filter(|share| share.link != Share::FULL) {
+        let index = &mut fresh[share.link as usize];
+        if *index == u32::MAX {
+            *index = order.len() as u32;
             order.push(up[share.link as usize]);
         }
-        share.link = *number;
+        share.link = *index;
     }
     *up = order;
 }
 
-/// Who needs whom: finds the steps that are needed by others of a list anyway.
+/// The dependencies between steps, used to remove those that follow from others.
 struct Ancestry {
     below: Vec<Vec<u32>>,
-    /// The step for which each was seen last.
+    /// For each step, the last step whose dependencies included it.
     seen: Vec<u32>,
     waiting: BinaryHeap<u32>,
 }
@@ -229,7 +237,8 @@ impl Ancestry {
         }
     }
 
-    /// Adds a step that stands on others; returns those of them that none of the rest needs, youngest first.
+    /// Adds a step and the steps that it depends on. Returns those that none of the others depends on,
+    /// youngest first.
     fn add(&mut self, mut below: Vec<u32>) -> Vec<u32> {
         below.sort_unstable_by(|a, b| b.cmp(a));
         below.dedup();
@@ -240,12 +249,12 @@ impl Ancestry {
         };
         let mut kept: Vec<u32> = Vec::new();
         self.waiting.clear();
-        let mut looked_at = 0;
+        let mut visited_count = 0;
         for &candidate in &below {
-            // Youngest first, and no further down than to the candidate: what is older cannot need it.
-            while self.waiting.peek().is_some_and(|&at| at > candidate) && looked_at < MAX_SEARCH {
+            // Youngest first, and no further than the candidate: older steps cannot depend on it.
+            while self.waiting.peek().is_some_and(|&at| at > candidate) && visited_count < MAX_VISITED {
                 let Some(younger) = self.waiting.pop() else { break };
-                looked_at += 1;
+                visited_count += 1;
                 for &next in &self.below[younger as usize] {
                     if next >= oldest && self.seen[next as usize] != step {
                         self.seen[next as usize] = step;
@@ -269,7 +278,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_others_need_anyway_is_not_listed() {
+    fn redundant_dependencies_are_not_listed() {
         let mut ancestry = Ancestry::new(6);
         let lists: [(&[u32], &[u32]); 6] = [
             (&[], &[]),
@@ -285,12 +294,12 @@ mod tests {
     }
 
     #[test]
-    fn links_are_numbered_as_the_ceiling_names_them() {
-        let share = |link| Share { link, place: 0 };
-        let mut way = [2, Share::FULL, 0, 2, 1].map(share);
+    fn links_are_numbered_by_first_use() {
+        let share = |link| Share { link, offset: 0 };
+        let mut sharing = [2, Share::FULL, 0, 2, 1].map(share);
         let mut up = vec![(7, 0), (8, 1), (9, 2)];
-        renumber(&mut way, &mut up);
-        assert_eq!(way, [0, Share::FULL, 1, 0, 2].map(share));
+        renumber(&mut sharing, &mut up);
+        assert_eq!(sharing, [0, Share::FULL, 1, 0, 2].map(share));
         assert_eq!(up, [(9, 2), (7, 0), (8, 1)]);
     }
 }

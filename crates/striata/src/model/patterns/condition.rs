@@ -1,26 +1,30 @@
-//! Selective refinement: the coarsest set of fragments that satisfies a condition (section 3.4 of \[KG98\]).
+//! Selective refinement: the coarsest set of fragments that satisfies a condition (section 3.4 of
+//! \[KG98\]).
 //!
-//! A condition says of an overlap whether its triangles are too coarse. Of all sets of fragments that stand, and in which no
-//! triangle is too coarse, one is contained in all others: if two sets stand and are fine enough, so is what they have in
-//! common. [`PatternInstance::adapt`] finds it by going up from the base, over what is too coarse and over what that stands on.
+//! A condition decides whether the triangles of an overlap are too coarse. Among all valid sets of
+//! fragments without triangles that are too coarse, one is contained in all others: if two sets are valid
+//! and fine enough, so is their intersection. [`PatternInstance::adapt`] finds it by working upwards from
+//! the base, through fragments that replace triangles that are too coarse, and their dependencies.
 
 use super::{PatternInstance, PatternScene, Patterns};
 use crate::model::step_bits::StepBits;
 use crate::view::Criterion;
 
-/// The triangles that one fragment makes and another replaces.
+/// The triangles that one fragment creates and another one replaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Overlap {
-    /// The fragment whose ceiling they are in; none: they are of the base, or the upper fragment has no floor, and is
-    /// asked for so that it can come at all.
+    /// Fragment whose ceiling contains the triangles. `None` if they belong to the base mesh, or if the
+    /// upper fragment has no floor; such a fragment is evaluated too, because nothing else could cause it
+    /// to be inserted.
     pub lower: Option<u32>,
-    /// The fragment whose floor they are in.
+    /// Fragment whose floor contains the triangles.
     pub upper: u32,
 }
 
-/// Says what is too coarse. Any function of an overlap is a condition; one of fragments looks at `upper` alone.
+/// Decides which overlaps are too coarse. Any function of an overlap is a condition; to select fragments,
+/// consider only `upper`.
 pub trait Condition {
-    /// Whether the triangles of an overlap must not be shown, so that the upper fragment has to be inserted.
+    /// Whether the triangles of an overlap are too coarse, so that the upper fragment must be inserted.
     fn is_too_coarse(&self, overlap: Overlap) -> bool;
 }
 
@@ -30,7 +34,8 @@ impl<F: Fn(Overlap) -> bool> Condition for F {
     }
 }
 
-/// A criterion of views as a condition: fragments that it wants.
+/// A condition derived from a view criterion: an overlap is too coarse if the criterion wants its upper
+/// fragment.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted<'a, C> {
     scene: PatternScene<'a>,
@@ -38,7 +43,7 @@ pub struct Wanted<'a, C> {
 }
 
 impl<'a, C: Criterion> Wanted<'a, C> {
-    /// What a criterion wants of a scene.
+    /// Combines a scene with a view criterion.
     pub fn new(scene: PatternScene<'a>, criterion: &'a C) -> Self {
         Self { scene, criterion }
     }
@@ -50,20 +55,20 @@ impl<C: Criterion> Condition for Wanted<'_, C> {
     }
 }
 
-/// What an instance did to satisfy a condition.
+/// Summary of what an instance changed to satisfy a condition.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PatternChange {
-    /// Fragments that were inserted.
+    /// Number of fragments inserted.
     pub inserted: usize,
-    /// Fragments that were removed.
+    /// Number of fragments removed.
     pub removed: usize,
 }
 
 impl PatternInstance {
-    /// Goes to the smallest set that satisfies a condition, whatever is there before.
+    /// Moves to the smallest valid set that satisfies a condition, regardless of the current set.
     ///
     /// # Panics
-    /// If the instance is of another model.
+    /// If the instance belongs to a different model.
     pub fn adapt(&mut self, patterns: &Patterns, condition: &impl Condition) -> PatternChange {
         self.check(patterns);
         let mut change = PatternChange::default();
@@ -73,7 +78,7 @@ impl PatternInstance {
                 wanted.insert(above);
             }
         }
-        // By number: records are read as they stand in memory, and what a fragment stands on is mostly there.
+        // In ascending order, records are read sequentially, and most dependencies are already inserted.
         let mut waiting = Vec::new();
         let mut next = 0;
         while let Some(step) = wanted.first_from(next) {
@@ -90,7 +95,7 @@ impl PatternInstance {
                 if !self.is_refined(step) {
                     self.lay_foundation(patterns, step, |_| change.inserted += 1);
                 }
-                for link in 0..patterns.ways.link_count(head.way) {
+                for link in 0..patterns.sharings.link_count(head.sharing) {
                     let (upper, _) = patterns.records.up(&head, link);
                     if !wanted.has(upper) && condition.is_too_coarse(Overlap { lower: Some(step), upper }) {
                         wanted.insert(upper);
@@ -101,7 +106,7 @@ impl PatternInstance {
                 }
             }
         }
-        // Whatever stands on a fragment is younger, so it has gone before.
+        // Fragments that depend on this one are younger, so they have been removed before.
         let mut end = patterns.fragment_count() as u32;
         while let Some(step) = self.last_inserted_before(end) {
             if !wanted.has(step) {
@@ -110,18 +115,20 @@ impl PatternInstance {
             }
             end = step;
         }
-        self.tidy();
+        self.compact();
         change
     }
 
-    /// Removes fragments, the youngest first, on which nothing stands and below which nothing is too coarse, until none is
-    /// left: the first half of the paper's algorithm. Returns how many.
+    /// Removes fragments on which no other depends and whose floor is not too coarse, youngest first,
+    /// until there is none left: the first half of the paper's algorithm. Returns the number of fragments
+    /// removed.
     ///
-    /// Fragments that hold each other stay: one that is wanted only by triangles which themselves are not needed.
-    /// With a condition that never calls a triangle too coarse unless those that it replaced are, there are none.
+    /// Fragments that keep each other alive remain: those that are only wanted because of triangles that
+    /// are not needed themselves. There are none if the condition never rejects a triangle without also
+    /// rejecting those that it replaced.
     ///
     /// # Panics
-    /// If the instance is of another model.
+    /// If the instance belongs to a different model.
     pub fn coarsen(&mut self, patterns: &Patterns, condition: &impl Condition) -> usize {
         self.check(patterns);
         let before = self.split_count();
@@ -138,15 +145,15 @@ impl PatternInstance {
                 self.remove_top(patterns, step);
             }
         }
-        self.tidy();
+        self.compact();
         before - self.split_count()
     }
 
-    /// Inserts fragments, and what they stand on, until no triangle that is there is too coarse: the second half of the paper's
-    /// algorithm. Returns how many.
+    /// Inserts fragments, and those that they depend on, until no current triangle is too coarse: the
+    /// second half of the paper's algorithm. Returns the number of fragments inserted.
     ///
     /// # Panics
-    /// If the instance is of another model.
+    /// If the instance belongs to a different model.
     pub fn refine(&mut self, patterns: &Patterns, condition: &impl Condition) -> usize {
         self.check(patterns);
         let before = self.split_count();
@@ -177,9 +184,10 @@ impl PatternInstance {
 }
 
 impl Patterns {
-    /// Fragments whose floor has triangles of the base, some of them several times, and those that have no floor.
+    /// Returns fragments whose floor contains base triangles, possibly repeated, and those without a
+    /// floor.
     fn above_base(&self) -> impl Iterator<Item = u32> + use<'_> {
         let of_base = self.base.iter().map(|face| face.above).filter(|&above| above != super::rule::NONE);
-        of_base.chain(self.unfounded.iter().copied())
+        of_base.chain(self.floorless.iter().copied())
     }
 }

@@ -1,34 +1,35 @@
-//! An instance: which fragments are inserted, and the triangles that are there.
+//! An instance: the set of inserted fragments and the current triangles.
 //!
-//! Every triangle waits in a list: of the step that would replace it, or, if the full mesh shows it, of the step that made it. So
-//! the floor of a step that can be inserted is its list, whatever the rest of the surface looks like, and no neighbors have
-//! to be kept. What stands in the list says where in the rule's floor a triangle is; corners begin with the youngest, so its
-//! vertices are known too.
+//! Every triangle is in a list: that of the step that would replace it or, if it is part of the full mesh,
+//! that of the step that created it. So when a step can be inserted, its list is exactly its floor, and no
+//! adjacency has to be maintained. Each list entry stores where in the rule's floor its triangle belongs.
+//! The corners of a triangle begin with the youngest, so this identifies its vertices too.
 
 use super::overlaps::Share;
 use super::records::Head;
 use super::rule::{NONE, first_corner};
 use super::rule_table::RuleRef;
-use super::{Patterns, place_of, place_tag};
+use super::{Patterns, pack_floor_location, unpack_floor_location};
 use crate::model::step_bits::StepBits;
 
-/// A triangle that is there, or a free place.
+/// A current triangle, or a free slot.
 #[derive(Clone, Copy, Debug)]
 struct Slot {
-    /// The youngest first; [`NONE`] in a free place.
+    /// Vertices, youngest first; [`NONE`] in a free slot.
     corners: [u32; 3],
-    /// The next triangle of the same list, or the next free place.
+    /// Next triangle of the same list, or next free slot.
     next: u32,
-    /// Where in the floor above the triangle is, see [`place_tag`]; for one of the full mesh its place in its ceiling.
-    place: u32,
+    /// Location in the floor above, see [`pack_floor_location`]; for a triangle of the full mesh, its
+    /// index in its ceiling.
+    location: u32,
 }
 
-/// Fewer places are left as they are.
-const MIN_TIDIED: usize = 1024;
+/// Smaller arrays are not compacted.
+const MIN_COMPACTED: usize = 1024;
 
-/// An instance of patterns: a set of inserted fragments that stands, and its triangles.
+/// An instance of the model: a valid set of inserted fragments and the triangles that it shows.
 ///
-/// Two are equal if they have the same fragments inserted.
+/// Two instances are equal if the same fragments are inserted.
 #[derive(Clone, Debug)]
 pub struct PatternInstance {
     inserted: StepBits,
@@ -36,7 +37,7 @@ pub struct PatternInstance {
     /// First triangle of each step's list.
     heads: Vec<u32>,
     slots: Vec<Slot>,
-    /// Group of each slot's triangle; empty in a model of one group.
+    /// Group of each slot's triangle; empty if the model has only one group.
     groups: Vec<u32>,
     free: u32,
     triangle_count: usize,
@@ -51,12 +52,12 @@ struct Scratch {
     waiting: Vec<u32>,
 }
 
-/// A triangle of a ceiling that something may replace, and its place there.
+/// A ceiling triangle that some fragment can replace, and its location in the floor of that fragment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Shared {
     above: u32,
     half_edge: u32,
-    /// Its number in the ceiling.
+    /// Index of the triangle in the ceiling.
     triangle: u32,
 }
 
@@ -69,7 +70,7 @@ impl PartialEq for PatternInstance {
 impl Eq for PatternInstance {}
 
 impl PatternInstance {
-    /// An instance that shows the base.
+    /// Returns an instance that shows the base mesh.
     pub fn base(patterns: &Patterns) -> Self {
         let step_count = patterns.records.step_count;
         let mut instance = Self {
@@ -83,43 +84,43 @@ impl PatternInstance {
             scratch: Scratch::default(),
         };
         for face in &patterns.base {
-            let slot = instance.place(patterns, face.corners, face.group);
+            let slot = instance.add_triangle(patterns, face.corners, face.group);
             if face.above != NONE {
-                instance.list(face.above, slot, place_tag(face.half_edge, 0));
+                instance.list(face.above, slot, pack_floor_location(face.half_edge, 0));
             }
         }
         instance
     }
 
-    /// An instance that shows the full mesh.
+    /// Returns an instance that shows the full mesh.
     pub fn full(patterns: &Patterns) -> Self {
         let mut instance = Self::base(patterns);
         for step in 0..patterns.records.step_count as u32 {
-            instance.insert_founded(patterns, step);
+            instance.insert_supported(patterns, step);
         }
         instance
     }
 
-    /// Whether a fragment is inserted: the position that its step restores is then there.
+    /// Whether a fragment is inserted, that is, the position that its step restores is active.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn is_refined(&self, step: u32) -> bool {
         self.inserted.has(step)
     }
 
-    /// Fragments that are inserted.
+    /// Number of inserted fragments.
     pub fn split_count(&self) -> usize {
         self.split_count
     }
 
-    /// Triangles that are there.
+    /// Number of current triangles.
     pub fn triangle_count(&self) -> usize {
         self.triangle_count
     }
 
-    /// Bytes that the instance owns.
+    /// Number of bytes that the instance owns.
     pub fn bytes(&self) -> usize {
         self.inserted.bytes()
             + size_of_val(&self.heads[..])
@@ -127,11 +128,11 @@ impl PatternInstance {
             + size_of_val(&self.groups[..])
     }
 
-    /// Inserts a fragment, and before it all that it stands on; returns how many that were. `lay_foundation` of \[KG98\]
-    /// without recursion.
+    /// Inserts a fragment and everything that it depends on; returns the number of fragments inserted.
+    /// This is `lay_foundation` of \[KG98\] without recursion.
     ///
     /// # Panics
-    /// If there is no such step, or the instance is of another model.
+    /// If the step does not exist, or the instance belongs to a different model.
     pub fn insert(&mut self, patterns: &Patterns, step: u32) -> usize {
         self.check(patterns);
         let before = self.split_count;
@@ -139,10 +140,10 @@ impl PatternInstance {
         self.split_count - before
     }
 
-    /// Removes a fragment, and before it all that stands on it; returns how many that were.
+    /// Removes a fragment and everything that depends on it; returns the number of fragments removed.
     ///
     /// # Panics
-    /// If there is no such step, or the instance is of another model.
+    /// If the step does not exist, or the instance belongs to a different model.
     pub fn remove(&mut self, patterns: &Patterns, step: u32) -> usize {
         self.check(patterns);
         let before = self.split_count;
@@ -163,17 +164,17 @@ impl PatternInstance {
                 self.remove_top(patterns, step);
             }
         }
-        self.tidy();
+        self.compact();
         before - self.split_count
     }
 
-    /// Appends the triangles that are there; in no order that means anything.
+    /// Appends the current triangles, in unspecified order.
     pub fn triangles_into(&self, out: &mut Vec<[u32; 3]>) {
         out.reserve(self.triangle_count);
         out.extend(self.slots.iter().map(|slot| slot.corners).filter(|corners| corners[0] != NONE));
     }
 
-    /// Appends the triangles of one group.
+    /// Appends the current triangles of one group.
     pub fn group_triangles_into(&self, group: u32, out: &mut Vec<[u32; 3]>) {
         if self.groups.is_empty() {
             if group == 0 {
@@ -189,9 +190,9 @@ impl PatternInstance {
         out.extend(of_group.map(|(slot, _)| slot.corners));
     }
 
-    /// Gives memory back once most places are free, so that what is left stands together.
-    pub(super) fn tidy(&mut self) {
-        if self.slots.len() < MIN_TIDIED || self.triangle_count > self.slots.len() / 4 {
+    /// Compacts the slots and releases memory once most slots are free.
+    pub(super) fn compact(&mut self) {
+        if self.slots.len() < MIN_COMPACTED || self.triangle_count > self.slots.len() / 4 {
             return;
         }
         let mut moved = vec![NONE; self.slots.len()];
@@ -202,15 +203,15 @@ impl PatternInstance {
                 live += 1;
             }
         }
-        let follow = |slot: u32| if slot == NONE { NONE } else { moved[slot as usize] };
-        self.heads.iter_mut().for_each(|head| *head = follow(*head));
+        let renumber = |slot: u32| if slot == NONE { NONE } else { moved[slot as usize] };
+        self.heads.iter_mut().for_each(|head| *head = renumber(*head));
         let mut from = moved.iter();
         if !self.groups.is_empty() {
-            self.groups.retain(|_| *from.next().expect("a group for each place") != NONE);
+            self.groups.retain(|_| *from.next().expect("a group for each slot") != NONE);
             self.groups.shrink_to_fit();
         }
         self.slots.retain_mut(|slot| {
-            slot.next = follow(slot.next);
+            slot.next = renumber(slot.next);
             slot.corners[0] != NONE
         });
         self.slots.shrink_to_fit();
@@ -218,22 +219,26 @@ impl PatternInstance {
     }
 
     pub(super) fn check(&self, patterns: &Patterns) {
-        assert_eq!(self.heads.len(), patterns.records.step_count, "the instance is of another model");
+        assert_eq!(
+            self.heads.len(),
+            patterns.records.step_count,
+            "the instance belongs to a different model"
+        );
     }
 
-    /// The last inserted step before one.
+    /// Returns the last inserted step before `end`.
     pub(super) fn last_inserted_before(&self, end: u32) -> Option<u32> {
         self.inserted.last_before(end)
     }
 
-    /// Whether something that stands on a step is inserted.
+    /// Whether any fragment that depends on a step is inserted.
     pub(super) fn is_covered(&self, patterns: &Patterns, step: u32) -> bool {
         let head = patterns.records.head(step);
-        (0..patterns.ways.link_count(head.way))
+        (0..patterns.sharings.link_count(head.sharing))
             .any(|link| self.inserted.has(patterns.records.up(&head, link).0))
     }
 
-    /// Inserts a step and whatever it stands on; tells each as it goes in.
+    /// Inserts a step and everything that it depends on; calls `inserted` for each inserted step.
     pub(super) fn lay_foundation(&mut self, patterns: &Patterns, step: u32, mut inserted: impl FnMut(u32)) {
         let mut waiting = std::mem::take(&mut self.scratch.waiting);
         waiting.push(step);
@@ -248,38 +253,38 @@ impl PatternInstance {
             waiting.extend(missing);
             if waiting.len() == known {
                 waiting.pop();
-                self.insert_founded(patterns, step);
+                self.insert_supported(patterns, step);
                 inserted(step);
             }
         }
         self.scratch.waiting = waiting;
     }
 
-    /// Inserts a step that has its whole floor: the floor's triangles become the ceiling's.
-    pub(super) fn insert_founded(&mut self, patterns: &Patterns, step: u32) {
+    /// Inserts a step whose floor is complete, replacing the floor's triangles by those of the ceiling.
+    pub(super) fn insert_supported(&mut self, patterns: &Patterns, step: u32) {
         let head = patterns.records.head(step);
         let rule = patterns.rules.rule(head.rule);
         let mut scratch = std::mem::take(&mut self.scratch);
         scratch.start(patterns, step, &rule);
         let mut slot = std::mem::replace(&mut self.heads[step as usize], NONE);
         while slot != NONE {
-            let Slot { corners, next, place, .. } = self.slots[slot as usize];
-            let (half_edge, along) = place_of(place);
-            let half_edge = rule.around(half_edge, along).expect("a run goes on around its vertex");
-            scratch.set(turned(rule.floor(half_edge as usize / 3), half_edge % 3), corners);
+            let Slot { corners, next, location, .. } = self.slots[slot as usize];
+            let (half_edge, along) = unpack_floor_location(location);
+            let half_edge = rule.around(half_edge, along).expect("a run continues around its vertex");
+            scratch.set(rotated(rule.floor(half_edge as usize / 3), half_edge % 3), corners);
             self.release(slot);
             slot = next;
         }
         scratch.load_links(patterns, &head);
         for s in 0..rule.ceiling_count() {
             let corners = rule.ceiling(s).map(|local| scratch.locals[local as usize]);
-            let slot = self.place(patterns, corners, rule.group(s));
-            let share = patterns.ways.share(head.way, s);
+            let slot = self.add_triangle(patterns, corners, rule.group(s));
+            let share = patterns.sharings.share(head.sharing, s);
             if share.link == Share::FULL {
                 self.list(step, slot, s as u32);
             } else {
                 let (above, half_edge) = scratch.links[share.link as usize];
-                self.list(above, slot, place_tag(half_edge, share.place));
+                self.list(above, slot, pack_floor_location(half_edge, share.offset));
             }
         }
         self.scratch = scratch;
@@ -287,7 +292,7 @@ impl PatternInstance {
         self.split_count += 1;
     }
 
-    /// Removes a step on which nothing stands: the ceiling's triangles become the floor's.
+    /// Removes a step on which no other depends, replacing the ceiling's triangles by those of the floor.
     pub(super) fn remove_top(&mut self, patterns: &Patterns, step: u32) {
         let head = patterns.records.head(step);
         let rule = patterns.rules.rule(head.rule);
@@ -298,16 +303,16 @@ impl PatternInstance {
             let youngest = corners[0].max(corners[1]).max(corners[2]);
             let corner = corners.iter().position(|&v| v == youngest).unwrap_or(0);
             let group = rule.group(rule.ceiling_count() + j);
-            let slot = self.place(patterns, first_corner(corners, youngest), group);
-            self.list(step, slot, place_tag((3 * j + corner) as u32, 0));
+            let slot = self.add_triangle(patterns, first_corner(corners, youngest), group);
+            self.list(step, slot, pack_floor_location((3 * j + corner) as u32, 0));
         }
         self.scratch = scratch;
         self.inserted.remove(step);
         self.split_count -= 1;
     }
 
-    /// The steps that make the floor of an inserted step on which nothing stands, none for the base and for no floor; some several
-    /// times.
+    /// Finds the steps that create the floor of an inserted step on which no other depends: `None` for the
+    /// base mesh and if there is no floor. A step may be listed several times.
     pub(super) fn floor_makers_into(&mut self, patterns: &Patterns, step: u32, out: &mut Vec<Option<u32>>) {
         let head = patterns.records.head(step);
         let mut scratch = std::mem::take(&mut self.scratch);
@@ -326,44 +331,44 @@ impl PatternInstance {
         self.scratch = scratch;
     }
 
-    /// Reads the vertices of a ceiling, all of which is there, off its triangles; and takes these away if asked to.
+    /// Reads the vertices of a complete ceiling from its triangles, and optionally removes these.
     fn read_ceiling(
         &mut self,
         patterns: &Patterns,
         (step, head): (u32, &Head),
         scratch: &mut Scratch,
-        is_taken_away: bool,
+        remove: bool,
     ) {
         let rule = patterns.rules.rule(head.rule);
         scratch.start(patterns, step, &rule);
         let mut slot = self.heads[step as usize];
         while slot != NONE {
-            let Slot { corners, next, place, .. } = self.slots[slot as usize];
-            scratch.set(rule.ceiling(place as usize), corners);
-            if is_taken_away {
+            let Slot { corners, next, location, .. } = self.slots[slot as usize];
+            scratch.set(rule.ceiling(location as usize), corners);
+            if remove {
                 self.release(slot);
             }
             slot = next;
         }
-        if is_taken_away {
+        if remove {
             self.heads[step as usize] = NONE;
         }
         scratch.load_shared(patterns, head);
         let shared = std::mem::take(&mut scratch.shared);
         for own in shared.chunk_by(|a, b| a.above == b.above) {
-            self.read_above(patterns, own, is_taken_away, |triangle, corners| {
+            self.read_above(patterns, own, remove, |triangle, corners| {
                 scratch.set(rule.ceiling(triangle as usize), corners);
             });
         }
         scratch.shared = shared;
     }
 
-    /// Reads triangles of one ceiling that are in the list of the same step above.
+    /// Reads those triangles of a ceiling that are in the list of one step above.
     fn read_above(
         &mut self,
         patterns: &Patterns,
         own: &[Shared],
-        is_taken_away: bool,
+        remove: bool,
         mut visit: impl FnMut(u32, [u32; 3]),
     ) {
         let above = own[0].above;
@@ -371,15 +376,15 @@ impl PatternInstance {
         let (mut slot, mut before) = (self.heads[above as usize], NONE);
         let mut left = own.len();
         while slot != NONE && left > 0 {
-            let Slot { corners, next, place, .. } = self.slots[slot as usize];
-            let (from, along) = place_of(place);
+            let Slot { corners, next, location, .. } = self.slots[slot as usize];
+            let (from, along) = unpack_floor_location(location);
             let at = floor.around(from, along);
             let found = own.binary_search_by_key(&at, |shared| Some(shared.half_edge));
             if let Ok(found) = found {
                 visit(own[found].triangle, corners);
                 left -= 1;
             }
-            if found.is_ok() && is_taken_away {
+            if found.is_ok() && remove {
                 match before {
                     NONE => self.heads[above as usize] = next,
                     before => self.slots[before as usize].next = next,
@@ -392,10 +397,10 @@ impl PatternInstance {
         }
     }
 
-    /// Puts a triangle into a free place.
-    fn place(&mut self, patterns: &Patterns, corners: [u32; 3], group: u32) -> u32 {
+    /// Stores a triangle in a free slot, and returns the slot.
+    fn add_triangle(&mut self, patterns: &Patterns, corners: [u32; 3], group: u32) -> u32 {
         self.triangle_count += 1;
-        let slot = Slot { corners, next: NONE, place: 0 };
+        let slot = Slot { corners, next: NONE, location: 0 };
         let at = if self.free == NONE {
             self.slots.push(slot);
             if patterns.group_count > 1 {
@@ -415,22 +420,22 @@ impl PatternInstance {
 
     fn release(&mut self, slot: u32) {
         self.triangle_count -= 1;
-        self.slots[slot as usize] = Slot { corners: [NONE; 3], next: self.free, place: 0 };
+        self.slots[slot as usize] = Slot { corners: [NONE; 3], next: self.free, location: 0 };
         self.free = slot;
     }
 
-    /// Puts a triangle into the list of a step.
+    /// Adds a triangle to the list of a step.
     #[inline]
-    fn list(&mut self, step: u32, slot: u32, place: u32) {
+    fn list(&mut self, step: u32, slot: u32, location: u32) {
         let head = &mut self.heads[step as usize];
         let entry = &mut self.slots[slot as usize];
         entry.next = std::mem::replace(head, slot);
-        entry.place = place;
+        entry.location = location;
     }
 }
 
 impl Scratch {
-    /// Sets the vertices that a step restores and those that it names.
+    /// Sets the vertices that a step restores and its extra vertices.
     fn start(&mut self, patterns: &Patterns, step: u32, rule: &RuleRef<'_>) {
         self.locals.clear();
         self.locals.extend(patterns.vertices.of_step(step as usize));
@@ -448,12 +453,12 @@ impl Scratch {
         patterns.links_into(head, &mut self.links);
     }
 
-    /// Finds where the triangles of a ceiling go, sorted, so that each list above is gone through once.
+    /// Finds where the triangles of a ceiling go, sorted, so that each list above is traversed only once.
     fn load_shared(&mut self, patterns: &Patterns, head: &Head) {
         self.load_links(patterns, head);
         self.shared.clear();
         let mut floor_of = (NONE, None);
-        for (share, triangle) in patterns.ways.shares(head.way).zip(0..) {
+        for (share, triangle) in patterns.sharings.shares(head.sharing).zip(0..) {
             if share.link == Share::FULL {
                 continue;
             }
@@ -463,7 +468,7 @@ impl Scratch {
                 _ => patterns.rules.rule(patterns.records.head(above).rule),
             };
             floor_of = (above, Some(floor));
-            let half_edge = floor.around(first, share.place).expect("a run goes on around its vertex");
+            let half_edge = floor.around(first, share.offset).expect("a run continues around its vertex");
             self.shared.push(Shared { above, half_edge, triangle });
         }
         self.shared.sort_unstable();
@@ -476,9 +481,9 @@ impl Scratch {
     }
 }
 
-/// A triangle begun at one of its corners.
+/// Rotates a triangle so that the given corner comes first.
 #[inline]
-fn turned([a, b, c]: [u32; 3], corner: u32) -> [u32; 3] {
+fn rotated([a, b, c]: [u32; 3], corner: u32) -> [u32; 3] {
     match corner {
         0 => [a, b, c],
         1 => [b, c, a],

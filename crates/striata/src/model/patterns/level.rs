@@ -3,14 +3,14 @@
 use super::{PatternInstance, Patterns};
 use crate::model::{DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};
 
-/// An instance at a uniform level.
+/// An instance of [`Patterns`] at a uniform level.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PatternsState {
     instance: PatternInstance,
 }
 
 impl PatternsState {
-    /// The instance.
+    /// Returns the instance.
     pub fn instance(&self) -> &PatternInstance {
         &self.instance
     }
@@ -43,7 +43,7 @@ impl LodModel for Patterns {
             state.instance.remove_top(self, step as u32);
         }
         for step in now..split_count {
-            state.instance.insert_founded(self, step as u32);
+            state.instance.insert_supported(self, step as u32);
         }
     }
 
@@ -74,8 +74,8 @@ impl LodModel for Patterns {
             part("records", records),
             part("blocks of records", blocks),
             part("table of rules", self.rules.bytes()),
-            part("table of ways", self.ways.bytes()),
-            part("base", size_of_val(&self.base[..]) + size_of_val(&self.unfounded[..])),
+            part("table of sharings", self.sharings.bytes()),
+            part("base", size_of_val(&self.base[..]) + size_of_val(&self.floorless[..])),
             part("named vertices", self.extras.bytes()),
             part("first vertices", size_of_val(&self.vertices.firsts[..])),
         ];

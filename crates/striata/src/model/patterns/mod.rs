@@ -1,31 +1,34 @@
-//! Patterns \[KG98\]: a Multi-Triangulation without its triangles, and the coarsest surface that satisfies a condition.
+//! Patterns \[KG98\]: a Multi-Triangulation stored without its triangles, and the coarsest surface that
+//! satisfies a condition.
 //!
-//! Each step is a **fragment**: a few triangles around a position, the **ceiling**, which can replace the coarser
-//! **floor**. Few kinds of fragments exist, so what a fragment looks like is stored once, as a **rule**; of the fragment itself there
-//! remain the rule's number and how it hangs together with others: where a triangle of its ceiling is in a floor, the two
-//! **overlap**.
+//! Each step is a **fragment**: a few triangles around a position, the **ceiling**, which can replace the
+//! coarser **floor**. Only a few kinds of fragments exist, so the shape of a fragment is stored once, as a
+//! **rule**. The fragment itself stores only the index of its rule and how it is connected to other
+//! fragments: if a triangle of its ceiling belongs to the floor of another fragment, the two **overlap**.
 //!
 //! ```text
 //!    floor of f          ceiling of f         its links up
 //!    +-------+           +-------+            v a b, v b c -> fragment 41, from corner 2 of its floor on
-//!    |\      |           |\  |  /|            v c d        -> none: the full mesh shows it
+//!    |\      |           |\  |  /|            v c d        -> none: the triangle is part of the full mesh
 //!    |  \    |    <-->   |  \| / |            v d e, v e a -> fragment 97, from corner 7
-//!    |    \  |           |---v---|            links down: 12 (what else f stands on, 12 needs itself)
+//!    |    \  |           |---v---|            links down: 12 (f also depends on others that 12 needs anyway)
 //!    +-------+           +-------+
 //! ```
 //!
-//! **What differs.** The paper stores two anchor vertices a fragment, and the hierarchy as closed loops of links. Here a link up names
-//! the step above *and the corner of its floor* where the triangles go. So whoever makes a triangle knows its place in the
-//! floor above, a floor is assembled by those who make it, and no anchor, no search and no adjacency is needed; edges of many
-//! triangles, seams and groups are no exception. A link serves a run of triangles, and how runs share a ceiling is numbered
-//! like rules are (`overlaps.rs`). Links down leave out what other links down need anyway. Everything is packed to the bit
-//! (`records.rs`).
+//! **Differs:** the paper stores two anchor vertices per fragment, and the hierarchy as closed loops of
+//! links. Here, a link up names the step above *and the corner of its floor* where the triangles go. The
+//! fragment that creates a triangle therefore knows where it belongs in the floor above, and a floor is
+//! assembled by its creators. No anchor, search or adjacency is needed, and non-manifold edges, seams and
+//! groups need no special treatment. One link serves a run of triangles. How runs share a ceiling is
+//! called its sharing; different sharings are indexed like rules (`overlaps.rs`). Links down omit
+//! everything that other links down need anyway. All records are bit-packed (`records.rs`).
 //!
-//! **Which sets stand.** A fragment can be inserted once all that make its floor are. [`PatternInstance::adapt`] finds the smallest
-//! such set that satisfies a [`Condition`], whatever was there before.
+//! **Valid sets.** A fragment can be inserted once all fragments that create its floor are inserted.
+//! [`PatternInstance::adapt`] finds the smallest valid set that satisfies a [`Condition`], regardless of
+//! the current one.
 //!
-//! Cost: building is linear but for the search of rules; inserting and removing a fragment touches its own triangles and a few list
-//! heads, so extraction is linear in what it shows.
+//! Cost: building is linear except for the search for rules. Inserting or removing a fragment touches its
+//! own triangles and a few list heads. Extraction is linear in the number of triangles.
 
 mod bounds;
 mod build;
@@ -54,57 +57,59 @@ use self::rule_table::RuleTable;
 use super::StepVertices;
 use super::step_bounds::StepBounds;
 
-/// The static half of the model; see the [module](self).
+/// The static half of the model, shared by all instances; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Patterns {
     vertices: StepVertices<'static>,
     group_count: usize,
     base: Vec<BaseFace>,
-    /// Fragments whose floor is empty: nothing that is there calls for them.
-    unfounded: Vec<u32>,
+    /// Fragments with an empty floor, which no existing triangle leads to.
+    floorless: Vec<u32>,
     rules: RuleTable,
-    ways: OverlapTable,
+    sharings: OverlapTable,
     records: Records,
     extras: Extras,
-    /// What views ask of each fragment; none of fragments alone.
+    /// Bounds of each fragment for view-dependent refinement, unless the model was built without them.
     bounds: Option<StepBounds>,
 }
 
-/// A triangle of the base and where it goes.
+/// A triangle of the base mesh and the fragment that replaces it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct BaseFace {
-    /// The youngest first.
+    /// Vertices, youngest first.
     corners: [u32; 3],
     group: u32,
-    /// The step that replaces it; [`rule::NONE`] if the full mesh shows it.
+    /// Step that replaces it, or [`rule::NONE`] if it is part of the full mesh.
     above: u32,
-    /// The corner, in that step's floor, of its youngest vertex.
+    /// Corner of its youngest vertex in the floor of that step.
     half_edge: u32,
 }
 
-/// A place in a floor: the half-edge where a run begins, and how many triangles further around the vertex.
+/// Packs a location in a floor: the half-edge where a run begins, and how many triangles further around
+/// its vertex.
 #[inline]
-fn place_tag(half_edge: u32, along: u32) -> u32 {
+fn pack_floor_location(half_edge: u32, along: u32) -> u32 {
     half_edge * overlaps::MAX_RUN + along
 }
 
+/// Unpacks what [`pack_floor_location`] has packed.
 #[inline]
-fn place_of(tag: u32) -> (u32, u32) {
+fn unpack_floor_location(tag: u32) -> (u32, u32) {
     (tag / overlaps::MAX_RUN, tag % overlaps::MAX_RUN)
 }
 
 impl Patterns {
-    /// Fragments: one for each step from the base mesh to the full mesh.
+    /// Number of fragments; there is one per step from the base mesh to the full mesh.
     pub fn fragment_count(&self) -> usize {
         self.records.step_count
     }
 
-    /// Rules: kinds of fragments, with those of open rings.
+    /// Number of rules, that is, of different kinds of fragments.
     pub fn rule_count(&self) -> usize {
         self.rules.len()
     }
 
-    /// Triangles of each level, coarse to fine.
+    /// Returns the triangle count of each level, from coarse to fine.
     pub fn triangle_counts(&self) -> Vec<u32> {
         let mut count = self.base.len() as u32;
         let mut counts = vec![count];
@@ -116,7 +121,7 @@ impl Patterns {
         counts
     }
 
-    /// Pairs of fragments that overlap, those with the base not counted.
+    /// Number of pairs of fragments that overlap, not counting overlaps with the base mesh.
     pub fn overlap_count(&self) -> usize {
         let mut count = 0;
         let mut above = Vec::new();
@@ -130,22 +135,24 @@ impl Patterns {
         count
     }
 
-    /// Calls `visit` with each fragment whose floor has triangles of a fragment's ceiling, once for each run of them.
+    /// Calls `visit` with each fragment whose floor contains triangles of this fragment's ceiling, once
+    /// per run of triangles.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     #[inline]
     pub fn for_each_above(&self, step: u32, mut visit: impl FnMut(u32)) {
         let head = self.records.head(step);
-        for link in 0..self.ways.link_count(head.way) {
+        for link in 0..self.sharings.link_count(head.sharing) {
             visit(self.records.up(&head, link).0);
         }
     }
 
-    /// Calls `visit` with fragments that a fragment stands on: all that those do not need themselves, and maybe others.
+    /// Calls `visit` with fragments on which a fragment depends. Those that the visited ones need
+    /// themselves may be omitted.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     pub fn for_each_below(&self, step: u32, visit: impl FnMut(u32)) {
         let head = self.records.head(step);
         self.down(&head).for_each(visit);
@@ -154,11 +161,11 @@ impl Patterns {
     /// Appends the links up of a step.
     #[inline]
     fn links_into(&self, head: &Head, out: &mut Vec<(u32, u32)>) {
-        out.extend((0..self.ways.link_count(head.way)).map(|link| self.records.up(head, link)));
+        out.extend((0..self.sharings.link_count(head.sharing)).map(|link| self.records.up(head, link)));
     }
 
     #[inline]
     fn down(&self, head: &Head) -> impl Iterator<Item = u32> + use<'_> {
-        self.records.down(head, self.ways.link_count(head.way))
+        self.records.down(head, self.sharings.link_count(head.sharing))
     }
 }

@@ -1,33 +1,34 @@
-//! How the fragments above share a ceiling among them, whatever fragments they are.
+//! How a ceiling is shared among the fragments above, independent of which fragments these are.
 //!
-//! Each triangle of a ceiling is replaced by one fragment above, or is of the full mesh. Triangles that follow each other around
-//! the restored vertex and go to the same fragment are a **run**: they also follow each other in that fragment's floor, so one
-//! link serves all. Few ways to share a ceiling exist, so they are numbered as rules are.
+//! Each triangle of a ceiling is either replaced by one fragment above or part of the full mesh. Triangles
+//! that are consecutive around the restored vertex and go to the same fragment form a **run**: they are
+//! also consecutive in the floor of that fragment, so one link serves all of them. Few different sharings
+//! exist, so they are indexed like rules.
 
 use std::collections::HashMap;
 
-/// Longest run; a longer one is cut.
+/// Length of the longest run; longer ones are split.
 pub(super) const MAX_RUN: u32 = 16;
 
-/// Where a triangle of a ceiling goes: to which link of its step, and how far along the run.
+/// Destination of a ceiling triangle: a link of its step, and the offset along the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(in crate::model) struct Share {
-    /// Number of the link; [`Share::FULL`] for a triangle of the full mesh.
+    /// Index of the link, or [`Share::FULL`] for a triangle of the full mesh.
     pub(super) link: u32,
-    /// Its place in the run.
-    pub(super) place: u32,
+    /// Index of the triangle in the run.
+    pub(super) offset: u32,
 }
 
 impl Share {
-    /// The link of triangles that nothing replaces.
+    /// Link index of triangles that no fragment replaces.
     pub(super) const FULL: u32 = u32::MAX;
 }
 
-/// All ways to share a ceiling that a model has.
+/// All different sharings of a model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::model) struct OverlapTable {
     entries: Vec<Entry>,
-    /// Shares of ways with few links: the link times 16, and the place.
+    /// Shares of sharings with few links: `link * MAX_RUN + offset`.
     narrow: Vec<u8>,
     wide: Vec<u32>,
 }
@@ -35,57 +36,57 @@ pub(in crate::model) struct OverlapTable {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Entry {
     first: u32,
-    /// Triangles that are shared.
+    /// Number of ceiling triangles.
     count: u16,
-    /// Links; [`WIDE`] where the shares are words, the first of which tells both numbers.
+    /// Number of links, or [`WIDE`] if the shares are in `wide`, preceded by both counts.
     link_count: u16,
 }
 
 const WIDE: u16 = u16::MAX;
-/// Links that a narrow way may have.
+/// Largest number of links of a narrow sharing.
 const MAX_NARROW: u32 = 15;
-/// A narrow share of the full mesh.
+/// Narrow share of a triangle of the full mesh.
 const NARROW_FULL: u8 = u8::MAX;
 
 impl OverlapTable {
-    /// From the shares of each way.
-    pub(super) fn pack(ways: impl IntoIterator<Item = Vec<Share>>) -> Self {
+    /// Packs a list of sharings.
+    pub(super) fn pack(sharings: impl IntoIterator<Item = Vec<Share>>) -> Self {
         let mut table = Self::default();
-        for way in ways {
-            table.push(&way);
+        for sharing in sharings {
+            table.push(&sharing);
         }
         table
     }
 
-    fn push(&mut self, way: &[Share]) {
-        let links = way.iter().filter(|share| share.link != Share::FULL).map(|share| share.link + 1);
+    fn push(&mut self, sharing: &[Share]) {
+        let links = sharing.iter().filter(|share| share.link != Share::FULL).map(|share| share.link + 1);
         let link_count = links.max().unwrap_or(0);
-        let is_narrow = link_count <= MAX_NARROW && way.len() < usize::from(WIDE);
+        let is_narrow = link_count <= MAX_NARROW && sharing.len() < usize::from(WIDE);
         if is_narrow {
             let first = self.narrow.len() as u32;
-            self.entries.push(Entry { first, count: way.len() as u16, link_count: link_count as u16 });
-            self.narrow.extend(way.iter().map(|share| match share.link {
+            self.entries.push(Entry { first, count: sharing.len() as u16, link_count: link_count as u16 });
+            self.narrow.extend(sharing.iter().map(|share| match share.link {
                 Share::FULL => NARROW_FULL,
-                link => (link * MAX_RUN + share.place) as u8,
+                link => (link * MAX_RUN + share.offset) as u8,
             }));
         } else {
             self.entries.push(Entry { first: self.wide.len() as u32, count: 0, link_count: WIDE });
-            self.wide.extend([way.len() as u32, link_count]);
-            self.wide.extend(way.iter().map(|share| match share.link {
+            self.wide.extend([sharing.len() as u32, link_count]);
+            self.wide.extend(sharing.iter().map(|share| match share.link {
                 Share::FULL => Share::FULL,
-                link => link * MAX_RUN + share.place,
+                link => link * MAX_RUN + share.offset,
             }));
         }
     }
 
-    /// Ways in all.
+    /// Number of sharings.
     pub(super) fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Triangles of the ceilings that a way shares.
-    pub(super) fn count(&self, way: u32) -> usize {
-        let entry = self.entries[way as usize];
+    /// Number of ceiling triangles of a sharing.
+    pub(super) fn count(&self, sharing: u32) -> usize {
+        let entry = self.entries[sharing as usize];
         if entry.link_count == WIDE {
             self.wide[entry.first as usize] as usize
         } else {
@@ -93,10 +94,10 @@ impl OverlapTable {
         }
     }
 
-    /// Where a triangle of a ceiling goes.
+    /// Returns the destination of a ceiling triangle.
     #[inline]
-    pub(super) fn share(&self, way: u32, triangle: usize) -> Share {
-        let entry = self.entries[way as usize];
+    pub(super) fn share(&self, sharing: u32, triangle: usize) -> Share {
+        let entry = self.entries[sharing as usize];
         let packed = if entry.link_count == WIDE {
             self.wide[entry.first as usize + 2 + triangle]
         } else {
@@ -106,20 +107,20 @@ impl OverlapTable {
             }
         };
         match packed {
-            Share::FULL => Share { link: Share::FULL, place: 0 },
-            packed => Share { link: packed / MAX_RUN, place: packed % MAX_RUN },
+            Share::FULL => Share { link: Share::FULL, offset: 0 },
+            packed => Share { link: packed / MAX_RUN, offset: packed % MAX_RUN },
         }
     }
 
-    /// Where each triangle of a ceiling goes.
-    pub(super) fn shares(&self, way: u32) -> impl Iterator<Item = Share> + '_ {
-        (0..self.count(way)).map(move |triangle| self.share(way, triangle))
+    /// Returns the destination of each ceiling triangle.
+    pub(super) fn shares(&self, sharing: u32) -> impl Iterator<Item = Share> + '_ {
+        (0..self.count(sharing)).map(move |triangle| self.share(sharing, triangle))
     }
 
-    /// Links that a step with this way has.
+    /// Number of links of a step with this sharing.
     #[inline]
-    pub(super) fn link_count(&self, way: u32) -> usize {
-        let entry = self.entries[way as usize];
+    pub(super) fn link_count(&self, sharing: u32) -> usize {
+        let entry = self.entries[sharing as usize];
         match entry.link_count {
             WIDE => self.wide[entry.first as usize + 1] as usize,
             count => usize::from(count),
@@ -131,23 +132,24 @@ impl OverlapTable {
     }
 }
 
-/// Numbers ways as they come.
+/// Collects different sharings in order of first use.
 #[derive(Default)]
-pub(super) struct OverlapBook {
-    ways: Vec<Vec<Share>>,
-    numbers: HashMap<Vec<Share>, u32>,
+pub(super) struct OverlapTableBuilder {
+    sharings: Vec<Vec<Share>>,
+    indices: HashMap<Vec<Share>, u32>,
 }
 
-impl OverlapBook {
-    pub(super) fn find(&mut self, way: Vec<Share>) -> u32 {
-        let fresh = self.ways.len() as u32;
-        *self.numbers.entry(way).or_insert_with_key(|way| {
-            self.ways.push(way.clone());
+impl OverlapTableBuilder {
+    /// Returns the index of a sharing, adding it if it is new.
+    pub(super) fn find(&mut self, sharing: Vec<Share>) -> u32 {
+        let fresh = self.sharings.len() as u32;
+        *self.indices.entry(sharing).or_insert_with_key(|sharing| {
+            self.sharings.push(sharing.clone());
             fresh
         })
     }
 
     pub(super) fn into_table(self) -> OverlapTable {
-        OverlapTable::pack(self.ways)
+        OverlapTable::pack(self.sharings)
     }
 }

@@ -1,8 +1,8 @@
-//! The arrays of patterns as files hold them, and back.
+//! Converts patterns to and from the arrays of the file format.
 //!
-//! Rules and ways are numbers of 7 bits a byte, the eighth saying that more follow. What comes back is unpacked to the fragments
-//! that it stands for and built again: if that gives the same, it is what a build makes, and nothing it says can be
-//! wrong for any set of fragments.
+//! Rules and sharings are stored as varints of 7 bits per byte. A stored model is validated by unpacking
+//! it to fragments and building it again: if the result is the same, the model is one that a build
+//! produces, and it is valid for every set of fragments.
 
 use super::build::Extras;
 use super::overlaps::{MAX_RUN, OverlapTable, Share};
@@ -14,24 +14,25 @@ use crate::model::bits::Bits;
 use crate::model::step_bounds::StepBounds;
 use crate::model::{ModelError, StepVertices};
 
-/// Everything that a file holds of patterns.
+/// The stored arrays of patterns.
 #[derive(Clone, Debug)]
 pub(crate) struct PatternsParts<'a> {
-    /// Half-edges of the largest floor, bits of an offset, bits of all records (low word, high word).
+    /// Half-edge count of the largest floor, width of an offset, and total bits of all records (low word,
+    /// high word).
     pub(crate) header: [u32; 4],
     pub(crate) rules: Vec<u8>,
     pub(crate) ways: Vec<u8>,
     pub(crate) blocks: &'a [u32],
     pub(crate) records: &'a [u8],
-    /// Corners, group, fragment above, half-edge in its floor.
+    /// Corners, group, step above, and half-edge in its floor, for each base triangle.
     pub(crate) base: Vec<[u32; 6]>,
-    /// Step and vertex, for each vertex that a step names.
+    /// Pairs of a step and one of its extra vertices.
     pub(crate) extras: Vec<[u32; 2]>,
 }
 
 impl Patterns {
     pub(crate) fn parts(&self) -> PatternsParts<'_> {
-        let widths = self.records.widths(self.rules.len(), self.ways.len());
+        let widths = self.records.widths(self.rules.len(), self.sharings.len());
         let (blocks, bits) = self.records.parts();
         let length = bits.len() as u64;
         let named = |i: usize| {
@@ -42,7 +43,7 @@ impl Patterns {
         PatternsParts {
             header: [widths.half_edge_count, widths.offset_width, length as u32, (length >> 32) as u32],
             rules: rules_to_bytes(&self.rules),
-            ways: ways_to_bytes(&self.ways),
+            ways: sharings_to_bytes(&self.sharings),
             blocks,
             records: bits.as_bytes(),
             base: self
@@ -57,16 +58,16 @@ impl Patterns {
         }
     }
 
-    /// From the arrays of a file; checked, so that no move can fail.
+    /// Assembles patterns from stored arrays and validates them, so that no later move can fail.
     ///
     /// # Errors
-    /// [`ModelError`] naming what does not fit.
+    /// [`ModelError`] naming the first mismatch.
     pub(crate) fn from_parts(
         vertices: StepVertices<'_>,
         group_count: usize,
         parts: PatternsParts<'_>,
     ) -> Result<Self, ModelError> {
-        for (what, bytes) in [("bytes of rules", &parts.rules), ("bytes of ways", &parts.ways)] {
+        for (what, bytes) in [("bytes of rules", &parts.rules), ("bytes of sharings", &parts.ways)] {
             let (found, limit) = (bytes.len() as u64, MAX_TABLE_BYTES);
             if found > limit {
                 return Err(ModelError::TooMany { what, found, limit });
@@ -76,15 +77,16 @@ impl Patterns {
         vertices.check_firsts(step_count)?;
         let vertices = vertices.without_targets().shortened();
         let rules = rules_from_bytes(&parts.rules, group_count)?;
-        let ways = ways_from_bytes(&parts.ways)?;
+        let sharings = sharings_from_bytes(&parts.ways)?;
         let [half_edge_count, offset_width, low, high] = parts.header;
         let length = u64::from(low) | u64::from(high) << 32;
         let bits = usize::try_from(length).ok().and_then(|length| Bits::from_bytes(parts.records, length));
         let expected = parts.records.len().saturating_mul(8);
         let wrong = ModelError::Length { what: "bits of records", found: length as usize, expected };
-        let widths = Widths { rule_count: rules.len(), way_count: ways.len(), half_edge_count, offset_width };
+        let widths =
+            Widths { rule_count: rules.len(), sharing_count: sharings.len(), half_edge_count, offset_width };
         let blocks = parts.blocks.to_vec();
-        let records = Records::from_parts(step_count, widths, (blocks, bits.ok_or(wrong)?), &ways)?;
+        let records = Records::from_parts(step_count, widths, (blocks, bits.ok_or(wrong)?), &sharings)?;
         let extras = Extras::from_pairs(&parts.extras)?;
         let base = parts.base.iter().map(|&[a, b, c, group, above, half_edge]| BaseFace {
             corners: [a, b, c],
@@ -93,14 +95,14 @@ impl Patterns {
             half_edge,
         });
         let is_unfounded = |&step: &u32| rules.rule(records.head(step).rule).floor_count() == 0;
-        let unfounded = (0..step_count as u32).filter(is_unfounded).collect();
+        let floorless = (0..step_count as u32).filter(is_unfounded).collect();
         let patterns = Self {
             vertices,
             group_count,
             base: base.collect(),
-            unfounded,
+            floorless,
             rules,
-            ways,
+            sharings,
             records,
             extras,
             bounds: None,
@@ -111,43 +113,43 @@ impl Patterns {
             return Err(ModelError::Listed {
                 what: "pattern",
                 place: 0,
-                reason: "is not as it would be built",
+                reason: "differs from what a build produces",
             });
         }
         Ok(patterns)
     }
 
-    /// The same patterns with the bounds of their fragments from their bytes.
+    /// Adds bounds read from their stored bytes.
     ///
     /// # Errors
-    /// If there are more or fewer records than fragments, or one holds what no bounds are.
+    /// If the number of records differs from that of the fragments, or a record is not a valid bound.
     pub(crate) fn with_stored_bounds(self, bytes: &[u8]) -> Result<Self, ModelError> {
         let bounds = StepBounds::from_bytes(bytes, self.fragment_count(), None)?;
         Ok(Self { bounds: Some(bounds), ..self })
     }
 
-    /// The bounds as a file is to hold them; none of fragments alone.
+    /// Returns the bounds to store in a file; empty if there are none.
     pub(crate) fn stored_bounds(&self) -> &[u8] {
         self.bounds.as_ref().map_or(&[], StepBounds::as_bytes)
     }
 
-    /// Fragments that there are bounds of.
+    /// Number of steps that have bounds.
     pub(crate) fn bounded_step_count(&self) -> usize {
         self.bounds.as_ref().map_or(0, StepBounds::step_count)
     }
 }
 
 impl Extras {
-    /// From steps and vertices that they name, as [`Patterns::parts`] lists them.
+    /// Builds the table from pairs of a step and an extra vertex, as listed by [`Patterns::parts`].
     ///
     /// # Errors
-    /// [`ModelError::Listed`] where a step comes before an earlier one.
+    /// [`ModelError::Listed`] if the steps are not ascending.
     fn from_pairs(pairs: &[[u32; 2]]) -> Result<Self, ModelError> {
         let mut extras = Self { firsts: vec![0], ..Self::default() };
         for (place, &[step, vertex]) in pairs.iter().enumerate() {
             let last = extras.steps.last().copied();
             if last.is_some_and(|last| last > step) {
-                return Err(ModelError::Listed { what: "named vertex", place, reason: "is out of order" });
+                return Err(ModelError::Listed { what: "extra vertex", place, reason: "is out of order" });
             }
             extras.vertices.push(vertex);
             if last == Some(step) {
@@ -161,16 +163,19 @@ impl Extras {
     }
 }
 
-/// Bytes of a table of rules or ways: numbered in 32 bits once they are unpacked, to fewer than four numbers a byte.
+/// Size limit of a stored table of rules or sharings. Unpacked, a byte becomes less than four numbers, so
+/// 32-bit indices suffice.
 const MAX_TABLE_BYTES: u64 = 1 << 30;
-/// Triangles of all ceilings that a file may have for each vertex, beside those that links tell.
+/// Number of ceiling triangles per vertex that a file may contain in addition to those that its bits
+/// account for.
 const MAX_UNLINKED: u64 = 128;
 
 impl Patterns {
-    /// Refuses patterns that stand for far more triangles than they have bits: those could fill any memory.
+    /// Rejects patterns that expand to far more triangles than their bits justify, since these could
+    /// exhaust memory.
     ///
     /// # Errors
-    /// [`ModelError::Dense`] telling how many there are and may be.
+    /// [`ModelError::Dense`] with the number of triangles and the limit.
     pub(crate) fn check_size(&self) -> Result<(), ModelError> {
         let ceilings =
             (0..self.records.step_count as u32).map(|step| self.rules.rule(self.records.head(step).rule));
@@ -184,7 +189,8 @@ impl Patterns {
     }
 }
 
-fn put(mut number: u32, out: &mut Vec<u8>) {
+/// Appends a varint.
+fn write_number(mut number: u32, out: &mut Vec<u8>) {
     while number >= 0x80 {
         out.push(number as u8 | 0x80);
         number >>= 7;
@@ -192,7 +198,7 @@ fn put(mut number: u32, out: &mut Vec<u8>) {
     out.push(number as u8);
 }
 
-/// Reads numbers as [`put`] writes them.
+/// Decodes varints written by [`write_number`].
 struct Numbers<'a> {
     bytes: &'a [u8],
     what: &'static str,
@@ -214,13 +220,17 @@ impl Numbers<'_> {
                 return u32::try_from(number).map_err(|_| self.wrong("has a number that is too large"));
             }
         }
-        Err(self.wrong("ends within a number"))
+        Err(self.wrong("ends in the middle of a number"))
     }
 
-    /// A count of things that take a byte each at least.
+    /// Reads the count of a list whose elements take at least one byte each.
     fn count(&mut self) -> Result<usize, ModelError> {
         let count = self.next()? as usize;
-        if count > self.bytes.len() { Err(self.wrong("is longer than its bytes")) } else { Ok(count) }
+        if count > self.bytes.len() {
+            Err(self.wrong("has a count that exceeds its bytes"))
+        } else {
+            Ok(count)
+        }
     }
 
     fn numbers(&mut self, count: usize) -> Result<Vec<u32>, ModelError> {
@@ -235,13 +245,13 @@ impl Numbers<'_> {
 fn rules_to_bytes(rules: &RuleTable) -> Vec<u8> {
     let mut out = Vec::new();
     for rule in rules.iter().map(|rule| rule.to_rule()) {
-        put(rule.own_count, &mut out);
-        put(rule.local_count, &mut out);
-        put(rule.ceiling.len() as u32, &mut out);
-        put(rule.floor.len() as u32, &mut out);
+        write_number(rule.own_count, &mut out);
+        write_number(rule.local_count, &mut out);
+        write_number(rule.ceiling.len() as u32, &mut out);
+        write_number(rule.floor.len() as u32, &mut out);
         let triangles = rule.ceiling.iter().chain(&rule.floor).flatten();
         let groups = rule.ceiling_groups.iter().chain(&rule.floor_groups);
-        triangles.chain(groups).for_each(|&number| put(number, &mut out));
+        triangles.chain(groups).for_each(|&number| write_number(number, &mut out));
     }
     out
 }
@@ -264,14 +274,14 @@ fn rules_from_bytes(bytes: &[u8], group_count: usize) -> Result<RuleTable, Model
             rule.floor_groups = numbers.numbers(floor)?;
         }
         let corners = || rule.ceiling.iter().chain(&rule.floor).flatten();
-        // Each local number beside those of the position's own vertices is a corner of some triangle.
+        // Every local vertex except for own vertices must be a corner of some triangle.
         let is_bounded =
             local_count as usize <= corners().count() + own_count as usize && own_count <= local_count;
         if !is_bounded || corners().any(|&local| local >= local_count) {
-            return Err(numbers.wrong("has a corner that is none of its vertices"));
+            return Err(numbers.wrong("has a corner that is not one of its vertices"));
         }
         if rule.ceiling_groups.iter().chain(&rule.floor_groups).any(|&group| group as usize >= group_count) {
-            return Err(numbers.wrong("has a group that is not there"));
+            return Err(numbers.wrong("has a group that does not exist"));
         }
         rules.push(rule);
         numbers.place += 1;
@@ -279,42 +289,42 @@ fn rules_from_bytes(bytes: &[u8], group_count: usize) -> Result<RuleTable, Model
     Ok(RuleTable::pack(rules))
 }
 
-fn ways_to_bytes(ways: &OverlapTable) -> Vec<u8> {
+fn sharings_to_bytes(sharings: &OverlapTable) -> Vec<u8> {
     let mut out = Vec::new();
-    for way in 0..ways.len() as u32 {
-        put(ways.count(way) as u32, &mut out);
-        for share in ways.shares(way) {
-            let number = if share.link == Share::FULL { 0 } else { 1 + share.link * MAX_RUN + share.place };
-            put(number, &mut out);
+    for sharing in 0..sharings.len() as u32 {
+        write_number(sharings.count(sharing) as u32, &mut out);
+        for share in sharings.shares(sharing) {
+            let number = if share.link == Share::FULL { 0 } else { 1 + share.link * MAX_RUN + share.offset };
+            write_number(number, &mut out);
         }
     }
     out
 }
 
-fn ways_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
-    let mut numbers = Numbers { bytes, what: "way", place: 0 };
-    let mut ways = Vec::new();
+fn sharings_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
+    let mut numbers = Numbers { bytes, what: "sharing", place: 0 };
+    let mut sharings = Vec::new();
     while !numbers.bytes.is_empty() {
         let count = numbers.count()?;
-        let way: Vec<Share> = (0..count)
+        let sharing: Vec<Share> = (0..count)
             .map(|_| {
                 Ok(match numbers.next()?.checked_sub(1) {
-                    None => Share { link: Share::FULL, place: 0 },
-                    Some(packed) => Share { link: packed / MAX_RUN, place: packed % MAX_RUN },
+                    None => Share { link: Share::FULL, offset: 0 },
+                    Some(packed) => Share { link: packed / MAX_RUN, offset: packed % MAX_RUN },
                 })
             })
             .collect::<Result<_, ModelError>>()?;
-        // Links are numbered as they come, so there are no more than triangles.
-        if way.iter().any(|share| share.link != Share::FULL && share.link as usize >= count) {
+        // Links are numbered by first use, so there cannot be more links than triangles.
+        if sharing.iter().any(|share| share.link != Share::FULL && share.link as usize >= count) {
             return Err(numbers.wrong("has more links than triangles"));
         }
-        ways.push(way);
+        sharings.push(sharing);
         numbers.place += 1;
     }
-    Ok(OverlapTable::pack(ways))
+    Ok(OverlapTable::pack(sharings))
 }
 
-/// Stands for a local number of which no vertex is known.
+/// Stands for a local vertex that is not known yet.
 pub(super) const UNKNOWN: u32 = NONE;
 
 #[cfg(test)]
@@ -322,33 +332,33 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rules_of_many_vertices_and_no_triangles_take_no_memory() {
+    fn rules_with_many_vertices_and_no_triangles_take_no_memory() {
         let mut bytes = Vec::new();
         for _ in 0..1000 {
-            [u32::MAX, u32::MAX, 0, 0].into_iter().for_each(|number| put(number, &mut bytes));
+            [u32::MAX, u32::MAX, 0, 0].into_iter().for_each(|number| write_number(number, &mut bytes));
         }
         let rules = rules_from_bytes(&bytes, 1).unwrap();
         assert_eq!((rules.len(), rules.rule(999).extras().count()), (1000, 0));
-        [u32::MAX - 1, u32::MAX, 0, 0].into_iter().for_each(|number| put(number, &mut bytes));
+        [u32::MAX - 1, u32::MAX, 0, 0].into_iter().for_each(|number| write_number(number, &mut bytes));
         assert!(rules_from_bytes(&bytes, 1).is_err(), "a vertex that nothing shows");
     }
 
     #[test]
-    fn what_rules_and_ways_name_is_there() {
+    fn rules_and_sharings_must_refer_to_existing_elements() {
         let with_group = |group| rules_from_bytes(&[1, 3, 1, 0, 0, 1, 2, group], 2);
         assert_eq!(with_group(1).map(|rules| rules.len()), Ok(1));
         assert!(with_group(2).is_err(), "no such group");
         let with_corner = |corner| rules_from_bytes(&[1, 3, 1, 0, 0, 1, corner], 1);
         assert!(with_corner(2).is_ok() && with_corner(3).is_err(), "no such corner");
-        let with_link = |link: u8| ways_from_bytes(&[2, 0, 1 + 16 * link]);
-        assert_eq!(with_link(1).map(|ways| ways.link_count(0)), Ok(2));
+        let with_link = |link: u8| sharings_from_bytes(&[2, 0, 1 + 16 * link]);
+        assert_eq!(with_link(1).map(|sharings| sharings.link_count(0)), Ok(2));
         assert!(with_link(2).is_err(), "more links than triangles");
         assert!(Extras::from_pairs(&[[4, 9], [4, 3], [6, 0]]).is_ok());
         assert!(Extras::from_pairs(&[[4, 9], [6, 0], [4, 3]]).is_err(), "out of order");
     }
 
     #[test]
-    fn numbers_end_within_32_bits() {
+    fn varints_must_end_within_32_bits() {
         let read = |bytes: &[u8]| Numbers { bytes, what: "rule", place: 0 }.next();
         assert_eq!(read(&[0xff, 0xff, 0xff, 0xff, 0x0f]), Ok(u32::MAX));
         assert!(read(&[0xff, 0xff, 0xff, 0xff, 0x1f]).is_err());

@@ -1,39 +1,40 @@
-//! Rules: what a fragment looks like, whatever vertices it joins \[KG98\].
+//! Rules: the shape of a fragment, independent of its vertices \[KG98\].
 //!
-//! Vertices of a fragment have local numbers: those that the step restores first, then the others. A rule lists the triangles of
-//! the ceiling and those of the floor by local numbers. Fragments that differ only by a rotation share a rule; mirror
-//! images do not, since triangles are oriented.
+//! The vertices of a fragment are numbered locally: first those that the step restores, then the others. A
+//! rule lists the triangles of the ceiling and the floor in these local indices. Fragments that differ
+//! only by a rotation share a rule; mirror images do not, because triangles are oriented.
 
 /// Stands for no half-edge.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// The triangles of a fragment in local numbers.
+/// The triangles of a fragment in local vertex indices.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(in crate::model) struct Rule {
-    /// Vertices that the step restores: the first local numbers.
+    /// Number of vertices that the step restores; they have the first local indices.
     pub(super) own_count: u32,
-    /// All local numbers.
+    /// Number of local vertices.
     pub(super) local_count: u32,
-    /// Each with its youngest corner first.
+    /// Triangles of the ceiling, each with its youngest corner first.
     pub(super) ceiling: Vec<[u32; 3]>,
     pub(super) floor: Vec<[u32; 3]>,
-    /// Groups of the ceiling's triangles; empty in a model of one group.
+    /// Group of each ceiling triangle; empty if the model has only one group.
     pub(super) ceiling_groups: Vec<u32>,
     pub(super) floor_groups: Vec<u32>,
-    /// Local numbers that the ceiling and the floor do not both show: they are listed for each fragment.
+    /// Local vertices that are missing from the ceiling or the floor; each fragment lists them explicitly.
     pub(super) extras: Vec<u32>,
-    /// For corner `c` of floor triangle `j`, at `3 j + c`: the same vertex's corner in the next triangle around it.
+    /// For corner `c` of floor triangle `j`, at `3 j + c`: the corner of the same vertex in the next
+    /// triangle around it.
     pub(super) next_around: Vec<u32>,
 }
 
 impl Rule {
-    /// Completes a rule that has its triangles.
+    /// Derives the remaining fields from the triangles.
     pub(super) fn completed(mut self) -> Self {
-        // Behind the own ones alone: of these a damaged file may claim any number.
+        // Own vertices are left out, because a damaged file could claim any number of them.
         let mut shown = vec![0u8; (self.local_count - self.own_count) as usize];
         for (bit, triangles) in [(1, &self.ceiling), (2, &self.floor)] {
-            for place in triangles.iter().flatten().filter_map(|local| local.checked_sub(self.own_count)) {
-                shown[place as usize] |= bit;
+            for index in triangles.iter().flatten().filter_map(|local| local.checked_sub(self.own_count)) {
+                shown[index as usize] |= bit;
             }
         }
         let is_extra = |&local: &u32| shown[(local - self.own_count) as usize] != 3;
@@ -43,7 +44,8 @@ impl Rule {
     }
 }
 
-/// For each corner of a floor the corner of the same vertex in the next triangle around it, if there is exactly one.
+/// For each corner of a floor, finds the corner of the same vertex in the next triangle around it, if it
+/// is unique.
 fn next_around(floor: &[[u32; 3]]) -> Vec<u32> {
     let corner = |h: usize| floor[h / 3][h % 3];
     let after = |h: usize| floor[h / 3][(h + 1 - h / 3 * 3) % 3];
@@ -62,7 +64,7 @@ fn next_around(floor: &[[u32; 3]]) -> Vec<u32> {
     (0..3 * floor.len()).map(next).collect()
 }
 
-/// A triangle turned so that a corner comes first.
+/// Rotates a triangle so that the given corner comes first.
 pub(super) fn first_corner([a, b, c]: [u32; 3], first: u32) -> [u32; 3] {
     if a == first {
         [a, b, c]

@@ -1,4 +1,4 @@
-//! All rules of a model, one after the other, in bytes where their numbers are small.
+//! All rules of a model in one array, using bytes for rules with small numbers.
 
 use super::rule::Rule;
 
@@ -12,7 +12,7 @@ pub(in crate::model) struct RuleTable {
     is_grouped: bool,
 }
 
-/// Sizes of a rule, and where its numbers begin.
+/// Counts of a rule, and the start of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Entry {
     first: u32,
@@ -24,8 +24,9 @@ struct Entry {
     is_wide: bool,
 }
 
-/// A rule in the table: triangles of the ceiling, of the floor, what follows around each corner of the floor, numbers that
-/// are named, groups of the ceiling and of the floor.
+/// View of a rule in the table. Its numbers are, in order: triangles of the ceiling, triangles of the
+/// floor, the next corner around each corner of the floor, extra vertices, and groups of the ceiling and
+/// floor triangles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RuleRef<'a> {
     entry: Entry,
@@ -43,7 +44,7 @@ enum Numbers<'a> {
 const NARROW_NONE: u8 = u8::MAX;
 
 impl RuleTable {
-    /// Packs rules that have their triangles and local numbers.
+    /// Packs rules, deriving the fields that do not come from a file.
     pub(super) fn pack(rules: impl IntoIterator<Item = Rule>) -> Self {
         let mut table = Self::default();
         for rule in rules.into_iter().map(Rule::completed) {
@@ -59,7 +60,7 @@ impl RuleTable {
             triangles.chain(&rule.next_around).chain(&rule.extras).chain(groups).copied()
         };
         self.is_grouped |= !rule.ceiling_groups.is_empty() || !rule.floor_groups.is_empty();
-        // Of a floor with so many corners one would look like none.
+        // With that many corners, the index of one would equal `NARROW_NONE`.
         let is_wide = 3 * rule.floor.len() > usize::from(NARROW_NONE)
             || numbers().any(|n| n != super::rule::NONE && n >= u32::from(NARROW_NONE));
         let first = if is_wide { self.wide.len() } else { self.narrow.len() };
@@ -79,7 +80,7 @@ impl RuleTable {
         }
     }
 
-    /// Rules in all.
+    /// Number of rules.
     pub(super) fn len(&self) -> usize {
         self.entries.len()
     }
@@ -124,7 +125,7 @@ impl RuleRef<'_> {
         }
     }
 
-    /// The rule by itself.
+    /// Copies the rule out of the table, without the derived fields.
     pub(super) fn to_rule(self) -> Rule {
         let (ceiling, floor) = (self.ceiling_count(), self.floor_count());
         let groups = |range: std::ops::Range<usize>| range.map(|triangle| self.group(triangle)).collect();
@@ -139,12 +140,12 @@ impl RuleRef<'_> {
         }
     }
 
-    /// Vertices that the step restores: the first local numbers.
+    /// Number of vertices that the step restores; they have the first local indices.
     pub(super) fn own_count(&self) -> usize {
         self.entry.own_count as usize
     }
 
-    /// All local numbers.
+    /// Number of local vertices.
     #[inline]
     pub(super) fn local_count(&self) -> usize {
         self.entry.local_count as usize
@@ -160,39 +161,40 @@ impl RuleRef<'_> {
         self.entry.floor_count as usize
     }
 
-    /// A triangle of the ceiling, its youngest corner first.
+    /// Returns a triangle of the ceiling, with its youngest corner first.
     #[inline]
     pub(super) fn ceiling(&self, s: usize) -> [u32; 3] {
         self.triangle(3 * s)
     }
 
-    /// A triangle of the floor.
+    /// Returns a triangle of the floor.
     #[inline]
     pub(super) fn floor(&self, j: usize) -> [u32; 3] {
         self.triangle(3 * (self.ceiling_count() + j))
     }
 
-    /// The corner of the same vertex in the next triangle of the floor around it; none if there is not exactly one.
+    /// Returns the corner of the same vertex in the next triangle around it, if there is exactly one.
     #[inline]
     pub(super) fn next_around(&self, half_edge: u32) -> Option<u32> {
         let next = self.number(3 * (self.ceiling_count() + self.floor_count()) + half_edge as usize);
         (next < 3 * self.entry.floor_count).then_some(next)
     }
 
-    /// The same vertex's corner some triangles further around it; none where the floor has not so many.
+    /// Returns the corner of the same vertex `count` triangles further around it, if it exists.
     #[inline]
     pub(super) fn around(&self, half_edge: u32, count: u32) -> Option<u32> {
         (0..count).try_fold(half_edge, |at, _| self.next_around(at))
     }
 
-    /// Local numbers that the ceiling and the floor do not both show.
+    /// Returns the local vertices that are missing from the ceiling or the floor.
     #[inline]
     pub(super) fn extras(&self) -> impl Iterator<Item = u32> + '_ {
         let first = 3 * (self.ceiling_count() + 2 * self.floor_count());
         (first..first + self.entry.extra_count as usize).map(|at| self.number(at))
     }
 
-    /// Group of a triangle of the ceiling, or of one of the floor behind them.
+    /// Returns the group of a ceiling triangle, or of a floor triangle if the index exceeds those of the
+    /// ceiling.
     #[inline]
     pub(super) fn group(&self, triangle: usize) -> u32 {
         if !self.is_grouped {
@@ -208,7 +210,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_corner_follows_where_triangles_are_copies_however_many() {
+    fn duplicate_triangles_have_no_next_corner() {
         for count in [2, 85, 86, 300] {
             let rule = Rule { local_count: 3, floor: vec![[0, 1, 2]; count], ..Rule::default() };
             let table = RuleTable::pack([rule]);

@@ -1,10 +1,10 @@
-//! Patterns with what it takes to ask a criterion of their fragments.
+//! Combines patterns with the positions that a view criterion needs.
 
 use super::Patterns;
 use crate::model::step_bounds::StepBounds;
 use crate::view::Part;
 
-/// Patterns with the positions that they are around: what is needed to ask a criterion of a fragment.
+/// Patterns with bounds and the vertex positions of their mesh, as needed to evaluate a view criterion.
 #[derive(Clone, Copy, Debug)]
 pub struct PatternScene<'a> {
     patterns: &'a Patterns,
@@ -13,25 +13,29 @@ pub struct PatternScene<'a> {
 }
 
 impl<'a> PatternScene<'a> {
-    /// Puts the two together.
+    /// Combines patterns with the positions of their mesh.
     ///
     /// # Panics
-    /// If they are not of one mesh, by their counts, or the patterns are of fragments alone and have no bounds.
+    /// If their vertex counts differ, or the patterns were built without bounds.
     pub fn new(patterns: &'a Patterns, positions: &'a [[f32; 3]]) -> Self {
         let bounds = patterns.bounds.as_ref().expect("the patterns were built with bounds");
-        assert_eq!(positions.len(), patterns.vertices.vertex_count, "the positions are of another mesh");
+        assert_eq!(
+            positions.len(),
+            patterns.vertices.vertex_count,
+            "the positions belong to a different mesh"
+        );
         Self { patterns, bounds, positions }
     }
 
-    /// The patterns.
+    /// Returns the patterns.
     pub fn patterns(&self) -> &'a Patterns {
         self.patterns
     }
 
-    /// What a fragment is to a criterion.
+    /// Returns the bounds of a fragment in the form that a criterion evaluates.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     #[inline]
     pub fn part(&self, step: u32) -> Part {
         let center = self.patterns.vertices.of_step(step as usize).start;

@@ -1,41 +1,45 @@
-//! What is shown, written for a GPU: as a list of triangles, as fans or as strips.
+//! Writes what an instance shows for a GPU: as a triangle list, as fans or as strips.
 //!
-//! Each vertex that is there asks its entry which arcs are there and writes them: nothing depends on any other vertex. So one
-//! walk over the vertices does for all groups, and stretches of the walk may run beside each other, each into memory of its
-//! own; their pieces in order are the same bytes that one walk makes.
+//! Each active vertex reads from its own entry which of its arcs are active, and writes them; this does
+//! not depend on any other vertex. So a single pass over the vertices serves all groups, and sections of
+//! the pass can run in parallel with separate output buffers. Concatenated in order, these are byte for
+//! byte the output of a sequential pass.
 //!
-//! A connected run of arcs is a triangle fan (`glDrawFanL` of \[Cor01\], section 3.6.3); on a closed ring a run that passes the
-//! end of its masks is one fan and not two. GPUs of today draw no fans, so a run may also be a strip, see `form.rs`.
+//! A connected run of arcs is a triangle fan (`glDrawFanL` in \[Cor01\], section 3.6.3); on a closed ring,
+//! a run across the end of the mask is one fan rather than two. Current GPUs do not draw fans, so a run
+//! can also be written as a strip; see `fan_form.rs`.
 //!
-//! Cost: linear in the vertices that are there, beside a look at each 64 steps. On the bunny, at any level, a run is 3.1
-//! triangles long, and a triangle takes 3 indices in a list, 2.24 in strips and 1.97 in fans. Several groups take a copy of what all but the
-//! first show.
+//! Cost: linear in the number of active vertices, plus a scan of one 64-bit word per 64 steps. On the
+//! bunny, at any level, the average run has 3.1 triangles, and a triangle takes 3 indices in a list, 2.24
+//! in strips and 1.97 in fans. With several groups, the indices of all groups but the first are copied
+//! once.
 
-mod form;
+mod fan_form;
 mod walk;
 
-pub use form::{FanForm, fan_triangles_into};
+pub use fan_form::{FanForm, fan_triangles_into};
 
 use std::ops::Range;
 
-use self::form::{write_fans, write_strips};
+use self::fan_form::{write_fans, write_strips};
 use self::walk::{Shown, Span, for_each_fan};
 use super::{FanInstance, Fans, FansLevel};
 use crate::model::DrawCounts;
 
-/// Fewer vertices than this are written sooner by one thread.
+/// With fewer active vertices and steps than this, a single thread is faster.
 #[cfg(feature = "parallel")]
-const WORTH_THREADS: usize = 8192;
+const MIN_PARALLEL_COUNT: usize = 8192;
 
-/// Indices of an instance and the range that draws each group; kept from frame to frame, it needs no new memory.
+/// Indices of an instance and the range that draws each group. Reuse it from frame to frame to avoid
+/// allocation.
 #[derive(Clone, Debug, Default)]
 pub struct FanIndices {
-    /// All indices. Between the ranges of two groups of fans or strips stands a
-    /// [`RESTART`](crate::strip::RESTART), so that all may be drawn at once.
+    /// All indices. In the forms with restarts, a [`RESTART`](crate::strip::RESTART) separates the ranges
+    /// of two groups, so that all groups can be drawn with one call.
     pub indices: Vec<u32>,
-    /// For each group, what to draw of `indices`.
+    /// For each group, its range of `indices`.
     pub group_ranges: Vec<Range<u32>>,
-    /// What all groups but the first show, until it is appended.
+    /// Scratch for the indices of all groups but the first.
     others: Vec<Vec<u32>>,
 }
 
@@ -43,7 +47,7 @@ impl FanInstance {
     /// Appends the triangles of one group.
     ///
     /// # Panics
-    /// If the instance is of another table, or there is no such group.
+    /// If the instance belongs to a different table, or the group does not exist.
     pub fn group_indices_into(&self, fans: &Fans, group: usize, out: &mut Vec<u32>) {
         self.check_table(fans);
         assert!(group < fans.group_count, "group {group} of {}", fans.group_count);
@@ -54,58 +58,59 @@ impl FanInstance {
         });
     }
 
-    /// Writes what the instance shows in the given form, group by group; replaces what `out` held.
+    /// Writes what the instance shows in the given form, group by group, replacing the contents of `out`.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn emit_into(&self, fans: &Fans, form: FanForm, out: &mut FanIndices) {
         self.check_table(fans);
         out.clear();
         out.append(fans, self, form);
     }
 
-    /// Does as [`emit_into`](Self::emit_into) on all threads; the same indices come out.
+    /// Writes the same indices as [`emit_into`](Self::emit_into), using all threads.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     #[cfg(feature = "parallel")]
     pub fn emit_parallel_into(&self, fans: &Fans, form: FanForm, out: &mut FanIndices) {
         self.check_table(fans);
         out.replace_parallel(fans, self, form);
     }
 
-    /// Appends the triangles that the instance shows, three indices each, group after group.
+    /// Appends the triangles that the instance shows, three indices each, group by group.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn indices_into(&self, fans: &Fans, out: &mut Vec<u32>) {
         self.check_table(fans);
         append_all(fans, self, FanForm::Triangles, out);
     }
 
-    /// Appends the fans that the instance shows, a pivot and nodes of its ring each, with a
-    /// [`RESTART`](crate::strip::RESTART) between two.
+    /// Appends the fans that the instance shows: a pivot and nodes of its ring each, separated by
+    /// [`RESTART`](crate::strip::RESTART).
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn fans_into(&self, fans: &Fans, out: &mut Vec<u32>) {
         self.check_table(fans);
         append_all(fans, self, FanForm::Fans, out);
     }
 
-    /// Appends the fans that the instance shows as strips, with a [`RESTART`](crate::strip::RESTART) between two.
+    /// Appends the fans that the instance shows as strips, separated by
+    /// [`RESTART`](crate::strip::RESTART).
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn strips_into(&self, fans: &Fans, out: &mut Vec<u32>) {
         self.check_table(fans);
         append_all(fans, self, FanForm::Strips, out);
     }
 
-    /// What drawing all groups in a form takes, without making the indices.
+    /// Counts what is needed to draw all groups in a form, without writing the indices.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn draw_counts(&self, fans: &Fans, form: FanForm) -> DrawCounts {
         self.check_table(fans);
         counts(fans, self, form)
@@ -113,44 +118,44 @@ impl FanInstance {
 }
 
 impl Fans {
-    /// Writes a uniform level in the given form, group by group; replaces what `out` held.
+    /// Writes a uniform level in the given form, group by group, replacing the contents of `out`.
     ///
     /// # Panics
-    /// If the level is of another table.
+    /// If the level belongs to a different table.
     pub fn emit_level_into(&self, level: &FansLevel, form: FanForm, out: &mut FanIndices) {
         level.check_table(self);
         out.clear();
         out.append(self, level, form);
     }
 
-    /// Does as [`emit_level_into`](Self::emit_level_into) on all threads; the same indices come out.
+    /// Writes the same indices as [`emit_level_into`](Self::emit_level_into), using all threads.
     ///
     /// # Panics
-    /// If the level is of another table.
+    /// If the level belongs to a different table.
     #[cfg(feature = "parallel")]
     pub fn emit_level_parallel_into(&self, level: &FansLevel, form: FanForm, out: &mut FanIndices) {
         level.check_table(self);
         out.replace_parallel(self, level, form);
     }
 
-    /// What drawing a uniform level in a form takes.
+    /// Counts what is needed to draw a uniform level in a form.
     ///
     /// # Panics
-    /// If the level is of another table.
+    /// If the level belongs to a different table.
     pub fn level_draw_counts(&self, level: &FansLevel, form: FanForm) -> DrawCounts {
         level.check_table(self);
         counts(self, level, form)
     }
 }
 
-/// Appends what is shown to indices of the caller.
+/// Appends what is shown to the caller's indices.
 pub(super) fn append_all(fans: &Fans, shown: &impl Shown, form: FanForm, out: &mut Vec<u32>) {
     let mut all = FanIndices { indices: std::mem::take(out), ..FanIndices::default() };
     all.append(fans, shown, form);
     *out = all.indices;
 }
 
-/// What has been written is the same, however it was.
+/// Compares the output only, not the scratch memory.
 impl PartialEq for FanIndices {
     fn eq(&self, other: &Self) -> bool {
         self.indices == other.indices && self.group_ranges == other.group_ranges
@@ -165,7 +170,7 @@ impl FanIndices {
         self.group_ranges.clear();
     }
 
-    /// Appends what is shown, in one walk.
+    /// Appends what is shown, in one sequential pass.
     fn append(&mut self, fans: &Fans, shown: &impl Shown, form: FanForm) {
         let start = self.indices.len();
         let mut others = std::mem::take(&mut self.others);
@@ -176,7 +181,7 @@ impl FanIndices {
             shown,
             form,
             Span::whole(fans),
-            &mut Sinks { first: &mut self.indices, others: &mut others },
+            &mut GroupOutputs { first: &mut self.indices, others: &mut others },
         );
         self.close_group(start..self.indices.len(), form);
         for group in &others {
@@ -188,12 +193,12 @@ impl FanIndices {
         self.finish(start, form);
     }
 
-    /// Writes what is shown: stretches of the walk on all threads, their pieces in order. What the indices were before only
-    /// spares making room for them.
+    /// Replaces the contents by what is shown, running sections of the pass on all threads. The old
+    /// indices are kept until overwritten, which saves clearing the memory.
     #[cfg(feature = "parallel")]
     fn replace_parallel(&mut self, fans: &Fans, shown: &(impl Shown + Sync), form: FanForm) {
         use rayon::prelude::*;
-        if shown.there_count(fans) < WORTH_THREADS {
+        if shown.active_count(fans) < MIN_PARALLEL_COUNT {
             self.clear();
             return self.append(fans, shown, form);
         }
@@ -218,19 +223,19 @@ impl FanIndices {
         self.finish(0, form);
     }
 
-    /// Notes the range of a group that has been written, without the restart behind it.
+    /// Adds the range of a group that has been written, without the restart behind it.
     fn close_group(&mut self, written: Range<usize>, form: FanForm) {
         let has_restart = form != FanForm::Triangles && !written.is_empty();
         self.group_ranges.push(written.start as u32..(written.end - usize::from(has_restart)) as u32);
     }
 
-    /// Takes away the restart behind the last fan, unless nothing has been written from `start` on.
+    /// Removes the restart after the last fan, unless nothing has been written since `start`.
     fn finish(&mut self, start: usize, form: FanForm) {
         if form != FanForm::Triangles && self.indices.len() > start {
             self.indices.pop();
         }
         let end = self.indices.len() as u32;
-        // Empty groups at the end stood behind it.
+        // Empty groups at the end began behind that restart.
         self.group_ranges.iter_mut().for_each(|range| range.start = range.start.min(end));
         self.group_ranges.iter_mut().for_each(|range| range.end = range.end.min(end));
     }
@@ -245,43 +250,43 @@ fn counts(fans: &Fans, shown: &impl Shown, form: FanForm) -> DrawCounts {
     counts
 }
 
-/// What a stretch of the walk shows, group by group.
+/// Returns the indices of a section of the pass, group by group.
 #[cfg(feature = "parallel")]
 fn groups_of(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span) -> Vec<Vec<u32>> {
     let mut groups = vec![Vec::new(); fans.group_count];
     if let [first, others @ ..] = &mut groups[..] {
-        // A vertex has two triangles, more or less.
-        first.reserve(7 * span.there_count(shown));
-        write(fans, shown, form, span, &mut Sinks { first, others });
+        // A vertex has about two triangles.
+        first.reserve(7 * span.active_count(shown));
+        write(fans, shown, form, span, &mut GroupOutputs { first, others });
     }
     groups
 }
 
-/// Where the triangles of each group go.
-struct Sinks<'a> {
+/// Output buffers of all groups.
+struct GroupOutputs<'a> {
     first: &'a mut Vec<u32>,
     others: &'a mut [Vec<u32>],
 }
 
-impl Sinks<'_> {
+impl GroupOutputs<'_> {
     #[inline]
     fn of(&mut self, group: u32) -> &mut Vec<u32> {
         if group == 0 { self.first } else { &mut self.others[group as usize - 1] }
     }
 }
 
-/// Writes a stretch of the walk; behind each fan and strip stands a restart.
-fn write(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span, sinks: &mut Sinks<'_>) {
-    // Each arm is a walk of its own, with what it does to a fan compiled into it.
+/// Writes a section of the pass, with a restart after each fan or strip.
+fn write(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span, outputs: &mut GroupOutputs<'_>) {
+    // Each arm instantiates its own loop, so that the code for a fan is inlined.
     match form {
         FanForm::Triangles => {
-            for_each_fan(fans, shown, span, |fan, mask| fan.triangles_into(mask, sinks.of(fan.group)));
+            for_each_fan(fans, shown, span, |fan, mask| fan.triangles_into(mask, outputs.of(fan.group)));
         }
         FanForm::Fans => {
-            for_each_fan(fans, shown, span, |fan, mask| write_fans(&fan, mask, sinks.of(fan.group)));
+            for_each_fan(fans, shown, span, |fan, mask| write_fans(&fan, mask, outputs.of(fan.group)));
         }
         FanForm::Strips => {
-            for_each_fan(fans, shown, span, |fan, mask| write_strips(&fan, mask, sinks.of(fan.group)));
+            for_each_fan(fans, shown, span, |fan, mask| write_strips(&fan, mask, outputs.of(fan.group)));
         }
     }
 }

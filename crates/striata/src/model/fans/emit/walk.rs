@@ -1,69 +1,69 @@
-//! The walk over what is there: vertices of the base, then steps, 64 at a look.
+//! The pass over everything that is active: base vertices first, then steps, 64 per word.
 
 use std::ops::Range;
 
 use super::super::table::FanView;
 use super::super::{FanInstance, Fans, FansLevel};
 
-/// Vertices of the base, or steps, that a thread takes at a time.
+/// Number of base vertices, or of steps, in one section of a parallel pass.
 #[cfg(feature = "parallel")]
 const PIECE: usize = 4096;
 
-/// Says which steps are taken.
+/// A set of collapsed steps.
 pub(in super::super) trait Shown {
     /// Whether a step is collapsed.
-    fn is_taken(&self, step: u32) -> bool;
+    fn is_collapsed(&self, step: u32) -> bool;
 
-    /// Bits of 64 steps, low ones first: those that are there.
-    fn there(&self, word: usize) -> u64;
+    /// Returns a word of 64 steps, low bits first, with the bits of the refined ones set.
+    fn active_word(&self, word: usize) -> u64;
 
-    /// Vertices of the base and steps that are there.
+    /// Number of base vertices plus refined steps.
     #[cfg(feature = "parallel")]
-    fn there_count(&self, fans: &Fans) -> usize
+    fn active_count(&self, fans: &Fans) -> usize
     where
         Self: Sized,
     {
-        Span::whole(fans).there_count(self)
+        Span::whole(fans).active_count(self)
     }
 }
 
 impl Shown for FanInstance {
     #[inline]
-    fn is_taken(&self, step: u32) -> bool {
+    fn is_collapsed(&self, step: u32) -> bool {
         !self.is_refined(step)
     }
 
     #[inline]
-    fn there(&self, word: usize) -> u64 {
-        !self.taken.words()[word] & first_bits(self.step_count - 64 * word)
+    fn active_word(&self, word: usize) -> u64 {
+        !self.collapsed.words()[word] & first_bits(self.step_count - 64 * word)
     }
 }
 
 impl Shown for FansLevel {
     #[inline]
-    fn is_taken(&self, step: u32) -> bool {
+    fn is_collapsed(&self, step: u32) -> bool {
         step as usize >= self.split_count
     }
 
     #[inline]
-    fn there(&self, word: usize) -> u64 {
+    fn active_word(&self, word: usize) -> u64 {
         first_bits(self.split_count.saturating_sub(64 * word))
     }
 }
 
 impl FansLevel {
     pub(super) fn check_table(self, fans: &Fans) {
-        assert!(self.split_count <= fans.step_count, "the level is of another table");
+        assert!(self.split_count <= fans.step_count, "the level belongs to a different table");
     }
 }
 
-/// The lowest so many bits, at most all.
+/// Returns a word with its lowest `count` bits set, at most 64.
 #[inline]
 fn first_bits(count: usize) -> u64 {
     if count < 64 { (1 << count) - 1 } else { u64::MAX }
 }
 
-/// A stretch of the walk.
+/// A section of the pass.
 #[derive(Clone, Debug)]
 pub(super) struct Span {
     base: Range<u32>,
@@ -75,14 +75,14 @@ impl Span {
         Self { base: 0..fans.vertices.base_vertex_count, words: 0..fans.step_count.div_ceil(64) }
     }
 
-    /// Vertices of the base and steps that are there.
+    /// Number of base vertices plus refined steps in the section.
     #[cfg(feature = "parallel")]
-    pub(super) fn there_count(&self, shown: &impl Shown) -> usize {
-        let steps = self.words.clone().map(|word| shown.there(word).count_ones() as usize);
+    pub(super) fn active_count(&self, shown: &impl Shown) -> usize {
+        let steps = self.words.clone().map(|word| shown.active_word(word).count_ones() as usize);
         self.base.len() + steps.sum::<usize>()
     }
 
-    /// The whole in stretches, in order.
+    /// Splits the whole pass into sections, in order.
     #[cfg(feature = "parallel")]
     pub(super) fn pieces(fans: &Fans) -> Vec<Self> {
         let Self { base, words } = Self::whole(fans);
@@ -97,7 +97,7 @@ impl Span {
     }
 }
 
-/// Visits the fans of all vertices of a stretch that are there, each with those of its arcs that are.
+/// Visits the fans of all active vertices of a section, each with the mask of its active arcs.
 #[inline]
 pub(super) fn for_each_fan(
     fans: &Fans,
@@ -106,20 +106,21 @@ pub(super) fn for_each_fan(
     mut visit: impl FnMut(FanView<'_>, u32),
 ) {
     let mut visit = |fan: FanView<'_>| {
-        let mask = fan.mask(|step| shown.is_taken(step));
+        let mask = fan.mask(|step| shown.is_collapsed(step));
         visit(fan, mask);
     };
     for vertex in span.base {
-        // Loops, not `for_each`: its closure would be a call for each fan, which is handed over through memory.
+        // A loop rather than `for_each`, whose closure would be called for each fan with a copy of it in
+        // memory.
         for fan in fans.base_entry(vertex) {
             visit(fan);
         }
     }
     for word in span.words {
-        let mut there = shown.there(word);
-        while there != 0 {
-            let step = 64 * word as u32 + there.trailing_zeros();
-            there &= there - 1;
+        let mut active = shown.active_word(word);
+        while active != 0 {
+            let step = 64 * word as u32 + active.trailing_zeros();
+            active &= active - 1;
             for vertex in fans.vertices.of_step(step as usize) {
                 for fan in fans.step_entry(vertex, step) {
                     visit(fan);

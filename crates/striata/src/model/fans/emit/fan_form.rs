@@ -1,8 +1,8 @@
-//! A run of arcs as triangles, as a fan or as a strip.
+//! Writes a run of arcs as triangles, as a fan or as a strip.
 //!
-//! A run of `n` arcs around `p` from node `a` takes 3 `n` indices as triangles, `n` + 2 as a fan. A strip has two triangles in a
-//! row at the price of one index each, as long as it turns from side to side; around one vertex that is so for three triangles,
-//! then `p` has to be given again:
+//! A run of `n` arcs around `p`, starting at node `a`, takes 3 `n` indices as a triangle list and `n` + 2
+//! as a fan. In a strip, a further triangle costs only one index as long as the strip turns from side to
+//! side. Around a single vertex this works for three triangles; after that, `p` must be repeated:
 //!
 //! ```text
 //! 1 triangle      p a b              3
@@ -12,28 +12,30 @@
 //! n triangles     a b p c p d p .. z 2 n - 1
 //! ```
 //!
-//! No strips of these triangles alone are shorter (the tests try them all, with restarts). With the restart behind it that is
-//! 4, 5, 6, 8, 10 .. indices, two a triangle from three triangles on; a fan is shorter from four on.
-//! Joining runs that follow each other by degenerate triangles would take two or three indices for the restart's one: what
-//! follows in the walk is next to it in the order of refinement, not on the surface.
+//! No strip of these triangles alone is shorter; the tests try all of them, including restarts. Including
+//! the restart behind it, a run takes 4, 5, 6, 8, 10 .. indices, which is two per triangle from three
+//! triangles on; a fan is shorter from four triangles on. Joining consecutive runs by degenerate triangles
+//! would cost two or three indices instead of one restart, because consecutive runs are neighbors in
+//! refinement order but not on the surface.
 
 use super::super::table::{FanView, MAX_ARCS};
 use crate::model::DrawCounts;
 use crate::strip::RESTART;
 
-/// How the triangles of a table are handed over.
+/// The form in which triangles of a table are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FanForm {
-    /// Three indices a triangle.
+    /// A triangle list: three indices per triangle.
     Triangles,
-    /// A pivot and its ring, then [`RESTART`]: each triangle is the pivot and two indices that follow each other.
+    /// A pivot and its ring, then [`RESTART`]; each triangle consists of the pivot and two consecutive
+    /// ring nodes.
     Fans,
-    /// Strips with [`RESTART`] between them; every second triangle is turned, as GPUs do.
+    /// Strips with [`RESTART`] between them; every second triangle has reversed winding, as on GPUs.
     Strips,
 }
 
 impl FanForm {
-    /// Adds what a fan takes, a restart behind each run.
+    /// Adds the size of a fan in this form, including a restart behind each run.
     pub(super) fn count(self, fan: &FanView<'_>, mask: u32, counts: &mut DrawCounts) {
         if self == Self::Triangles {
             counts.index_count += 3 * mask.count_ones() as usize;
@@ -50,7 +52,7 @@ impl FanForm {
     }
 }
 
-/// Appends the triangles of fans with [`RESTART`] between them.
+/// Converts fans with [`RESTART`] between them to triangles.
 pub fn fan_triangles_into(indices: &[u32], out: &mut Vec<[u32; 3]>) {
     for fan in indices.split(|&index| index == RESTART) {
         if let [pivot, ring @ ..] = fan {
@@ -59,7 +61,7 @@ pub fn fan_triangles_into(indices: &[u32], out: &mut Vec<[u32; 3]>) {
     }
 }
 
-/// Appends each run as a fan, a restart behind it.
+/// Appends each run as a fan, followed by a restart.
 #[inline]
 pub(super) fn write_fans(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
     if mask == 0 {
@@ -71,13 +73,13 @@ pub(super) fn write_fans(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
         out.push(fan.vertex);
         let end = first + count + 1;
         out.extend_from_slice(&ring.nodes[first..end.min(ring.count)]);
-        // What passes the end goes on at the start.
+        // A run that passes the end continues at the start.
         out.extend_from_slice(&ring.nodes[..end.saturating_sub(ring.count)]);
         out.push(RESTART);
     }
 }
 
-/// Appends each run as a strip, a restart behind it.
+/// Appends each run as a strip, followed by a restart.
 #[inline]
 pub(super) fn write_strips(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
     if mask == 0 {
@@ -99,7 +101,7 @@ pub(super) fn write_strips(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
     }
 }
 
-/// The nodes of a fan as numbers.
+/// The decoded nodes of a fan.
 struct Ring {
     nodes: [u32; MAX_ARCS + 1],
     count: usize,
@@ -123,12 +125,13 @@ impl Ring {
     }
 }
 
-/// Connected runs of the arcs in a mask: the first arc of each and how many. On a closed ring a run may pass the end.
+/// Connected runs of the arcs in a mask: the first arc and the arc count of each. On a closed ring, a run
+/// may pass the end.
 #[derive(Clone, Debug)]
 struct Runs {
-    /// The mask turned so that no run passes its end.
+    /// The mask, rotated so that no run passes its end.
     turned: u64,
-    /// The arc that is the first bit of it.
+    /// The arc that corresponds to its lowest bit.
     start: usize,
     arc_count: usize,
 }
@@ -142,7 +145,7 @@ impl Runs {
         if !passes_end {
             return Self { turned: mask, start: 0, arc_count };
         }
-        // The run that passes the end begins behind the last arc that is not there.
+        // The run that passes the end begins after the last gap.
         let start = 64 - (!mask & all).leading_zeros() as usize;
         Self { turned: (mask >> start | mask << (arc_count - start)) & all, start, arc_count }
     }
@@ -186,11 +189,12 @@ mod tests {
         assert_eq!(runs(u32::MAX - 16, 32, false), [(0, 4), (5, 27)]);
     }
 
-    /// Writes one run of a vertex behind its ring, as a fan or as a strip, without the restart behind.
+    /// Writes one run of a vertex that is newer than its ring, as a fan or as a strip, without the
+    /// trailing restart.
     fn written(count: usize, write: impl Fn(&FanView<'_>, u32, &mut Vec<u32>)) -> Vec<u32> {
         let all = (1u64 << count) - 1;
         let nodes = (0..=count as u32).collect();
-        let fan = Fan { group: 0, arc_count: count, nodes, always: all as u32, creators: Vec::new() };
+        let fan = Fan { group: 0, arc_count: count, nodes, permanent: all as u32, creators: Vec::new() };
         let mut table = TableWriter::new(false);
         (0..=count).for_each(|_| table.push(0, &[]));
         table.push(0, &[fan]);
@@ -219,7 +223,7 @@ mod tests {
         }
     }
 
-    /// Whether so many indices, restarts among them, can draw a run: tries them all.
+    /// Whether `index_count` indices, possibly including restarts, can draw a run; tries all of them.
     fn can_draw(count: usize, index_count: usize) -> bool {
         let pivot = count as u32 + 1;
         let expected = canonical_triangles(&(0..count as u32).map(|i| [pivot, i, i + 1]).collect::<Vec<_>>());

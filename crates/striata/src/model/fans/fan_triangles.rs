@@ -1,33 +1,35 @@
-//! The triangles of an instance kept from frame to frame: only what changes is written.
+//! A triangle list that is kept from frame to frame and updated incrementally.
 //!
-//! A fan knows its triangles whenever it is asked, so an instance needs to keep none. Where a few steps change in each of many
-//! frames it pays to keep them all the same: a step that is taken or undone changes its own triangles and those that
-//! take their place, which stand with a few vertices around it. Each vertex that is there knows where its arcs stand in the list, each place of the list which arc
-//! stands there, so a triangle that goes is replaced by the last one and the list has no holes.
+//! Fans can produce their triangles on demand, so an instance does not have to keep any. But if only a few
+//! steps change per frame, keeping a list is faster: collapsing or splitting a step changes its own
+//! triangles and those that replace them, which are stored with a few vertices around it. Each active
+//! vertex knows where its arcs are in the list, and each list entry knows its arc, so a removed triangle
+//! is replaced by the last one and the list has no holes.
 //!
-//! Cost: 16 bytes a triangle, 4 a vertex of the mesh, and 4 for each arc of a vertex that is there, rounded up to a power of two;
-//! a change takes time in proportion to the triangles around it, and finding it a look at each 64 steps.
+//! Cost: 16 bytes per triangle, 4 bytes per vertex of the mesh, and 4 bytes per arc of an active vertex,
+//! rounded up to a power of two. A change takes time proportional to the triangles around it; finding
+//! changes scans one 64-bit word per 64 steps.
 
 use super::table::FanView;
 use super::{FanInstance, Fans, MAX_ARCS};
 use crate::mesh::CollapseSequence;
 use crate::model::step_bits::StepBits;
 
-/// An arc that is not shown, a vertex that is not there.
+/// Marks an arc without a triangle, or a vertex that is not active.
 const NONE: u32 = u32::MAX;
 
-/// All triangles that an instance shows, in any order.
+/// All triangles that an instance shows, in arbitrary order.
 #[derive(Clone, Debug)]
 pub struct FanTriangles {
     shown: FanInstance,
     groups: Vec<Group>,
-    /// Where the arcs of each vertex begin in `places`.
+    /// Index of each vertex's first arc in `arc_triangles`.
     heads: Vec<u32>,
-    /// For each arc of a vertex that is there its place in its group's list.
-    places: Vec<u32>,
-    /// Free runs of `places`, by the power of two that is their length.
+    /// For each arc of an active vertex, the index of its triangle in the list of its group.
+    arc_triangles: Vec<u32>,
+    /// Free runs of `arc_triangles`; `free[n]` lists those of length `2^n`.
     free: [Vec<u32>; 32],
-    /// Vertices to look at, once each.
+    /// Vertices to update, without duplicates.
     changed: Vec<u32>,
     is_changed: StepBits,
 }
@@ -35,15 +37,15 @@ pub struct FanTriangles {
 #[derive(Clone, Debug, Default)]
 struct Group {
     triangles: Vec<[u32; 3]>,
-    /// The arc that each triangle is of, as its place in `places`.
+    /// Index in `arc_triangles` of the arc to which each triangle belongs.
     arcs: Vec<u32>,
 }
 
 impl FanTriangles {
-    /// The triangles of an instance.
+    /// Creates the list of an instance's triangles.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to a different table.
     pub fn new(fans: &Fans, instance: &FanInstance) -> Self {
         instance.check_table(fans);
         let vertex_count = fans.vertex_count();
@@ -51,41 +53,41 @@ impl FanTriangles {
             shown: instance.clone(),
             groups: vec![Group::default(); fans.group_count],
             heads: vec![NONE; vertex_count],
-            places: Vec::new(),
+            arc_triangles: Vec::new(),
             free: Default::default(),
             changed: Vec::new(),
             is_changed: StepBits::none(vertex_count),
         };
-        (0..vertex_count as u32).for_each(|vertex| triangles.look_at(fans, vertex));
+        (0..vertex_count as u32).for_each(|vertex| triangles.update_vertex(fans, vertex));
         triangles
     }
 
-    /// The triangles of a group; of a mesh without groups, of group 0.
+    /// Returns the triangles of a group; a mesh without groups has all triangles in group 0.
     ///
     /// # Panics
-    /// If there is no such group.
+    /// If the group does not exist.
     pub fn triangles(&self, group: usize) -> &[[u32; 3]] {
         &self.groups[group].triangles
     }
 
-    /// The instance whose triangles these are.
+    /// Returns the instance whose triangles the list contains.
     pub fn shown(&self) -> &FanInstance {
         &self.shown
     }
 
-    /// Bytes owned.
+    /// Number of bytes owned.
     pub fn bytes(&self) -> usize {
         let groups = self.groups.iter().map(|g| 12 * g.triangles.capacity() + 4 * g.arcs.capacity());
-        let words = [&self.heads, &self.places, &self.changed].into_iter().chain(&self.free);
+        let words = [&self.heads, &self.arc_triangles, &self.changed].into_iter().chain(&self.free);
         groups.chain(words.map(|list| 4 * list.capacity())).sum::<usize>()
             + self.shown.bytes()
             + self.is_changed.bytes()
     }
 
-    /// Goes on to another instance; returns how many steps were changed.
+    /// Updates the list to another instance; returns the number of steps that differ.
     ///
     /// # Panics
-    /// If the instance or the sequence is of another mesh.
+    /// If the instance or the sequence belongs to a different mesh.
     pub fn follow(&mut self, fans: &Fans, sequence: &CollapseSequence, instance: &FanInstance) -> usize {
         instance.check_table(fans);
         self.shown.check_table(fans);
@@ -96,26 +98,27 @@ impl FanTriangles {
                 let step = 64 * at as u32 + steps.trailing_zeros();
                 steps &= steps - 1;
                 count += 1;
-                self.note_around(fans, sequence, step);
+                self.mark_around(fans, sequence, step);
             }
         }
         self.shown.clone_from(instance);
         let mut changed = std::mem::take(&mut self.changed);
         for &vertex in &changed {
             self.is_changed.remove(vertex);
-            self.look_at(fans, vertex);
+            self.update_vertex(fans, vertex);
         }
         changed.clear();
         self.changed = changed;
         count
     }
 
-    /// Notes the vertices whose triangles a step changes: its own, and those that the triangles of its floor stand with.
-    fn note_around(&mut self, fans: &Fans, sequence: &CollapseSequence, step: u32) {
+    /// Marks the vertices whose triangles a step changes: its own, and those that store the triangles of
+    /// its floor.
+    fn mark_around(&mut self, fans: &Fans, sequence: &CollapseSequence, step: u32) {
         let vertices = fans.vertices.of_step(step as usize);
         let on_floor = |v: u32| if vertices.contains(&v) { sequence.target(v) } else { v };
         for vertex in vertices.clone() {
-            self.note(vertex);
+            self.mark(vertex);
             let target = sequence.target(vertex);
             for fan in fans.step_entry(vertex, step) {
                 let mut nodes = fan.nodes().map(on_floor);
@@ -124,7 +127,7 @@ impl FanTriangles {
                 let closing = fan.is_closed.then_some(first);
                 for node in nodes.chain(closing) {
                     if last != target && node != target && node != last {
-                        self.note(target.max(last).max(node));
+                        self.mark(target.max(last).max(node));
                     }
                     last = node;
                 }
@@ -132,23 +135,23 @@ impl FanTriangles {
         }
     }
 
-    fn note(&mut self, vertex: u32) {
+    fn mark(&mut self, vertex: u32) {
         if !self.is_changed.has(vertex) {
             self.is_changed.insert(vertex);
             self.changed.push(vertex);
         }
     }
 
-    /// Brings the triangles of a vertex up to date.
-    fn look_at(&mut self, fans: &Fans, vertex: u32) {
+    /// Updates the triangles of a vertex.
+    fn update_vertex(&mut self, fans: &Fans, vertex: u32) {
         let base = fans.vertices.base_vertex_count;
         let step = (vertex >= base).then(|| fans.vertices.step_of(vertex) as u32);
         let entry = fans.table.entry(vertex, step.map_or(0, |step| step + 1));
-        let is_there = step.is_none_or(|step| self.shown.is_refined(step));
+        let is_active = step.is_none_or(|step| self.shown.is_refined(step));
         let mut head = self.heads[vertex as usize];
         if head == NONE {
             let arc_count: usize = entry.map(|fan| fan.arc_count()).sum();
-            if !is_there || arc_count == 0 {
+            if !is_active || arc_count == 0 {
                 return;
             }
             head = self.allocate(arc_count);
@@ -156,28 +159,31 @@ impl FanTriangles {
         }
         let mut arc = head;
         for fan in entry {
-            let mask = if is_there { fan.mask(|step| !self.shown.is_refined(step)) } else { 0 };
+            let mask = if is_active { fan.mask(|step| !self.shown.is_refined(step)) } else { 0 };
             self.show(&fan, arc, mask);
             arc += fan.arc_count() as u32;
         }
-        if !is_there {
+        if !is_active {
             self.release(head, (arc - head) as usize);
             self.heads[vertex as usize] = NONE;
         }
     }
 
-    /// Shows the arcs of a fan that are in a mask, and no others.
+    /// Shows exactly those arcs of a fan that are in a mask.
     fn show(&mut self, fan: &FanView<'_>, first_arc: u32, mask: u32) {
         let arcs = first_arc as usize..first_arc as usize + fan.arc_count();
-        let shown =
-            self.places[arcs].iter().rev().fold(0, |mask, &place| mask << 1 | u32::from(place != NONE));
+        let shown = self.arc_triangles[arcs]
+            .iter()
+            .rev()
+            .fold(0, |mask, &triangle| mask << 1 | u32::from(triangle != NONE));
         let group = &mut self.groups[fan.group as usize];
         for_each_bit(shown & !mask, |at| {
-            let place = std::mem::replace(&mut self.places[(first_arc + at) as usize], NONE) as usize;
-            group.triangles.swap_remove(place);
-            group.arcs.swap_remove(place);
-            if let Some(&moved) = group.arcs.get(place) {
-                self.places[moved as usize] = place as u32;
+            let triangle =
+                std::mem::replace(&mut self.arc_triangles[(first_arc + at) as usize], NONE) as usize;
+            group.triangles.swap_remove(triangle);
+            group.arcs.swap_remove(triangle);
+            if let Some(&moved) = group.arcs.get(triangle) {
+                self.arc_triangles[moved as usize] = triangle as u32;
             }
         });
         let new = mask & !shown;
@@ -187,18 +193,18 @@ impl FanTriangles {
         let mut ring = [0; MAX_ARCS + 1];
         fan.ring_into(&mut ring);
         for_each_bit(new, |at| {
-            self.places[(first_arc + at) as usize] = group.triangles.len() as u32;
+            self.arc_triangles[(first_arc + at) as usize] = group.triangles.len() as u32;
             group.triangles.push([fan.vertex, ring[at as usize], ring[at as usize + 1]]);
             group.arcs.push(first_arc + at);
         });
     }
 
-    /// Places for so many arcs, none of them shown.
+    /// Allocates entries for `arc_count` arcs, none of them shown.
     fn allocate(&mut self, arc_count: usize) -> u32 {
         let power = arc_count.next_power_of_two().ilog2() as usize;
         self.free[power].pop().unwrap_or_else(|| {
-            let head = self.places.len() as u32;
-            self.places.resize(self.places.len() + (1 << power), NONE);
+            let head = self.arc_triangles.len() as u32;
+            self.arc_triangles.resize(self.arc_triangles.len() + (1 << power), NONE);
             head
         })
     }

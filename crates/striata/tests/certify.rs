@@ -1,4 +1,5 @@
-//! Certified errors hold: no point of the original surface is farther from a state than its error says.
+//! Certified errors are bounds: no point of the original surface is farther from a level than the error
+//! states.
 
 use striata_testing::meshes;
 
@@ -16,7 +17,7 @@ use striata::simplify::{
 };
 use support::{Case, Wildness, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases};
 
-/// The distance of samples of `full` from `state`; 0 where there is nothing to measure.
+/// Distance of samples of `full` from `state`; 0 if there is nothing to measure.
 fn measured(full: &IndexedMesh, state: &IndexedMesh, sample_count: usize) -> f64 {
     if state.triangles.is_empty() {
         return 0.0;
@@ -25,12 +26,12 @@ fn measured(full: &IndexedMesh, state: &IndexedMesh, sample_count: usize) -> f64
     surface_distance(full, state, &options).expect("both have triangles").a_to_b.max
 }
 
-/// What the measurement itself rounds.
+/// Adds a margin for the rounding of the measurement itself.
 fn above(error: f32, mesh: &IndexedMesh) -> f64 {
     f64::from(error) + 1e-14 * mesh.diagonal()
 }
 
-fn levels_hold(refinable: &RefinableMesh, stride: usize, sample_count: usize) {
+fn errors_hold_at_levels(refinable: &RefinableMesh, stride: usize, sample_count: usize) {
     let certain = certify_collapses(refinable);
     assert_eq!(certain.mesh, refinable.mesh);
     assert_eq!(certain.sequence.targets(), refinable.sequence.targets());
@@ -41,8 +42,8 @@ fn levels_hold(refinable: &RefinableMesh, stride: usize, sample_count: usize) {
     }
 }
 
-/// Random sets of steps, each with all that it stands on.
-fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize) {
+/// Checks random sets of steps, each with everything that it depends on.
+fn errors_hold_for_random_sets(refinable: &RefinableMesh, count: usize, sample_count: usize) {
     let fragmented = FragmentedMesh::from_collapses(refinable);
     let certain = certify(&fragmented);
     let fragments = &certain.fragments;
@@ -51,8 +52,8 @@ fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize)
     let replaced_by = fragments.replaced_by();
     let mut random = Random::new(7);
     for i in 0..count {
-        let taken = random_selection(fragments, &mut random, 5 + 90 * i as u32 / count as u32);
-        let faces = fragment_faces(fragments, |step| taken[step as usize]);
+        let selected = random_selection(fragments, &mut random, 5 + 90 * i as u32 / count as u32);
+        let faces = fragment_faces(fragments, |step| selected[step as usize]);
         let mut error = 0f32;
         for &face in &faces {
             let step = replaced_by[face as usize];
@@ -60,8 +61,8 @@ fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize)
                 error = error.max(fragments.floor_error(step));
             }
         }
-        for step in (0..taken.len() as u32).filter(|&step| !taken[step as usize]) {
-            // What vanishes has no face left to tell its error.
+        for step in (0..selected.len() as u32).filter(|&step| !selected[step as usize]) {
+            // A surface that vanishes leaves no face that could carry its error.
             if fragments.floor(step).is_empty() {
                 error = error.max(fragments.floor_error(step));
             }
@@ -73,64 +74,64 @@ fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize)
     }
 }
 
-/// Takes about `percent` of 100 steps, and whatever they stand on.
+/// Selects about `percent` of 100 steps, and everything that they depend on.
 fn random_selection(fragments: &FragmentSequence, random: &mut Random, percent: u32) -> Vec<bool> {
-    let mut taken = vec![false; fragments.step_count()];
-    // Whole regions, not single steps: a step is wanted if it restores a vertex whose number is so.
+    let mut selected = vec![false; fragments.step_count()];
+    // Selects whole regions instead of single steps: a step is wanted if the index of its vertex says so.
     let block = 1 + random.below(40);
     let salt = random.next_u64();
-    for step in (0..taken.len() as u32).rev() {
+    for step in (0..selected.len() as u32).rev() {
         let wanted = Random::new(salt ^ u64::from(step / block)).below(100) < percent;
-        if wanted || taken[step as usize] {
-            taken[step as usize] = true;
+        if wanted || selected[step as usize] {
+            selected[step as usize] = true;
             for &face in fragments.floor(step) {
                 if let Some(maker) = fragments.maker(face) {
-                    taken[maker as usize] = true;
+                    selected[maker as usize] = true;
                 }
             }
         }
     }
-    taken
+    selected
 }
 
-fn everything_holds(case: &Case) {
+fn all_errors_hold(case: &Case) {
     let levels = case.refinable.sequence.step_count().div_ceil(12).max(1);
-    levels_hold(&case.refinable, case.stride.max(levels), 300);
-    selections_hold(&case.refinable, 4, 300);
+    errors_hold_at_levels(&case.refinable, case.stride.max(levels), 300);
+    errors_hold_for_random_sets(&case.refinable, 4, 300);
 }
 
 #[test]
-fn all_kinds_of_meshes_hold_in_random_order() {
+fn errors_hold_for_all_kinds_of_meshes_in_random_order() {
     let cases = nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(3));
-    cases.for_each(|case| everything_holds(&case));
+    cases.for_each(|case| all_errors_hold(&case));
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
-    fn soups_hold(case in soups()) {
-        everything_holds(&case);
+    fn errors_hold_for_soups(case in soups()) {
+        all_errors_hold(&case);
     }
 
     #[test]
-    fn assets_hold(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
+    fn errors_hold_for_assets(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
         let mesh = meshes::asset(pieces, seed);
         let options = meshes::random_options(&mesh, seed, cost);
         let refinable = build_sequence(&mesh, &options).unwrap().refinable;
-        everything_holds(&Case { stride: 1, seed, refinable });
+        all_errors_hold(&Case { stride: 1, seed, refinable });
     }
 
     #[test]
-    fn random_triangles_in_space_hold(count in 1u32..60, seed in any::<u64>(), far_percent in 0usize..60) {
+    fn errors_hold_for_random_triangles(count in 1u32..60, seed in any::<u64>(), far_percent in 0usize..60) {
         let mesh = shapes::random_soup(count, seed);
         let wildness = Wildness { far_percent, base_position_count: 1 };
         let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(seed));
-        levels_hold(&refinable, 1 + count as usize / 10, 500);
+        errors_hold_at_levels(&refinable, 1 + count as usize / 10, 500);
     }
 }
 
-/// A sphere with dents and noise, as scans have.
+/// A sphere with dents and noise, like a scan.
 fn rough_sphere() -> IndexedMesh {
     let mut mesh = shapes::icosphere(4, 1.0);
     let mut random = Random::new(11);
@@ -158,30 +159,30 @@ fn quadric_sequence(mesh: &IndexedMesh) -> RefinableMesh {
 }
 
 #[test]
-fn surfaces_hold_in_the_order_of_cost() {
+fn errors_hold_for_surfaces_in_cost_order() {
     for (name, mesh) in surfaces() {
         eprintln!("{name}");
         let refinable = quadric_sequence(&mesh);
-        levels_hold(&refinable, 1 + refinable.sequence.step_count() / 12, 20_000);
-        selections_hold(&refinable, 8, 20_000);
+        errors_hold_at_levels(&refinable, 1 + refinable.sequence.step_count() / 12, 20_000);
+        errors_hold_for_random_sets(&refinable, 8, 20_000);
     }
 }
 
 #[test]
-fn surfaces_hold_in_random_order() {
+fn errors_hold_for_surfaces_in_random_order() {
     for (name, mesh) in surfaces() {
         eprintln!("{name}");
         for far_percent in [0, 2] {
             let wildness = Wildness { far_percent, base_position_count: 4 };
             let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(3));
-            levels_hold(&refinable, 1 + refinable.sequence.step_count() / 8, 10_000);
+            errors_hold_at_levels(&refinable, 1 + refinable.sequence.step_count() / 8, 10_000);
         }
     }
 }
 
-/// Far from the origin, and at scales where squares of f32 would be 0 or infinite.
+/// Far from the origin, and at scales where squares in f32 would become 0 or infinite.
 #[test]
-fn any_scale_and_place_holds() {
+fn errors_hold_at_any_scale_and_position() {
     for (scale, shift) in [(1e-25f32, 0.0), (1e25, 0.0), (1.0, 1e5)] {
         let mut mesh = rough_sphere();
         for x in mesh.positions.iter_mut().flatten() {
@@ -189,12 +190,12 @@ fn any_scale_and_place_holds() {
         }
         let wildness = Wildness { far_percent: 0, base_position_count: 4 };
         let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(1));
-        levels_hold(&refinable, 1 + refinable.sequence.step_count() / 8, 5_000);
+        errors_hold_at_levels(&refinable, 1 + refinable.sequence.step_count() / 8, 5_000);
     }
 }
 
 #[test]
-fn what_is_flat_stays_exact() {
+fn flat_surfaces_have_exact_errors() {
     let mut cube = shapes::cube();
     for _ in 0..3 {
         cube = split_in_four(&cube);
@@ -209,7 +210,7 @@ fn what_is_flat_stays_exact() {
     }
 }
 
-/// Each triangle into four.
+/// Subdivides each triangle into four.
 fn split_in_four(mesh: &IndexedMesh) -> IndexedMesh {
     let mut positions = Vec::new();
     let mut triangles = Vec::new();
@@ -226,7 +227,7 @@ fn split_in_four(mesh: &IndexedMesh) -> IndexedMesh {
     IndexedMesh::new(positions, triangles)
 }
 
-/// Bounds that are true but loose would pass all other tests.
+/// Bounds that are valid but loose would pass all other tests.
 #[test]
 fn bounds_are_tight() {
     let mut ratios = Vec::new();

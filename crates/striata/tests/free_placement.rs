@@ -1,4 +1,4 @@
-//! Free placement: one level with vertices anywhere.
+//! Free placement: one level whose vertices can lie anywhere.
 
 use striata_testing::meshes;
 
@@ -82,8 +82,8 @@ fn torus_keeps_its_handle_down_to_the_base() {
     let torus = shapes::torus(60, 30, 2.0, 0.7);
     let statistics = Statistics::of(&to_triangles(&torus, 300)).unwrap();
     assert_eq!((statistics.genus, statistics.is_closed), (Some(1), true));
-    let keeping = SequenceOptions::default().with_topology(TopologyRule::Keep);
-    let base = run(&torus, &options(Target::Detail(0.0)).with_sequence(keeping));
+    let keep = SequenceOptions::default().with_topology(TopologyRule::Keep);
+    let base = run(&torus, &options(Target::Detail(0.0)).with_sequence(keep));
     assert_eq!(base.stop_reason, StopReason::TargetReached);
     assert!(base.mesh.triangle_count() < 60, "{}", base.mesh.triangle_count());
     assert_eq!(Statistics::of(&base.mesh).unwrap().genus, Some(1));
@@ -104,7 +104,7 @@ fn flat_boundary_stays() {
 
 #[test]
 fn curved_boundary_keeps_its_course() {
-    // The rims of a cylinder are circles: their vertices stay near them, and at their height.
+    // The rims of a cylinder are circles: their vertices stay close to them, at constant height.
     let mesh = to_triangles(&shapes::uv_cylinder(96, 24), 600);
     let statistics = Statistics::of(&mesh).unwrap();
     assert_eq!(statistics.boundary_loop_count, 2);
@@ -157,7 +157,7 @@ fn locked_group_borders_stay_bit_for_bit() {
 #[test]
 fn a_locked_vertex_that_is_merged_into_an_equal_one_stays() {
     let mut terrain = shapes::terrain(24, 7);
-    // The last triangle of an inner vertex names a copy of it.
+    // The last triangle of an inner vertex uses a copy of it.
     let (inner, copy) = (333, terrain.vertex_count() as u32);
     terrain.positions.push(terrain.positions[inner as usize]);
     terrain.layers.clear();
@@ -184,7 +184,8 @@ fn seam_of_a_cylinder_stays_a_seam() {
         let length = (0..3).map(|c| normals.get(v, c).powi(2)).sum::<f32>();
         assert!((length - 1.0).abs() < 1e-4, "normal {v} has the squared length {length}");
         let [u, height] = [0, 1].map(|c| texcoords.get(v, c));
-        // The texture goes once around and once up: it tells where the vertex must be.
+        // The texture wraps around once and extends once from bottom to top, so it determines where a
+        // vertex must be.
         let turn = (p[1].atan2(p[0]) / std::f32::consts::TAU).rem_euclid(1.0);
         let off = (turn - u).abs();
         assert!(off.min(1.0 - off) < 0.03 && (height - p[2]).abs() < 0.06, "{p:?} has {u} {height}");
@@ -201,7 +202,7 @@ fn groups_and_materials_stay() {
     let mesh = to_triangles(&sphere, 400);
     assert_eq!(mesh.groups.len(), 2);
     assert_eq!(mesh.appearance, sphere.appearance);
-    // The materials' border is the equator; each side keeps to its half.
+    // The boundary between the materials is the equator; each side stays in its half.
     let height = |g: usize| {
         let triangles = &mesh.triangles[mesh.groups[g].range()];
         assert!(!triangles.is_empty());
@@ -248,7 +249,7 @@ fn error_limits_hold() {
     let out = run(&mesh, &options(Target::Error(0.01)));
     assert_eq!(out.stop_reason, StopReason::TargetReached);
     assert!(out.error <= 0.01 && out.error > 0.005, "{}", out.error);
-    // Within the limit, but not far from it: a sphere of so few triangles deviates by about so much.
+    // Close to the limit: a sphere with this few triangles deviates by about this much.
     assert!(out.mesh.triangle_count() < 1_000, "{}", out.mesh.triangle_count());
     let limited = run(&mesh, &options(Target::Triangles(4)).with_tolerance(0.01));
     assert_eq!((limited.stop_reason, limited.mesh), (StopReason::ErrorLimit, out.mesh));
@@ -279,7 +280,7 @@ fn free_vertices_lie_nearer_than_a_subset() {
 }
 
 #[test]
-fn cancelling_and_pairs_are_errors() {
+fn cancellation_and_pair_distance_are_errors() {
     let mesh = shapes::icosphere(5, 1.0);
     let out =
         simplify_with_progress(&mesh, &options(Target::Triangles(100)), &mut |_| ControlFlow::Break(()));
@@ -289,7 +290,7 @@ fn cancelling_and_pairs_are_errors() {
     assert!(matches!(out, Err(SimplifyError::Option { option: "pair_distance", .. })));
 }
 
-/// The largest distance between samples of two meshes and the other mesh.
+/// Maximum distance between the samples of two meshes and the respective other mesh.
 fn sampled(a: &IndexedMesh, b: &IndexedMesh) -> f64 {
     use striata::mesh::{DistanceOptions, surface_distance};
     let sampling = DistanceOptions::default().with_sample_count(3_000);
@@ -297,16 +298,16 @@ fn sampled(a: &IndexedMesh, b: &IndexedMesh) -> f64 {
     found.a_to_b.max.max(found.b_to_a.max)
 }
 
-/// Runs down to a few targets, which must be undercut by no more than a step takes; errors must hold.
+/// Simplifies to several targets, which must be missed by less than one step; errors must be bounds.
 fn reaches_all_targets(name: &str, mesh: &IndexedMesh, sequence: &SequenceOptions) {
-    // Welding drops triangles whose corners meet.
+    // Welding drops degenerate triangles.
     let welded = weld(mesh).unwrap().mesh;
     let full = welded.triangle_count();
     for target in [full * 3 / 4, full / 2, full / 4, full / 10, 16, 2].into_iter().filter(|&n| n < full) {
         let out = run(mesh, &options(Target::Triangles(target)).with_sequence(sequence.clone()));
         let left = out.mesh.triangle_count();
         let at = format!("{name}: {left} of {full} triangles left for {target}");
-        // Three positions have triangles that only go all together.
+        // With three positions left, all remaining triangles can only disappear together.
         let places: BTreeSet<_> = out.mesh.positions.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
         assert!(left > 0 && (left <= target.max(8) || places.len() <= 3), "{at}");
         assert!(left <= target || out.stop_reason == StopReason::BaseReached, "{at}");
@@ -317,7 +318,7 @@ fn reaches_all_targets(name: &str, mesh: &IndexedMesh, sequence: &SequenceOption
         );
         let found = sampled(&welded, &out.mesh);
         assert!(out.error >= 0.77 * found - 1e-6 * mesh.diagonal(), "{at}: {} but {found}", out.error);
-        // Samples miss peaks of small parts.
+        // Samples miss the peaks of small parts.
         assert!(out.error <= 2.0 * found + 1e-6 * mesh.diagonal(), "{at}: {} but {found}", out.error);
     }
 }
@@ -333,7 +334,7 @@ fn every_target_is_reached_on_odd_meshes() {
 }
 
 #[test]
-fn parts_stay_if_asked_for() {
+fn parts_are_kept_if_requested() {
     let mesh = shapes::many_components(30);
     let left = |rule| {
         let sequence = SequenceOptions::default().with_topology(rule);
@@ -387,17 +388,17 @@ proptest! {
     }
 
     #[test]
-    fn seams_and_topology_stay_if_asked_for(pieces in 1usize..5, seed: u64) {
+    fn seams_and_topology_are_kept_if_requested(pieces in 1usize..5, seed: u64) {
         let mesh = meshes::asset(pieces, seed);
         prop_assume!(!weld(&mesh).unwrap().mesh.triangles.is_empty());
-        let keeping = SequenceOptions::default().with_seams(SeamRule::Keep).with_topology(TopologyRule::Keep);
-        let kept = run(&mesh, &options(Target::Triangles(0)).with_sequence(keeping.clone()));
+        let keep = SequenceOptions::default().with_seams(SeamRule::Keep).with_topology(TopologyRule::Keep);
+        let kept = run(&mesh, &options(Target::Triangles(0)).with_sequence(keep.clone()));
         prop_assert_eq!(kept.stop_reason, StopReason::BaseReached);
         let parts = |mesh: &IndexedMesh| {
             let welded = weld(mesh).unwrap();
             Adjacency::of_positions(&welded.mesh, &welded.positions).component_count()
         };
-        // Parts that hang together by a vertex may come apart there.
+        // Parts that are connected only by a vertex may come apart there.
         prop_assert!(parts(&kept.mesh) >= parts(&mesh));
     }
 }

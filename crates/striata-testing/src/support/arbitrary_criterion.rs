@@ -1,8 +1,8 @@
-//! A criterion without sense.
+//! A view criterion with arbitrary weights.
 
 use striata::view::{Criterion, Part, Verdict};
 
-/// Weighs by a hash: nothing about it is as a criterion should be.
+/// Weighs parts by a hash, so it has none of the properties of a sensible criterion.
 #[derive(Clone)]
 pub struct Whim(pub u32);
 
