@@ -5,7 +5,7 @@ use striata_testing::support;
 use proptest::prelude::*;
 use striata::mesh::{FragmentSequence, FragmentedMesh, canonical_triangles};
 use striata::model::{LodModel, PatternChange, Patterns, StoredModel};
-use striata_lab::baseline::{MtQuestion, MultiTriangulation, MultiTriangulationState};
+use striata_lab::baseline::{MtQuery, MultiTriangulation, MultiTriangulationState};
 use striata_lab::{Accounting, PaperBytes};
 use support::{
     Case, Random, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases, nasty_cases,
@@ -71,21 +71,21 @@ fn groups_and_vertices_of_levels_are_told() {
     }
 }
 
-/// A number that depends on a question and a seed only.
-fn chance(question: MtQuestion, seed: u64) -> u64 {
-    let triangle = question.triangle.map_or(1 << 40, u64::from);
-    let mixed = (triangle << 20 ^ u64::from(question.upper) ^ seed << 45).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+/// A number that depends on a query and a seed only.
+fn chance(query: MtQuery, seed: u64) -> u64 {
+    let triangle = query.triangle.map_or(1 << 40, u64::from);
+    let mixed = (triangle << 20 ^ u64::from(query.upper) ^ seed << 45).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 40
 }
 
 /// Finds some percent of all triangles too coarse, wherever they are.
-fn scattered(percent: u64, seed: u64) -> impl Fn(MtQuestion) -> bool {
-    move |question| chance(question, seed) % 100 < percent
+fn scattered(percent: u64, seed: u64) -> impl Fn(MtQuery) -> bool {
+    move |query| chance(query, seed) % 100 < percent
 }
 
 /// Finds no triangle too coarse that stands on one that is not: what is wanted is a closed set of steps.
-fn monotone(is_wanted: &[bool]) -> impl Fn(MtQuestion) -> bool {
-    |question| is_wanted[question.upper as usize]
+fn monotone(is_wanted: &[bool]) -> impl Fn(MtQuery) -> bool {
+    |query| is_wanted[query.upper as usize]
 }
 
 fn set_of(model: &MultiTriangulation, state: &MultiTriangulationState) -> u32 {
@@ -117,7 +117,7 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
         let mut state = model.new_state();
         for round in 0..60 {
             let condition = scattered([5, 20, 50, 80][round % 4], (seed * 100 + round) as u64);
-            let ask = |triangle, upper| condition(MtQuestion { triangle, upper });
+            let ask = |triangle, upper| condition(MtQuery { triangle, upper });
             let expected = smallest_set(&mesh.fragments, &sets, ask);
             model.adapt(&mut state, &condition);
             assert_eq!(set_of(&model, &state), expected, "mesh {seed}, round {round}");
@@ -163,10 +163,10 @@ fn refining_leaves_nothing_too_coarse_for_any_condition() {
             model.adapt(&mut smallest, &condition);
             shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
             for shown in [&state, &smallest] {
-                for &number in shown.triangle_numbers() {
+                for &number in shown.triangle_indices() {
                     let upper = model.triangles()[number as usize].upper;
-                    let question = MtQuestion { triangle: Some(number), upper };
-                    assert!(upper == FragmentSequence::NO_STEP || !condition(question));
+                    let query = MtQuery { triangle: Some(number), upper };
+                    assert!(upper == FragmentSequence::NO_STEP || !condition(query));
                 }
             }
             let steps = 0..model.step_count() as u32;

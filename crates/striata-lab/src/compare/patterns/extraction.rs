@@ -9,7 +9,7 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::mesh::canonical_triangles;
 use striata::model::{Overlap, PatternInstance};
-use striata_lab::baseline::MtQuestion;
+use striata_lab::baseline::MtQuery;
 
 use super::or_dash::or_dash;
 use super::sizes::Models;
@@ -140,7 +140,7 @@ fn extract(models: &Models, which: usize, limit: Option<f32>, out: &mut Vec<[u32
         }
         1 => {
             let mut state = models.explicit.base_state();
-            models.explicit.adapt(&mut state, |question: MtQuestion| errors[question.upper as usize] > limit);
+            models.explicit.adapt(&mut state, |query: MtQuery| errors[query.upper as usize] > limit);
             out.extend_from_slice(state.triangles());
             Some(state.split_count())
         }
