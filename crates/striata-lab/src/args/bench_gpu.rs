@@ -26,7 +26,12 @@ pub(crate) struct BenchGpuArgs {
     #[command(flatten)]
     pub(crate) drivers: DriverArgs,
     /// Use this many frames from full to base mesh, and as many back
-    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 50,
+        value_parser = clap::value_parser!(u32).range(1..=10_000)
+    )]
     pub(crate) frames: u32,
     /// Draw at this size in pixels; small images keep vertex costs visible on software adapters
     #[arg(long, value_name = "WxH", default_value = "128x128", help_heading = DRAWN)]

@@ -81,7 +81,11 @@ pub(crate) struct ModelArgs {
     #[arg(long = "models", value_name = "NAME,...", value_delimiter = ',', help = models_help())]
     names: Option<Vec<String>>,
     /// Move each model through this many levels to the base mesh, and as many back
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(
+        long,
+        value_name = "N", default_value_t = 200,
+        value_parser = clap::value_parser!(u32).range(1..=10_000)
+    )]
     pub(crate) frames: u32,
     /// Build models from the strips of these stripifiers, as in --strips
     #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into())]
@@ -93,7 +97,11 @@ pub(crate) struct ModelArgs {
 #[command(next_help_heading = "Rate")]
 pub(crate) struct RateArgs {
     /// Quantize coordinates in streams and levels to this many bits
-    #[arg(long = "rate-bits", value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(4..=16))]
+    #[arg(
+        long = "rate-bits",
+        value_name = "N", default_value_t = 12,
+        value_parser = clap::value_parser!(u32).range(4..=16)
+    )]
     pub(crate) bits: u32,
     /// Encode streams with these efforts
     #[arg(
@@ -176,16 +184,29 @@ pub(crate) struct StripifierArgs {
     #[arg(long)]
     pub(crate) weld: bool,
     /// Search tunnels up to this length: every odd length up to it is measured
-    #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=999))]
+    #[arg(
+        long,
+        value_name = "N", default_value_t = 25,
+        value_parser = clap::value_parser!(u32).range(1..=999)
+    )]
     pub(crate) max_tunnel: u32,
     /// Measure each tunnel length with this many seeds
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(
+        long,
+        value_name = "N", default_value_t = 10,
+        value_parser = clap::value_parser!(u32).range(1..=1000)
+    )]
     pub(crate) seeds: u32,
     /// Compare these stripifiers; join the passes of one with +
     #[arg(long = "strips", value_name = "SPEC,...", value_delimiter = ',', default_value = COMPARED_STRIPS)]
     pub(crate) chains: Vec<StripChain>,
     /// Also run stripifiers that search for each of these times, in seconds
-    #[arg(long, value_name = "SECS,...", value_delimiter = ',', default_value = "0.1,0.5,2", allow_negative_numbers = true, value_parser = parse_at_least_zero)]
+    #[arg(
+        long,
+        value_name = "SECS,...", value_delimiter = ',',
+        default_value = "0.1,0.5,2", allow_negative_numbers = true,
+        value_parser = parse_at_least_zero
+    )]
     pub(crate) budgets: Vec<f64>,
 }
 

@@ -40,12 +40,12 @@ const BLOCK_LEN: usize = 256;
 pub struct OrderedMeshes {
     step_count: usize,
     triangles: Vec<OrderedTriangle>,
-    /// First triangle of each group, followed by the index of triangles.
+    /// First triangle of each group, followed by the number of triangles.
     group_offsets: Vec<u32>,
     /// For each group, the steps that create triangles in it, in ascending order, each with its first
     /// triangle.
     makers: Vec<[u32; 2]>,
-    /// First of each group's makers, followed by their index.
+    /// First of each group's makers, followed by their number.
     maker_offsets: Vec<u32>,
 }
 

@@ -14,7 +14,7 @@ use super::ways::{Entry, Way};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 
-/// Maximum value of rounds.
+/// Maximum number of rounds.
 const ROUND_COUNT: usize = 3;
 
 /// No further round starts after this many seconds.

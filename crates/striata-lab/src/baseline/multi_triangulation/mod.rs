@@ -73,7 +73,7 @@ pub struct MultiTriangulation {
 /// A list of triangles for each fragment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Lists {
-    /// First entry of each list, followed by their index.
+    /// First entry of each list, followed by their number.
     firsts: Vec<u32>,
     entries: Vec<u32>,
 }

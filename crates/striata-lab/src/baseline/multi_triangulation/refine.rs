@@ -54,7 +54,7 @@ impl MultiTriangulation {
     }
 
     /// Removes fragments from the top as long as no triangle of their floors is too coarse. Returns the
-    /// index of fragments removed.
+    /// number of fragments removed.
     ///
     /// If a finer triangle is never required when the coarser one below it is accurate enough, coarsening
     /// and then [refining](Self::refine) leads to the same set as [`adapt`](Self::adapt).
@@ -95,7 +95,7 @@ impl MultiTriangulation {
     }
 
     /// Inserts the upper fragments of all triangles that are too coarse, along with their prerequisites,
-    /// until none is left. Returns the index of fragments inserted.
+    /// until none is left. Returns the number of fragments inserted.
     ///
     /// # Panics
     /// If the state belongs to another model.
@@ -121,7 +121,7 @@ impl MultiTriangulation {
         count
     }
 
-    /// Inserts a fragment after its prerequisites. Returns the index of fragments inserted.
+    /// Inserts a fragment after its prerequisites. Returns the number of fragments inserted.
     ///
     /// # Panics
     /// If the fragment does not exist or the state belongs to another model.

@@ -22,7 +22,7 @@ pub struct MultiTriangulationState {
     shown: Vec<u32>,
     /// Index of each triangle in `shown`, or [`NONE`].
     shown_index_of: Vec<u32>,
-    /// For each fragment, the index of its ceiling triangles that other fragments have replaced; 0 for a
+    /// For each fragment, the number of its ceiling triangles that other fragments have replaced; 0 for a
     /// fragment on top.
     pub(super) replaced_counts: Vec<u32>,
 }

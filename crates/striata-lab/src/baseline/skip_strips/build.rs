@@ -26,7 +26,7 @@ impl SkipStrips {
             check_node_count(arrays.node_vertices.len())?;
         }
         entries.push(SkipStrip {
-            first_place: arrays.places.len() as u32,
+            first_slot: arrays.slots.len() as u32,
             first_node: arrays.node_vertices.len() as u32,
             drawn_from: 0,
         });
@@ -36,7 +36,7 @@ impl SkipStrips {
             vertices: StepVertices::of_sequence(sequence).without_targets(),
             strips: entries,
             group_offsets: strips.group_offsets().to_vec(),
-            places: arrays.places,
+            slots: arrays.slots,
             node_vertices: arrays.node_vertices,
             node_parents: arrays.node_parents,
             step_offsets,

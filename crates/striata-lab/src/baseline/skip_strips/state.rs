@@ -94,9 +94,9 @@ impl SkipStripsState {
         self.active.clear();
     }
 
-    /// Rebuilds a display strip: each buffer climbs to its first active vertex.
+    /// Rebuilds a display strip: each slot climbs to its first active vertex.
     ///
-    /// Climbing from every buffer would walk shared chains of parents repeatedly. Since parents precede
+    /// Climbing from every slot would walk shared chains of parents repeatedly. Since parents precede
     /// their children, one pass over the inactive nodes resolves all of them.
     fn rebuild(&mut self, model: &SkipStrips, strip: usize, vertex_count: u32) {
         let display = &mut self.strips[strip];
