@@ -105,12 +105,12 @@ impl Simplifier {
     }
 
     /// Builds the whole sequence of a welded mesh.
-    fn build(self, welded: Welded) -> Result<Built, SimplifyError> {
+    fn build(self, welded: Welded) -> Result<BuiltSequence, SimplifyError> {
         match self {
             Self::Collapses(cost) => {
                 let options = SequenceOptions::default().with_cost(cost);
                 let built = build_welded_sequence(welded, &options)?;
-                Ok(Built::Collapses(Box::new(built.refinable)))
+                Ok(BuiltSequence::Collapses(Box::new(built.refinable)))
             }
             Self::Batches => {
                 let step =
@@ -118,19 +118,19 @@ impl Simplifier {
                 let options =
                     BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
                 let built = build_welded_batches(welded, &options)?;
-                Ok(Built::Collapses(Box::new(built.built.refinable)))
+                Ok(BuiltSequence::Collapses(Box::new(built.built.refinable)))
             }
             Self::Removal => {
                 let options = RemovalOptions::default();
                 let built = build_welded_fragments(welded, &options)?;
-                Ok(Built::Fragments(Box::new(built.fragmented)))
+                Ok(BuiltSequence::Fragments(Box::new(built.fragmented)))
             }
         }
     }
 }
 
 /// A sequence built by one of our simplifiers.
-enum Built {
+enum BuiltSequence {
     Collapses(Box<RefinableMesh>),
     Fragments(Box<FragmentedMesh>),
 }

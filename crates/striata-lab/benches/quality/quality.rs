@@ -8,11 +8,11 @@ use striata::mesh::{
 use striata::simplify::{Placement, SimplifyOptions, Target, simplify};
 
 use crate::table::Table;
-use crate::{Built, Fallible, Request, SHARES, Subject};
+use crate::{BuiltSequence, Fallible, Request, SHARES, Subject};
 
 /// The source of our levels.
 enum Tool {
-    Sequence(Built),
+    Sequence(BuiltSequence),
     Optimal,
 }
 
@@ -20,13 +20,13 @@ impl Tool {
     /// A level with at most `triangle_count` triangles, and the error that it reports.
     fn level(&self, subject: &Subject, triangle_count: usize) -> Fallible<(IndexedMesh, f64)> {
         match self {
-            Self::Sequence(Built::Fragments(fragmented)) => {
+            Self::Sequence(BuiltSequence::Fragments(fragmented)) => {
                 let levels = fragmented.fragments.levels();
                 let split_count = levels.split_count_for_triangles(triangle_count);
                 let error = f64::from(levels.error_at(split_count));
                 Ok((replay_fragments(fragmented, split_count), error))
             }
-            Self::Sequence(Built::Collapses(refinable)) => {
+            Self::Sequence(BuiltSequence::Collapses(refinable)) => {
                 let split_count = refinable.sequence.split_count_for_triangles(triangle_count);
                 let error = f64::from(refinable.sequence.error_at(split_count));
                 Ok((replay(refinable, split_count), error))

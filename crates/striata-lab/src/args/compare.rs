@@ -43,16 +43,16 @@ pub(crate) struct CompareArgs {
     /// Use certified error bounds instead of estimated errors in models
     #[arg(long)]
     pub(crate) certify: bool,
-    /// Options of the comparison of models.
+    /// Options for comparing models.
     #[command(flatten)]
     pub(crate) models: ModelArgs,
-    /// Options of the comparison of stripifiers.
+    /// Options for comparing stripifiers.
     #[command(flatten)]
     pub(crate) strips: StripifierArgs,
-    /// Options of the comparison of bytes.
+    /// Options for comparing bytes.
     #[command(flatten)]
     pub(crate) rates: RateArgs,
-    /// Options of the comparison of assets.
+    /// Options for comparing assets.
     #[command(flatten)]
     pub(crate) assets: AssetArgs,
 }
@@ -74,7 +74,7 @@ pub(crate) enum Part {
     Assets,
 }
 
-/// Options of the comparison of models.
+/// Options for comparing models.
 #[derive(Debug, Args)]
 #[command(next_help_heading = MODELS)]
 pub(crate) struct ModelArgs {
@@ -83,7 +83,8 @@ pub(crate) struct ModelArgs {
     /// Move each model through this many levels to the base mesh, and as many back
     #[arg(
         long,
-        value_name = "N", default_value_t = 200,
+        value_name = "N",
+        default_value_t = 200,
         value_parser = clap::value_parser!(u32).range(1..=10_000)
     )]
     pub(crate) frames: u32,
@@ -92,14 +93,15 @@ pub(crate) struct ModelArgs {
     model_strips: StripChain,
 }
 
-/// Options of the comparison of bytes.
+/// Options for comparing bytes.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Rate")]
 pub(crate) struct RateArgs {
     /// Quantize coordinates in streams and levels to this many bits
     #[arg(
         long = "rate-bits",
-        value_name = "N", default_value_t = 12,
+        value_name = "N",
+        default_value_t = 12,
         value_parser = clap::value_parser!(u32).range(4..=16)
     )]
     pub(crate) bits: u32,
@@ -124,7 +126,7 @@ impl RateArgs {
     }
 }
 
-/// Options of the comparison of assets.
+/// Options for comparing assets.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Assets")]
 pub(crate) struct AssetArgs {
@@ -176,7 +178,7 @@ impl AssetContender {
     }
 }
 
-/// Options of the comparison of stripifiers.
+/// Options for comparing stripifiers.
 #[derive(Debug, Args)]
 #[command(next_help_heading = STRIPS)]
 pub(crate) struct StripifierArgs {
@@ -186,14 +188,16 @@ pub(crate) struct StripifierArgs {
     /// Search tunnels up to this length: every odd length up to it is measured
     #[arg(
         long,
-        value_name = "N", default_value_t = 25,
+        value_name = "N",
+        default_value_t = 25,
         value_parser = clap::value_parser!(u32).range(1..=999)
     )]
     pub(crate) max_tunnel: u32,
     /// Measure each tunnel length with this many seeds
     #[arg(
         long,
-        value_name = "N", default_value_t = 10,
+        value_name = "N",
+        default_value_t = 10,
         value_parser = clap::value_parser!(u32).range(1..=1000)
     )]
     pub(crate) seeds: u32,
@@ -203,8 +207,10 @@ pub(crate) struct StripifierArgs {
     /// Also run stripifiers that search for each of these times, in seconds
     #[arg(
         long,
-        value_name = "SECS,...", value_delimiter = ',',
-        default_value = "0.1,0.5,2", allow_negative_numbers = true,
+        value_name = "SECS,...",
+        value_delimiter = ',',
+        default_value = "0.1,0.5,2",
+        allow_negative_numbers = true,
         value_parser = parse_at_least_zero
     )]
     pub(crate) budgets: Vec<f64>,

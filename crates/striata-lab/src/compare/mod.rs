@@ -7,7 +7,6 @@
 mod assets;
 mod bars;
 mod contenders;
-mod contest;
 mod labels;
 mod model_charts;
 mod models;
@@ -22,6 +21,7 @@ mod rate;
 mod scale;
 mod stripifiers;
 mod sweep;
+mod timed_model;
 mod tunnels;
 mod views;
 mod walks;

@@ -15,8 +15,8 @@ use striata::simplify::{
 use striata_lab::Accounting;
 
 use super::contenders::{BuildFailure, Entry, ModelInputs, entries};
-use super::contest::{TimedModel, run_rounds};
 use super::oracle::{Checked, check};
+use super::timed_model::{TimedModel, run_rounds};
 use super::walks::{Pace, WalkReport};
 use crate::args::ModelArgs;
 use striata_command::failure::Failure;

@@ -50,34 +50,38 @@ const fn resident(name: &'static str, about: &'static str, build: Build) -> Entr
 }
 
 const ENTRIES: [Entry; 10] = [
-    sent("list", "a progressive mesh's list of triangles, sent whole", |bench, _| {
+    sent("list", "triangle list of a progressive mesh, uploaded whole", |bench, _| {
         Ok(Box::new(SentList::new(bench)?))
     }),
-    sent("strips", "the strips of LodStrips, sent whole", |bench, _| Ok(Box::new(SentStrips::new(bench)?))),
-    sent("strips-ranges", "the same, of which only what changes is sent", |bench, _| {
+    sent("strips", "strips of LodStrips, uploaded whole", |bench, _| Ok(Box::new(SentStrips::new(bench)?))),
+    sent("strips-ranges", "strips of LodStrips, uploading only the changed ranges", |bench, _| {
         Ok(Box::new(ChangedStrips::new(bench, false)?))
     }),
-    sent("strips-draws", "the same, and a draw for each strip instead of restarts", |bench, _| {
+    sent("strips-draws", "as strips-ranges, with a draw per strip instead of restarts", |bench, _| {
         Ok(Box::new(ChangedStrips::new(bench, true)?))
     }),
-    sent("fans", "fans made a list by the processor, sent whole", |bench, _| {
+    sent("fans", "fans expanded to a list by the CPU, uploaded whole", |bench, _| {
         Ok(Box::new(SentFans::new(bench, FanForm::Triangles)?))
     }),
-    sent("fans-strips", "fans made strips by the processor, sent whole", |bench, _| {
+    sent("fans-strips", "fans expanded to strips by the CPU, uploaded whole", |bench, _| {
         Ok(Box::new(SentFans::new(bench, FanForm::Strips)?))
     }),
-    sent("fans-compute", "fans made a list by compute shaders; a bit a step is sent", |bench, _| {
-        Ok(Box::new(ComputedFans::new(bench)?))
-    }),
-    resident("resident-list", "the levels of the walk as lists, all on the GPU before", |bench, levels| {
+    sent(
+        "fans-compute",
+        "fans expanded to a list by compute shaders, uploading a bit per step",
+        |bench, _| Ok(Box::new(ComputedFans::new(bench)?)),
+    ),
+    resident("resident-list", "all levels of the walk as lists, uploaded in advance", |bench, levels| {
         Ok(Box::new(Resident::lists(bench, levels)?))
     }),
-    resident("resident-strips", "the same as strips", |bench, levels| {
+    resident("resident-strips", "all levels of the walk as strips, uploaded in advance", |bench, levels| {
         Ok(Box::new(Resident::strips(bench, levels)?))
     }),
-    resident("discrete", "five discrete levels down to a sixteenth, the next coarser one", |bench, _| {
-        Ok(Box::new(Resident::discrete(bench)?))
-    }),
+    resident(
+        "discrete",
+        "five discrete levels down to a sixteenth, drawing the next coarser one",
+        |bench, _| Ok(Box::new(Resident::discrete(bench)?)),
+    ),
 ];
 
 /// Names of all ways.

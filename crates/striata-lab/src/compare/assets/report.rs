@@ -1,4 +1,4 @@
-//! The report of assets.
+//! Report of the comparison of assets.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! The report of patterns and its tables.
+//! Report of the comparison of patterns, and its tables.
 
 use serde::Serialize;
 

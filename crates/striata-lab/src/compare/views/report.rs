@@ -1,4 +1,4 @@
-//! The report of views.
+//! Report of the view-dependent comparison.
 
 use serde::Serialize;
 
