@@ -41,8 +41,8 @@ impl PaperBytes for LodStrips<'_> {
 }
 
 impl PaperBytes for Mts<'_> {
-    /// The structures of \[BRR02\]: a vertex and a `res` per column, a column and a `res` per break, two
-    /// pointers per strip; and for coherence a target per vertex and a strip for each of its changes.
+    /// As \[BRR02\] would count this model: a vertex and a `res` per column, a column and a `res` per break,
+    /// two pointers per strip; and for coherence a target per vertex and a strip index per change.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let integers = self.break_count() + self.change_count();
         let columns = 2 * self.indices().len() + self.break_count();

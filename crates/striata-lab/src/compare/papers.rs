@@ -131,10 +131,10 @@ pub(super) fn cor01_megabytes(triangle_count: usize) -> Option<f64> {
 /// Memory of patterns and the Multi-Triangulation in \[KG98\], sections 3.2 and 3.3: bytes per vertex,
 /// without positions.
 pub(super) const KG98_BYTES_PER_VERTEX: [u32; 2] = [26, 160];
-/// Bits per fragment there, at this number of overlaps per fragment.
+/// Bits per fragment in \[KG98\], and the number of overlaps per fragment that this assumes.
 pub(super) const KG98_FRAGMENT_BITS: u32 = 206;
 pub(super) const KG98_OVERLAPS: f64 = 2.5;
-/// Bits per fragment there in the form for transmission, section 3.1.
+/// Bits per fragment in \[KG98\] in the form for transmission, section 3.1.
 pub(super) const KG98_SEQUENTIAL_BITS: u32 = 44;
 
 /// The figures published for a mesh with this number of triangles.
