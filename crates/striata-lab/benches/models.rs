@@ -1,4 +1,5 @@
-//! How fast LodStrips, MTS, fans and patterns are built, loaded and moved, and what a step of MTS costs beside a full recovery.
+//! Build, load and move times of LodStrips, MTS, fans and patterns, and the cost of an MTS step compared
+//! with a full recovery.
 
 use std::hint::black_box;
 
@@ -13,7 +14,7 @@ use striata::model::{
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::stripify;
 
-/// A sphere of `2 * ring_count * ring_count` vertices.
+/// A sphere with about `2 * ring_count * ring_count` vertices.
 fn sphere(ring_count: u32) -> IndexedMesh {
     let side_count = 2 * ring_count;
     let mut positions = Vec::new();
@@ -142,14 +143,14 @@ fn fans(c: &mut Criterion) {
             [10, 12].map(|percent| FanInstance::uniform(&table, table.step_count() * percent / 100));
         group.throughput(Throughput::Elements(1));
         let mut morphs = FanMorphs::new(&coarse, 60);
-        let mut places = refinable.mesh.positions.clone();
+        let mut positions = refinable.mesh.positions.clone();
         let mut frame = 0;
-        // Always on the way: turned round in every 30th frame.
+        // The direction reverses every 30 frames, so vertices always move.
         group.bench_function(format!("morph_frame/{name}"), |b| {
             b.iter(|| {
                 frame += 1;
                 morphs.advance(&table, if frame / 30 % 2 == 0 { &fine } else { &coarse });
-                morphs.positions_into(&refinable.sequence, &refinable.mesh.positions, &mut places);
+                morphs.positions_into(&refinable.sequence, &refinable.mesh.positions, &mut positions);
             })
         });
         let mut instance = FanInstance::full(&table);
@@ -176,7 +177,7 @@ fn fans(c: &mut Criterion) {
     group.finish();
 }
 
-/// The other forms, and triangles on all threads.
+/// Benches the other output forms, and triangles on all threads.
 fn emit_forms(
     group: &mut BenchmarkGroup<'_, WallTime>,
     (name, percent): (&str, usize),
@@ -194,7 +195,8 @@ fn emit_forms(
     });
 }
 
-/// Extraction from the base, by a condition, from a thousand triangles to all of a large sphere: linear in what comes out.
+/// Extracts patterns from the base by a condition, from a thousand triangles to a whole large sphere: time
+/// is linear in the output.
 fn patterns(c: &mut Criterion) {
     let mut group = c.benchmark_group("patterns");
     group.sample_size(10);

@@ -1,7 +1,8 @@
-//! What strips block by block cost beside strips of the whole mesh.
+//! Cost of stripifying block by block, compared with stripifying the whole mesh.
 //!
-//! `cargo bench -p striata-lab --bench strip_blocks -- [--strips NAME] [--blocks N,N,...] MESH...` prints a Markdown
-//! table; without a mesh, a generated terrain is taken. Attributes are left out; indices are counted with restarts.
+//! `cargo bench -p striata-lab --bench strip_blocks -- [--strips NAME] [--blocks N,N,...] MESH...` prints
+//! a Markdown table; without a mesh it uses a generated terrain. Attributes are ignored; indices include
+//! restarts.
 
 #[path = "quality/table.rs"]
 mod table;
@@ -35,11 +36,11 @@ fn main() -> Fallible<()> {
         "blocks of",
         "blocks",
         "strips",
-        "indices a triangle",
-        "to the whole",
-        "stripified at once",
+        "indices per triangle",
+        "relative to whole",
+        "peak window",
         "waiting",
-        "handed on",
+        "carried over",
         "ms",
     ]);
     if paths.is_empty() {

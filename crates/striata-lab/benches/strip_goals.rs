@@ -1,8 +1,8 @@
-//! Strips beside what the stripification paper reports, and how far a given time goes.
+//! Strip counts compared with those of the stripification paper, and the results of time budgets.
 //!
-//! `cargo bench -p striata-lab --bench strip_goals -- MESH...` prints Markdown tables for the meshes given and the sphere
-//! of the papers: strips by the longest tunnel with both kinds of identities, the time to come down to the numbers of
-//! strips that \[PS03\] compares, and what `fewest` and `cheapest` reach in some seconds.
+//! `cargo bench -p striata-lab --bench strip_goals -- MESH...` prints Markdown tables for the given meshes
+//! and the papers' sphere: strips by maximum tunnel length with both kinds of identities, the time to
+//! reach the strip counts that \[PS03\] compares, and what `fewest` and `cheapest` reach in some seconds.
 
 #[path = "quality/table.rs"]
 mod table;
@@ -18,13 +18,13 @@ use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
-/// The longest tunnels shown.
+/// Maximum tunnel lengths shown.
 const LENGTHS: [u32; 9] = [1, 3, 5, 9, 13, 17, 31, 45, 60];
-/// Runs that the best time is taken from, for meshes of less than so many triangles.
+/// Number of runs to take the fastest of, for meshes with fewer triangles than the limit.
 const RUN_COUNTS: [(usize, usize); 2] = [(200_000, 5), (usize::MAX, 1)];
-/// Seconds given to the searches.
+/// Time budgets of the searches, in seconds.
 const BUDGETS: [f64; 4] = [0.3, 1.0, 5.0, 20.0];
-/// Numbers of strips in tables 3 and 4 of \[PS03\]: of the bunny, and of the dragon.
+/// Strip counts in tables 3 and 4 of \[PS03\]: of the bunny, and of the dragon.
 const PAPER_COUNTS: [(&str, [usize; 2]); 2] = [("bunny", [705, 158]), ("dragon", [17_653, 1_798])];
 
 fn main() -> Fallible<()> {
@@ -45,28 +45,28 @@ fn main() -> Fallible<()> {
         meshes.push((name, weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?.mesh));
     }
     let mut tunnels = Table::new(["mesh", "longest tunnel", "static: strips", "ms", "dynamic: strips", "ms"]);
-    let mut counts = Table::new(["mesh", "strips asked", "static", "dynamic", "fewest"]);
+    let mut counts = Table::new(["mesh", "target strips", "static", "dynamic", "fewest"]);
     let mut budgets =
-        Table::new(["mesh", "s", "fewest: strips", "at the very least", "cheapest: indices a triangle"]);
+        Table::new(["mesh", "s", "fewest: strips", "lower bound", "cheapest: indices per triangle"]);
     for (name, mesh) in &meshes {
         add_tunnels(name, mesh, &mut tunnels)?;
-        for &(of, asked) in &PAPER_COUNTS {
+        for &(of, target_count) in &PAPER_COUNTS {
             if of == name {
-                asked.iter().try_for_each(|&count| add_count(name, mesh, count, &mut counts))?;
+                target_count.iter().try_for_each(|&count| add_count(name, mesh, count, &mut counts))?;
             }
         }
         add_budgets(name, mesh, &mut budgets)?;
     }
-    writeln!(out, "Strips by the longest tunnel, from nothing.\n")?;
+    writeln!(out, "Strips by maximum tunnel length, from scratch.\n")?;
     tunnels.print(&mut out)?;
-    writeln!(out, "Time to come down to a number of strips: ms, by the shortest tunnels that do.\n")?;
+    writeln!(out, "Time to reach a strip count, in ms, with the shortest tunnels that reach it.\n")?;
     counts.print(&mut out)?;
-    writeln!(out, "What a time reaches.\n")?;
+    writeln!(out, "Results within a time budget.\n")?;
     budgets.print(&mut out)?;
     Ok(())
 }
 
-/// Strips, and the best time of several runs in milliseconds.
+/// Stripifies a mesh; returns the strip count and the fastest of several runs in milliseconds.
 fn timed(mesh: &IndexedMesh, stripifier: Stripifier) -> Fallible<(usize, f64)> {
     let options = StripOptions::default().with_stripifier(stripifier);
     let run_count = RUN_COUNTS.iter().find(|(limit, _)| mesh.triangle_count() < *limit).map_or(1, |r| r.1);
@@ -95,36 +95,36 @@ fn add_tunnels(name: &str, mesh: &IndexedMesh, table: &mut Table) -> Fallible<()
     Ok(())
 }
 
-fn add_count(name: &str, mesh: &IndexedMesh, asked: usize, table: &mut Table) -> Fallible<()> {
+fn add_count(name: &str, mesh: &IndexedMesh, target_count: usize, table: &mut Table) -> Fallible<()> {
     let by_tunnels = |make: fn(u32) -> Stripifier| -> Fallible<String> {
         for length in LENGTHS {
             let (count, ms) = timed(mesh, make(length))?;
-            if count <= asked {
+            if count <= target_count {
                 return Ok(format!("{ms:.1} (length {length}, {count} strips)"));
             }
         }
         Ok("never".to_owned())
     };
-    // `fewest` has no length: its budget is doubled until it has come down far enough.
+    // `fewest` has no length: increase its budget until it reaches the count.
     let mut budget = 1e-3;
-    let walked = loop {
+    let fewest_time = loop {
         let (strips, secs) = within(mesh, Stripifier::Fewest, budget)?;
-        if strips.strip_count() <= asked || budget > 100.0 {
+        if strips.strip_count() <= target_count || budget > 100.0 {
             break format!("{:.1} ({} strips)", secs * 1e3, strips.strip_count());
         }
         budget *= 1.25;
     };
     table.push(vec![
         name.to_owned(),
-        asked.to_string(),
+        target_count.to_string(),
         by_tunnels(|max_length| Stripifier::StaticTunnel { max_length })?,
         by_tunnels(|max_length| Stripifier::Tunnel { max_length })?,
-        walked,
+        fewest_time,
     ]);
     Ok(())
 }
 
-/// Strips made in so many seconds from the call on, and the seconds that it really took.
+/// Stripifies within a time budget in seconds; returns the strips and the seconds actually taken.
 fn within(mesh: &IndexedMesh, stripifier: Stripifier, budget: f64) -> Fallible<(StripSet, f64)> {
     let options = StripOptions::default().with_stripifier(stripifier);
     let start = Instant::now();

@@ -1,8 +1,8 @@
-//! Strips under level of detail: substituted, repaired, or made anew.
+//! Strips under level of detail: with substituted indices, repaired, or computed from scratch.
 //!
-//! `cargo bench -p striata-lab --bench strip_repair -- MESH...` prints Markdown tables; attributes are left out. Strips of
-//! the full mesh follow it to the base and back. The last table repeats the time of a step on terrains of growing size;
-//! times are those of the thread on its processor.
+//! `cargo bench -p striata-lab --bench strip_repair -- MESH...` prints Markdown tables; attributes are
+//! ignored. Strips of the full mesh follow it to the base and back. The last table measures the time per
+//! step on terrains of growing size; times are CPU times of the thread.
 
 #[path = "quality/table.rs"]
 mod table;
@@ -24,11 +24,11 @@ use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
-/// Shares of the triangles that levels are compared at.
+/// Percentages of the triangles at which levels are compared.
 const PERCENTS: [usize; 5] = [100, 50, 25, 10, 2];
-/// Runs that the best time is taken from.
+/// Number of runs to take the fastest of.
 const RUN_COUNT: usize = 3;
-/// Sides of the terrains that time is measured on: 10 thousand, 100 thousand and a million triangles.
+/// Sides of the terrains used for timing: 10 thousand, 100 thousand and a million triangles.
 const TERRAIN_SIDES: [u32; 3] = [71, 224, 708];
 
 fn main() -> Fallible<()> {
@@ -50,7 +50,7 @@ fn main() -> Fallible<()> {
     for side in TERRAIN_SIDES {
         add_times("terrain", &refinable(&shapes::terrain(side, 1))?, &mut times)?;
     }
-    writeln!(out, "Indices a triangle, restarts counted, and strips in brackets.\n")?;
+    writeln!(out, "Indices per triangle including restarts, and strip counts in parentheses.\n")?;
     levels.print(&mut out)?;
     writeln!(out, "One sweep from the full mesh to the base and back, against new strips for one level.\n")?;
     times.print(&mut out)?;
@@ -61,13 +61,13 @@ fn refinable(mesh: &IndexedMesh) -> Fallible<RefinableMesh> {
     Ok(build_sequence(mesh, &SequenceOptions::default())?.refinable)
 }
 
-/// What repair begins with and is measured by: a name and options.
+/// The repair variants: name and options.
 fn repairs() -> Vec<(&'static str, RepairOptions)> {
     let goal = |goal| RepairOptions::default().with_goal(goal);
-    let quick = RepairOptions::default().with_tunnel_length(5).with_search_limit(8).with_reach(0);
+    let fast = RepairOptions::default().with_tunnel_length(5).with_search_limit(8).with_reach(0);
     vec![
-        ("carried on, no search", RepairOptions::default().with_tunnel_length(0)),
-        ("repaired, quick", quick),
+        ("carried over, no search", RepairOptions::default().with_tunnel_length(0)),
+        ("repaired, quick", fast),
         ("repaired, fewest indices", goal(RepairGoal::FewestIndices)),
         ("repaired, fewest strips", goal(RepairGoal::FewestStrips)),
     ]
@@ -109,17 +109,18 @@ fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Falli
     for stripifier in ["greedy", "tunnel:17", "cheapest"] {
         let Ok(stripifier) = stripifier.parse::<Stripifier>() else { continue };
         let options = StripOptions::default().with_stripifier(stripifier);
-        let anew = |&s: &usize| Ok::<_, Box<dyn Error>>(cell(&stripify(&replay(refinable, s), &options)?));
-        let mut cells = down.iter().map(anew).collect::<Result<Vec<_>, _>>()?;
-        // They do not depend on the way.
+        let from_scratch =
+            |&s: &usize| Ok::<_, Box<dyn Error>>(cell(&stripify(&replay(refinable, s), &options)?));
+        let mut cells = down.iter().map(from_scratch).collect::<Result<Vec<_>, _>>()?;
+        // Strips computed from scratch do not depend on the path.
         cells.extend_from_within(..PERCENTS.len() - 1);
         cells[PERCENTS.len()..].reverse();
-        add(&format!("anew, {stripifier}"), cells);
+        add(&format!("from scratch, {stripifier}"), cells);
     }
     Ok(())
 }
 
-/// Indices a triangle and strips of LodStrips at a level.
+/// Indices per triangle and strip count of LodStrips at a level.
 fn substituted(model: &LodStrips<'_>, state: &<LodStrips<'_> as LodModel>::State) -> String {
     let (mut strip_count, mut index_count, mut triangles) = (0, 0, Vec::new());
     for strip in 0..model.strip_count() {
@@ -136,46 +137,46 @@ const TIMES_HEAD: [&str; 9] = [
     "mesh",
     "triangles",
     "repair",
-    "µs a collapse",
-    "µs a split",
-    "tunnels a step",
-    "touched a step",
-    "bytes a triangle",
-    "anew, greedy, ms",
+    "µs per collapse",
+    "µs per split",
+    "tunnels per step",
+    "touched per step",
+    "bytes per triangle",
+    "from scratch, greedy, ms",
 ];
 
 fn add_times(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
     let step_count = refinable.sequence.step_count();
-    let (anew_secs, strips) = best(|| stripify(&refinable.mesh, &StripOptions::default()));
+    let (from_scratch_secs, strips) = best(|| stripify(&refinable.mesh, &StripOptions::default()));
     let strips = strips?;
     for (tool, options) in repairs() {
         let full = LiveStrips::new(refinable, step_count, &strips, &options)?;
         let (down_secs, (down, base)) = best_move(&full, 0);
         let (up_secs, (up, live)) = best_move(&base, step_count);
-        let a_step = |secs: f64| format!("{:.2}", secs * 1e6 / step_count.max(1) as f64);
+        let per_step = |secs: f64| format!("{:.2}", secs * 1e6 / step_count.max(1) as f64);
         let share = |count: usize| format!("{:.2}", count as f64 / (2 * step_count).max(1) as f64);
         table.push(vec![
             name.to_owned(),
             refinable.mesh.triangle_count().to_string(),
             tool.to_owned(),
-            a_step(down_secs),
-            a_step(up_secs),
+            per_step(down_secs),
+            per_step(up_secs),
             share(down.tunnel_count + up.tunnel_count),
             share(down.touched_count + up.touched_count),
             format!("{:.0}", live.bytes() as f64 / refinable.mesh.triangle_count() as f64),
-            format!("{:.1}", anew_secs * 1e3),
+            format!("{:.1}", from_scratch_secs * 1e3),
         ]);
     }
     Ok(())
 }
 
-/// Best time of several moves from one state, the report and where the last one led.
+/// Fastest of several moves from one state, with the report and the resulting state of that move.
 fn best_move<'a>(from: &LiveStrips<'a>, split_count: usize) -> (f64, (RepairReport, LiveStrips<'a>)) {
     let run = || {
         let mut live = from.clone();
-        let start = processor_secs();
+        let start = cpu_secs();
         let report = live.move_to(split_count);
-        (processor_secs() - start, (report, live))
+        (cpu_secs() - start, (report, live))
     };
     (1..RUN_COUNT).fold(run(), |best, _| {
         let next = run();
@@ -183,12 +184,13 @@ fn best_move<'a>(from: &LiveStrips<'a>, split_count: usize) -> (f64, (RepairRepo
     })
 }
 
-/// Best time of several runs, and what one of them made; too short for the system's account.
+/// Wall-clock time of the fastest of several runs, and its result; too short for the system's CPU
+/// accounting.
 fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
     let mut run = || {
         let start = Instant::now();
-        let made = black_box(work());
-        (start.elapsed().as_secs_f64(), made)
+        let result = black_box(work());
+        (start.elapsed().as_secs_f64(), result)
     };
     let first = run();
     (1..RUN_COUNT).fold(first, |best, _| {
@@ -197,10 +199,10 @@ fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
     })
 }
 
-/// Time of this thread on a processor where the system tells it, else time on the clock.
-fn processor_secs() -> f64 {
+/// CPU time of this thread if the system reports it, otherwise wall-clock time.
+fn cpu_secs() -> f64 {
     static START: OnceLock<Instant> = OnceLock::new();
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanos = told.and_then(|text| text.split_whitespace().next()?.parse::<u64>().ok());
+    let schedstat = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanos = schedstat.and_then(|text| text.split_whitespace().next()?.parse::<u64>().ok());
     nanos.map_or_else(|| START.get_or_init(Instant::now).elapsed().as_secs_f64(), |nanos| nanos as f64 * 1e-9)
 }

@@ -1,14 +1,16 @@
-//! Strips and LodStrips in numbers: indices, bytes, and what a step costs.
+//! Numbers for strips and LodStrips: indices, bytes, and time per step.
 //!
-//! `cargo bench -p striata-lab --bench strips_table -- MESH...` prints Markdown tables. Attributes are left out; bytes are
-//! counted as the LodStrips papers count them, with a position and a normal of 12 bytes each a vertex and 4
-//! bytes an index. meshoptimizer's strips are made from its own order for them, in the same run.
+//! `cargo bench -p striata-lab --bench strips_table -- MESH...` prints Markdown tables. Attributes are
+//! ignored; bytes are counted as in the LodStrips papers, with 12 bytes each for the position and normal
+//! of a vertex and 4 bytes per index. meshoptimizer's strips are built from the triangle order it
+//! recommends, in the same run.
 //!
-//! `--strips-only` leaves the models out, `--quick` most efforts and weights. `--peers DIR` adds the strips of other tools
-//! that lie there, and `--write-lists DIR` writes what they read: `benches/peers/run.sh` does both.
+//! `--strips-only` omits the models, `--quick` omits most efforts and weights. `--peers DIR` adds the
+//! strips that other tools wrote to this folder, and `--write-lists DIR` writes the input of these tools:
+//! `benches/peers/run.sh` does both.
 
-#[path = "strips_table/contest.rs"]
-mod contest;
+#[path = "strips_table/stripifier_rows.rs"]
+mod stripifier_rows;
 #[path = "quality/table.rs"]
 mod table;
 
@@ -26,23 +28,23 @@ use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
-/// Position and normal.
+/// Bytes of a position and a normal.
 const VERTEX_BYTES: usize = 24;
-/// What `striata build` makes strips with.
+/// The stripifier that `striata build` uses.
 const BUILD_STRIPIFIER: Stripifier = Stripifier::Cheapest;
-/// Strips that LodStrips are built from to see which last longest.
+/// Stripifiers compared as the starting point of LodStrips.
 const LEVEL_STRIPIFIERS: [Stripifier; 4] =
     [Stripifier::Greedy, Stripifier::Tunnel { max_length: 17 }, Stripifier::Fewest, Stripifier::Cheapest];
-/// Shares of the triangles shown.
+/// Percentages of the triangles at which levels are shown.
 const LEVEL_PERCENTS: [usize; 5] = [100, 50, 25, 10, 2];
-/// Runs that the best time is taken from.
+/// Number of runs to take the fastest of.
 const RUN_COUNT: usize = 7;
 
-/// What the command line says.
+/// Parsed command line.
 #[derive(Default)]
 struct Arguments {
     meshes: Vec<PathBuf>,
-    choice: contest::Choice,
+    choice: stripifier_rows::Choice,
     lists: Option<PathBuf>,
     is_strips_only: bool,
 }
@@ -75,7 +77,7 @@ fn main() -> Fallible<()> {
         )?;
         return Ok(());
     }
-    let mut strips = Table::new(contest::HEAD);
+    let mut strips = Table::new(stripifier_rows::HEAD);
     let mut models = Table::new([
         "mesh",
         "vertices",
@@ -84,9 +86,9 @@ fn main() -> Fallible<()> {
         "ratio",
         "records",
         "targets",
-        "an instance",
+        "instance",
         "build ms",
-        "sweep ns a step",
+        "sweep ns per step",
     ]);
     let mut levels = Table::new(["mesh", "strips", "100 %", "50 %", "25 %", "10 %", "2 %", "all levels"]);
     for path in &arguments.meshes {
@@ -95,10 +97,10 @@ fn main() -> Fallible<()> {
         let file = path.file_name().map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
         let name = file.split('.').next().unwrap_or_default().to_owned();
         if let Some(folder) = &arguments.lists {
-            contest::write_list(&name, &mesh, folder)?;
+            stripifier_rows::write_list(&name, &mesh, folder)?;
             continue;
         }
-        contest::add_rows(&name, &mesh, &arguments.choice, &mut strips)?;
+        stripifier_rows::add_rows(&name, &mesh, &arguments.choice, &mut strips)?;
         if !arguments.is_strips_only {
             let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
             add_model(&name, &refinable, &mut models)?;
@@ -117,23 +119,23 @@ fn main() -> Fallible<()> {
     models.print(&mut out)?;
     writeln!(
         out,
-        "Indices a triangle, restarts counted, of LodStrips at a level and of new strips for it.\n"
+        "Indices per triangle including restarts, of LodStrips at a level and of new strips for it.\n"
     )?;
     levels.print(&mut out)?;
     Ok(())
 }
 
-/// Best time of several runs, in seconds, and what the last one made.
+/// Fastest of several runs in seconds, and the result of the last one.
 fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
     let mut run = || {
         let start = Instant::now();
-        let made = black_box(work());
-        (start.elapsed().as_secs_f64(), made)
+        let result = black_box(work());
+        (start.elapsed().as_secs_f64(), result)
     };
     let mut best = run();
     for _ in 1..RUN_COUNT {
-        let (secs, made) = run();
-        best = (best.0.min(secs), made);
+        let (secs, result) = run();
+        best = (best.0.min(secs), result);
     }
     best
 }
@@ -178,7 +180,7 @@ fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Falli
             model.move_to(&mut state, split_count);
             let live =
                 (0..model.strip_count()).map(|strip| model.strip(&state, strip).len()).filter(|&n| n > 0);
-            // A restart or the buffer's end after each strip.
+            // Each strip is followed by a restart or the end of the buffer.
             live.map(|n| n + 1).sum::<usize>()
         };
         let what = format!("LodStrips of {stripifier}");
@@ -187,18 +189,18 @@ fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Falli
         table.push(row);
     }
     let options = StripOptions::default().with_stripifier(BUILD_STRIPIFIER);
-    let mut anew = |split_count: usize| {
+    let mut from_scratch = |split_count: usize| {
         let strips = stripify(&replay(refinable, split_count), &options);
         strips.map_or(0, |strips| strips.to_restart_indices().indices.len())
     };
-    let what = format!("{BUILD_STRIPIFIER}, anew for the level");
-    let mut row = levels_row(name, &what, refinable, &mut anew);
+    let what = format!("{BUILD_STRIPIFIER}, from scratch for the level");
+    let mut row = levels_row(name, &what, refinable, &mut from_scratch);
     row.push("–".to_owned());
     table.push(row);
     Ok(())
 }
 
-/// Indices a triangle at some shares of the triangles.
+/// Indices per triangle at several percentages of the triangles.
 fn levels_row(
     name: &str,
     what: &str,
@@ -216,7 +218,7 @@ fn levels_row(
     row
 }
 
-/// Indices a triangle over all levels, of which each hundredth is looked at.
+/// Indices per triangle over all levels, sampled at every hundredth.
 fn over_all_levels(refinable: &RefinableMesh, index_count_at: &mut dyn FnMut(usize) -> usize) -> f64 {
     let (mut indices, mut triangles) = (0, 0);
     for hundredth in (0..=100).rev() {

@@ -1,10 +1,11 @@
-//! A thousand instances of one model, each as fine as one moving camera needs it: `cargo run --release -p striata-lab
-//! --example instances -- [MESH]`.
+//! A thousand instances of one model, each refined as far as one moving camera needs it: `cargo run
+//! --release -p striata-lab --example instances -- [MESH]`.
 //!
-//! All share one table; what each owns is a bit for every vertex that can go. The camera is brought into the space of each
-//! instance, since a criterion knows one model and one eye. Shown twice: instances that are refined from the base in every
-//! frame, and need nothing but their bits; and fronts, which remember what they asked, and ask again only what may have
-//! changed. Whatever is outside the picture goes back to its base, without a question to any of its steps.
+//! All instances share one table; each owns one bit per removable vertex. The camera is transformed into
+//! the space of each instance, since a criterion handles one model and one eye. The example compares two
+//! methods: instances that are refined from the base in every frame and store only their bits; and fronts,
+//! which remember verdicts and evaluate again only those that may have changed. An instance outside the
+//! picture returns to its base, without evaluating any of its steps.
 #![expect(clippy::print_stdout, reason = "an example shows what it found")]
 
 use std::error::Error;
@@ -15,17 +16,17 @@ use striata::model::{FanForm, FanFront, FanIndices, FanInstance, FanScene, Fans,
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::view::{Camera, ScreenError, Sphere};
 
-/// Instances stand in rows on the plane y = 0.
+/// Instances are arranged in rows on the plane y = 0.
 const COLUMNS: usize = 40;
 const ROWS: usize = 25;
-/// From one to the next, in radii of the model.
+/// Distance between neighboring instances, in radii of the model.
 const SPACING: f32 = 3.0;
 const FRAME_COUNT: usize = 240;
 const SCREEN: [u32; 2] = [1920, 1080];
-/// Errors may take so many pixels.
+/// Allowed screen error in pixels.
 const PIXELS: f32 = 1.0;
 
-/// What view-dependent progressive meshes take: each vertex once, and each that an instance has active.
+/// Memory of view-dependent progressive meshes per vertex, and per active vertex of an instance.
 const VDPM_STATIC_BYTES: usize = 136;
 const VDPM_ACTIVE_BYTES: usize = 208;
 
@@ -37,21 +38,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
     let fans = Fans::build(&refinable);
     let scene = FanScene::new(&fans, &refinable);
-    let places: Vec<Placement> = (0..COLUMNS * ROWS).map(|i| Placement::on_grid(i, scene.sphere())).collect();
+    let placements: Vec<Placement> =
+        (0..COLUMNS * ROWS).map(|i| Placement::on_grid(i, scene.sphere())).collect();
     println!(
-        "{} instances of {} vertices and {} triangles; {FRAME_COUNT} frames, {} by {}, errors up to {PIXELS} px",
-        places.len(),
+        "{} instances of {} vertices and {} triangles; {FRAME_COUNT} frames, {} by {}, \
+         errors up to {PIXELS} px",
+        placements.len(),
         refinable.mesh.vertex_count(),
         refinable.mesh.triangle_count(),
         SCREEN[0],
         SCREEN[1],
     );
     print_static(&refinable, &fans);
-    println!("\nbits alone, refined from the base in every frame");
-    run(&scene, &places, places.iter().map(|_| Bits::new(&fans)).collect())?;
-    println!("\nfronts, which remember what they asked, while they can be seen");
+    println!("\nbits only, refined from the base in every frame");
+    run(&scene, &placements, placements.iter().map(|_| Bits::new(&fans)).collect())?;
+    println!("\nfronts, which remember verdicts, while they are visible");
     let base = FanInstance::uniform(&fans, 0);
-    run(&scene, &places, places.iter().map(|_| WhileSeen { base: &base, front: None }).collect())
+    run(
+        &scene,
+        &placements,
+        placements.iter().map(|_| FrontWhileVisible { base: &base, front: None }).collect(),
+    )
 }
 
 /// A ball with bumps of several sizes.
@@ -66,11 +73,11 @@ fn potato() -> IndexedMesh {
     mesh
 }
 
-/// Where an instance stands in the world, where the model's radius is 1.
+/// Position and orientation of an instance in the world, in which the model has radius 1.
 struct Placement {
     model: Sphere,
     at: [f32; 3],
-    /// Its turn around the vertical axis.
+    /// Sine and cosine of the rotation about the vertical axis.
     sin_cos: (f32, f32),
 }
 
@@ -90,7 +97,7 @@ impl Placement {
         [0, 1, 2].map(|i| self.model.center[i] + self.model.radius * from_here[i])
     }
 
-    /// The world's camera as the model sees it.
+    /// The world's camera in the space of the model.
     fn camera(&self, view: &View) -> Result<Camera, Box<dyn Error>> {
         let [eye, target] = [view.eye, view.target].map(|point| self.point_in_model(point));
         Ok(Camera::new(eye, target, self.direction_in_model([0.0, 1.0, 0.0]), 0.577, SCREEN)?)
@@ -104,7 +111,7 @@ struct View {
 }
 
 impl View {
-    /// Flies over the rows and looks around.
+    /// A view that flies over the rows and looks around.
     fn at(frame: usize) -> Self {
         let part = frame as f32 / FRAME_COUNT as f32;
         let [width, depth] = [COLUMNS, ROWS].map(|count| SPACING * count as f32);
@@ -114,11 +121,11 @@ impl View {
     }
 }
 
-/// What follows the camera.
+/// An instance that follows the camera.
 trait Follower {
     fn update(&mut self, scene: &FanScene<'_>, criterion: &ScreenError);
 
-    /// Goes to the base at once.
+    /// Returns to the base immediately.
     fn drop_detail(&mut self, scene: &FanScene<'_>);
 
     fn instance(&self) -> &FanInstance;
@@ -126,7 +133,7 @@ trait Follower {
     fn bytes(&self) -> usize;
 }
 
-/// An instance and nothing beside.
+/// An instance that stores only its bits.
 struct Bits {
     instance: FanInstance,
     is_base: bool,
@@ -158,13 +165,13 @@ impl Follower for Bits {
     }
 }
 
-/// A front while it can be seen; at the base nothing has to be remembered.
-struct WhileSeen<'a> {
+/// A front that exists while the instance is visible; nothing needs to be remembered at the base.
+struct FrontWhileVisible<'a> {
     base: &'a FanInstance,
     front: Option<FanFront<ScreenError>>,
 }
 
-impl Follower for WhileSeen<'_> {
+impl Follower for FrontWhileVisible<'_> {
     fn update(&mut self, scene: &FanScene<'_>, criterion: &ScreenError) {
         self.front.get_or_insert_with(|| FanFront::new(scene)).update(scene, criterion, usize::MAX);
     }
@@ -182,19 +189,19 @@ impl Follower for WhileSeen<'_> {
     }
 }
 
-/// Sums over frames.
+/// Sums over all frames.
 #[derive(Default)]
 struct Totals {
     update: Duration,
     slowest: Duration,
     emission: Duration,
     triangles: usize,
-    seen: usize,
+    visible_count: usize,
 }
 
 fn run<F: Follower>(
     scene: &FanScene<'_>,
-    places: &[Placement],
+    placements: &[Placement],
     mut followers: Vec<F>,
 ) -> Result<(), Box<dyn Error>> {
     let mut out = FanIndices::default();
@@ -202,13 +209,13 @@ fn run<F: Follower>(
     for frame in 0..=FRAME_COUNT {
         let view = View::at(frame);
         let started = Instant::now();
-        let mut seen = Vec::new();
-        for (i, (placement, follower)) in places.iter().zip(&mut followers).enumerate() {
+        let mut visible = Vec::new();
+        for (i, (placement, follower)) in placements.iter().zip(&mut followers).enumerate() {
             let camera = placement.camera(&view)?;
             if camera.may_see(&placement.model) {
                 let criterion = ScreenError::new(camera, PIXELS).of_model(placement.model);
                 follower.update(scene, &criterion);
-                seen.push(i);
+                visible.push(i);
             } else {
                 follower.drop_detail(scene);
             }
@@ -219,14 +226,14 @@ fn run<F: Follower>(
             continue;
         }
         let started = Instant::now();
-        for &i in &seen {
+        for &i in &visible {
             followers[i].instance().emit_into(scene.fans(), FanForm::Triangles, &mut out);
             totals.triangles += out.indices.len() / 3;
         }
         totals.emission += started.elapsed();
         totals.update += update;
         totals.slowest = totals.slowest.max(update);
-        totals.seen += seen.len();
+        totals.visible_count += visible.len();
     }
     totals.print();
     print_memory(scene, &followers);
@@ -237,19 +244,19 @@ impl Totals {
     fn print(&self) {
         let frames = FRAME_COUNT as f64;
         println!(
-            "  criterion, update {:8.2} ms a frame, slowest {:.2}",
+            "  criterion, update {:8.2} ms per frame, slowest {:.2}",
             millis(self.update) / frames,
             millis(self.slowest)
         );
         println!(
-            "  emission          {:8.2} ms a frame, {:.1} M triangles a second",
+            "  emission          {:8.2} ms per frame, {:.1} M triangles per second",
             millis(self.emission) / frames,
             self.triangles as f64 / self.emission.as_secs_f64() / 1e6
         );
         println!(
-            "  triangles         {:8.0} a frame, in {:.0} instances that can be seen",
+            "  triangles         {:8.0} per frame, in {:.0} visible instances",
             self.triangles as f64 / frames,
-            self.seen as f64 / frames
+            self.visible_count as f64 / frames
         );
     }
 }
@@ -263,7 +270,8 @@ fn print_static(refinable: &RefinableMesh, fans: &Fans) {
     let (table, bounds) = (sum(false), sum(true));
     let all = table + bounds + 12 * vertex_count;
     println!(
-        "once for all: table {}, bounds {}, positions {}: {}, {:.1} bytes a vertex (view-dependent progressive mesh {VDPM_STATIC_BYTES})",
+        "shared: table {}, bounds {}, positions {}: {}, {:.1} bytes per vertex \
+         (view-dependent progressive mesh {VDPM_STATIC_BYTES})",
         kilobytes(table),
         kilobytes(bounds),
         kilobytes(12 * vertex_count),
@@ -284,7 +292,8 @@ fn print_memory<F: Follower>(scene: &FanScene<'_>, followers: &[F]) {
         kilobytes(largest)
     );
     println!(
-        "  as view-dependent progressive meshes: {} for {active_count} active vertices at {VDPM_ACTIVE_BYTES} bytes",
+        "  as view-dependent progressive meshes: {} for {active_count} active vertices at \
+         {VDPM_ACTIVE_BYTES} bytes",
         kilobytes(VDPM_ACTIVE_BYTES * active_count)
     );
 }

@@ -1,9 +1,10 @@
-//! What is published and that we only compare with: nothing that anybody ships depends on it.
+//! Published level-of-detail models and measuring tools that striata is compared with. Never shipped.
 //!
-//! [`baseline`] holds models of level of detail as their papers have them, [`mts_graph`] the graph of \[BRR02\] that
-//! [`Mts`](striata::model::Mts) does better. They implement the traits of [`striata::model`] and show the same triangles
-//! over the same vertex buffer as the library's models, so that what is compared is the data structure alone.
-//! [`PaperBytes`] counts the bytes of all of them, the library's included, as the papers count.
+//! [`baseline`] contains level-of-detail models as described in their papers; [`mts_graph`] is the graph
+//! of \[BRR02\], which [`Mts`](striata::model::Mts) improves on. They implement the traits of
+//! [`striata::model`] and show the same triangles over the same vertex buffer as the library's models, so
+//! that only the data structures are compared. [`PaperBytes`] counts the memory of all of them, including
+//! the library's, as the papers do.
 //!
 //! ```
 //! use striata::mesh::shapes;
@@ -28,7 +29,7 @@ mod paper_bytes;
 pub use mts_graph::{MtsGraph, MtsGraphState};
 pub use paper_bytes::{Accounting, PaperBytes};
 
-/// The examples of the repository's readme, compiled with the documentation's tests.
+/// The examples of the repository's README, compiled as doc tests.
 #[cfg(all(doctest, feature = "command"))]
 #[doc = include_str!("../../../README.md")]
 struct Readme;

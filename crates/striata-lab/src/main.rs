@@ -1,7 +1,7 @@
-//! The `striata-lab` command: measures what the product is compared with.
+//! The `striata-lab` command: measures striata and the models and tools it is compared with.
 //!
-//! In reading order: `args` says what can be asked, `compare` measures sizes, levels and views of all models, and `bench_gpu` what
-//! frames cost on a GPU.
+//! In reading order: `args` defines the command line, `compare` measures sizes, levels and views of all
+//! models, and `bench_gpu` measures frame times on a GPU.
 
 mod args;
 #[cfg(feature = "gpu")]

@@ -1,18 +1,18 @@
-//! Bytes of models as the papers count them, for the library's models; each baseline counts its own.
+//! Memory sizes of the library's models as the papers count them; each baseline counts its own.
 
 use striata::model::{Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel};
 
-/// What a paper takes its numbers to need.
+/// Integer sizes that a paper assumes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accounting {
-    /// 4 bytes each \[RCRG06\].
+    /// 4 bytes for every number \[RCRG06\].
     Words,
-    /// 2 bytes an integer, 4 a long one or a pointer \[BRR02\].
+    /// 2 bytes per integer, 4 bytes per long integer or pointer \[BRR02\].
     ShortIntegers,
 }
 
 impl Accounting {
-    /// Bytes of so many integers, and of so many long ones or pointers.
+    /// Bytes of `integers` integers and `longs` long integers or pointers.
     pub(crate) fn bytes(self, integers: usize, longs: usize) -> usize {
         match self {
             Self::Words => 4 * (integers + longs),
@@ -21,16 +21,17 @@ impl Accounting {
     }
 }
 
-/// A model whose published structures can be counted.
+/// A model whose structures can be counted as in its paper.
 pub trait PaperBytes: LodModel {
-    /// Bytes of the static half as the papers count: their structures, and not ours; positions not counted.
+    /// Bytes of the static half as its paper counts them: the published structures instead of ours,
+    /// without positions.
     fn paper_bytes(&self, accounting: Accounting) -> usize;
 }
 
 impl PaperBytes for LodStrips<'_> {
-    /// The structures of \[RCRG06\], its figure 3: a `Collapse` for each vertex, a pointer for each strip, a
-    /// `Change` of two words for each step, a `RecordChange` of four for each strip that it affects, and a word
-    /// for each place that is collapsed or resized.
+    /// The structures of \[RCRG06\], its figure 3: a `Collapse` per vertex, a pointer per strip, a
+    /// two-word `Change` per step, a four-word `RecordChange` per strip that a step affects, and a word
+    /// for each slot that is collapsed or resized.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let edits = self.edit_counts();
         let records = 3 * edits.strips + edits.places + edits.drops;
@@ -40,8 +41,8 @@ impl PaperBytes for LodStrips<'_> {
 }
 
 impl PaperBytes for Mts<'_> {
-    /// What \[BRR02\] would list: a vertex and a `res` for each column, a column and a `res` for each break, two pointers for
-    /// each strip; a target for each vertex and a strip for each change of one, which coherence needs.
+    /// As \[BRR02\] would count this model: a vertex and a `res` per column, a column and a `res` per break,
+    /// two pointers per strip; and for coherence a target per vertex and a strip index per change.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let integers = self.break_count() + self.change_count();
         let columns = 2 * self.indices().len() + self.break_count();
@@ -51,9 +52,9 @@ impl PaperBytes for Mts<'_> {
 }
 
 impl PaperBytes for Fans {
-    /// Section 3.6.2 of \[Cor01\] without the data of criteria: a pointer and two counts a vertex, a word for each node of
-    /// a ring, a word and as many bytes as its mask needs for each dependency. Arcs that last as long as their vertex
-    /// count as one dependency.
+    /// Section 3.6.2 of \[Cor01\] without the data of criteria: a pointer and two counts per vertex, a
+    /// word per node of a ring, a word and a byte-aligned mask per dependency. Arcs that last as long as
+    /// their vertex count as one dependency.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let (mut nodes, mut dependencies, mut mask_bytes) = (0, 0, 0);
         for fan in self.table_fans() {
@@ -68,20 +69,22 @@ impl PaperBytes for Fans {
 }
 
 impl PaperBytes for Patterns {
-    /// The paper's bits of each fragment and each overlap, with the overlaps that there are; see `pattern_bytes`.
+    /// The paper's bits per fragment and per overlap, with the actual number of overlaps; see
+    /// `pattern_bytes`.
     fn paper_bytes(&self, _: Accounting) -> usize {
         pattern_bytes(self.fragment_count(), self.overlap_count())
     }
 }
 
-/// Bits that \[KG98\] counts for a fragment: two anchors, the rule with the number of loops, and the link down.
+/// Bits that \[KG98\] counts per fragment: two anchors, the rule with the number of loops, and the link
+/// down.
 const FRAGMENT_BITS: usize = 64 + 16 + 36;
 
-/// Bits that it counts for an overlap: a fragment and one of its loops.
+/// Bits that \[KG98\] counts per overlap: a fragment and one of its loops.
 const OVERLAP_BITS: usize = 36;
 
-/// 116 bits a fragment and 36 an overlap: the paper's 206 bits are for 5/2 a fragment. The base and the rules are not
-/// counted, nor does the size of integers matter.
+/// 116 bits per fragment and 36 per overlap: the paper's 206 bits assume 5/2 overlaps per fragment. The
+/// base and the rules are not counted, and the size of integers does not matter.
 pub(crate) fn pattern_bytes(fragment_count: usize, overlap_count: usize) -> usize {
     (fragment_count * FRAGMENT_BITS + overlap_count * OVERLAP_BITS).div_ceil(8)
 }

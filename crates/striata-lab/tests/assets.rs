@@ -1,4 +1,5 @@
-//! Models over sequences that cross seams, fold parts flat and let them vanish: all of them against the oracle.
+//! All models against the oracle, over sequences that collapse across seams, fold parts flat and make
+//! parts vanish.
 
 use striata_testing::meshes;
 
@@ -33,7 +34,7 @@ proptest! {
         let refinable = refinable_asset(pieces, seed, cost);
         let strips = stripify(&refinable.mesh).expect("full meshes are sound");
         let lod_strips = LodStrips::build(&refinable, &strips).expect("the strips are the mesh's");
-        // Its states also note what a buffer has to follow, so they are not compared.
+        // Its states also record pending buffer updates, so they cannot be compared for equality.
         let mut state = lod_strips.new_state();
         for split_count in (0..=lod_strips.step_count()).rev().chain(0..=lod_strips.step_count()) {
             lod_strips.move_to(&mut state, split_count);

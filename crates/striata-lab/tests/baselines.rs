@@ -17,7 +17,7 @@ use support::{
     random_refinable, seam_cases, soups, surface_cases, with_seams_and_groups,
 };
 
-/// Holds progressive meshes, ordered meshes and discrete levels to the oracle.
+/// Checks progressive meshes, ordered meshes and discrete levels against the oracle.
 fn check_baselines(refinable: &RefinableMesh, stride: usize) {
     follows_the_oracle(refinable, &ProgressiveMeshes::build(refinable), stride);
     follows_the_oracle(refinable, &OrderedMeshes::build(refinable), stride);
@@ -28,7 +28,7 @@ fn check_baselines(refinable: &RefinableMesh, stride: usize) {
         assert_eq!(levels[0], refinable.sequence.step_count());
         assert!(levels.windows(2).all(|w| w[1] < w[0]), "levels {levels:?} fall");
         let coarsest = levels[levels.len() - 1];
-        let shown = |asked| levels.iter().copied().find(|&level| level <= asked).unwrap_or(coarsest);
+        let shown = |requested| levels.iter().copied().find(|&level| level <= requested).unwrap_or(coarsest);
         follows_the_oracle_at(refinable, &model, stride, shown);
     }
 }
@@ -41,7 +41,7 @@ fn nasty_meshes_follow_the_oracle_at_every_level() {
 #[test]
 fn nasty_shapes_follow_the_oracle_at_every_level() {
     for (name, mesh) in shapes::nasty() {
-        // Meshes that do not pass their own check are never welded, so there is no sequence of them.
+        // Meshes that fail their own check cannot be welded, so they have no sequence.
         if mesh.check().is_err() || mesh.triangle_count() > 1000 {
             continue;
         }
@@ -62,16 +62,16 @@ fn seams_and_groups_follow_the_oracle() {
 }
 
 #[test]
-fn a_vertex_that_stands_everywhere_makes_a_long_record() {
+fn hub_vertices_have_long_records() {
     for case in hub_cases() {
         follows_the_oracle(&case.refinable, &ProgressiveMeshes::build(&case.refinable), case.stride);
         follows_the_oracle(&case.refinable, &OrderedMeshes::build(&case.refinable), case.stride);
     }
 }
 
-/// Triangles that all stand on the edge of the vertices 0 and 1; the one step collapses 1 to 0.
+/// Triangles that all share the edge of vertices 0 and 1; the one step collapses 1 to 0.
 fn many_on_an_edge(triangle_count: u32) -> RefinableMesh {
-    // Vertex 1 of the drawing is the last in refinement order.
+    // Vertex 1 of the description is the last one in refinement order.
     let last = triangle_count + 1;
     let positions = (0..=last).map(|i| [i as f32, (i % 5) as f32, 1.0]).collect();
     let triangles = (1..last).map(|i| [0, last, i]).collect();
@@ -80,7 +80,7 @@ fn many_on_an_edge(triangle_count: u32) -> RefinableMesh {
         base_position_count: last as usize,
         targets: vec![0],
         errors: vec![1.0],
-        // All that a byte holds: a model must not trust it.
+        // The largest value that a byte can store; a model must not rely on it.
         removed_triangle_counts: vec![triangle_count.min(255) as u8],
         triangle_count: triangle_count as usize,
     })
@@ -89,7 +89,7 @@ fn many_on_an_edge(triangle_count: u32) -> RefinableMesh {
 }
 
 #[test]
-fn a_step_may_remove_more_triangles_than_a_byte_counts() {
+fn step_may_remove_more_triangles_than_fit_in_a_byte() {
     for triangle_count in [254, 255, 256, 700] {
         let refinable = many_on_an_edge(triangle_count);
         follows_the_oracle(&refinable, &ProgressiveMeshes::build(&refinable), 1);
@@ -97,7 +97,7 @@ fn a_step_may_remove_more_triangles_than_a_byte_counts() {
     }
 }
 
-/// Triangles apart from each other, a group for each, and an empty group at the end.
+/// Disconnected triangles, each in its own group, and an empty group at the end.
 fn groups_of_one(group_count: u32) -> IndexedMesh {
     let n = group_count - 1;
     let positions = (0..3 * n).map(|i| [i as f32, (i * i % 23) as f32, 0.0]).collect();
@@ -117,7 +117,7 @@ fn many_groups_follow_the_oracle() {
 }
 
 #[test]
-fn triangles_without_area_are_in_no_list() {
+fn degenerate_triangles_are_not_listed() {
     let mut refinable = random_refinable(
         &grid(3, false),
         Wildness { far_percent: 0, base_position_count: 3 },
@@ -130,9 +130,9 @@ fn triangles_without_area_are_in_no_list() {
     follows_the_oracle(&refinable, &OrderedMeshes::build(&refinable), 1);
 }
 
-/// What the ranges of each group draw, in place.
+/// Checks the ranges of each group that are drawn in place.
 #[test]
-fn groups_are_drawn_from_the_list_itself() {
+fn groups_are_drawn_from_the_list_in_place() {
     let mesh = with_seams_and_groups(grid(8, false));
     let refinable =
         random_refinable(&mesh, Wildness { far_percent: 5, base_position_count: 3 }, &mut Random::new(3));
@@ -177,7 +177,7 @@ fn levels_fall_geometrically() {
         let counts = model.split_counts().map(|s| refinable.sequence.triangle_count_at(s));
         counts.collect::<Vec<_>>()
     };
-    // Random collapses in a torus remove two triangles each, rarely another number.
+    // Most random collapses in a torus remove two triangles.
     let check = |found: Vec<usize>, expected: &[usize]| {
         assert_eq!(found.len(), expected.len());
         for (found, expected) in found.into_iter().zip(expected) {
@@ -200,13 +200,13 @@ fn levels_of_any_stripifier_follow_the_oracle() {
         let model =
             DiscreteLevels::build(&refinable, 3, |mesh| striata_strip::stripify(mesh, &options)).unwrap();
         let levels: Vec<usize> = model.split_counts().collect();
-        let shown = |asked| levels.iter().copied().find(|&level| level <= asked).unwrap_or(levels[2]);
+        let shown = |requested| levels.iter().copied().find(|&level| level <= requested).unwrap_or(levels[2]);
         follows_the_oracle_at(&refinable, &model, 11, shown);
     }
 }
 
 #[test]
-fn what_makes_no_levels_is_refused() {
+fn invalid_inputs_are_rejected() {
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let mut refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
     let build = |refinable: &RefinableMesh, n| DiscreteLevels::build(refinable, n, stripify);
@@ -221,8 +221,9 @@ fn what_makes_no_levels_is_refused() {
 }
 
 #[test]
-fn bytes_are_those_of_the_arrays() {
-    // A tetrahedron on its base: vertex 3 collapses to 0, two corners move, two triangles vanish... and one stays.
+fn bytes_match_the_arrays() {
+    // A tetrahedron without its base: vertex 3 collapses to 0, one corner changes, two triangles vanish
+    // and one stays.
     let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let mesh = IndexedMesh::new(positions, vec![[0, 1, 3], [1, 2, 3], [2, 0, 3]]);
     let sequence = CollapseSequence::from_parts(SequenceParts {
@@ -242,21 +243,22 @@ fn bytes_are_those_of_the_arrays() {
         part("triangles", 3 * 12),
         part("targets", 4),
         part("corners", 4),
-        // One for the corners of vertex 3, one for the triangles of the step, the ends of the one group.
+        // One byte for the corners of vertex 3, one for the triangles of the step, and the ends of the one
+        // group.
         part("counts", 1 + 1 + 8),
     ];
     assert_eq!(model.bytes(), expected);
     assert_eq!(model.paper_bytes(Accounting::Words), 4 * (9 + 1 + 1 + 1 + 1));
     let mut state = model.new_state();
-    // The triangle that stays leads the list, the two that go keep the corners that they had.
+    // The remaining triangle comes first in the list; the two removed ones keep their last corners.
     assert_eq!(state.indices(), [1, 2, 3, 0, 1, 3, 2, 0, 3]);
     model.move_to(&mut state, 0);
     assert_eq!(state.indices(), [1, 2, 0, 0, 1, 3, 2, 0, 3]);
     assert_eq!(model.group_ranges(&state).next(), Some(0..3));
     let ordered = OrderedMeshes::build(&refinable);
-    // One of the base, which the split takes away, and the three that it makes.
+    // One triangle in the base, which the split removes, and the three that it creates.
     assert_eq!(ordered.stored_triangle_count(), 4);
-    // The one step that makes triangles, and the ends of the one group in both lists.
+    // The one step that creates triangles, and the ends of the one group in both lists.
     assert_eq!(ordered.bytes(), [part("triangles", 48), part("taken by", 16), part("makers", 8 + 4 * 4)]);
     assert_eq!(ordered.paper_bytes(Accounting::Words), 4 * (4 * 4 + 2));
     let levels = DiscreteLevels::build(&refinable, 5, stripify).unwrap();
@@ -280,7 +282,7 @@ proptest! {
     }
 
     #[test]
-    fn any_walk_between_levels_shows_the_oracle(
+    fn any_walk_between_levels_follows_the_oracle(
         seed in any::<u64>(),
         jumps in prop::collection::vec(0.0f64..=1.0, 1..20),
     ) {

@@ -1,12 +1,12 @@
-//! Clouds of leaves keep what a viewer sees of them: the area that they cover.
+//! Simplified clouds of leaves keep their visible area.
 
 use striata::mesh::{IndexedMesh, replay};
 use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 
-/// Cells along each side of a picture.
+/// Width and height of a silhouette, in cells.
 const SIZE: usize = 256;
 
-/// Numbers in [-1, 1) that look random.
+/// Pseudorandom numbers in [-1, 1).
 fn noise(seed: &mut u64) -> f32 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     ((*seed >> 40) as f32 / 8_388_608.0) - 1.0
@@ -31,22 +31,22 @@ fn unit(v: [f32; 3]) -> [f32; 3] {
     v.map(|x| x / length)
 }
 
-/// Clusters of square cards in all directions, spread over a ball like the crown of a tree.
+/// Clusters of randomly oriented square cards, distributed in a ball like the crown of a tree.
 fn crown(cluster_count: usize, seed: u64) -> IndexedMesh {
     let mut seed = seed;
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     for _ in 0..cluster_count {
-        let middle = in_ball(&mut seed);
+        let center = in_ball(&mut seed);
         for _ in 0..8 {
             let offset = in_ball(&mut seed).map(|x| 0.1 * x);
             let normal = unit(in_ball(&mut seed));
             let along = unit(cross(normal, unit(in_ball(&mut seed))));
-            let aside = cross(normal, along);
+            let across = cross(normal, along);
             let size = 0.06 * (1.0 + 0.3 * noise(&mut seed));
             let first = positions.len() as u32;
             for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
                 positions
-                    .push([0, 1, 2].map(|a| middle[a] + offset[a] + size * (x * along[a] + y * aside[a])));
+                    .push([0, 1, 2].map(|a| center[a] + offset[a] + size * (x * along[a] + y * across[a])));
             }
             triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
         }
@@ -54,7 +54,7 @@ fn crown(cluster_count: usize, seed: u64) -> IndexedMesh {
     IndexedMesh::new(positions, triangles)
 }
 
-/// Covered cells of the pictures along the three axes.
+/// Number of covered cells, summed over the silhouettes along the three axes.
 fn silhouette(mesh: &IndexedMesh) -> usize {
     let mut sum = 0;
     for axis in 0..3 {
@@ -92,7 +92,7 @@ fn paint(corners: [[f32; 2]; 3], covered: &mut [bool]) {
     }
 }
 
-/// Silhouettes of the levels at some shares of the triangles, as shares of that of the mesh.
+/// Silhouette areas of the levels at several shares of the triangles, relative to that of the full mesh.
 fn silhouettes(mesh: &IndexedMesh, options: &SequenceOptions, shares: &[f64]) -> Vec<f64> {
     let refinable = build_sequence(mesh, options).expect("cards are sound").refinable;
     let whole = silhouette(mesh) as f64;
@@ -109,14 +109,18 @@ fn silhouettes(mesh: &IndexedMesh, options: &SequenceOptions, shares: &[f64]) ->
 fn crowns_keep_their_silhouette() {
     for seed in 1..4 {
         let found = silhouettes(&crown(600, seed), &SequenceOptions::default(), &[0.5, 0.1, 0.05]);
-        let least = [0.95, 0.8, 0.7];
-        assert!(found.iter().zip(least).all(|(found, least)| *found >= least), "seed {seed}: {found:?}");
+        let minimums = [0.95, 0.8, 0.7];
+        assert!(
+            found.iter().zip(minimums).all(|(found, minimum)| *found >= minimum),
+            "seed {seed}: {found:?}"
+        );
     }
 }
 
 #[test]
 fn parts_that_must_stay_do_not_grow() {
-    // What stays cannot make up for anything: every card keeps one of its two triangles.
+    // Parts that must stay cannot grow to compensate for others: every card keeps one of its two
+    // triangles.
     let mesh = crown(40, 5);
     let options = SequenceOptions::default().with_topology(TopologyRule::KeepParts);
     let refinable = build_sequence(&mesh, &options).expect("cards are sound").refinable;

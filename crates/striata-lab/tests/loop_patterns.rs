@@ -1,5 +1,5 @@
-//! The pattern model as published against the oracle: uniform levels, closed sets, the smallest set of any condition, and what
-//! its form refuses.
+//! The published pattern model against the oracle: uniform levels, closed sets, the smallest set for any
+//! condition, and meshes that its form rejects.
 
 use striata_testing::support;
 
@@ -19,7 +19,8 @@ use support::{
     random_closed_set, random_removals, seam_cases, shows_a_set, smallest_set,
 };
 
-/// Surfaces with collapses in the order of cost, most of which have borders whose last triangles hang on one edge.
+/// Surfaces with collapses in cost order; most have borders, whose last triangles are attached by one edge
+/// only.
 fn collapsed_cases() -> impl Iterator<Item = FragmentedMesh> {
     let mut holed = grid(13, false);
     holed.triangles.retain(|t| !(t.contains(&34) && t.contains(&35) || t.contains(&66) && t.contains(&80)));
@@ -31,21 +32,21 @@ fn collapsed_cases() -> impl Iterator<Item = FragmentedMesh> {
         shapes::torus(11, 9, 2.0, 1.0),
     ];
     meshes.into_iter().map(|mesh| {
-        // The model is for manifolds.
+        // The model supports manifolds only.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let simplified = build_sequence(&mesh, &options).unwrap();
         FragmentedMesh::from_collapses(&simplified.refinable)
     })
 }
 
-/// A number that depends on an overlap and a seed only.
+/// A pseudorandom number that depends only on an overlap and a seed.
 fn chance(overlap: Overlap, seed: u64) -> u64 {
     let lower = overlap.lower.map_or(1 << 30, u64::from);
     let mixed = (lower << 24 ^ u64::from(overlap.upper) ^ seed << 45).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 40
 }
 
-/// Finds some percent of all overlaps too coarse, wherever they are.
+/// A condition that considers some percentage of all overlaps too coarse, independently of their position.
 fn scattered(percent: u64, seed: u64) -> impl Fn(Overlap) -> bool {
     move |overlap| chance(overlap, seed) % 100 < percent
 }
@@ -75,11 +76,11 @@ fn collapses_follow_the_oracle() {
         floorless += (0..fragments.step_count() as u32).filter(|&s| fragments.floor(s).is_empty()).count();
         follows_the_fragments(&mesh, &LoopPatterns::build(&mesh).unwrap(), 3);
     }
-    assert!(floorless > 0, "no triangle hangs on one edge");
+    assert!(floorless > 0, "no triangle is attached by one edge only");
 }
 
 #[test]
-fn both_ways_to_build_come_to_the_same() {
+fn both_ways_of_building_give_equal_models() {
     for mesh in fragment_cases().map(|case| case.1).chain(collapsed_cases()) {
         let model = LoopPatterns::build(&mesh).unwrap();
         let explicit = MultiTriangulation::build(&mesh);
@@ -87,9 +88,10 @@ fn both_ways_to_build_come_to_the_same() {
     }
 }
 
-/// Where a floor closes a hole, the side that closes the ring has another triangle behind it, and a border again once it is split.
+/// If a floor closes a hole, the side that closes the ring has another triangle across it, and is a border
+/// again after the split.
 #[test]
-fn holes_that_close_are_among_the_cases() {
+fn cases_include_closing_holes() {
     let mut count = 0;
     for mesh in fragment_cases().map(|case| case.1).chain(collapsed_cases()) {
         let fragments = &mesh.fragments;
@@ -111,9 +113,9 @@ fn holes_that_close_are_among_the_cases() {
     assert!(count > 0);
 }
 
-/// Loops name what floors and ceilings share, and nothing else.
+/// Loops contain exactly the fragments that share triangles of floors and ceilings.
 #[test]
-fn loops_tell_which_fragments_overlap() {
+fn loops_contain_the_overlapping_fragments() {
     for (_, mesh) in fragment_cases() {
         let fragments = &mesh.fragments;
         let model = LoopPatterns::build(&mesh).unwrap();
@@ -139,7 +141,7 @@ fn loops_tell_which_fragments_overlap() {
 }
 
 #[test]
-fn closed_sets_are_shown_whatever_is_there_before() {
+fn closed_sets_are_shown_from_any_previous_set() {
     for (seed, mesh) in fragment_cases() {
         let model = LoopPatterns::build(&mesh).unwrap();
         let mut random = Random::new(seed);
@@ -152,11 +154,12 @@ fn closed_sets_are_shown_whatever_is_there_before() {
             assert_eq!(before + change.inserted - change.removed, adapted.split_count());
             assert!((0..set.len()).all(|step| adapted.is_refined(step as u32) == set[step]));
             shows_what_is_inserted(&mesh, &adapted);
-            // Nothing finer is wanted than what is below it, so that the two steps of the paper do as well.
+            // No fine overlap is too coarse unless the one below it is too, so the two steps of the paper
+            // reach the same set.
             let before = walked.split_count();
-            let gone = model.coarsen(&mut walked, &condition);
-            let came = model.refine(&mut walked, &condition);
-            assert_eq!(before + came - gone, walked.split_count());
+            let removed = model.coarsen(&mut walked, &condition);
+            let added = model.refine(&mut walked, &condition);
+            assert_eq!(before + added - removed, walked.split_count());
             assert!(walked == adapted);
         }
         model.move_to(&mut walked, model.step_count() / 3);
@@ -167,7 +170,7 @@ fn closed_sets_are_shown_whatever_is_there_before() {
 }
 
 #[test]
-fn scattered_wishes_leave_nothing_too_coarse() {
+fn scattered_conditions_leave_nothing_too_coarse() {
     for mesh in collapsed_cases().chain(fragment_cases().step_by(3).map(|case| case.1)) {
         let model = LoopPatterns::build(&mesh).unwrap();
         let (mut state, mut smallest) = (model.new_state(), model.base_state());
@@ -206,11 +209,11 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
         let mut state = model.new_state();
         for round in 0..60 {
             let condition = scattered([5, 20, 50, 80][round % 4], seed * 100 + round as u64);
-            let ask = |face: Option<u32>, upper| {
+            let evaluate = |face: Option<u32>, upper| {
                 let lower = face.and_then(|face| fragments.maker(face));
                 condition(Overlap { lower, upper })
             };
-            let expected = smallest_set(fragments, &sets, ask);
+            let expected = smallest_set(fragments, &sets, evaluate);
             model.adapt(&mut state, &condition);
             let found = inserted(&model, &state).iter().fold(0, |set, step| set | 1 << step);
             assert_eq!(found, expected, "mesh {seed}, round {round}");
@@ -222,16 +225,16 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
 }
 
 #[test]
-fn the_tight_form_comes_to_the_same_sets() {
+fn library_patterns_reach_the_same_sets() {
     for (seed, mesh) in fragment_cases() {
-        let (model, tight) = (LoopPatterns::build(&mesh).unwrap(), Patterns::build(&mesh).unwrap());
-        assert_eq!(model.overlap_count(), tight.overlap_count());
+        let (model, library) = (LoopPatterns::build(&mesh).unwrap(), Patterns::build(&mesh).unwrap());
+        assert_eq!(model.overlap_count(), library.overlap_count());
         let mut state = model.new_state();
-        let mut instance = striata::model::PatternInstance::base(&tight);
+        let mut instance = striata::model::PatternInstance::base(&library);
         for round in 0..8 {
             let condition = scattered([2, 30, 10][round % 3], seed * 50 + round as u64);
             model.adapt(&mut state, &condition);
-            instance.adapt(&tight, &condition);
+            instance.adapt(&library, &condition);
             let steps = 0..model.step_count() as u32;
             assert!(steps.clone().all(|step| state.is_refined(step) == instance.is_refined(step)));
         }
@@ -239,7 +242,7 @@ fn the_tight_form_comes_to_the_same_sets() {
 }
 
 #[test]
-fn an_inserted_fragment_brings_what_it_stands_on() {
+fn inserting_a_fragment_inserts_its_prerequisites() {
     for mesh in fragment_cases().step_by(3).map(|case| case.1).chain(collapsed_cases()) {
         let model = LoopPatterns::build(&mesh).unwrap();
         for step in (0..model.step_count() as u32).step_by(11) {
@@ -252,10 +255,10 @@ fn an_inserted_fragment_brings_what_it_stands_on() {
     }
 }
 
-/// Of whatever is not refused every level is right.
+/// Every level of a model that is not rejected is right.
 #[test]
-fn what_is_no_surface_is_refused() {
-    let mut refused = 0;
+fn non_surfaces_are_rejected() {
+    let mut rejected = 0;
     for case in nasty_cases().chain(seam_cases()).chain(hub_cases()) {
         let mesh = FragmentedMesh::from_collapses(&case.refinable);
         let explicit = LoopPatterns::from_multi_triangulation(&MultiTriangulation::build(&mesh));
@@ -266,11 +269,11 @@ fn what_is_no_surface_is_refused() {
             }
             Err(error) => {
                 assert_eq!(explicit.unwrap_err(), error);
-                refused += 1;
+                rejected += 1;
             }
         }
     }
-    assert!(refused > 60, "{refused} of them are refused");
+    assert!(rejected > 60, "{rejected} of them are rejected");
 }
 
 /// A grid with random holes, some of which touch at vertices.
@@ -286,15 +289,16 @@ fn ragged(seed: u64) -> IndexedMesh {
     mesh
 }
 
-/// Where holes close and borders touch, what is refused is refused by both forms, and what is not is right in any set.
+/// If holes close or borders touch, both forms reject the same meshes, and every set of the others is
+/// right.
 #[test]
-fn ragged_surfaces_are_right_or_refused() {
-    let (mut right, mut refused) = (0, 0);
+fn ragged_surfaces_are_right_or_rejected() {
+    let (mut right, mut rejected) = (0, 0);
     for seed in 0..400 {
         let mesh = random_removals(&ragged(seed), usize::MAX, &mut Random::new(seed + 1));
         let Ok(model) = LoopPatterns::build(&mesh) else {
-            assert!(SequentialPatterns::encode(&mesh).is_err(), "seed {seed}: one form refuses it");
-            refused += 1;
+            assert!(SequentialPatterns::encode(&mesh).is_err(), "seed {seed}: only one form rejects it");
+            rejected += 1;
             continue;
         };
         right += 1;
@@ -307,7 +311,7 @@ fn ragged_surfaces_are_right_or_refused() {
             shows_what_is_inserted(&mesh, &state);
         }
     }
-    assert!(right > 100 && refused > 50, "{right} are right, {refused} refused");
+    assert!(right > 100 && rejected > 50, "{right} are right, {rejected} rejected");
 }
 
 fn face(corners: [u32; 3]) -> Face {
@@ -318,10 +322,10 @@ fn faces(list: &[[u32; 3]]) -> Vec<Face> {
     list.iter().map(|&t| face(t)).collect()
 }
 
-/// A ceiling and the floor that it is put for.
+/// A ceiling and the floor that it replaces.
 type Exchange<'a> = (&'a [[u32; 3]], &'a [[u32; 3]]);
 
-/// A mesh of a base and what some steps put for what.
+/// Builds a mesh from its base and the exchanges of its steps.
 fn mesh_of(base: &[[u32; 3]], steps: &[Exchange], vertex_count: usize) -> FragmentedMesh {
     let fragments = steps.iter().map(|(ceiling, floor)| Fragment {
         ceiling: faces(ceiling),
@@ -330,47 +334,47 @@ fn mesh_of(base: &[[u32; 3]], steps: &[Exchange], vertex_count: usize) -> Fragme
     });
     let positions = PositionIndex::identity(vertex_count);
     let fragments = FragmentSequence::from_fragments(positions, faces(base), fragments).unwrap();
-    let there = fragment_faces(&fragments, |_| true);
-    let triangles = there.iter().map(|&f| fragments.faces()[f as usize].corners).collect();
+    let present = fragment_faces(&fragments, |_| true);
+    let triangles = present.iter().map(|&f| fragments.faces()[f as usize].corners).collect();
     let positions = (0..vertex_count).map(|i| [i as f32, (i * i % 5) as f32, 0.5]).collect();
     FragmentedMesh { mesh: IndexedMesh::new(positions, triangles), fragments }
 }
 
-fn refusal(mesh: &FragmentedMesh) -> String {
+fn rejection(mesh: &FragmentedMesh) -> String {
     LoopPatterns::build(mesh).unwrap_err().to_string()
 }
 
 #[test]
-fn refusals_name_the_place_and_the_reason() {
+fn rejections_name_the_step_and_the_reason() {
     let bow_tie = mesh_of(&[[0, 1, 2], [2, 3, 4]], &[(&[[0, 1, 5], [1, 2, 5], [2, 0, 5]], &[[0, 1, 2]])], 6);
-    assert_eq!(refusal(&bow_tie), "triangle of the base 1 has a vertex whose triangles are not one fan");
+    assert_eq!(rejection(&bow_tie), "triangle of the base 1 has a vertex whose triangles are not one fan");
     let two_fans = mesh_of(&[[0, 1, 2]], &[(&[[1, 0, 5], [3, 4, 5]], &[])], 6);
-    assert_eq!(refusal(&two_fans), "step 0 removes a vertex whose triangles are not one fan");
+    assert_eq!(rejection(&two_fans), "step 0 removes a vertex whose triangles are not one fan");
     let unfilled = mesh_of(&[[0, 1, 2]], &[(&[[1, 0, 4], [0, 3, 4]], &[])], 5);
-    assert_eq!(refusal(&unfilled), "step 0 has a floor that does not fill the hole");
+    assert_eq!(rejection(&unfilled), "step 0 has a floor that does not fill the hole");
     let twice = mesh_of(&[[0, 1, 2]], &[(&[[0, 1, 3]], &[])], 4);
-    assert_eq!(refusal(&twice), "triangle 1 runs along an edge as another triangle does");
+    assert_eq!(rejection(&twice), "triangle 1 has an edge in the same direction as another triangle");
     let alone = mesh_of(&[[0, 1, 2]], &[(&[[3, 4, 5]], &[])], 6);
-    assert_eq!(refusal(&alone), "step 0 takes the last triangle of a piece");
+    assert_eq!(rejection(&alone), "step 0 removes the last triangle of a component");
     let ring = [[0, 1, 5], [1, 2, 5], [2, 3, 5], [3, 0, 5]];
     let floor = [[0, 1, 2], [0, 2, 3]];
     let doubled = mesh_of(&[[0, 1, 2], [0, 2, 3], [0, 2, 4]], &[(&ring, &floor)], 6);
-    assert_eq!(refusal(&doubled), "step 0 leaves an edge that two triangles run along in the same way");
+    assert_eq!(rejection(&doubled), "step 0 creates an edge that two triangles use in the same direction");
     // A triangle that touches two others at two vertices, until a floor fills the hole between them.
     let touching = mesh_of(&[[0, 2, 1], [3, 0, 1]], &[(&[[4, 0, 2], [4, 2, 1]], &[[0, 2, 1]])], 5);
-    assert_eq!(refusal(&touching), "step 0 closes a hole at a vertex that has another border");
+    assert_eq!(rejection(&touching), "step 0 closes a hole at a vertex that has another border");
     let error = SequentialPatterns::encode(&touching).unwrap_err();
     assert_eq!(error.to_string(), "step 0 opens a hole at a vertex that has another border");
     let mut groups = mesh_of(&floor, &[(&[[0, 1, 4], [1, 2, 4], [2, 0, 4]], &floor[..1])], 5);
     assert!(LoopPatterns::build(&groups).is_ok());
     groups.mesh.groups = support::with_seams_and_groups(grid(2, false)).groups;
-    assert_eq!(refusal(&groups), "the published form holds at most 1 group of triangles, and there are 3");
+    assert_eq!(rejection(&groups), "the published form holds at most 1 group of triangles, and there are 3");
     let mut seams = FragmentedMesh::from_collapses(&seam_cases().next().unwrap().refinable);
     seams.mesh.groups.clear();
-    assert!(refusal(&seams).contains("vertices (one a position), and there are"), "{}", refusal(&seams));
+    assert!(rejection(&seams).contains("vertices (one a position), and there are"), "{}", rejection(&seams));
 }
 
-/// A vertex of so many triangles, each of which is then split.
+/// A vertex with `degree` triangles, each of which is then split.
 fn crowded(degree: u32) -> FragmentedMesh {
     let hub = degree;
     let base: Vec<[u32; 3]> = (1..degree - 1).map(|i| [0, i, i + 1]).collect();
@@ -383,13 +387,13 @@ fn crowded(degree: u32) -> FragmentedMesh {
 }
 
 #[test]
-fn a_fragment_is_in_fifteen_loops_and_no_more() {
+fn fragment_is_in_at_most_fifteen_loops() {
     let mesh = crowded(15);
     let model = LoopPatterns::build(&mesh).unwrap();
     assert_eq!((model.covering(0).count(), model.rule_count()), (15, 2));
     follows_the_fragments(&mesh, &model, 1);
     assert_eq!(
-        refusal(&crowded(16)),
+        rejection(&crowded(16)),
         "the published form holds at most 15 loops through one fragment, and there are 16"
     );
     let wide = mesh_of(
@@ -400,11 +404,11 @@ fn a_fragment_is_in_fifteen_loops_and_no_more() {
         )],
         301,
     );
-    assert_eq!(refusal(&wide), "step 0 removes a vertex of more than 255 triangles");
+    assert_eq!(rejection(&wide), "step 0 removes a vertex with more than 255 triangles");
 }
 
 #[test]
-fn bytes_are_those_of_the_packed_arrays_and_of_the_paper() {
+fn bytes_match_the_packed_arrays_and_the_paper() {
     let mesh = collapsed_cases().nth(2).unwrap();
     let model = LoopPatterns::build(&mesh).unwrap();
     let (steps, overlaps) = (model.step_count(), model.overlap_count());

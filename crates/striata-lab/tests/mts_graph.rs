@@ -1,4 +1,4 @@
-//! MTS as published against the oracle, and against the library's form of it, which shows the same strips.
+//! The published MTS against the oracle, and against the library's form, which shows the same strips.
 
 use striata_testing::support;
 
@@ -13,13 +13,14 @@ use support::{
     surface_cases,
 };
 
-/// Greedy strips, or such as have joints where ends meet at a vertex.
+/// Greedy strips, or strips that are joined where ends meet at a vertex.
 fn strips_of(refinable: &RefinableMesh, has_joints: bool) -> StripSet {
     let stripifier = if has_joints { Stripifier::Cheapest } else { Stripifier::Greedy };
     stripify(&refinable.mesh, &StripOptions::default().with_stripifier(stripifier)).unwrap()
 }
 
-/// The graph shows the oracle at every level, and both forms nothing but the same indices, strip by strip.
+/// Checks that the graph follows the oracle at every level, and that both forms show the same indices,
+/// strip by strip.
 fn check_both(refinable: &RefinableMesh, has_joints: bool, stride: usize) {
     let strips = strips_of(refinable, has_joints);
     let mts = Mts::build(refinable, &strips).unwrap();
@@ -36,7 +37,7 @@ fn check_both(refinable: &RefinableMesh, has_joints: bool, stride: usize) {
         };
         let mut indices = Vec::new();
         mts.indices_into(&state, &mut indices);
-        // Strips stand in another order.
+        // The order of strips differs.
         assert_eq!(shown(&indices), shown(graph_state.indices()), "strips at {split_count}");
     }
 }
@@ -57,12 +58,12 @@ fn seams_and_groups_follow_the_oracle() {
 }
 
 #[test]
-fn a_vertex_that_stands_everywhere_makes_a_long_record() {
+fn hub_vertices_follow_the_oracle() {
     hub_cases().for_each(|case| check_both(&case.refinable, false, case.stride));
 }
 
 #[test]
-fn strips_of_another_mesh_are_refused() {
+fn strips_of_another_mesh_are_rejected() {
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
     let mut strips = StripSet::new();

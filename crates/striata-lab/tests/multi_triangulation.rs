@@ -1,11 +1,12 @@
-//! The explicit Multi-Triangulation against the oracle: uniform levels, closed sets, and the smallest set of any condition.
+//! The explicit Multi-Triangulation against the oracle: uniform levels, closed sets, and the smallest set
+//! for any condition.
 
 use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{FragmentSequence, FragmentedMesh, canonical_triangles};
 use striata::model::{LodModel, PatternChange, Patterns, StoredModel};
-use striata_lab::baseline::{MtQuestion, MultiTriangulation, MultiTriangulationState};
+use striata_lab::baseline::{MtQuery, MultiTriangulation, MultiTriangulationState};
 use striata_lab::{Accounting, PaperBytes};
 use support::{
     Case, Random, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases, nasty_cases,
@@ -51,7 +52,7 @@ proptest! {
 }
 
 #[test]
-fn groups_and_vertices_of_levels_are_told() {
+fn groups_and_vertex_counts_of_levels_are_right() {
     for case in seam_cases() {
         let mesh = fragmented(&case);
         let model = MultiTriangulation::build(&mesh);
@@ -71,21 +72,23 @@ fn groups_and_vertices_of_levels_are_told() {
     }
 }
 
-/// A number that depends on a question and a seed only.
-fn chance(question: MtQuestion, seed: u64) -> u64 {
-    let triangle = question.triangle.map_or(1 << 40, u64::from);
-    let mixed = (triangle << 20 ^ u64::from(question.upper) ^ seed << 45).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+/// A pseudorandom number that depends only on a query and a seed.
+fn chance(query: MtQuery, seed: u64) -> u64 {
+    let triangle = query.triangle.map_or(1 << 40, u64::from);
+    let mixed = (triangle << 20 ^ u64::from(query.upper) ^ seed << 45).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 40
 }
 
-/// Finds some percent of all triangles too coarse, wherever they are.
-fn scattered(percent: u64, seed: u64) -> impl Fn(MtQuestion) -> bool {
-    move |question| chance(question, seed) % 100 < percent
+/// A condition that considers some percentage of all triangles too coarse, independently of their
+/// position.
+fn scattered(percent: u64, seed: u64) -> impl Fn(MtQuery) -> bool {
+    move |query| chance(query, seed) % 100 < percent
 }
 
-/// Finds no triangle too coarse that stands on one that is not: what is wanted is a closed set of steps.
-fn monotone(is_wanted: &[bool]) -> impl Fn(MtQuestion) -> bool {
-    |question| is_wanted[question.upper as usize]
+/// A condition under which a closed set of steps is required: no triangle is too coarse unless those below
+/// it are.
+fn monotone(is_required: &[bool]) -> impl Fn(MtQuery) -> bool {
+    |query| is_required[query.upper as usize]
 }
 
 fn set_of(model: &MultiTriangulation, state: &MultiTriangulationState) -> u32 {
@@ -93,7 +96,7 @@ fn set_of(model: &MultiTriangulation, state: &MultiTriangulationState) -> u32 {
     inserted.fold(0, |set, step| set | 1 << step)
 }
 
-/// Few fragments over surfaces with free triangulations, and over whatever collapses make.
+/// Small sets of fragments: surfaces with free triangulations, and triangle soups with random collapses.
 fn small_cases() -> impl Iterator<Item = FragmentedMesh> {
     let surfaces = (0..40).map(|seed| {
         let mesh = grid(3 + seed as usize % 2, seed % 3 == 0);
@@ -117,8 +120,8 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
         let mut state = model.new_state();
         for round in 0..60 {
             let condition = scattered([5, 20, 50, 80][round % 4], (seed * 100 + round) as u64);
-            let ask = |triangle, upper| condition(MtQuestion { triangle, upper });
-            let expected = smallest_set(&mesh.fragments, &sets, ask);
+            let evaluate = |triangle, upper| condition(MtQuery { triangle, upper });
+            let expected = smallest_set(&mesh.fragments, &sets, evaluate);
             model.adapt(&mut state, &condition);
             assert_eq!(set_of(&model, &state), expected, "mesh {seed}, round {round}");
             shows_a_set(&mesh.fragments, state.triangles(), |step| expected >> step & 1 == 1);
@@ -130,7 +133,7 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
 }
 
 #[test]
-fn coarsening_and_refining_come_to_the_same_where_wishes_are_nested() {
+fn coarsening_and_refining_reach_the_same_set_for_monotone_conditions() {
     for (seed, mesh) in fragment_cases() {
         let fragments = &mesh.fragments;
         let model = MultiTriangulation::build(&mesh);
@@ -140,9 +143,9 @@ fn coarsening_and_refining_come_to_the_same_where_wishes_are_nested() {
             let set = random_closed_set(fragments, percent, &mut random);
             let condition = monotone(&set);
             let before = walked.split_count();
-            let gone = model.coarsen(&mut walked, &condition);
-            let came = model.refine(&mut walked, &condition);
-            assert_eq!(before + came - gone, walked.split_count());
+            let removed = model.coarsen(&mut walked, &condition);
+            let added = model.refine(&mut walked, &condition);
+            assert_eq!(before + added - removed, walked.split_count());
             model.adapt(&mut adapted, &condition);
             assert!(adapted == walked, "another set, seed {seed}, {percent} percent");
             shows_a_set(fragments, adapted.triangles(), |step| set[step as usize]);
@@ -163,10 +166,10 @@ fn refining_leaves_nothing_too_coarse_for_any_condition() {
             model.adapt(&mut smallest, &condition);
             shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
             for shown in [&state, &smallest] {
-                for &number in shown.triangle_numbers() {
-                    let upper = model.triangles()[number as usize].upper;
-                    let question = MtQuestion { triangle: Some(number), upper };
-                    assert!(upper == FragmentSequence::NO_STEP || !condition(question));
+                for &index in shown.triangle_indices() {
+                    let upper = model.triangles()[index as usize].upper;
+                    let query = MtQuery { triangle: Some(index), upper };
+                    assert!(upper == FragmentSequence::NO_STEP || !condition(query));
                 }
             }
             let steps = 0..model.step_count() as u32;
@@ -179,7 +182,7 @@ fn refining_leaves_nothing_too_coarse_for_any_condition() {
 }
 
 #[test]
-fn an_inserted_fragment_brings_what_it_stands_on() {
+fn inserting_a_fragment_inserts_its_prerequisites() {
     for (_, mesh) in fragment_cases().step_by(3) {
         let model = MultiTriangulation::build(&mesh);
         for step in (0..model.step_count() as u32).step_by(5) {
@@ -194,7 +197,7 @@ fn an_inserted_fragment_brings_what_it_stands_on() {
 }
 
 #[test]
-fn bytes_are_those_of_the_arrays_and_of_the_paper() {
+fn bytes_match_the_arrays_and_the_paper() {
     let mesh = random_removals(&grid(12, true), usize::MAX, &mut Random::new(5));
     let model = MultiTriangulation::build(&mesh);
     let (steps, triangles) = (model.step_count(), model.triangles().len());
@@ -210,8 +213,8 @@ fn bytes_are_those_of_the_arrays_and_of_the_paper() {
     for accounting in [Accounting::Words, Accounting::ShortIntegers] {
         assert_eq!(model.paper_bytes(accounting), 20 * triangles + 4 * (ceilings + floors));
     }
-    let a_vertex = model.paper_bytes(Accounting::Words) as f64 / mesh.mesh.vertex_count() as f64;
-    assert!((145.0..=160.0).contains(&a_vertex), "{a_vertex} bytes a vertex");
+    let per_vertex = model.paper_bytes(Accounting::Words) as f64 / mesh.mesh.vertex_count() as f64;
+    assert!((145.0..=160.0).contains(&per_vertex), "{per_vertex} bytes per vertex");
     let state = model.base_state();
     let own = 16 * model.base_triangle_count() + 4 * (triangles + steps) + 5 * steps;
     assert_eq!(model.state_bytes(&state), own);

@@ -1,4 +1,5 @@
-//! Patterns in sequential form: what is written is read again at every level, and whatever else is read is an error or a surface.
+//! Patterns in sequential form: every level survives encoding and decoding, and other input gives an error
+//! or a surface.
 
 use striata_testing::support;
 
@@ -14,7 +15,7 @@ use striata_lab::baseline::{
 use support::{Random, fragment_cases, grid, hub_cases, nasty_cases, random_removals, seam_cases};
 
 fn collapsed(mesh: &IndexedMesh) -> FragmentedMesh {
-    // The model is for manifolds.
+    // The model supports manifolds only.
     let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
     let simplified = build_sequence(mesh, &options).unwrap();
     FragmentedMesh::from_collapses(&simplified.refinable)
@@ -34,51 +35,54 @@ fn triangles_at(fragments: &FragmentSequence, split_count: usize) -> Vec<[u32; 3
     canonical_triangles(&corners)
 }
 
-fn is_read_as_it_was_written(mesh: &FragmentedMesh) -> SequentialPatterns {
-    let written = SequentialPatterns::encode(mesh).unwrap();
+fn decodes_as_encoded(mesh: &FragmentedMesh) -> SequentialPatterns {
+    let encoded = SequentialPatterns::encode(mesh).unwrap();
     let step_count = mesh.fragments.step_count();
-    assert_eq!(written.step_count(), step_count);
-    let read = decode_sequential(written.as_bytes()).unwrap();
-    assert_eq!((read.step_count(), read.base_face_count()), (step_count, mesh.fragments.base_face_count()));
-    let mut decoder = SequentialDecoder::new(written.as_bytes()).unwrap();
+    assert_eq!(encoded.step_count(), step_count);
+    let decoded = decode_sequential(encoded.as_bytes()).unwrap();
+    assert_eq!(
+        (decoded.step_count(), decoded.base_face_count()),
+        (step_count, mesh.fragments.base_face_count())
+    );
+    let mut decoder = SequentialDecoder::new(encoded.as_bytes()).unwrap();
     for split_count in 0..=step_count {
         let expected = canonical_triangles(&replay_fragments(mesh, split_count).triangles);
-        assert_eq!(triangles_at(&read, split_count), expected, "level {split_count}");
+        assert_eq!(triangles_at(&decoded, split_count), expected, "level {split_count}");
         assert_eq!(canonical_triangles(decoder.triangles()), expected, "level {split_count}, step by step");
         assert_eq!(decoder.next_fragment().unwrap().is_some(), split_count < step_count);
     }
-    // Each step puts the same for the same, so any closed set of steps is the same as well.
+    // Each step exchanges the same triangles, so any closed set of steps is the same too.
     for step in 0..step_count as u32 {
         let floor = |fragments: &FragmentSequence| {
             let corners = fragments.floor(step).iter().map(|&face| fragments.faces()[face as usize].corners);
             canonical_triangles(&corners.collect::<Vec<_>>())
         };
-        assert_eq!(floor(&read), floor(&mesh.fragments));
+        assert_eq!(floor(&decoded), floor(&mesh.fragments));
     }
-    written
+    encoded
 }
 
 #[test]
-fn every_level_is_read_as_it_was_written() {
+fn every_level_is_decoded_as_encoded() {
     for mesh in fragment_cases().map(|case| case.1).chain(collapsed_cases()) {
-        let written = is_read_as_it_was_written(&mesh);
-        assert!(written.fragment_bits() >= written.paper_fragment_bits());
-        assert!(written.fragment_bits() < written.paper_fragment_bits() * 12 / 10);
+        let encoded = decodes_as_encoded(&mesh);
+        assert!(encoded.fragment_bits() >= encoded.paper_fragment_bits());
+        assert!(encoded.fragment_bits() < encoded.paper_fragment_bits() * 12 / 10);
     }
 }
 
 #[test]
-fn tame_fragments_take_the_papers_bits() {
-    let written = is_read_as_it_was_written(&collapsed(&shapes::icosphere(3, 1.0)));
-    let (bits, paper) = (written.fragment_bits(), 44 * written.step_count());
-    assert_eq!(written.paper_fragment_bits(), paper);
+fn typical_fragments_take_the_papers_bits() {
+    let encoded = decodes_as_encoded(&collapsed(&shapes::icosphere(3, 1.0)));
+    let (bits, paper) = (encoded.fragment_bits(), 44 * encoded.step_count());
+    assert_eq!(encoded.paper_fragment_bits(), paper);
     assert!(bits < paper * 101 / 100, "{bits} bits, the paper has {paper}");
-    assert!(written.as_bytes().len() < bits / 8 + 200);
+    assert!(encoded.as_bytes().len() < bits / 8 + 200);
 }
 
-/// More neighbors than four bits count, and more rules than a byte.
+/// More neighbors than four bits can count, and more rules than a byte can.
 #[test]
-fn numbers_that_do_not_fit_are_written_longer() {
+fn values_that_do_not_fit_use_the_long_form() {
     let bipyramid = |n: u32| {
         let positions = (0..n + 2).map(|i| [i as f32, (i * i % 17) as f32, (i % 5) as f32]).collect();
         let sides = (0..n).map(|i| [2 + i, 2 + (i + 1) % n]);
@@ -87,33 +91,33 @@ fn numbers_that_do_not_fit_are_written_longer() {
     let mut long_count = 0;
     for seed in 1..8 {
         let mesh = random_removals(&bipyramid(40), usize::MAX, &mut Random::new(seed));
-        let written = is_read_as_it_was_written(&mesh);
-        long_count += usize::from(written.fragment_bits() > written.paper_fragment_bits());
+        let encoded = decodes_as_encoded(&mesh);
+        long_count += usize::from(encoded.fragment_bits() > encoded.paper_fragment_bits());
     }
-    assert!(long_count > 0, "no number was long");
+    assert!(long_count > 0, "no value used the long form");
     let mesh = random_removals(&grid(90, false), usize::MAX, &mut Random::new(4));
     assert!(LoopPatterns::build(&mesh).unwrap().rule_count() > 256);
-    let written = SequentialPatterns::encode(&mesh).unwrap();
-    let read = decode_sequential(written.as_bytes()).unwrap();
-    for split_count in [0, 700, read.step_count()] {
-        assert_eq!(triangles_at(&read, split_count), triangles_at(&mesh.fragments, split_count));
+    let encoded = SequentialPatterns::encode(&mesh).unwrap();
+    let decoded = decode_sequential(encoded.as_bytes()).unwrap();
+    for split_count in [0, 700, decoded.step_count()] {
+        assert_eq!(triangles_at(&decoded, split_count), triangles_at(&mesh.fragments, split_count));
     }
 }
 
 #[test]
-fn what_is_no_surface_is_refused() {
-    let mut refused = 0;
+fn non_surfaces_are_rejected() {
+    let mut rejected = 0;
     for case in nasty_cases().chain(seam_cases()).chain(hub_cases()) {
         let mesh = FragmentedMesh::from_collapses(&case.refinable);
         match SequentialPatterns::encode(&mesh) {
-            Ok(_) => drop(is_read_as_it_was_written(&mesh)),
-            Err(_) => refused += 1,
+            Ok(_) => drop(decodes_as_encoded(&mesh)),
+            Err(_) => rejected += 1,
         }
     }
-    assert!(refused > 60, "{refused} of them are refused");
+    assert!(rejected > 60, "{rejected} of them are rejected");
 }
 
-/// Whatever is read makes a surface at every level.
+/// Checks that decoded levels are surfaces; returns false if decoding fails.
 fn is_error_or_surface(bytes: &[u8]) -> bool {
     let Ok(mut decoder) = SequentialDecoder::new(bytes) else { return false };
     loop {
@@ -136,8 +140,8 @@ fn is_error_or_surface(bytes: &[u8]) -> bool {
 
 #[test]
 fn every_truncation_is_an_error() {
-    let written = SequentialPatterns::encode(&collapsed(&grid(6, false))).unwrap();
-    let bytes = written.as_bytes();
+    let encoded = SequentialPatterns::encode(&collapsed(&grid(6, false))).unwrap();
+    let bytes = encoded.as_bytes();
     assert!(is_error_or_surface(bytes));
     for len in 0..bytes.len() {
         assert!(decode_sequential(&bytes[..len]).is_err(), "{len} bytes of {}", bytes.len());
@@ -147,20 +151,20 @@ fn every_truncation_is_an_error() {
 }
 
 #[test]
-fn a_changed_bit_is_an_error_or_another_surface() {
+fn flipped_bits_give_an_error_or_a_surface() {
     let mesh = random_removals(&grid(5, false), usize::MAX, &mut Random::new(2));
-    let written = SequentialPatterns::encode(&mesh).unwrap();
-    let (mut read, mut refused) = (0, 0);
-    for bit in 0..8 * written.as_bytes().len() {
-        let mut bytes = written.as_bytes().to_vec();
+    let encoded = SequentialPatterns::encode(&mesh).unwrap();
+    let (mut decoded, mut rejected) = (0, 0);
+    for bit in 0..8 * encoded.as_bytes().len() {
+        let mut bytes = encoded.as_bytes().to_vec();
         bytes[bit / 8] ^= 1 << (bit % 8);
-        *if is_error_or_surface(&bytes) { &mut read } else { &mut refused } += 1;
+        *if is_error_or_surface(&bytes) { &mut decoded } else { &mut rejected } += 1;
     }
-    assert!(read > 0 && refused > 500, "{read} are read, {refused} refused");
+    assert!(decoded > 0 && rejected > 500, "{decoded} are decoded, {rejected} rejected");
 }
 
 #[test]
-fn promises_cost_nothing() {
+fn invalid_counts_are_rejected_before_allocating() {
     let head = |counts: [u32; 4]| counts.iter().flat_map(|count| count.to_le_bytes()).collect::<Vec<u8>>();
     let message = |bytes: &[u8]| decode_sequential(bytes).unwrap_err().to_string();
     let most = u32::MAX;
@@ -178,21 +182,20 @@ fn promises_cost_nothing() {
     assert_eq!(message(&head([0, 0, 0, 70_000])), "there are 70000 rules, but at most 65536 are possible");
     assert_eq!(message(&head([0, 0, 0, 5])), "the rules take 10 bytes, but 0 are left");
     let rule = |rule: &[u8]| message(&[&head([0, 0, 0, 1])[..], rule].concat());
-    assert_eq!(rule(&[1, 0]), "rule 0 has a ring of less than two corners");
+    assert_eq!(rule(&[1, 0]), "rule 0 has a ring of fewer than two corners");
     assert_eq!(rule(&[2, 0]), "rule 0 has a closed ring of two corners");
     assert_eq!(rule(&[3, 2, 2]), "rule 0 has a ring that is neither open nor closed");
     assert_eq!(rule(&[4, 0, 2, 2]), "rule 0 has a floor that does not fill its ring");
     assert_eq!(rule(&[200, 0]), "the floor of a rule take 198 bytes, but 0 are left");
     let triangle = [0u32, 1, 2].map(u32::to_le_bytes).concat();
-    let with =
-        |steps: u32, behind: &[u8]| [&head([3, 1, steps, 1])[..], &triangle, &[3, 0, 2], behind].concat();
+    let with = |steps: u32, tail: &[u8]| [&head([3, 1, steps, 1])[..], &triangle, &[3, 0, 2], tail].concat();
     assert!(decode_sequential(&with(0, &[])).is_ok());
     assert!(decode_sequential(&with(1, &[0; 6])).is_ok());
-    assert_eq!(message(&with(1, &[1, 0, 0, 0, 0, 0])), "step 0 has a rule that is not there");
-    assert_eq!(message(&with(1, &[0, 3, 0, 0, 0, 0])), "step 0 has an anchor that is not there");
+    assert_eq!(message(&with(1, &[1, 0, 0, 0, 0, 0])), "step 0 has an unknown rule");
+    assert_eq!(message(&with(1, &[0, 3, 0, 0, 0, 0])), "step 0 has an anchor out of range");
     assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 2])), "step 0 counts more neighbors than its anchor has");
-    assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 1])), "step 0 has its anchors where no triangle is");
-    assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 15])), "step 0 is cut off by the end of the bytes");
+    assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 1])), "step 0 has no triangle at its anchors");
+    assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 15])), "step 0 is truncated");
     assert_eq!(
         message(&with(1, &[0, 0, 0, 0, 0, 0x80])),
         "4 bits follow the last fragment, some of them set"
@@ -203,7 +206,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn anything_is_an_error_or_a_surface(seed in any::<u64>(), changes in 1usize..12) {
+    fn random_bytes_give_an_error_or_a_surface(seed in any::<u64>(), changes in 1usize..12) {
         let mut random = Random::new(seed);
         let mesh = random_removals(&grid(4 + random.below(3), random.below(2) == 0), 30, &mut random);
         let mut bytes = SequentialPatterns::encode(&mesh).unwrap().as_bytes().to_vec();

@@ -1,4 +1,4 @@
-//! The baselines that draw strips, against the oracle: the original LodStrips and skip strips.
+//! The strip baselines against the oracle: the original LodStrips and skip strips.
 
 use striata_testing::support;
 
@@ -14,7 +14,7 @@ use support::{
     surface_cases, with_seams_and_groups,
 };
 
-/// Greedy strips have single vertices twice, cheapest ones also whole joints, fewest ones are long.
+/// Greedy strips contain repeated vertices, cheapest ones also joints, and fewest ones are long.
 const STRIPIFIERS: [Stripifier; 3] = [Stripifier::Greedy, Stripifier::Cheapest, Stripifier::Fewest];
 
 fn strips_of(refinable: &RefinableMesh, stripifier: Stripifier) -> StripSet {
@@ -34,7 +34,7 @@ fn all_follow(refinable: &RefinableMesh, stride: usize) {
     }
 }
 
-/// Display strips at some levels hold no repetition of pairs.
+/// Checks that display strips at several levels contain no repeated pairs.
 fn nothing_repeats(model: &SkipStrips) {
     let mut state = model.new_state();
     for percent in [100, 70, 40, 15, 3, 0] {
@@ -62,8 +62,8 @@ fn seams_and_groups_follow_the_oracle() {
 }
 
 #[test]
-fn a_base_of_one_position_follows_the_oracle() {
-    // Every strip loses its last triangle on the way.
+fn base_of_one_position_follows_the_oracle() {
+    // Every strip loses its last triangle before the base.
     let wildness = Wildness { far_percent: 20, base_position_count: 1 };
     for seed in 0..4 {
         all_follow(
@@ -74,8 +74,9 @@ fn a_base_of_one_position_follows_the_oracle() {
 }
 
 #[test]
-fn strips_with_joints_and_dead_ends_are_taken_as_they_are() {
-    // One strip over a square of four triangles: it turns, joins and carries degenerate triangles at both ends.
+fn strips_with_joints_and_degenerate_ends_are_used_unchanged() {
+    // One strip over a square of four triangles: it turns, joins, and has degenerate triangles at both
+    // ends.
     let positions = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]];
     let positions = positions.map(|[x, y]| [x, y, x * y]).to_vec();
     let mesh = IndexedMesh::new(positions, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
@@ -86,7 +87,8 @@ fn strips_with_joints_and_dead_ends_are_taken_as_they_are() {
         let triangles = &refinable.mesh.triangles;
         let mut strip = vec![triangles[0][0]; 4];
         for &[a, b, c] in triangles {
-            // Each triangle begins at an even place: its first corner twice before, its last twice behind.
+            // Each triangle begins at an even index: its first corner is repeated before it, its last one
+            // after it.
             strip.extend([a, a, a, b, c, c]);
         }
         strips.push(&[]);
@@ -115,7 +117,7 @@ fn groups_are_drawn_one_by_one() {
             let (mut from_original, mut from_skip) = (Vec::new(), Vec::new());
             original.group_indices_into(&original_state, g, &mut from_original);
             skip.group_indices_into(&skip_state, g, &mut from_skip);
-            assert_eq!(from_original, from_skip, "both leave out the same repetitions");
+            assert_eq!(from_original, from_skip, "both remove the same repetitions");
             assert!(from_skip.first() != Some(&RESTART) && from_skip.last() != Some(&RESTART));
             let mut found = Vec::new();
             restart_triangles_into(&from_skip, &mut found);
@@ -126,7 +128,7 @@ fn groups_are_drawn_one_by_one() {
 }
 
 #[test]
-fn a_jump_takes_the_same_way_as_steps() {
+fn jumps_agree_with_single_steps() {
     let wildness = Wildness { far_percent: 3, base_position_count: 4 };
     let refinable = random_refinable(&grid(20, true), wildness, &mut Random::new(3));
     let strips = strips_of(&refinable, Stripifier::Cheapest);
@@ -143,27 +145,27 @@ fn a_jump_takes_the_same_way_as_steps() {
 }
 
 #[test]
-fn strips_of_another_mesh_are_refused() {
+fn strips_of_another_mesh_are_rejected() {
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
-    let refused = |strips: &StripSet, expected: ModelError| {
+    let assert_rejected = |strips: &StripSet, expected: ModelError| {
         assert_eq!(OriginalLodStrips::build(&refinable, strips).unwrap_err(), expected);
         assert_eq!(SkipStrips::build(&refinable, strips).unwrap_err(), expected);
     };
     let mut strips = StripSet::new();
     strips.push(&[0, 1, 2, 99]);
-    refused(&strips, ModelError::GroupCount { found: 0, expected: 1 });
+    assert_rejected(&strips, ModelError::GroupCount { found: 0, expected: 1 });
     strips.end_group();
-    refused(&strips, ModelError::Vertex { strip: 0, vertex: 99, vertex_count: 25 });
+    assert_rejected(&strips, ModelError::Vertex { strip: 0, vertex: 99, vertex_count: 25 });
     let mut strips = StripSet::new();
     strips.push(&[0, 1, 2]);
     strips.end_group();
-    refused(&strips, ModelError::TriangleCount { group: 0, found: 1, expected: 32 });
+    assert_rejected(&strips, ModelError::TriangleCount { group: 0, found: 1, expected: 32 });
 }
 
 #[test]
-fn the_papers_accounting_of_a_model_drawn_by_hand() {
-    // A strip 0 1 2 3 whose vertex 3 collapses to 0: one step, one strip, one place.
+fn paper_bytes_of_a_small_model_match_manual_counts() {
+    // A strip 0 1 2 3 whose vertex 3 collapses to 0: one step, one strip, one slot.
     let positions = (0..4).map(|i| [i as f32, (i * i) as f32, 0.0]).collect();
     let mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [2, 1, 3]]);
     let mut random = Random::new(1);
@@ -171,19 +173,21 @@ fn the_papers_accounting_of_a_model_drawn_by_hand() {
     let refinable = random_refinable(&mesh, wildness, &mut random);
     let strips = strips_of(&refinable, Stripifier::Greedy);
     assert_eq!((strips.strip_count(), strips.indices().len()), (1, 4));
-    let place_count = strips.indices().iter().filter(|&&v| v == 3).count();
-    assert_eq!(place_count, 1);
+    let slot_count = strips.indices().iter().filter(|&&v| v == 3).count();
+    assert_eq!(slot_count, 1);
     let original = OriginalLodStrips::build(&refinable, &strips).unwrap();
-    // Four Collapse, a strip of four, a Change, a RecordChange, a place.
+    // Four Collapses, a strip of four, a Change, a RecordChange, a slot.
     assert_eq!(original.paper_bytes(Accounting::Words), 4 * (4 + (1 + 4) + 2 + 3 + 1));
     let skip = SkipStrips::build(&refinable, &strips).unwrap();
-    // A strip of four places, four nodes of which one is a child, four vertices, one of which affects a strip.
+    // A strip of four slots, four nodes of which one is a child, four vertices, one of which affects a
+    // strip.
     assert_eq!(skip.paper_bytes(Accounting::Words), 4 * ((1 + 4) + (4 * 4 + 1) + (3 * 4 + 1)));
     let both =
         |model: &dyn Fn(Accounting) -> usize| [Accounting::Words, Accounting::ShortIntegers].map(model);
     let lod_strips = LodStrips::build(&refinable, &strips).unwrap();
-    // Four Collapse, four indices, a number of strips, three numbers and a place of a RecordChange; three pointers.
-    assert_eq!(strips.indices()[0], 3, "what is dropped first would turn the rest: there is no resize");
+    // Four Collapses, four indices, a number of strips, three integers and a slot of a RecordChange; three
+    // pointers.
+    assert_eq!(strips.indices()[0], 3, "dropping the first index would flip the rest, so there is no resize");
     let integers = 4 + 4 + 1 + 3 + 1;
     assert_eq!(both(&|a| lod_strips.paper_bytes(a)), [4 * (integers + 3), 2 * integers + 4 * 3]);
     let mts = Mts::build(&refinable, &strips).unwrap();
@@ -193,8 +197,9 @@ fn the_papers_accounting_of_a_model_drawn_by_hand() {
 }
 
 #[test]
-fn a_strip_without_triangles_is_left_alone() {
-    // One triangle and a base of one position: the first step takes the triangle, the second has nothing to change.
+fn strip_without_triangles_is_not_changed() {
+    // One triangle and a base of one position: the first step removes the triangle, the second has nothing
+    // to change.
     let mesh = IndexedMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]]);
     for seed in 0..8 {
         let wildness = Wildness { far_percent: 0, base_position_count: 1 };
@@ -202,10 +207,11 @@ fn a_strip_without_triangles_is_left_alone() {
         assert_eq!(refinable.sequence.step_count(), 2);
         let strips = strips_of(&refinable, Stripifier::Greedy);
         let original = OriginalLodStrips::build(&refinable, &strips).unwrap();
-        // Three Collapse, a strip of three, two Changes, one RecordChange with one place.
+        // Three Collapses, a strip of three, two Changes, one RecordChange with one slot.
         assert_eq!(original.paper_bytes(Accounting::Words), 4 * (3 + (1 + 3) + 2 * 2 + (3 + 1)));
         let skip = SkipStrips::build(&refinable, &strips).unwrap();
-        // A strip of three places, three nodes of which one is a child, three vertices, one of which affects a strip.
+        // A strip of three slots, three nodes of which one is a child, three vertices, one of which
+        // affects a strip.
         assert_eq!(skip.paper_bytes(Accounting::Words), 4 * ((1 + 3) + (4 * 3 + 1) + (3 * 3 + 1)));
     }
 }

@@ -1,4 +1,4 @@
-//! View-dependent progressive meshes against the oracle: uniform levels, and whatever criteria lead to.
+//! View-dependent progressive meshes against the oracle: uniform levels, and fronts chosen by criteria.
 
 use striata_testing::support;
 
@@ -14,11 +14,11 @@ use striata_lab::baseline::{ViewDependentError, ViewDependentMeshes, ViewDepende
 use striata_lab::{Accounting, PaperBytes};
 use support::{Random, follows_the_oracle, grid, nasty_cases, seam_cases, with_seams_and_groups};
 
-/// Collapses random edges as long as the surface stays manifold, looking at all triangles each time.
+/// Collapses random edges as long as the surface stays manifold, by brute force over all triangles.
 fn random_manifold(mesh: &IndexedMesh, random: &mut Random) -> RefinableMesh {
     let vertex_count = mesh.vertex_count();
     let mut triangles = mesh.triangles.clone();
-    let mut is_there = vec![true; vertex_count];
+    let mut is_active = vec![true; vertex_count];
     let (mut removed, mut removed_counts) = (Vec::new(), Vec::new());
     let mut misses = 0;
     while misses < 400 && !triangles.is_empty() {
@@ -35,11 +35,11 @@ fn random_manifold(mesh: &IndexedMesh, random: &mut Random) -> RefinableMesh {
         triangles.as_flattened_mut().iter_mut().filter(|v| **v == vertex).for_each(|v| *v = target);
         removed.push((vertex, target));
         removed_counts.push((before - triangles.len()) as u8);
-        is_there[vertex as usize] = false;
+        is_active[vertex as usize] = false;
     }
     removed.reverse();
     removed_counts.reverse();
-    let base = (0..vertex_count as u32).filter(|&v| is_there[v as usize]);
+    let base = (0..vertex_count as u32).filter(|&v| is_active[v as usize]);
     let order: Vec<u32> = base.chain(removed.iter().map(|r| r.0)).collect();
     let mut new_index = vec![0; vertex_count];
     (0..).zip(&order).for_each(|(new, &old)| new_index[old as usize] = new);
@@ -59,7 +59,7 @@ fn random_manifold(mesh: &IndexedMesh, random: &mut Random) -> RefinableMesh {
     RefinableMesh { mesh: full, sequence }
 }
 
-/// The link condition, and no triangle left hanging or shared twice.
+/// Checks the link condition, and that no triangle remains attached by one edge or has a duplicate.
 fn can_collapse(triangles: &[[u32; 3]], vertex: u32, target: u32) -> bool {
     let neighbors = |v: u32| {
         let of_v = triangles.iter().filter(|t| t.contains(&v));
@@ -67,7 +67,7 @@ fn can_collapse(triangles: &[[u32; 3]], vertex: u32, target: u32) -> bool {
         all.sort_unstable();
         all
     };
-    // An inner neighbor is in two triangles, one along a border in one.
+    // An inner neighbor is in two triangles, one along a border is in one.
     let is_border = |all: &[u32]| all.chunk_by(|a, b| a == b).any(|same| same.len() == 1);
     let [mut around, mut around_target] = [vertex, target].map(neighbors);
     let shared_count = around.iter().filter(|&&v| v == target).count();
@@ -81,7 +81,7 @@ fn can_collapse(triangles: &[[u32; 3]], vertex: u32, target: u32) -> bool {
     common.len() == shared_count && common.iter().all(|&tip| valence(tip) > shared_count.max(2))
 }
 
-/// Surfaces without and with borders, one of them in pieces, with sequences wild and tame.
+/// Surfaces without and with borders, one of them with holes, with random and with error-driven sequences.
 fn cases() -> impl Iterator<Item = (u64, RefinableMesh)> {
     let mut holed = grid(9, false);
     holed.triangles.retain(|t| !t.contains(&34) && !t.contains(&66));
@@ -94,7 +94,7 @@ fn cases() -> impl Iterator<Item = (u64, RefinableMesh)> {
         shapes::torus(9, 7, 2.0, 1.0),
     ];
     meshes.into_iter().flat_map(|mesh| {
-        // The model is for manifolds.
+        // The model supports manifolds only.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let tame = build_sequence(&mesh, &options).unwrap();
         let wild = (1..6).map(move |seed| (seed, random_manifold(&mesh, &mut Random::new(seed))));
@@ -102,7 +102,7 @@ fn cases() -> impl Iterator<Item = (u64, RefinableMesh)> {
     })
 }
 
-/// Every corner follows its targets to the first vertex that is there.
+/// Checks that every corner follows its targets to the first active vertex.
 fn shows_its_front(refinable: &RefinableMesh, state: &ViewDependentState) {
     let shown = |mut v: u32| {
         while !state.is_active(v) {
@@ -123,12 +123,13 @@ fn hash(part: &Part, seed: u64) -> u64 {
     (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 40
 }
 
-/// Wants some percent of all parts, wherever they are.
+/// A criterion that requires some percentage of all parts, independently of their position.
 fn scattered(percent: u64, seed: u64) -> impl Fn(&Part) -> f32 {
     move |part| if hash(part, seed) % 100 < percent { 2.0 } else { 0.0 }
 }
 
-/// Wants what is near an eye and off by much: a part weighs no less than one within.
+/// A criterion that requires parts that are near an eye and have large errors; a part weighs at least as
+/// much as any part within it.
 fn near(eye: [f32; 3], strength: f32) -> impl Fn(&Part) -> f32 {
     move |part| {
         let to = [0, 1, 2].map(|i| part.sphere.center[i] - eye[i]);
@@ -147,7 +148,7 @@ fn surfaces_follow_the_oracle() {
 }
 
 #[test]
-fn what_criteria_lead_to_follows_the_oracle() {
+fn fronts_of_criteria_follow_the_oracle() {
     let mut changes = 0;
     for (seed, refinable) in cases() {
         let model = ViewDependentMeshes::build(&refinable).unwrap();
@@ -178,7 +179,7 @@ fn what_criteria_lead_to_follows_the_oracle() {
 }
 
 #[test]
-fn all_or_nothing_wanted_is_the_full_mesh_or_the_base() {
+fn requiring_all_or_nothing_gives_the_full_mesh_or_the_base() {
     for (seed, refinable) in cases() {
         let model = ViewDependentMeshes::build(&refinable).unwrap();
         let mut state = model.base_state();
@@ -195,9 +196,10 @@ fn all_or_nothing_wanted_is_the_full_mesh_or_the_base() {
     }
 }
 
-/// The front is the same whatever view came before: nothing is refined but what is wanted and what that needs.
+/// The front does not depend on previous views: only required vertices and their prerequisites are
+/// refined.
 #[test]
-fn a_front_does_not_depend_on_the_way_to_it() {
+fn fronts_do_not_depend_on_previous_views() {
     for (seed, refinable) in cases() {
         let model = ViewDependentMeshes::build(&refinable).unwrap();
         let mut random = Random::new(seed + 5);
@@ -213,9 +215,9 @@ fn a_front_does_not_depend_on_the_way_to_it() {
     }
 }
 
-/// Verdicts that last are not asked for again, and nothing else changes by that.
+/// Verdicts that are still valid are not evaluated again, which does not change the result.
 #[test]
-fn following_a_view_shows_what_the_view_alone_shows() {
+fn incremental_adaptation_agrees_with_full_adaptation() {
     for (_, refinable) in cases() {
         let model = ViewDependentMeshes::build(&refinable).unwrap();
         let mesh = &refinable.mesh;
@@ -223,7 +225,7 @@ fn following_a_view_shows_what_the_view_alone_shows() {
         let whole = Sphere { center: [0.0; 3], radius: 4.0 * far };
         let (mut followed, mut fresh) = (model.base_state(), model.base_state());
         let mut last: Option<ScreenError> = None;
-        let (asked, asked_afresh) = (Cell::new(0), Cell::new(0));
+        let (evaluation_count, fresh_evaluation_count) = (Cell::new(0), Cell::new(0));
         for frame in 0..150 {
             let (turn, near) = (frame as f32 * 0.02, 1.2 + (frame as f32 * 0.05).sin());
             let eye = [turn.cos() * near * far, 0.4 * far, turn.sin() * near * far];
@@ -234,20 +236,24 @@ fn following_a_view_shows_what_the_view_alone_shows() {
                 model.move_to(&mut fresh, model.step_count() / 3);
             }
             let motion = last.as_ref().map_or(f32::INFINITY, |last| criterion.motion_since(last));
-            model.adapt_after(&mut followed, &Counted(&criterion, &asked), motion);
-            model.adapt(&mut fresh, &Counted(&criterion, &asked_afresh));
+            model.adapt_after(&mut followed, &Counted(&criterion, &evaluation_count), motion);
+            model.adapt(&mut fresh, &Counted(&criterion, &fresh_evaluation_count));
             assert!(followed == fresh, "another front in frame {frame}");
             shows_its_front(&refinable, &followed);
             last = Some(criterion);
         }
-        let (asked, asked_afresh) = (asked.get(), asked_afresh.get());
-        assert!(4 * asked < 3 * asked_afresh, "{asked} questions where {asked_afresh} answer all");
+        let (evaluation_count, fresh_evaluation_count) =
+            (evaluation_count.get(), fresh_evaluation_count.get());
+        assert!(
+            4 * evaluation_count < 3 * fresh_evaluation_count,
+            "{evaluation_count} evaluations instead of {fresh_evaluation_count}"
+        );
     }
 }
 
-/// Sums of motion are coarse after a journey; what is asked after it is as exact as before.
+/// Sums of motion lose precision after a long journey; later verdicts must still be exact.
 #[test]
-fn a_far_journey_makes_no_verdict_last_longer() {
+fn long_journeys_do_not_extend_verdicts() {
     let mesh = shapes::icosphere(4, 1.0);
     let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
     let refinable = build_sequence(&mesh, &options).unwrap().refinable;
@@ -270,7 +276,7 @@ fn a_far_journey_makes_no_verdict_last_longer() {
     }
 }
 
-/// A criterion that counts how often it is asked.
+/// A criterion that counts its evaluations.
 struct Counted<'a>(&'a ScreenError, &'a Cell<usize>);
 
 impl Criterion for Counted<'_> {
@@ -281,7 +287,7 @@ impl Criterion for Counted<'_> {
 }
 
 #[test]
-fn a_uniform_level_can_be_reached_from_any_front() {
+fn uniform_levels_can_be_reached_from_any_front() {
     for (seed, refinable) in cases() {
         let model = ViewDependentMeshes::build(&refinable).unwrap();
         let mut random = Random::new(seed);
@@ -298,7 +304,7 @@ fn a_uniform_level_can_be_reached_from_any_front() {
 }
 
 #[test]
-fn parts_hold_what_lies_below() {
+fn parts_enclose_everything_below() {
     let mut narrow_count = 0;
     for (_, refinable) in cases() {
         let model = ViewDependentMeshes::build(&refinable).unwrap();
@@ -307,7 +313,8 @@ fn parts_hold_what_lies_below() {
         for step in 0..model.step_count() {
             let part = model.part(step);
             assert_eq!(part.error, sequence.error_at(step));
-            // All vertices that end at the restored one are below the step, and the triangles around them.
+            // Below a step are all vertices that collapse into the restored one, and the triangles around
+            // them.
             let restored = (base + step) as u32;
             let is_below = |&&v: &&u32| {
                 let mut v = v;
@@ -329,7 +336,7 @@ fn parts_hold_what_lies_below() {
 }
 
 #[test]
-fn groups_are_told_apart() {
+fn groups_are_separated() {
     let mut mesh = grid(8, true);
     let groups = with_seams_and_groups(grid(8, true)).groups;
     mesh.groups = groups;
@@ -339,16 +346,16 @@ fn groups_are_told_apart() {
 }
 
 #[test]
-fn what_is_not_manifold_is_refused() {
-    let mut refused = 0;
+fn non_manifold_meshes_are_rejected() {
+    let mut rejected = 0;
     for case in nasty_cases().chain(seam_cases()) {
-        // Whatever is not refused is right.
+        // Models that are not rejected must be right.
         match ViewDependentMeshes::build(&case.refinable) {
             Ok(model) => follows_the_oracle(&case.refinable, &model, 1),
-            Err(_) => refused += 1,
+            Err(_) => rejected += 1,
         }
     }
-    assert!(refused > 40, "{refused} of them are refused");
+    assert!(rejected > 40, "{rejected} of them are rejected");
     let one_step = |triangles: &[[u32; 3]], vertex_count: usize, removed: u8| {
         let positions = (0..vertex_count).map(|i| [i as f32, (i * i % 5) as f32, 0.5]).collect();
         let sequence = CollapseSequence::from_parts(SequenceParts {
@@ -368,7 +375,7 @@ fn what_is_not_manifold_is_refused() {
     );
     assert_eq!(
         one_step(&[[0, 1, 2], [0, 1, 3]], 4, 1).to_string(),
-        "the edge of vertices 0 and 1 has 2 triangles that do not make one surface"
+        "the edge of vertices 0 and 1 has 2 triangles that do not form a manifold surface"
     );
     let reason_of = |error: ViewDependentError| match error {
         ViewDependentError::Step { step: 0, target: 0, reason, .. } => reason,
@@ -377,26 +384,27 @@ fn what_is_not_manifold_is_refused() {
     let bow_tie = [[0, 1, 4], [4, 2, 3]];
     assert_eq!(reason_of(one_step(&bow_tie, 5, 1)), "the triangles of the vertex are not one fan");
     let far = [[0, 1, 2], [3, 4, 5]];
-    assert_eq!(reason_of(one_step(&far, 6, 0)), "no triangle has both");
+    assert_eq!(reason_of(one_step(&far, 6, 0)), "no triangle contains both");
     let bridge = [[0, 5, 1], [5, 0, 2], [2, 0, 3], [1, 5, 4]];
-    assert_eq!(reason_of(one_step(&bridge, 6, 2)), "both lie on borders and their edge does not");
+    assert_eq!(reason_of(one_step(&bridge, 6, 2)), "both are on borders but their edge is not");
     let tube = [[0, 5, 2], [5, 3, 2], [5, 1, 3], [1, 4, 3], [1, 0, 4], [0, 2, 4]];
     assert_eq!(reason_of(one_step(&tube, 6, 1)), "they have further neighbors in common");
-    assert_eq!(reason_of(one_step(&[[0, 1, 2]], 3, 1)), "a triangle vanishes that hangs on no other");
+    assert_eq!(reason_of(one_step(&[[0, 1, 2]], 3, 1)), "a triangle vanishes that has no neighbor");
     let seamed = seam_cases().next().unwrap();
     let error = ViewDependentMeshes::build(&seamed.refinable).unwrap_err();
     assert!(matches!(error, ViewDependentError::Seam { vertex_count: 2.., .. }), "{error}");
 }
 
 #[test]
-fn bytes_are_those_of_the_arrays() {
+fn bytes_match_the_arrays() {
     let refinable = random_manifold(&shapes::icosphere(2, 1.0), &mut Random::new(2));
     let model = ViewDependentMeshes::build(&refinable).unwrap();
     let (steps, base) = (model.step_count(), refinable.sequence.base_vertex_count());
     let base_triangles = refinable.sequence.triangle_count_at(0);
     let bytes: Vec<usize> = model.bytes().iter().map(|part| part.bytes).collect();
     assert_eq!(bytes, [32 * steps, size_of::<Part>() * steps, 28 * base_triangles + 4 * base, 0]);
-    // Every step of a closed surface makes two triangles; [Hop97] has 52 bytes a node and 36 a triangle.
+    // Every step of a closed surface creates two triangles; [Hop97] counts 52 bytes per node and 36 per
+    // triangle.
     let expected = 52 * (base + 2 * steps) + 36 * (base_triangles + 2 * steps);
     assert_eq!(model.paper_bytes(Accounting::Words), expected);
     let mut state = model.new_state();

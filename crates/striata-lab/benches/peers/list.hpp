@@ -1,8 +1,8 @@
-// Triangle lists in, strips out: the two trivial formats that the peers share with `strips_table`.
+// Reads triangle lists and writes strips: the two simple formats that the peers share with `strips_table`.
 //
-// NAME.triangles: u32 vertex count, u32 triangle count, three f32 a vertex, three u32 a triangle.
+// NAME.triangles: u32 vertex count, u32 triangle count, three f32 per vertex, three u32 per triangle.
 // NAME.TOOL.strips: f64 milliseconds, u32 index count, u32 indices with 0xFFFFFFFF between strips.
-// All little-endian, which every machine is that these libraries are packaged for.
+// All little-endian, like every machine that these libraries are packaged for.
 #pragma once
 
 #include <chrono>
@@ -34,7 +34,7 @@ inline TriangleList read_list(const char *path) {
     file.read(reinterpret_cast<char *>(list.corners.data()), 4 * list.corners.size());
   }
   if (!file) {
-    std::fprintf(stderr, "%s is no triangle list, or cut short\n", path);
+    std::fprintf(stderr, "%s is not a triangle list, or is truncated\n", path);
     std::exit(1);
   }
   return list;
@@ -58,8 +58,8 @@ inline void push_strip(std::vector<std::uint32_t> &indices, const std::vector<st
   indices.insert(indices.end(), strip.begin(), strip.end());
 }
 
-// Best time of up to five runs, as long as they take under ten seconds together; `prepare` makes what `work` uses up and
-// is not counted.
+// Fastest of up to five runs, within ten seconds in total. `prepare` creates the input that `work` consumes and is not
+// timed.
 template <class Prepare, class Work>
 double best_ms(Prepare prepare, Work work) {
   double best = 1e300, all = 0;

@@ -9,14 +9,14 @@ import sys
 import triangle_list
 from pyffi.utils.tristrip import stripify
 
-# Beyond this many the port takes many minutes.
+# Above this limit the port takes many minutes.
 TRIANGLE_LIMIT = 200_000
 
 
 def main(source, target):
     _, corners = triangle_list.read(source)
     if len(corners) > TRIANGLE_LIMIT:
-        sys.exit(f"nvtristrip: {len(corners)} triangles would take the port in Python too long")
+        sys.exit(f"nvtristrip: {len(corners)} triangles would take the Python port too long")
     random.seed(0)
     triangles = [tuple(corner) for corner in corners.tolist()]
     milliseconds, strips = triangle_list.timed(lambda: stripify(triangles))

@@ -1,4 +1,4 @@
-// OpenMesh's StripifierT. The half-edge mesh is built before the clock starts.
+// OpenMesh's StripifierT. Building the half-edge mesh is not timed.
 #include "list.hpp"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -11,7 +11,7 @@ using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 int main(int argc, char **argv) {
   if (argc != 3) return 1;
   const TriangleList list = read_list(argv[1]);
-  omerr().disable();  // it tells of every triangle that it drops; the table counts them
+  omerr().disable();  // it logs every triangle that it drops; the table counts them
   std::vector<std::uint32_t> indices;
   auto build = [&] {
     auto mesh = std::make_unique<Mesh>();

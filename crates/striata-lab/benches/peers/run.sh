@@ -1,6 +1,6 @@
 #!/bin/sh
-# Other stripifiers beside ours: run.sh MESH... prints the tables of strips_table with a row for each peer.
-# Builds the peers that are installed and says which are not; installs nothing. See README.md.
+# Compares other stripifiers with ours: run.sh MESH... prints the tables of strips_table with a row for each peer.
+# Builds the peers whose libraries are installed and lists the missing ones; installs nothing. See README.md.
 set -eu
 [ $# -gt 0 ] || { echo "usage: run.sh MESH..." >&2; exit 1; }
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,5 +1,5 @@
-// tri_stripper, as OpenSceneGraph carries it behind TriStripVisitor. Triangles that it leaves as a list
-// become strips of one.
+// tri_stripper, as bundled with OpenSceneGraph behind TriStripVisitor. Triangles that it leaves as a list
+// become strips of one triangle.
 #include "list.hpp"
 
 #include <osg/Geometry>

@@ -1,4 +1,4 @@
-"""The two formats of list.hpp, for the peers that are called from Python."""
+"""The two formats of list.hpp, for peers called from Python."""
 
 import struct
 import sys
@@ -10,21 +10,21 @@ RESTART = 0xFFFFFFFF
 
 
 def read(path):
-    """Positions (n, 3) and corners (m, 3) of a triangle list."""
+    """Reads the positions (n, 3) and corners (m, 3) of a triangle list."""
     with open(path, "rb") as file:
         data = file.read()
     if len(data) < 8:
-        sys.exit(f"{path} is no triangle list")
+        sys.exit(f"{path} is not a triangle list")
     vertex_count, triangle_count = struct.unpack_from("<2I", data)
     if len(data) != 8 + 12 * (vertex_count + triangle_count):
-        sys.exit(f"{path} is no triangle list, or cut short")
+        sys.exit(f"{path} is not a triangle list, or is truncated")
     positions = numpy.frombuffer(data, "<f4", 3 * vertex_count, 8).reshape(-1, 3)
     corners = numpy.frombuffer(data, "<u4", 3 * triangle_count, 8 + 12 * vertex_count).reshape(-1, 3)
     return positions, corners
 
 
 def write(path, milliseconds, strips):
-    """Strips as one list of indices with restarts."""
+    """Writes strips as one list of indices with restarts."""
     indices = []
     for strip in strips:
         if indices:
@@ -36,10 +36,10 @@ def write(path, milliseconds, strips):
 
 
 def timed(work, runs=1):
-    """The best time of some runs in milliseconds, and what the last one made."""
+    """Returns the fastest of some runs in milliseconds, and the result of the last one."""
     best = float("inf")
     for _ in range(runs):
         start = time.perf_counter()
-        made = work()
+        result = work()
         best = min(best, time.perf_counter() - start)
-    return 1e3 * best, made
+    return 1e3 * best, result

@@ -1,4 +1,4 @@
-"""VTK's vtkStripper, with strips as long as they come. Usage: vtk_strips.py IN.triangles OUT.strips"""
+"""VTK's vtkStripper, without a length limit. Usage: vtk_strips.py IN.triangles OUT.strips"""
 
 import sys
 
@@ -32,7 +32,7 @@ def main(source, target):
 
     milliseconds, out = triangle_list.timed(run, runs=5)
     strips = []
-    # What it leaves as triangles becomes strips of one.
+    # Triangles that it leaves become strips of one triangle.
     for cells in (out.GetStrips(), out.GetPolys()):
         offsets = vtk_to_numpy(cells.GetOffsetsArray())
         indices = vtk_to_numpy(cells.GetConnectivityArray())

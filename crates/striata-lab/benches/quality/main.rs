@@ -1,21 +1,23 @@
-//! How near simplified meshes stay to their originals, and what that costs: ours beside meshoptimizer's.
+//! Distance of simplified meshes from their originals, and the time and memory needed, compared with
+//! meshoptimizer.
 //!
-//! `cargo bench -p striata-lab --bench quality -- [OPTIONS] MESH...` prints Markdown tables. For each mesh and each share of
-//! its triangles meshoptimizer makes one level, and every other tool a level of at most as many triangles; all
-//! levels are measured against the welded original with the same samples. Attributes are left out on both sides.
+//! `cargo bench -p striata-lab --bench quality -- [OPTIONS] MESH...` prints Markdown tables. For each mesh
+//! and each share of its triangles, meshoptimizer creates one level, and every other tool a level with at
+//! most as many triangles. All levels are measured against the welded original with the same samples.
+//! Attributes are ignored by all tools.
 //!
 //! ```text
 //! --cost memoryless|accumulated|tracked|batches|hausdorff|all
-//!                                             what orders our collapses (batches: as a stream of 12 bits has them), or
-//!                                             (hausdorff) removals; default memoryless; several with commas
-//! --placement optimal                         adds our one-level simplifier that places vertices freely
-//! --promises                                  instead: guaranteed errors against measured ones
-//! --samples N                                 samples a surface; default 500000, 0 measures no distances
-//! --repeat N                                  timed runs, the best counts; default 5, 0 measures no time
+//!                                             cost of our collapses (batches: as in a 12-bit stream) or
+//!                                             removals (hausdorff); default memoryless; comma-separated
+//! --placement optimal                         add our one-level simplifier with free vertex placement
+//! --promises                                   instead: compare guaranteed errors with measured ones
+//! --samples N                                 samples per surface; default 500000, 0 skips distances
+//! --repeat N                                  timed runs, the fastest counts; default 5, 0 skips timing
 //! ```
 
+mod guarantees;
 mod memory;
-mod promises;
 mod quality;
 mod speed;
 mod table;
@@ -32,14 +34,14 @@ use striata_stream::{Precision, SHAPE_STEPS, StreamOptions};
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
-/// Shares of the triangles that levels are made for.
+/// Shares of the triangles for which levels are created.
 const SHARES: [f64; 4] = [0.5, 0.25, 0.1, 0.02];
 
-/// What the command line asks for.
+/// Parsed command line.
 struct Request {
     simplifiers: Vec<Simplifier>,
     has_optimal: bool,
-    has_promises: bool,
+    has_guarantees: bool,
     sample_count: usize,
     repeat_count: usize,
     paths: Vec<String>,
@@ -50,7 +52,7 @@ impl Request {
         let mut request = Self {
             simplifiers: vec![Simplifier::Collapses(CollapseCost::Memoryless)],
             has_optimal: false,
-            has_promises: false,
+            has_guarantees: false,
             sample_count: 500_000,
             repeat_count: 5,
             paths: Vec::new(),
@@ -58,11 +60,11 @@ impl Request {
         while let Some(argument) = arguments.next() {
             let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
             match argument.as_str() {
-                // Cargo says so to every bench.
+                // Cargo passes this flag to every bench.
                 "--bench" => {}
                 "--cost" => request.simplifiers = simplifiers_of(&value()?)?,
                 "--placement" => request.has_optimal = value()? == "optimal",
-                "--promises" => request.has_promises = true,
+                "--promises" => request.has_guarantees = true,
                 "--samples" => request.sample_count = value()?.parse()?,
                 "--repeat" => request.repeat_count = value()?.parse()?,
                 option if option.starts_with('-') => return Err(format!("unknown option {option}").into()),
@@ -73,14 +75,15 @@ impl Request {
     }
 }
 
-/// What makes a sequence of ours.
+/// One of our simplifiers that builds a whole sequence.
 #[derive(Clone, Copy)]
 enum Simplifier {
-    /// Half-edge collapses in the order of a cost.
+    /// Half-edge collapses ordered by a cost.
     Collapses(CollapseCost),
-    /// The first of these, in batches as a progressive stream of 12 bits has them.
+    /// Memoryless collapses in batches, as in a progressive stream of 12 bits.
     Batches,
-    /// Removals of vertices, holes filled freely, ordered by squared distances, gaps and the largest distance together.
+    /// Vertex removals with holes filled freely, ordered by squared distances, gaps and the largest
+    /// distance.
     Removal,
 }
 
@@ -101,13 +104,13 @@ impl Simplifier {
         }
     }
 
-    /// The whole sequence of a welded mesh.
-    fn build(self, welded: Welded) -> Result<Built, SimplifyError> {
+    /// Builds the whole sequence of a welded mesh.
+    fn build(self, welded: Welded) -> Result<BuiltSequence, SimplifyError> {
         match self {
             Self::Collapses(cost) => {
                 let options = SequenceOptions::default().with_cost(cost);
                 let built = build_welded_sequence(welded, &options)?;
-                Ok(Built::Collapses(Box::new(built.refinable)))
+                Ok(BuiltSequence::Collapses(Box::new(built.refinable)))
             }
             Self::Batches => {
                 let step =
@@ -115,19 +118,19 @@ impl Simplifier {
                 let options =
                     BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
                 let built = build_welded_batches(welded, &options)?;
-                Ok(Built::Collapses(Box::new(built.built.refinable)))
+                Ok(BuiltSequence::Collapses(Box::new(built.built.refinable)))
             }
             Self::Removal => {
                 let options = RemovalOptions::default();
                 let built = build_welded_fragments(welded, &options)?;
-                Ok(Built::Fragments(Box::new(built.fragmented)))
+                Ok(BuiltSequence::Fragments(Box::new(built.fragmented)))
             }
         }
     }
 }
 
-/// A sequence of ours.
-enum Built {
+/// A sequence built by one of our simplifiers.
+enum BuiltSequence {
     Collapses(Box<RefinableMesh>),
     Fragments(Box<FragmentedMesh>),
 }
@@ -139,7 +142,7 @@ fn simplifiers_of(name: &str) -> Fallible<Vec<Simplifier>> {
     if chosen.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(chosen) }
 }
 
-/// A mesh to measure on: positions and triangles of the file, welded.
+/// A mesh to measure: welded positions and triangles of a file.
 struct Subject {
     name: String,
     welded: Welded,
@@ -158,7 +161,7 @@ impl Subject {
         &self.welded.mesh
     }
 
-    /// The triangles of one level by meshoptimizer, which keeps original vertices as we do.
+    /// The triangles of one level by meshoptimizer, which keeps original vertices as our simplifiers do.
     fn meshoptimizer(&self, share: f64) -> Fallible<Vec<u32>> {
         let mesh = self.mesh();
         let goal = (mesh.triangle_count() as f64 * share) as usize;
@@ -177,7 +180,7 @@ impl Subject {
 
 fn main() -> Fallible<()> {
     if let Some(request) = memory::ChildRequest::from_environment() {
-        return request.answer();
+        return request.measure();
     }
     let request = Request::parse(std::env::args().skip(1))?;
     let mut out = std::io::stdout().lock();
@@ -186,8 +189,8 @@ fn main() -> Fallible<()> {
         return Ok(());
     }
     let subjects = request.paths.iter().map(|path| Subject::read(path)).collect::<Fallible<Vec<_>>>()?;
-    if request.has_promises {
-        return promises::report(&request, &subjects, &mut out);
+    if request.has_guarantees {
+        return guarantees::report(&request, &subjects, &mut out);
     }
     if request.sample_count > 0 {
         quality::report(&request, &subjects, &mut out)?;

@@ -1,6 +1,6 @@
-//! Peak memory of welding and simplifying one mesh, in a process that does nothing else.
+//! Peak memory of welding and simplifying one mesh, measured in a separate process.
 //!
-//! The kernel counts the resident set (`/proc/self/status`), so elsewhere than on Linux there is no table.
+//! The kernel reports the resident set (`/proc/self/status`), so the table is available on Linux only.
 
 use std::env;
 use std::fs;
@@ -13,7 +13,7 @@ use striata::mesh::{IndexedMesh, weld};
 use crate::table::Table;
 use crate::{Fallible, Request, Subject, simplifiers_of};
 
-/// Tells a child process which mesh to simplify, and by which cost.
+/// Environment variables that pass the mesh and the cost to a child process.
 const MESH_VARIABLE: &str = "STRIATA_MEMORY_MESH";
 const COST_VARIABLE: &str = "STRIATA_MEMORY_COST";
 
@@ -27,11 +27,11 @@ impl ChildRequest {
         Some(Self { path: env::var(MESH_VARIABLE).ok()?, cost: env::var(COST_VARIABLE).ok()? })
     }
 
-    /// Prints the resident bytes with only the mesh in memory, and the peak of simplifying it.
-    pub(crate) fn answer(self) -> Fallible<()> {
+    /// Prints the resident bytes with only the mesh loaded, and the peak while simplifying it.
+    pub(crate) fn measure(self) -> Fallible<()> {
         let mesh = striata_io::read(&self.path)?;
         let mesh = IndexedMesh::new(mesh.positions, mesh.triangles);
-        // Resets the peak, so that reading does not count.
+        // Reset the peak so that reading does not count.
         fs::write("/proc/self/clear_refs", "5")?;
         let loaded = status_bytes("VmRSS:")?;
         for simplifier in simplifiers_of(&self.cost)? {
@@ -45,8 +45,10 @@ impl ChildRequest {
 
 fn status_bytes(key: &str) -> Fallible<u64> {
     let status = fs::read_to_string("/proc/self/status")?;
-    let line =
-        status.lines().find_map(|line| line.strip_prefix(key)).ok_or("the kernel keeps no such count")?;
+    let line = status
+        .lines()
+        .find_map(|line| line.strip_prefix(key))
+        .ok_or("the kernel does not report this count")?;
     let kibibytes: u64 = line.trim().trim_end_matches("kB").trim().parse()?;
     Ok(kibibytes * 1024)
 }
@@ -55,21 +57,26 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
     if !cfg!(target_os = "linux") {
         return Ok(());
     }
-    writeln!(out, "Peak resident memory of a process that welds and simplifies, bytes a triangle.\n")?;
+    writeln!(out, "Peak resident memory of a process that welds and simplifies, in bytes per triangle.\n")?;
     let mut table = Table::new(["mesh", "cost", "the process", "above the loaded mesh"]);
     for (path, subject) in request.paths.iter().zip(subjects) {
         for simplifier in &request.simplifiers {
             let mut child = Command::new(env::current_exe()?);
-            let answer = child.env(MESH_VARIABLE, path).env(COST_VARIABLE, simplifier.name()).output()?;
-            let text = String::from_utf8(answer.stdout)?;
+            let output = child.env(MESH_VARIABLE, path).env(COST_VARIABLE, simplifier.name()).output()?;
+            let text = String::from_utf8(output.stdout)?;
             let numbers = text.split_whitespace().map(str::parse).collect::<Result<Vec<u64>, _>>()?;
             let [loaded, peak] = numbers[..] else {
-                return Err(String::from_utf8_lossy(&answer.stderr).into());
+                return Err(String::from_utf8_lossy(&output.stderr).into());
             };
-            let a_triangle =
+            let per_triangle =
                 |bytes: u64| format!("{:.0}", bytes as f64 / subject.mesh().triangle_count() as f64);
             let above = peak.saturating_sub(loaded);
-            table.push(vec![subject.name.clone(), simplifier.name(), a_triangle(peak), a_triangle(above)]);
+            table.push(vec![
+                subject.name.clone(),
+                simplifier.name(),
+                per_triangle(peak),
+                per_triangle(above),
+            ]);
         }
     }
     table.print(out)?;

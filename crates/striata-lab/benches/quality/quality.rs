@@ -8,25 +8,25 @@ use striata::mesh::{
 use striata::simplify::{Placement, SimplifyOptions, Target, simplify};
 
 use crate::table::Table;
-use crate::{Built, Fallible, Request, SHARES, Subject};
+use crate::{BuiltSequence, Fallible, Request, SHARES, Subject};
 
-/// Where our levels come from.
+/// The source of our levels.
 enum Tool {
-    Sequence(Built),
+    Sequence(BuiltSequence),
     Optimal,
 }
 
 impl Tool {
-    /// A level of at most so many triangles, and the error that it reports.
+    /// A level with at most `triangle_count` triangles, and the error that it reports.
     fn level(&self, subject: &Subject, triangle_count: usize) -> Fallible<(IndexedMesh, f64)> {
         match self {
-            Self::Sequence(Built::Fragments(fragmented)) => {
+            Self::Sequence(BuiltSequence::Fragments(fragmented)) => {
                 let levels = fragmented.fragments.levels();
                 let split_count = levels.split_count_for_triangles(triangle_count);
                 let error = f64::from(levels.error_at(split_count));
                 Ok((replay_fragments(fragmented, split_count), error))
             }
-            Self::Sequence(Built::Collapses(refinable)) => {
+            Self::Sequence(BuiltSequence::Collapses(refinable)) => {
                 let split_count = refinable.sequence.split_count_for_triangles(triangle_count);
                 let error = f64::from(refinable.sequence.error_at(split_count));
                 Ok((replay(refinable, split_count), error))
@@ -53,7 +53,7 @@ fn tools(request: &Request, subject: &Subject) -> Fallible<Vec<Tool>> {
     Ok(tools)
 }
 
-/// Mean of ratios: the logarithms are averaged, so that 2 and 1/2 make 1.
+/// Geometric mean of ratios, so that 2 and 1/2 average to 1.
 #[derive(Clone, Copy, Default)]
 struct GeometricMean {
     log_sum: f64,
@@ -61,7 +61,7 @@ struct GeometricMean {
 }
 
 impl GeometricMean {
-    /// Ratios of nothing to nothing say nothing and are passed over.
+    /// Adds a ratio; ratios with a zero distance are meaningless and skipped.
     fn add(&mut self, ratio: f64) {
         if ratio.is_finite() && ratio > 0.0 {
             self.log_sum += ratio.ln();
@@ -74,7 +74,7 @@ impl GeometricMean {
     }
 }
 
-/// Ratios of one tool to meshoptimizer at each share, RMS and maximum.
+/// Ratios of one tool to meshoptimizer at each share: RMS and maximum.
 #[derive(Clone, Copy, Default)]
 struct Means([[GeometricMean; 2]; SHARES.len()]);
 
@@ -90,15 +90,15 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
         let tools = tools(request, subject)?;
         for (s, share) in SHARES.into_iter().enumerate() {
             let peer = subject.peer_level(share)?;
-            let yardstick = measured(request, subject, &peer)?;
+            let reference = measured(request, subject, &peer)?;
             let mut row = vec![subject.name.clone(), percent(share), peer.triangle_count().to_string()];
-            row.push(cell(&yardstick));
+            row.push(cell(&reference));
             let mut ratio_row = row[..2].to_vec();
             for (tool, mean) in tools.iter().zip(&mut means) {
                 let (level, error) = tool.level(subject, peer.triangle_count())?;
                 let found = measured(request, subject, &level)?;
                 row.push(cell(&found));
-                let [rms, max] = [found.rms / yardstick.rms, found.max / yardstick.max];
+                let [rms, max] = [found.rms / reference.rms, found.max / reference.max];
                 mean.0[s][0].add(rms);
                 mean.0[s][1].add(max);
                 ratio_row.push(format!("{rms:.3} / {max:.3}, {}", unit(error, &found)));

@@ -1,4 +1,4 @@
-//! Time of our whole sequence beside meshoptimizer's one level.
+//! Time of our whole sequence compared with meshoptimizer's single level.
 
 use std::hint::black_box;
 use std::io::Write;
@@ -9,18 +9,19 @@ use striata::mesh::weld;
 use crate::table::Table;
 use crate::{Fallible, Request, SHARES, Subject};
 
-/// Seconds of one run, and what it made; dropping that is not timed.
+/// Seconds of one run and its result; dropping the result is not timed.
 fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     let start = Instant::now();
-    let made = black_box(work());
-    (start.elapsed().as_secs_f64(), made)
+    let result = black_box(work());
+    (start.elapsed().as_secs_f64(), result)
 }
 
 pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Write) -> Fallible<()> {
     let share = SHARES[SHARES.len() - 1];
     writeln!(
         out,
-        "Best of {} alternating runs on one thread: our whole sequence against meshoptimizer's one level of {} %.\n",
+        "Best of {} alternating runs on one thread: our whole sequence against \
+         meshoptimizer's one level of {} %.\n",
         request.repeat_count,
         share * 100.0
     )?;
@@ -32,7 +33,7 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
         "sequence ms",
         "meshoptimizer ms",
         "ratio",
-        "µs a triangle",
+        "µs per triangle",
     ]);
     for subject in subjects {
         for simplifier in &request.simplifiers {

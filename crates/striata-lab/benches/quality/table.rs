@@ -1,4 +1,4 @@
-//! Markdown tables with columns as wide as their widest cell.
+//! Markdown tables whose columns are as wide as their widest cell.
 
 use std::io::{self, Write};
 

@@ -1,4 +1,4 @@
-//! The arguments of the lab's command: one type per verb.
+//! Command-line arguments of `striata-lab`: one type per verb.
 
 #[cfg(feature = "gpu")]
 mod bench_gpu;
@@ -13,12 +13,12 @@ pub(crate) use self::compare::{
     AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
 };
 
-/// Everything on the command line.
+/// The whole command line.
 #[derive(Debug, Parser)]
 #[command(
     name = "striata-lab",
     version,
-    about = "Measures striata's models, stripifiers and streams, and what others make of the same meshes",
+    about = "Measure striata's models, stripifiers and streams, and those of others on the same meshes",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs",
     disable_help_subcommand = true,
@@ -26,10 +26,10 @@ pub(crate) use self::compare::{
     max_term_width = 100
 )]
 pub(crate) struct Cli {
-    /// What to measure.
+    /// The verb to run.
     #[command(subcommand)]
     pub(crate) verb: Verb,
-    /// How to report.
+    /// Options of the report.
     #[command(flatten)]
     pub(crate) report: ReportArgs,
 }
@@ -37,9 +37,9 @@ pub(crate) struct Cli {
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
-    /// Compare models and stripifiers on the same meshes
+    /// Compare models, stripifiers and streams on the same meshes
     Compare(Box<CompareArgs>),
-    /// Time the ways to draw a level while it changes
+    /// Time different ways of drawing a changing level on the GPU
     #[cfg(feature = "gpu")]
     BenchGpu(BenchGpuArgs),
 }
@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_tree_of_arguments_is_consistent() {
+    fn command_line_definition_is_consistent() {
         Cli::command().debug_assert();
     }
 }

@@ -1,14 +1,15 @@
-//! Discrete levels of detail: a few levels of the sequence, each stored as strips of its own.
+//! Discrete levels of detail: a few levels of the sequence, each stored with its own strips.
 //!
-//! What engines do without a continuous model. The levels' triangles fall geometrically from the full mesh to a
-//! sixteenth of it, so five levels halve each time and ten take nine finer steps to the same end; each level
-//! is stripified by itself, so each is drawn as well as its mesh allows. An instance is the number of its level.
+//! This is what engines do without a continuous model. The triangle counts fall geometrically from the
+//! full mesh to a sixteenth of it: five levels halve each time, ten take nine smaller steps to the same
+//! end. Each level is stripified separately, so it draws as well as its mesh allows. The state of an
+//! instance is its level.
 //!
-//! Differs: classic levels have vertices of their own. Here all use the one vertex buffer in refinement order, of
-//! which a level needs the first part; [`PaperBytes::paper_bytes`] counts the classic form.
+//! Differs: classic levels have separate vertex buffers. Here all levels share the one in refinement order
+//! and use its first part; [`PaperBytes::paper_bytes`] counts the classic form.
 //!
-//! Cost: a change of level is free, a level takes about 5 bytes a triangle. Building stripifies about as many
-//! triangles as 2 (five levels) or 4 (ten) full meshes have.
+//! Cost: changing the level is free; a level takes about 5 bytes per triangle. Building stripifies about
+//! as many triangles as 2 (five levels) or 4 (ten levels) full meshes have.
 
 use striata::mesh::{CollapseSequence, IndexedMesh, MeshError, RefinableMesh, replay};
 use striata::model::{DrawCounts, LodModel, PartBytes, Topology, join_strips};
@@ -16,22 +17,23 @@ use striata::strip::{RESTART, StripIndices, StripSet};
 
 use crate::paper_bytes::{Accounting, PaperBytes};
 
-/// How many times the triangles of the coarsest level the finest has, where levels and base allow.
+/// Ratio of triangle counts between the finest and the coarsest level, if the mesh has levels that coarse.
 const FINEST_TO_COARSEST: f64 = 16.0;
 
-/// Why there are no discrete levels.
+/// Error of building discrete levels.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DiscreteLevelsError {
-    /// No levels were asked for.
-    #[error("0 levels were asked for, at least 1 is needed")]
+    /// The requested level count is 0.
+    #[error("0 levels were requested, at least 1 is needed")]
     NoLevels,
-    /// The mesh's parts do not fit together.
+    /// The mesh is inconsistent.
     #[error(transparent)]
     Mesh(#[from] MeshError),
 }
 
-/// The static half of the model: some levels as triangle strips, level 0 the full mesh; see the [module](self).
+/// The static half of the model: levels as triangle strips, level 0 being the full mesh; see the
+/// [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DiscreteLevels {
     step_count: usize,
@@ -45,7 +47,7 @@ struct Level {
     split_count: usize,
     vertex_count: usize,
     strip_count: usize,
-    /// A restart index stands between all strips, also where a group ends.
+    /// Restart indices separate all strips, including those of different groups.
     strips: StripIndices,
 }
 
@@ -72,14 +74,14 @@ impl Level {
     }
 }
 
-/// An instance: the level that it shows.
+/// State of one instance: the level that it shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DiscreteLevelsState {
     level: usize,
 }
 
 impl DiscreteLevelsState {
-    /// The level, 0 is the finest.
+    /// The level; 0 is the finest.
     pub fn level(&self) -> usize {
         self.level
     }
@@ -88,14 +90,15 @@ impl DiscreteLevelsState {
 impl DiscreteLevels {
     /// Stores at most `level_count` levels, each as the strips that `stripify` makes of it.
     ///
-    /// Level `k` is the most detailed that has at most `triangle_count / 16^(k / (level_count - 1))` triangles, rounded.
-    /// Levels that would be the same, as in small meshes and beyond the base, are stored once.
+    /// Level `k` is the most detailed that has at most `triangle_count / 16^(k / (level_count - 1))`
+    /// triangles, rounded. Equal levels, which small meshes and early base meshes lead to, are stored
+    /// once.
     ///
     /// # Errors
-    /// [`DiscreteLevelsError`] where no levels are asked for or the mesh's parts do not fit together.
+    /// [`DiscreteLevelsError`] if `level_count` is 0 or the mesh is inconsistent.
     ///
     /// # Panics
-    /// If the sequence is another mesh's.
+    /// If the sequence belongs to another mesh.
     pub fn build(
         refinable: &RefinableMesh,
         level_count: usize,
@@ -110,7 +113,7 @@ impl DiscreteLevels {
         Ok(Self { step_count: refinable.sequence.step_count(), levels })
     }
 
-    /// Levels stored.
+    /// Number of levels stored.
     pub fn level_count(&self) -> usize {
         self.levels.len()
     }
@@ -120,16 +123,17 @@ impl DiscreteLevels {
         self.levels.iter().map(|level| level.split_count)
     }
 
-    /// What an instance draws: an index buffer with [`RESTART`] between strips, and the range of each group (material).
+    /// Strips of an instance's level: an index buffer with [`RESTART`] between strips, and the range of
+    /// each group (material).
     ///
     /// # Panics
-    /// If the state belongs to a model of more levels.
+    /// If the state belongs to a model with more levels.
     pub fn strips(&self, state: &DiscreteLevelsState) -> &StripIndices {
         &self.levels[state.level].strips
     }
 }
 
-/// Which levels are stored, finest first, none twice.
+/// Split counts of the levels to store, finest first, without repetitions.
 fn split_counts(sequence: &CollapseSequence, level_count: usize) -> Result<Vec<usize>, DiscreteLevelsError> {
     if level_count == 0 {
         return Err(DiscreteLevelsError::NoLevels);
@@ -142,7 +146,8 @@ fn split_counts(sequence: &CollapseSequence, level_count: usize) -> Result<Vec<u
     let mut allowed = full as f64;
     for _ in 0..ratio_count {
         allowed /= ratio;
-        // Half a triangle takes the rounding of the ratio away; a level without any is of no use.
+        // Adding half a triangle absorbs the rounding of the ratio. A level without triangles would be
+        // useless.
         let split_count = sequence.split_count_for_triangles(((allowed + 0.5) as usize).max(1));
         if out.last().is_some_and(|&finer| split_count < finer) {
             out.push(split_count);
@@ -151,7 +156,8 @@ fn split_counts(sequence: &CollapseSequence, level_count: usize) -> Result<Vec<u
     Ok(out)
 }
 
-/// The number whose `degree`-th power is `value`, at least 1; the same on every machine, as powers of the platform are not.
+/// The `degree`-th root of `value`, at least 1. Bisection gives the same result on every machine; the
+/// platform's `powf` does not.
 fn root(value: f64, degree: usize) -> f64 {
     let (mut low, mut high) = (1.0, value);
     for _ in 0..64 {
@@ -217,7 +223,8 @@ impl LodModel for DiscreteLevels {
 }
 
 impl PaperBytes for DiscreteLevels {
-    /// The strips of all levels, and the positions of all but the finest, since each classic level has its own.
+    /// The strips of all levels, and the positions of all but the finest, since each classic level stores
+    /// its own.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let own_vertices: usize = self.levels.iter().skip(1).map(|level| level.vertex_count).sum();
         let index_count = self.levels.iter().map(|level| level.strips.indices.len()).sum();
@@ -230,7 +237,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn roots_are_what_powers_undo() {
+    fn root_inverts_powers() {
         assert_eq!(root(16.0, 0), 16.0);
         assert!((root(16.0, 1) - 16.0).abs() < 1e-12);
         assert!((root(16.0, 4) - 2.0).abs() < 1e-12);

@@ -1,7 +1,7 @@
-//! The models that others are measured against, each as its paper has it and as fast as that allows.
+//! Published models, as baselines: each follows its paper and is as fast as that allows.
 //!
-//! They show the same triangles as the other models over the same vertex buffer, so that what is
-//! compared is the data structure alone.
+//! They show the same triangles over the same vertex buffer as the library's models, so that only the data
+//! structures are compared.
 
 pub mod discrete_levels;
 pub mod loop_patterns;
@@ -18,7 +18,7 @@ mod step_set;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
 pub use loop_patterns::{LoopPatterns, LoopPatternsState};
-pub use multi_triangulation::{MtQuestion, MtTriangle, MultiTriangulation, MultiTriangulationState};
+pub use multi_triangulation::{MtQuery, MtTriangle, MultiTriangulation, MultiTriangulationState};
 pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};
 pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};

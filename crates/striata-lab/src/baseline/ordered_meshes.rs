@@ -1,21 +1,23 @@
-//! Multiresolution ordered meshes: all triangles that there ever are, in the order in which refinement makes them \[RCHQ98\].
+//! Multiresolution ordered meshes \[RCHQ98\]: the triangles of all levels, in the order in which
+//! refinement creates them.
 //!
-//! A split takes triangles away and makes others, so a triangle that is not of the base has a split that makes it, and one that is
-//! not of the full mesh has a split that takes it away. The triangles of a level are thus among a first part of the list, and
-//! are there if the split that takes them away lies ahead. Nothing is kept between levels: whatever level is asked
-//! for is read off the list, and an instance is its number.
+//! A split removes triangles and creates others. A triangle that is not in the base mesh therefore has a
+//! split that creates it, and one that is not in the full mesh has a split that removes it. All triangles
+//! of a level lie in a first part of the list, and one of them is shown if the split that removes it has
+//! not been applied. Nothing is kept between levels: any level is read directly from the list, and the
+//! state of an instance is its split count.
 //!
 //! ```text
-//! triangles made by     base  | step 0 | step 1 | step 2 | ...
-//! taken away by step     0 1 - | 1 2 -  | 2 2 5  | 7 7 -  | ...
+//! triangles created by  base  | step 0 | step 1 | step 2 | ...
+//! removed by step        0 1 - | 1 2 -  | 2 2 5  | 7 7 -  | ...
 //! split count 2          . . x | . x x  | x x x  |          x are shown
 //! ```
 //!
-//! Differs: \[RCHQ98\] is told here from its abstract and from \[Cor01\]; what the collapse of a vertex moves it stores as new
-//! triangles, and so do we. The list of each group stands for itself.
+//! Differs: \[RCHQ98\] is known here from its abstract and from \[Cor01\]. Triangles that a collapse moves
+//! are stored as new ones, as there. Each group has a separate list.
 //!
-//! Cost: a step makes about six triangles, so the list is three times as long as that of the full mesh and three
-//! triangles are read for one that is shown. Moving costs nothing.
+//! Cost: a step creates about six triangles, so the list is three times as long as that of the full mesh,
+//! and three triangles are read for each one shown. Moving costs nothing.
 
 use std::ops::Range;
 
@@ -24,13 +26,13 @@ use striata::model::{DrawCounts, LodModel, PartBytes, Topology};
 
 use crate::paper_bytes::{Accounting, PaperBytes};
 
-/// Ends a chain of triangles.
+/// End of a chain of triangles.
 const END: u32 = u32::MAX;
 
-/// No split takes the triangle away.
+/// Marks a triangle that no split removes.
 const NEVER: u32 = u32::MAX;
 
-/// Triangles that are sorted out before they are handed over.
+/// Number of triangles filtered before they are written out.
 const BLOCK_LEN: usize = 256;
 
 /// The static half of the model; see the [module](self).
@@ -38,22 +40,23 @@ const BLOCK_LEN: usize = 256;
 pub struct OrderedMeshes {
     step_count: usize,
     triangles: Vec<OrderedTriangle>,
-    /// First triangle of each group, closed by the number of triangles.
+    /// First triangle of each group, followed by the number of triangles.
     group_offsets: Vec<u32>,
-    /// For each group the steps that make triangles of it, rising, and their first triangle.
+    /// For each group, the steps that create triangles in it, in ascending order, each with its first
+    /// triangle.
     makers: Vec<[u32; 2]>,
-    /// First of each group's makers, closed by their number.
+    /// First of each group's makers, followed by their number.
     maker_offsets: Vec<u32>,
 }
 
-/// A triangle, and the step whose split takes it away.
+/// A triangle and the step whose split removes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct OrderedTriangle {
     corners: [u32; 3],
-    taken_by: u32,
+    removed_by: u32,
 }
 
-/// An instance: nothing but its level.
+/// State of one instance: its split count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OrderedMeshesState {
     split_count: usize,
@@ -63,7 +66,7 @@ impl OrderedMeshes {
     /// Builds the model from a mesh and its sequence.
     ///
     /// # Panics
-    /// If the mesh is not the sequence's: it names vertices that the sequence does not have.
+    /// If the mesh refers to vertices that the sequence does not have.
     pub fn build(refinable: &RefinableMesh) -> Self {
         let mut builder = Builder::new(refinable);
         for step in (0..refinable.sequence.step_count()).rev() {
@@ -72,25 +75,26 @@ impl OrderedMeshes {
         builder.finish()
     }
 
-    /// Triangles of all levels together.
+    /// Number of triangles of all levels together.
     pub fn stored_triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// Groups of triangles.
+    /// Number of groups of triangles.
     pub fn group_count(&self) -> usize {
         self.group_offsets.len() - 1
     }
 
-    /// Appends the triangles of one group at the level of an instance, three indices each.
+    /// Appends the triangles of one group at an instance's level, three indices each.
     ///
     /// # Panics
-    /// If there is no such group.
+    /// If the group does not exist.
     pub fn group_indices_into(&self, state: &OrderedMeshesState, group: usize, out: &mut Vec<u32>) {
         let mut block = [0; 3 * BLOCK_LEN];
-        for triangles in self.made(state.split_count, group).chunks(BLOCK_LEN) {
+        for triangles in self.created(state.split_count, group).chunks(BLOCK_LEN) {
             let mut filled = 0;
-            // Every triangle is written, and those that are not shown are written over: which are is hard to foresee.
+            // Write every triangle and overwrite those that are not shown: a branch would be hard to
+            // predict.
             for triangle in triangles {
                 block[filled..filled + 3].copy_from_slice(&triangle.corners);
                 filled += if triangle.is_shown(state.split_count) { 3 } else { 0 };
@@ -99,8 +103,8 @@ impl OrderedMeshes {
         }
     }
 
-    /// The triangles of a group that are made by a level's splits.
-    fn made(&self, split_count: usize, group: usize) -> &[OrderedTriangle] {
+    /// The triangles of a group that the splits up to a level create.
+    fn created(&self, split_count: usize, group: usize) -> &[OrderedTriangle] {
         let range =
             |offsets: &[u32]| -> Range<usize> { offsets[group] as usize..offsets[group + 1] as usize };
         let makers = &self.makers[range(&self.maker_offsets)];
@@ -114,7 +118,7 @@ impl OrderedMeshes {
 impl OrderedTriangle {
     #[inline]
     fn is_shown(&self, split_count: usize) -> bool {
-        self.taken_by as usize >= split_count
+        self.removed_by as usize >= split_count
     }
 }
 
@@ -144,7 +148,7 @@ impl LodModel for OrderedMeshes {
 
     fn draw_counts(&self, state: &OrderedMeshesState) -> DrawCounts {
         let shown =
-            |group| self.made(state.split_count, group).iter().filter(|t| t.is_shown(state.split_count));
+            |group| self.created(state.split_count, group).iter().filter(|t| t.is_shown(state.split_count));
         let triangle_count: usize = (0..self.group_count()).map(|group| shown(group).count()).sum();
         DrawCounts { strip_count: 0, index_count: 3 * triangle_count }
     }
@@ -169,29 +173,29 @@ impl LodModel for OrderedMeshes {
 }
 
 impl PaperBytes for OrderedMeshes {
-    /// Three vertices of each triangle and the step that takes it away, all long; for each step its first triangle, and
-    /// how many it makes.
+    /// Three vertices of each triangle and the step that removes it, all long; for each step its first
+    /// triangle and how many it creates.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         accounting.bytes(self.step_count, 4 * self.triangles.len() + self.step_count)
     }
 }
 
-/// A triangle on the way to the list.
-struct Found {
+/// A triangle found while the full mesh is collapsed.
+struct BuiltTriangle {
     group: u32,
-    /// 0 for the base, else the step that makes it and one.
-    made_at: u32,
+    /// 0 for the base, otherwise one more than the step that creates it.
+    created_at: u32,
     triangle: OrderedTriangle,
 }
 
 struct Builder<'r> {
     refinable: &'r RefinableMesh,
-    /// All triangles that there ever are, as they come from the full mesh down.
-    found: Vec<Found>,
-    is_gone: Vec<bool>,
+    /// The triangles of all levels, in the order in which collapsing the full mesh finds them.
+    found: Vec<BuiltTriangle>,
+    is_removed: Vec<bool>,
     /// The next triangle in the chains of its three corners.
     next: Vec<[u32; 3]>,
-    /// First triangle of each vertex, triangles that are gone among them.
+    /// First triangle of each vertex's chain, which may contain removed triangles.
     chains: Vec<u32>,
 }
 
@@ -200,40 +204,40 @@ impl<'r> Builder<'r> {
         let mut builder = Self {
             refinable,
             found: Vec::with_capacity(3 * refinable.mesh.triangle_count()),
-            is_gone: Vec::new(),
+            is_removed: Vec::new(),
             next: Vec::new(),
             chains: vec![END; refinable.sequence.positions().vertex_count()],
         };
         for (group, range) in (0..).zip(refinable.mesh.groups_or_whole().iter().map(|group| group.range())) {
             for &corners in refinable.mesh.triangles[range].iter().filter(|t| is_proper(t)) {
-                builder.add(group, OrderedTriangle { corners, taken_by: NEVER });
+                builder.add(group, OrderedTriangle { corners, removed_by: NEVER });
             }
         }
         builder
     }
 
     fn add(&mut self, group: u32, triangle: OrderedTriangle) {
-        let number = self.found.len() as u32;
+        let index = self.found.len() as u32;
         let chains = &mut self.chains;
-        self.next.push(triangle.corners.map(|v| std::mem::replace(&mut chains[v as usize], number)));
-        self.found.push(Found { group, made_at: 0, triangle });
-        self.is_gone.push(false);
+        self.next.push(triangle.corners.map(|v| std::mem::replace(&mut chains[v as usize], index)));
+        self.found.push(BuiltTriangle { group, created_at: 0, triangle });
+        self.is_removed.push(false);
     }
 
-    /// Takes the triangles of a step's vertices away and puts what is left of them in their place.
+    /// Removes the triangles around a step's vertices and adds those that remain after the collapse.
     fn collapse(&mut self, step: usize) {
         let sequence = &self.refinable.sequence;
         let vertices = sequence.step_vertices(step);
         for vertex in vertices.clone() {
             let mut at = self.chains[vertex as usize];
             while at != END {
-                let Found { group, triangle, .. } = self.found[at as usize];
-                if !std::mem::replace(&mut self.is_gone[at as usize], true) {
-                    self.found[at as usize].made_at = step as u32 + 1;
-                    let left =
+                let BuiltTriangle { group, triangle, .. } = self.found[at as usize];
+                if !std::mem::replace(&mut self.is_removed[at as usize], true) {
+                    self.found[at as usize].created_at = step as u32 + 1;
+                    let collapsed =
                         triangle.corners.map(|v| if vertices.contains(&v) { sequence.target(v) } else { v });
-                    if is_proper(&left) {
-                        self.add(group, OrderedTriangle { corners: left, taken_by: step as u32 });
+                    if is_proper(&collapsed) {
+                        self.add(group, OrderedTriangle { corners: collapsed, removed_by: step as u32 });
                     }
                 }
                 let corner = triangle.corners.iter().position(|&v| v == vertex).unwrap_or(0);
@@ -244,8 +248,8 @@ impl<'r> Builder<'r> {
 
     fn finish(mut self) -> OrderedMeshes {
         let group_count = self.refinable.mesh.groups.len().max(1) as u32;
-        // What the sort leaves as it was stands as the full mesh has it.
-        self.found.sort_by_key(|found| (found.group, found.made_at));
+        // The sort is stable, so triangles of equal keys stay in the order of the full mesh.
+        self.found.sort_by_key(|found| (found.group, found.created_at));
         let mut model = OrderedMeshes {
             step_count: self.refinable.sequence.step_count(),
             triangles: self.found.iter().map(|found| found.triangle).collect(),
@@ -259,8 +263,8 @@ impl<'r> Builder<'r> {
             model.maker_offsets.push(model.makers.len() as u32);
             let count = self.found[first..].partition_point(|found| found.group == group);
             let mut at = first;
-            for of_step in self.found[first..first + count].chunk_by(|a, b| a.made_at == b.made_at) {
-                if let Some(step) = of_step[0].made_at.checked_sub(1) {
+            for of_step in self.found[first..first + count].chunk_by(|a, b| a.created_at == b.created_at) {
+                if let Some(step) = of_step[0].created_at.checked_sub(1) {
                     model.makers.push([step, at as u32]);
                 }
                 at += of_step.len();

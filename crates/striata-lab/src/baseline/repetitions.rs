@@ -1,26 +1,28 @@
-//! Repetitions of a strip, left out while its indices go by.
+//! Removes repetitions from a strip while its indices stream by.
 //!
-//! Vertices that have become one stand side by side as `abab`, whose triangles have no area. Leaving out two indices
-//! at a time keeps the winding of all that follows: `abab` becomes `ab`, and by the same rule `aaaa` becomes `aa`.
+//! Two vertices that have collapsed into each other leave `abab`, whose triangles have no area. Removing
+//! two indices at a time keeps the winding of everything that follows: `abab` becomes `ab`, and by the
+//! same rule `aaaa` becomes `aa`.
 
 use std::hint::select_unpredictable;
 
-/// Stands where no index does; no vertex has this number.
+/// Placeholder for a missing index; no vertex has it.
 const NONE: u32 = u32::MAX;
 
-/// Writes what is left of a strip into the front of `slot`, which has room for all of it; returns how many indices
-/// that are, none where no triangle is left.
+/// Writes a strip without its repetitions to the front of `slot`, which has room for all of it. Returns
+/// the number of indices written, or 0 if no triangle remains.
 ///
-/// Coarse levels repeat without any pattern that a branch could learn, hence the selections.
+/// Coarse levels repeat in no pattern that a branch predictor could learn, hence the selections.
 pub(super) fn write_filtered(strip: impl Iterator<Item = u32>, slot: &mut [u32]) -> usize {
-    // The last four indices that stay.
+    // The last four indices kept.
     let [mut a, mut b, mut c, mut d] = [NONE; 4];
     let mut length = 0;
     for index in strip {
         let is_repetition = (b == d) & (c == index);
         slot[length] = index;
         length = (length + 1).wrapping_sub(2 * usize::from(is_repetition));
-        // What stood before `a` is not needed: what stays never ends in `abab`, so the next index stays too.
+        // The index before `a` is not needed: the output never ends in `abab`, so the next index is always
+        // kept.
         let next = [NONE, a, b, c];
         let select = |i: usize, otherwise| select_unpredictable(is_repetition, next[i], otherwise);
         [a, b, c, d] = [select(0, b), select(1, c), select(2, d), select(3, index)];
@@ -43,13 +45,13 @@ mod tests {
     }
 
     #[test]
-    fn repetitions_go_in_pairs() {
+    fn repetitions_are_removed_in_pairs() {
         assert_eq!(filtered(&[0, 1, 2, 1, 2, 3]), [0, 1, 2, 3]);
         assert_eq!(filtered(&[0, 1, 2, 1, 2, 1, 2, 3]), [0, 1, 2, 3]);
         assert_eq!(filtered(&[0, 1, 2, 2, 2, 2, 2, 2, 3, 4]), [0, 1, 2, 2, 3, 4]);
         assert_eq!(filtered(&[0, 1, 2, 2, 2, 3]), [0, 1, 2, 2, 2, 3], "an odd one keeps the winding");
         assert_eq!(filtered(&[0, 0, 1, 2]), [0, 0, 1, 2], "a first turn stays");
-        // What goes brings others together.
+        // A removal can create another repetition.
         assert_eq!(filtered(&[5, 0, 1, 2, 2, 2, 2, 1, 2, 1, 2, 6]), [5, 0, 1, 2, 2, 1, 2, 6]);
     }
 

@@ -1,24 +1,25 @@
-//! Which steps an instance of fragments has inserted: a set that is closed under what its steps stand on.
+//! The set of steps that an instance has refined, closed under dependency: a step's prerequisites are also
+//! in it.
 
-/// Not in the set.
+/// Marks a step that is not in the set.
 const NONE: u32 = u32::MAX;
 
-/// A set of steps that can be listed, asked and changed in constant time.
+/// A set of steps with constant-time lookup, insertion and removal, whose members can be listed.
 #[derive(Clone, Debug)]
 pub(super) struct StepSet {
-    /// The steps, in no order.
+    /// The steps, unordered.
     steps: Vec<u32>,
-    /// Where each step stands among them, or [`NONE`].
-    place_of: Vec<u32>,
-    /// Every step before is in the set.
+    /// Index of each step in `steps`, or [`NONE`].
+    index_of: Vec<u32>,
+    /// Every step before this one is in the set.
     lowest: u32,
-    /// No step from here on is in the set.
+    /// Neither this step nor any later one is in the set.
     highest: u32,
-    /// Scratch: steps that [`change_to`](Self::change_to) wants. All false between calls.
+    /// Scratch for [`change_to`](Self::change_to): the requested steps. All false between calls.
     is_wanted: Vec<bool>,
 }
 
-/// What leads from one set to another, in an order in which it can be done.
+/// The steps to remove and insert to get from one set to another, in a valid order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Change {
     /// Finest first.
@@ -31,16 +32,16 @@ impl StepSet {
     pub(super) fn new(step_count: usize) -> Self {
         Self {
             steps: Vec::new(),
-            place_of: vec![NONE; step_count],
+            index_of: vec![NONE; step_count],
             lowest: 0,
             highest: 0,
             is_wanted: vec![false; step_count],
         }
     }
 
-    /// Steps that could be in the set.
+    /// Upper bound of the steps that can be in the set.
     pub(super) fn limit(&self) -> usize {
-        self.place_of.len()
+        self.index_of.len()
     }
 
     pub(super) fn len(&self) -> usize {
@@ -53,12 +54,12 @@ impl StepSet {
 
     #[inline]
     pub(super) fn has(&self, step: u32) -> bool {
-        self.place_of[step as usize] != NONE
+        self.index_of[step as usize] != NONE
     }
 
     pub(super) fn insert(&mut self, step: u32) {
         debug_assert!(!self.has(step), "step {step} is inserted twice");
-        self.place_of[step as usize] = self.steps.len() as u32;
+        self.index_of[step as usize] = self.steps.len() as u32;
         self.steps.push(step);
         self.highest = self.highest.max(step + 1);
         if self.lowest == step {
@@ -68,10 +69,10 @@ impl StepSet {
 
     pub(super) fn remove(&mut self, step: u32) {
         debug_assert!(self.has(step), "step {step} is removed and not there");
-        let place = std::mem::replace(&mut self.place_of[step as usize], NONE) as usize;
-        self.steps.swap_remove(place);
-        if let Some(&moved) = self.steps.get(place) {
-            self.place_of[moved as usize] = place as u32;
+        let index = std::mem::replace(&mut self.index_of[step as usize], NONE) as usize;
+        self.steps.swap_remove(index);
+        if let Some(&moved) = self.steps.get(index) {
+            self.index_of[moved as usize] = index as u32;
         }
         self.lowest = self.lowest.min(step);
         if self.highest == step + 1 {
@@ -79,7 +80,7 @@ impl StepSet {
         }
     }
 
-    /// What leads to the first so many steps.
+    /// The change that leads to the first `split_count` steps.
     pub(super) fn change_to_level(&self, split_count: usize) -> Change {
         let is_in = |&step: &u32| self.has(step);
         Change {
@@ -88,7 +89,8 @@ impl StepSet {
         }
     }
 
-    /// What leads to the smallest set with `wanted` that is closed under what `needs_into` appends for a step of it.
+    /// The change to the smallest set that contains `wanted` and, for each of its steps, those that
+    /// `needs_into` appends.
     pub(super) fn change_to(
         &mut self,
         wanted: Vec<u32>,
@@ -113,7 +115,7 @@ impl StepSet {
     }
 
     pub(super) fn bytes(&self) -> usize {
-        4 * (self.steps.len() + self.place_of.len()) + self.is_wanted.len()
+        4 * (self.steps.len() + self.index_of.len()) + self.is_wanted.len()
     }
 }
 
@@ -134,7 +136,7 @@ mod tests {
     #[test]
     fn changes_lead_from_any_set_to_any_other() {
         let mut set = StepSet::new(6);
-        // Each step but 0 needs half of its number.
+        // Each step except 0 needs the one with half its index.
         let needs = |step: u32, out: &mut Vec<u32>| out.extend((step > 1).then_some(step / 2));
         let change = set.change_to(vec![5, 3, 5], needs);
         assert_eq!((change.removed, change.inserted), (vec![], vec![1, 2, 3, 5]));

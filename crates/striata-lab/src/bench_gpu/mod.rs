@@ -1,20 +1,21 @@
-//! `bench-gpu`: what a frame costs while the level changes, for each way to get a level onto the screen.
+//! `bench-gpu`: measures what a frame costs while the level changes, for each way of drawing a level.
 //!
-//! The linear test of \[RCRG06\], its figures 7 and 8: from the full mesh to the base by even steps, and back. What is looked at
-//! stays where it is, so that every way draws the same pixels and only triangles change.
+//! This is the linear test of \[RCRG06\], its figures 7 and 8: from the full mesh to the base in even
+//! steps, and back. The camera stays still, so every way draws the same pixels and only the triangles
+//! change.
 
-mod course;
+mod bench_scene;
 mod report;
-mod stage;
+mod timings;
 pub(crate) mod ways;
 
 use std::time::Instant;
 
 use striata_gpu::{Gpu, GpuOptions};
 
-use self::course::Course;
+use self::bench_scene::BenchScene;
 use self::report::{MeshReport, Report};
-use self::stage::Stage;
+use self::timings::Timings;
 use crate::args::BenchGpuArgs;
 use striata_command::args::Viewport;
 use striata_command::failure::Failure;
@@ -22,16 +23,16 @@ use striata_command::hush::hushed;
 use striata_command::input::Input;
 use striata_command::output::Output;
 
-/// Draws every mesh in every way, reports.
+/// Draws every mesh in every way and prints the report.
 ///
 /// # Errors
-/// Where there is no adapter, a mesh cannot be read, or a way has no such name.
+/// If no adapter is available, a mesh cannot be read, or a way's name is unknown.
 pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let entries = ways::entries(&args.way_names())?;
     let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
     let gpu = hushed(output, || Gpu::new(&options))?;
-    // All are opened first: a file that is not there is told before any work.
+    // Open all inputs first, so that a missing file is reported before any work is done.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let (Viewport(size), plan) = (args.size, args.strip_plan());
     let mut meshes = Vec::new();
@@ -39,10 +40,10 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
         let mut bar = output.bar();
         bar.phase("read");
         let mesh = input.mesh(output)?;
-        let blamed = |failure: Failure| failure.in_file(&input.name);
-        let stage = Stage::new(&gpu, (&input.name, &mesh), (size, &plan), &mut bar).map_err(blamed)?;
-        let course = Course::run(&stage, &entries, args.frames as usize, &mut bar).map_err(blamed)?;
-        meshes.push(MeshReport::new(input.file_name(), &stage, course));
+        let in_input = |failure: Failure| failure.in_file(&input.name);
+        let bench = BenchScene::new(&gpu, (&input.name, &mesh), (size, &plan), &mut bar).map_err(in_input)?;
+        let timings = Timings::run(&bench, &entries, args.frames as usize, &mut bar).map_err(in_input)?;
+        meshes.push(MeshReport::new(input.file_name(), &bench, timings));
     }
     let report = Report::new(&gpu, args, meshes, started);
     output.data(&report, &report.to_text())

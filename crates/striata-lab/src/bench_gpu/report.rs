@@ -1,24 +1,24 @@
-//! What was timed, as tables and as JSON.
+//! Report of `bench-gpu`: tables for people, and JSON.
 
 use std::time::Instant;
 
 use serde::Serialize;
 use striata_gpu::{Gpu, wgpu};
 
-use super::course::{Cost, Course, Spread};
-use super::stage::Stage;
+use super::bench_scene::BenchScene;
+use super::timings::{Cost, Spread, Timings};
 use super::ways;
 use crate::args::BenchGpuArgs;
 use striata_command::args::Viewport;
 use striata_command::output::{Table, grouped, lasted, sized};
 
-/// All meshes on one adapter.
+/// Results of all meshes on one adapter.
 #[derive(Serialize)]
 pub(super) struct Report {
     adapter: AdapterReport,
-    /// Width and height.
+    /// Width and height of the picture, in pixels.
     size: [u32; 2],
-    /// To the base mesh, and again on the way back.
+    /// Frames from the full mesh to the base mesh; the way back has as many.
     frames: u32,
     meshes: Vec<MeshReport>,
     secs: f64,
@@ -32,7 +32,7 @@ struct AdapterReport {
     draws_on_the_processor: bool,
 }
 
-/// One mesh.
+/// Results of one mesh.
 #[derive(Serialize)]
 pub(super) struct MeshReport {
     name: String,
@@ -46,16 +46,16 @@ pub(super) struct MeshReport {
 }
 
 impl MeshReport {
-    /// What a course has found.
-    pub(super) fn new(name: String, stage: &Stage<'_>, course: Course) -> Self {
-        let Course { costs: ways, rounds } = course;
+    /// Combines the mesh's counts with the measured times.
+    pub(super) fn new(name: String, bench: &BenchScene<'_>, timings: Timings) -> Self {
+        let Timings { costs: ways, rounds } = timings;
         Self {
             name,
-            vertex_count: stage.refinable.mesh.vertex_count(),
-            triangle_count: stage.refinable.mesh.triangle_count(),
-            base_triangle_count: stage.refinable.sequence.triangle_count_at(0),
-            step_count: stage.step_count(),
-            strip_count: stage.strips.strip_count(),
+            vertex_count: bench.refinable.mesh.vertex_count(),
+            triangle_count: bench.refinable.mesh.triangle_count(),
+            base_triangle_count: bench.refinable.sequence.triangle_count_at(0),
+            step_count: bench.step_count(),
+            strip_count: bench.strips.strip_count(),
             rounds,
             ways,
         }
@@ -97,7 +97,7 @@ impl MeshReport {
 }
 
 impl Report {
-    /// All of a run.
+    /// Collects the results of a whole run.
     pub(super) fn new(gpu: &Gpu, args: &BenchGpuArgs, meshes: Vec<MeshReport>, started: Instant) -> Self {
         let info = gpu.info();
         let Viewport(size) = args.size;
@@ -110,18 +110,16 @@ impl Report {
         Self { adapter, size, frames: args.frames, meshes, secs: started.elapsed().as_secs_f64() }
     }
 
-    /// Tables for people, with what is to be known about them.
+    /// Tables with explanations of their columns.
     pub(super) fn to_text(&self) -> String {
         let Self { adapter, size: [width, height], frames, .. } = self;
         let mut text = format!("{} ({}, {})\n", adapter.name, adapter.backend, adapter.driver);
         text.push_str(&format!(
             "{width} x {height} pixels; {frames} frames from the full mesh to the base, {frames} back\n"
         ));
-        text.push_str("times in milliseconds: the median of all frames, and what 95 % of them stay below\n");
+        text.push_str("times in milliseconds: the median of all frames, and the 95th percentile\n");
         if adapter.draws_on_the_processor {
-            text.push_str(
-                "this adapter draws on the processor: every pixel and each shader is its time, too\n",
-            );
+            text.push_str("this adapter draws on the CPU: its times include all shading\n");
         }
         self.meshes.iter().for_each(|mesh| mesh.add_text(&mut text));
         let used = |name: &str| self.meshes.iter().any(|mesh| mesh.ways.iter().any(|way| way.name == name));
@@ -129,16 +127,16 @@ impl Report {
         for entry in ways::all().iter().filter(|entry| used(entry.name)) {
             text.push_str(&format!("{}: {}\n", entry.name, entry.about));
         }
-        text.push_str("\nframe: from the wish for a level to the finished picture\n");
-        text.push_str("update: of that the processor, until all is handed over\n");
-        text.push_str("GPU: from its first command to its last by its own time stamps, without transfers\n");
+        text.push_str("\nframe: from requesting a level to the finished picture\n");
+        text.push_str("update: the part of it that the CPU needs to hand everything over\n");
+        text.push_str("GPU: from its first to its last command by GPU time stamps, without transfers\n");
         text.push_str(&format!("all measured in {}\n", lasted(self.secs)));
         text
     }
 }
 
 impl Spread {
-    /// Both in milliseconds.
+    /// Both values in milliseconds.
     fn cells(self) -> [String; 2] {
         [self.median, self.p95].map(|secs| format!("{:.3}", secs * 1e3))
     }

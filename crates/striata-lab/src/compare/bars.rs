@@ -1,4 +1,4 @@
-//! Charts of bars to the right: a group of bars for each name, one bar for each kind of value.
+//! Horizontal bar charts: a group of bars per name, with one bar per kind of value.
 
 use std::error::Error;
 
@@ -10,40 +10,40 @@ use super::plot::{FONT, FONT_PX, INK, RULE, SERIES, SIZE, SOFT};
 use super::scale::Scale;
 use striata_command::failure::Failure;
 
-/// A name and its values, one of each kind.
+/// A group of bars: a name and one value of each kind.
 #[derive(Clone, Debug)]
 pub(super) struct Bars {
-    /// What they are the values of.
+    /// Name of the group.
     pub(super) name: String,
-    /// As many as there are kinds, or fewer where the later ones are missing.
+    /// One value per kind; later ones may be missing.
     pub(super) values: Vec<f64>,
 }
 
-/// A chart to draw.
+/// A bar chart.
 #[derive(Clone, Debug)]
 pub(super) struct BarChart {
-    /// What is counted.
+    /// Title of the value axis.
     pub(super) title: &'static str,
     /// The kinds of values, in the order of their colors.
     pub(super) kinds: Vec<&'static str>,
-    /// From top to bottom.
+    /// The groups, from top to bottom.
     pub(super) bars: Vec<Bars>,
 }
 
-/// Pixels for names at the left, for values behind bars, for kinds on top and for the axis.
+/// Pixels reserved for names on the left, values behind bars, the legend on top, and the axis.
 const NAMES_PX: i32 = 215;
 const VALUES_PX: i32 = 84;
 const KINDS_PX: i32 = 48;
 const AXIS_PX: i32 = 66;
 
-/// The part of a group's height that is left free.
+/// Part of a group's height that stays empty.
 const GAP: f64 = 0.25;
 
 impl BarChart {
-    /// The chart as an SVG element.
+    /// Renders the chart as an SVG element.
     ///
     /// # Errors
-    /// Where it cannot be drawn, which is our fault.
+    /// If drawing fails, which would be a bug.
     pub(super) fn to_svg(&self) -> Result<String, Failure> {
         let mut svg = String::new();
         let drawn = self.draw(&SVGBackend::with_string(&mut svg, SIZE).into_drawing_area());
@@ -80,15 +80,15 @@ impl BarChart {
                 root.draw(&Rectangle::new(bar, color.filled()))?;
                 let style =
                     (FONT, value_px).into_font().color(&SOFT.0).pos(Pos::new(HPos::Left, VPos::Center));
-                let place = (across(value) + 6, ((from + to) / 2.0) as i32);
-                root.draw_text(&format!("{value:.1}"), &style, place)?;
+                let position = (across(value) + 6, ((from + to) / 2.0) as i32);
+                root.draw_text(&format!("{value:.1}"), &style, position)?;
             }
         }
         root.present()?;
         Ok(())
     }
 
-    /// A square of each color with what it stands for.
+    /// Draws the legend: a square in each color with its kind.
     fn draw_kinds(&self, root: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Box<dyn Error + '_>> {
         let mut x = NAMES_PX;
         for (kind, (color, _)) in self.kinds.iter().zip(SERIES) {
@@ -106,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_value_has_a_bar_and_a_number() {
+    fn every_value_has_a_bar_and_a_label() {
         let bars = |name: &str, values: &[f64]| Bars { name: name.to_owned(), values: values.to_vec() };
         let chart = BarChart {
             title: "bytes",
@@ -114,7 +114,7 @@ mod tests {
             bars: vec![bars("<first>", &[3.0, 41.5]), bars("second", &[7.0])],
         };
         let svg = chart.to_svg().unwrap();
-        // Three bars, and a square for each kind.
+        // Three bars, and a legend square for each kind.
         assert_eq!(svg.matches("<rect").count(), 5, "{svg}");
         for text in ["bytes", "one", "another", "&lt;first&gt;", "second", "3.0", "41.5", "7.0"] {
             assert!(svg.contains(text), "{text:?} is not in the chart");
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_zeros_are_drawn_too() {
+    fn empty_charts_and_zeros_can_be_drawn() {
         for bars in [Vec::new(), vec![Bars { name: "none".to_owned(), values: vec![0.0] }]] {
             assert!(BarChart { title: "bytes", kinds: vec!["one"], bars }.to_svg().is_ok());
         }

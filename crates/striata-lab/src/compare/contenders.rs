@@ -1,4 +1,4 @@
-//! The models that are compared: one line for each, and what is asked of all of them.
+//! The compared models, and the interface through which all of them are measured.
 
 use std::hint::black_box;
 use std::ops::Range;
@@ -17,74 +17,77 @@ use striata_strip::{StripOptions, stripify};
 use striata_command::failure::Failure;
 use striata_command::failure::unknown_name;
 
-/// What all models are built from.
+/// The inputs that all models are built from.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given<'g> {
+pub(super) struct ModelInputs<'g> {
     /// The mesh with its sequence.
     pub(super) refinable: &'g RefinableMesh,
-    /// The same as fragments.
+    /// The mesh as fragments.
     pub(super) fragmented: &'g FragmentedMesh,
     /// Strips of the full mesh.
     pub(super) strips: &'g StripSet,
-    /// How strips are made for models that store some of every level.
+    /// Strip options for models that stripify each level.
     pub(super) level_strips: &'g StripOptions,
 }
 
 /// A model that can be compared.
 #[derive(Debug)]
 pub(super) struct Entry {
-    /// Its name.
+    /// Name of the model.
     pub(super) name: &'static str,
     /// Whether it shows only some levels of the sequence.
     pub(super) has_few_levels: bool,
     build: Build,
 }
 
-type Build = fn(Given<'_>) -> Result<Box<dyn Contender>, Unbuilt>;
+type Build = fn(ModelInputs<'_>) -> Result<Box<dyn Contender>, BuildFailure>;
 
-/// Why there is no model.
+/// Reason why a model was not built.
 #[derive(Debug)]
-pub(super) enum Unbuilt {
-    /// Its published form cannot hold the mesh.
-    Refused(String),
-    /// It should have been built.
+pub(super) enum BuildFailure {
+    /// Its published form cannot represent the mesh.
+    Unsupported(String),
+    /// Building failed although it should have succeeded.
     Failed(Failure),
 }
 
-impl<E: Into<Failure>> From<E> for Unbuilt {
+impl<E: Into<Failure>> From<E> for BuildFailure {
     fn from(error: E) -> Self {
         Self::Failed(error.into())
     }
 }
 
-/// All of them; the colors of charts follow this order.
+/// All models; chart colors follow this order.
 const ENTRIES: [Entry; 13] = [
-    Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
-    Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),
-    Entry::new("fans", |given| built(|| Ok::<_, Failure>(Fans::build_without_bounds(given.refinable)))),
-    Entry::new("patterns", |given| built(|| Patterns::build_without_bounds(given.fragmented))),
-    Entry::new("lodstrips-original", |given| {
-        built(|| OriginalLodStrips::build(given.refinable, given.strips))
+    Entry::new("lodstrips", |inputs| built(|| LodStrips::build(inputs.refinable, inputs.strips))),
+    Entry::new("mts", |inputs| built(|| Mts::build(inputs.refinable, inputs.strips))),
+    Entry::new("fans", |inputs| built(|| Ok::<_, Failure>(Fans::build_without_bounds(inputs.refinable)))),
+    Entry::new("patterns", |inputs| built(|| Patterns::build_without_bounds(inputs.fragmented))),
+    Entry::new("lodstrips-original", |inputs| {
+        built(|| OriginalLodStrips::build(inputs.refinable, inputs.strips))
     }),
-    Entry::new("mts-graph", |given| built(|| MtsGraph::build(given.refinable, given.strips))),
-    Entry::new("skip-strips", |given| built(|| SkipStrips::build(given.refinable, given.strips))),
-    Entry::new("progressive-meshes", |given| {
-        built(|| Ok::<_, Failure>(ProgressiveMeshes::build(given.refinable)))
+    Entry::new("mts-graph", |inputs| built(|| MtsGraph::build(inputs.refinable, inputs.strips))),
+    Entry::new("skip-strips", |inputs| built(|| SkipStrips::build(inputs.refinable, inputs.strips))),
+    Entry::new("progressive-meshes", |inputs| {
+        built(|| Ok::<_, Failure>(ProgressiveMeshes::build(inputs.refinable)))
     }),
-    Entry::new("ordered-meshes", |given| built(|| Ok::<_, Failure>(OrderedMeshes::build(given.refinable)))),
-    Entry::new("loop-patterns", |given| {
-        built(|| LoopPatterns::build(given.fragmented).map_err(|error| Unbuilt::Refused(error.to_string())))
+    Entry::new("ordered-meshes", |inputs| built(|| Ok::<_, Failure>(OrderedMeshes::build(inputs.refinable)))),
+    Entry::new("loop-patterns", |inputs| {
+        built(|| {
+            LoopPatterns::build(inputs.fragmented)
+                .map_err(|error| BuildFailure::Unsupported(error.to_string()))
+        })
     }),
-    Entry::new("multi-triangulation", |given| {
-        built(|| Ok::<_, Failure>(MultiTriangulation::build(given.fragmented)))
+    Entry::new("multi-triangulation", |inputs| {
+        built(|| Ok::<_, Failure>(MultiTriangulation::build(inputs.fragmented)))
     }),
-    Entry::of_few_levels("discrete-5", |given| built(|| discrete(given, 5))),
-    Entry::of_few_levels("discrete-10", |given| built(|| discrete(given, 10))),
+    Entry::of_few_levels("discrete-5", |inputs| built(|| discrete(inputs, 5))),
+    Entry::of_few_levels("discrete-10", |inputs| built(|| discrete(inputs, 10))),
 ];
 
-fn discrete(given: Given<'_>, level_count: usize) -> Result<DiscreteLevels, Failure> {
-    let strips = |mesh: &_| stripify(mesh, given.level_strips);
-    let model = DiscreteLevels::build(given.refinable, level_count, strips);
+fn discrete(inputs: ModelInputs<'_>, level_count: usize) -> Result<DiscreteLevels, Failure> {
+    let strips = |mesh: &_| stripify(mesh, inputs.level_strips);
+    let model = DiscreteLevels::build(inputs.refinable, level_count, strips);
     model.map_err(|error| Failure::internal(error.to_string()))
 }
 
@@ -97,24 +100,24 @@ impl Entry {
         Self { name, has_few_levels: true, build }
     }
 
-    /// Builds the model, several times where that is quick.
+    /// Builds the model, several times if that is fast.
     ///
     /// # Errors
-    /// Where the published form refuses the mesh, or where it cannot be built, which is our fault.
-    pub(super) fn build(&self, given: Given<'_>) -> Result<Box<dyn Contender>, Unbuilt> {
-        (self.build)(given)
+    /// If the published form cannot represent the mesh, or if building fails, which would be a bug.
+    pub(super) fn build(&self, inputs: ModelInputs<'_>) -> Result<Box<dyn Contender>, BuildFailure> {
+        (self.build)(inputs)
     }
 }
 
-/// The names of all models.
+/// Names of all models.
 pub(crate) fn compared_models() -> impl Iterator<Item = &'static str> {
     ENTRIES.iter().map(|entry| entry.name)
 }
 
-/// The models of these names, each once and in our order.
+/// The models with these names, without duplicates and in the order of the list.
 ///
 /// # Errors
-/// Where a name is none of ours.
+/// If a name is unknown.
 pub(super) fn entries(names: &[&str]) -> Result<Vec<&'static Entry>, Failure> {
     let known: Vec<&str> = compared_models().collect();
     if let Some(unknown) = names.iter().find(|name| !known.contains(name)) {
@@ -124,48 +127,49 @@ pub(super) fn entries(names: &[&str]) -> Result<Vec<&'static Entry>, Failure> {
     Ok(ALL.iter().filter(|entry| names.contains(&entry.name)).collect())
 }
 
-/// A model with one instance, whatever its type.
+/// A model of any type, with one instance.
 pub(super) trait Contender {
-    /// The quickest of its builds, seconds.
+    /// Seconds of the fastest build.
     fn build_secs(&self) -> f64;
-    /// The level that it shows.
+    /// The current level.
     fn split_count(&self) -> usize;
-    /// Moves it to a level.
+    /// Moves the instance to a level.
     fn move_to(&mut self, split_count: usize);
-    /// Moves it one step at a time over these levels, down or up; how long that took. It must stand at one end.
+    /// Moves one step at a time over these levels, down or up, and returns how long that took. The
+    /// instance must be at the corresponding end.
     fn step_over(&mut self, levels: Range<usize>, is_down: bool) -> Duration;
-    /// What drawing it takes now.
+    /// The current draw counts.
     fn draw_counts(&self) -> DrawCounts;
-    /// How it is drawn.
+    /// The primitive topology.
     fn topology(&self) -> Topology;
-    /// Appends all that is drawn.
+    /// Appends all indices to draw.
     fn indices_into(&self, out: &mut Vec<u32>);
-    /// Appends the triangles that it shows.
+    /// Appends the triangles shown.
     fn triangles_into(&self, out: &mut Vec<[u32; 3]>);
     /// Bytes of the static half by part.
     fn bytes(&self) -> Vec<PartBytes>;
-    /// Bytes of the instance as it is now.
+    /// Current bytes of the instance.
     fn state_bytes(&self) -> usize;
     /// Bytes of the static half as the papers count.
     fn paper_bytes(&self, accounting: Accounting) -> usize;
 }
 
-struct Built<M: LodModel> {
+struct BuiltModel<M: LodModel> {
     model: M,
     state: M::State,
     build_secs: f64,
 }
 
-/// Builds a model up to [`BUILD_COUNT`] times, as long as that stays within [`BUILD_SECS`].
-fn built<M, E>(mut make: impl FnMut() -> Result<M, E>) -> Result<Box<dyn Contender>, Unbuilt>
+/// Builds a model up to [`BUILD_COUNT`] times within [`BUILD_SECS`].
+fn built<M, E>(mut make: impl FnMut() -> Result<M, E>) -> Result<Box<dyn Contender>, BuildFailure>
 where
     M: PaperBytes + 'static,
-    E: Into<Unbuilt>,
+    E: Into<BuildFailure>,
 {
     let mut timed = || {
         let started = Instant::now();
         let model = make().map_err(Into::into)?;
-        Ok::<_, Unbuilt>((model, started.elapsed().as_secs_f64()))
+        Ok::<_, BuildFailure>((model, started.elapsed().as_secs_f64()))
     };
     let (mut model, mut build_secs) = timed()?;
     let mut spent = build_secs;
@@ -173,22 +177,22 @@ where
         if spent >= BUILD_SECS {
             break;
         }
-        // The one before is gone first: two of them may be more than there is memory for.
+        // Drop the previous model first; memory may not suffice for two.
         drop(model);
         let (again, secs) = timed()?;
         (model, build_secs, spent) = (again, build_secs.min(secs), spent + secs);
     }
     let state = model.new_state();
-    Ok(Box::new(Built { model, state, build_secs }))
+    Ok(Box::new(BuiltModel { model, state, build_secs }))
 }
 
-/// Builds of a model, at most; the quickest is told.
+/// Maximum number of builds per model; the fastest one is reported.
 const BUILD_COUNT: usize = 3;
 
 /// Seconds after which a model is not built again.
 const BUILD_SECS: f64 = 1.0;
 
-impl<M: PaperBytes> Contender for Built<M> {
+impl<M: PaperBytes> Contender for BuiltModel<M> {
     fn build_secs(&self) -> f64 {
         self.build_secs
     }

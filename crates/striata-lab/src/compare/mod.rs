@@ -1,12 +1,12 @@
-//! `compare`: what there is to choose from, measured on the same meshes, as tables, JSON and a page with charts.
+//! `compare`: measures models, stripifiers and streams on the same meshes and reports tables, JSON and a
+//! page with charts.
 //!
-//! Each part that measures something is a file here with its `measure`, its `table` of rows for people, and its
-//! `section` of the page; this file puts parts and meshes together.
+//! Each part of the comparison is a module with a `measure` function, a `table` for the text report, and a
+//! `section` of the page. This module combines parts and meshes.
 
 mod assets;
 mod bars;
 mod contenders;
-mod contest;
 mod labels;
 mod model_charts;
 mod models;
@@ -21,6 +21,7 @@ mod rate;
 mod scale;
 mod stripifiers;
 mod sweep;
+mod timed_model;
 mod tunnels;
 mod views;
 mod walks;
@@ -77,7 +78,7 @@ struct MeshReport {
     rate: Option<RateReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     assets: Option<AssetsReport>,
-    /// Empty where no paper measured this mesh.
+    /// Empty if no paper measured this mesh.
     papers: Vec<PaperRow>,
 }
 
@@ -88,17 +89,17 @@ struct StripsReport {
     stripifiers: Vec<StripifierRow>,
 }
 
-/// Measures every mesh, writes the page, reports.
+/// Measures every mesh, writes the page, and prints the report.
 ///
 /// # Errors
-/// Where a mesh cannot be read or the page not be written.
+/// If a mesh cannot be read or the page cannot be written.
 pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let page_to_stdout = args.html.as_deref().is_some_and(is_stdout);
     output.check_stdout_is_free(page_to_stdout)?;
     args.html.as_deref().map_or(Ok(()), check_folder)?;
     contenders::entries(&args.models.names())?;
-    // All are opened first: a file that is not there is told before minutes of work.
+    // Open all inputs first, so that a missing file is reported before minutes of work.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let meshes: Vec<MeshReport> =
         inputs.iter().map(|input| measure(input, args, output)).collect::<Result<_, _>>()?;
@@ -120,11 +121,11 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
 
 fn measure(input: &Input, args: &CompareArgs, output: &Output) -> Result<MeshReport, Failure> {
     let mesh = input.mesh(output)?;
-    let blamed = |failure: Failure| failure.in_file(&input.name);
+    let in_input = |failure: Failure| failure.in_file(&input.name);
     let say = |what: &str| output.say(&format!("{}: {what}", input.name));
     let mut bar = output.bar();
     let report = measure_mesh(input.file_name(), mesh, args, &mut bar, &say);
-    report.map_err(blamed)
+    report.map_err(in_input)
 }
 
 fn measure_mesh(
@@ -156,7 +157,7 @@ fn measure_mesh(
         triangle_count: mesh.triangle_count(),
         component_count,
         strips,
-        papers: models.as_ref().map_or_else(Vec::new, papers::beside),
+        papers: models.as_ref().map_or_else(Vec::new, papers::compare),
         models,
         views,
         patterns,
@@ -205,7 +206,7 @@ impl Report {
 
 impl MeshReport {
     fn summary(&self) -> String {
-        // Not a bound for `cheapest`, which also joins strips at vertices.
+        // The bound does not apply to `cheapest`, which also joins strips at vertices.
         let bound = self.strips.as_ref().map_or_else(String::new, |strips| {
             format!("; at least {} along its edges", counted(strips.strip_count_bound, "strip", "strips"))
         });
@@ -223,7 +224,7 @@ impl MeshReport {
             text.push('\n');
         }
         if !self.papers.is_empty() {
-            text.push_str(&format!("Beside the papers: {}\n", papers::READING));
+            text.push_str(&format!("Compared with the papers: {}\n", papers::READING));
             text.push_str(&text_of(papers::table(&self.papers)));
             text.push('\n');
         }
@@ -288,7 +289,7 @@ fn text_of(rows: Vec<Vec<String>>) -> String {
     table.to_text()
 }
 
-/// The command line as a shell takes it again.
+/// Formats the command line so that it can be pasted into a shell.
 fn command_line(arguments: impl Iterator<Item = String>) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./:,=+%@".contains(c);
     let quoted = arguments.map(|argument| {
@@ -307,12 +308,12 @@ fn machine() -> String {
     format!("striata {version} on {system}, {processor}, {threads} threads{peers}")
 }
 
-/// A page that cannot be written is told before the work, not after.
+/// Reports that the page cannot be written before the measurements instead of after them.
 fn check_folder(path: &Path) -> Result<(), Failure> {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
             Err(Failure::user(format!("{}: there is no folder {}", path.display(), folder.display()))
-                .with_hint("make the output's folder first"))
+                .with_hint("create the output folder first"))
         }
         _ => Ok(()),
     }
@@ -323,7 +324,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_command_line_can_be_pasted() {
+    fn command_line_can_be_pasted() {
         let line = |arguments: &[&str]| command_line(arguments.iter().map(|&a| a.to_owned()));
         assert_eq!(line(&["compare", "a.ply", "--seeds", "3"]), "striata-lab compare a.ply --seeds 3");
         assert_eq!(line(&["it's here.ply", ""]), "striata-lab 'it'\\''s here.ply' ''");

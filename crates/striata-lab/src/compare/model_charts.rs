@@ -1,4 +1,4 @@
-//! Models on the page: what they take, and how they go through the walks, as charts and tables.
+//! Page sections of the models: charts and tables of their memory and of their walks.
 
 use super::bars::{BarChart, Bars};
 use super::models::{Basis, ModelRow, ModelsReport, POSITION_BYTES, table, walk_table};
@@ -8,27 +8,29 @@ use super::scale::Scale;
 use super::walks::{self, Pace};
 use striata_command::failure::Failure;
 
-/// The same as charts and tables.
+/// The page sections of a models report.
 ///
 /// # Errors
-/// Where a chart cannot be drawn.
+/// If a chart cannot be drawn.
 pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
     let Basis { frames, rounds, .. } = report.basis;
     let space = Section {
         title: "Models".to_owned(),
         intro: format!(
-            "{}.{} All models are built from the same sequence, and those of strips from the same strips; at every level they show \
-             the same triangles, but those of few levels show a coarser one where they lack it. Bytes a vertex \
-             are those of what is built once, without positions; the next two columns add {POSITION_BYTES} bytes a vertex \
-             for positions. What the papers count: their structures, 4 bytes a number, an index or a pointer, positions \
-             added. Plain is positions and strips without levels. An instance is what each object on the screen owns \
-             besides, in bytes a vertex. Steps: from the full mesh to the base and back, one at a time. Random access: \
-             the mean move between random levels. Of each, the quickest of {rounds} rounds in which models take turns.",
+            "{}.{} All models are built from the same sequence, and strip models from the same strips; \
+             at every level they show the same triangles; models with few levels show the next coarser \
+             one. Bytes per vertex are those of the static data without positions; the next two columns \
+             add {POSITION_BYTES} bytes per vertex for positions. Papers count their own structures with \
+             4 bytes per number, index or pointer, here with positions added. Plain means positions and \
+             strips without levels. Instance is the additional memory of each object on the screen, in \
+             bytes per vertex. Steps: from the full mesh to the base and back, one at a time. Random \
+             access: the mean move between random levels. Each time is the fastest of {rounds} rounds, \
+             in which the models take turns.",
             report.basis.summary(),
             report.refusals()
         ),
         blocks: vec![
-            Block::bars(&space_chart(report), "Bytes a vertex of each model")?,
+            Block::bars(&space_chart(report), "Bytes per vertex of each model")?,
             Block::chart(&space_and_time(report), "Space against time")?,
             Block::WideTable(table(report)),
         ],
@@ -38,13 +40,15 @@ pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
         sections.push(Section {
             title: format!("{} walk", pace.title()),
             intro: format!(
-                "{} There are {frames} frames from near to far and as many back; tables show means over all, charts each \
-                 frame, both ways averaged. Extraction is moving to the level; sending copies all indices to a buffer, which \
-                 is what immediate mode asks of the processor; fans and ordered meshes make their triangles only then. Of each frame, the \
-                 quickest of {rounds} rounds; what takes less than 0.1 µs takes no longer than looking at the clock.",
+                "{} There are {frames} frames from near to far and as many back; tables show means over \
+                 all, charts each frame, averaged over both directions. Extraction is moving to the \
+                 level; sending copies all indices to a buffer, which is the CPU work of immediate mode; \
+                 fans and ordered meshes create their triangles only then. Times are the fastest of \
+                 {rounds} rounds; times below 0.1 µs are within the cost of reading the clock.",
                 match pace {
                     Pace::Linear => "The level falls evenly with time.",
-                    Pace::Exponential => "The level changes much while the object is near, and little far away.",
+                    Pace::Exponential =>
+                        "The level changes much while the object is near, and little far away.",
                 }
             ),
             blocks: walk_blocks(report, pace)?,
@@ -61,7 +65,7 @@ fn space_chart(report: &ModelsReport) -> BarChart {
     };
     let plain = per_vertex(report.basis.plain_bytes);
     BarChart {
-        title: "bytes a vertex, positions included",
+        title: "bytes per vertex, including positions",
         kinds: vec!["as stored", "as the papers count"],
         bars: std::iter::once(Bars { name: "plain strips".to_owned(), values: vec![plain] })
             .chain(report.rows.iter().map(bars))
@@ -69,7 +73,7 @@ fn space_chart(report: &ModelsReport) -> BarChart {
     }
 }
 
-/// Every model as a point: what it takes, and how long a frame of the linear walk does.
+/// Each model as a point: memory against the frame time of the linear walk.
 fn space_and_time(report: &ModelsReport) -> Chart {
     let points: Vec<(f64, f64)> = report
         .rows
@@ -85,7 +89,7 @@ fn space_and_time(report: &ModelsReport) -> Chart {
         spread: Vec::new(),
     });
     Chart {
-        x_title: "bytes a vertex, positions included",
+        x_title: "bytes per vertex, including positions",
         y_title: "extraction and sending, µs",
         x: Scale::linear(points.iter().map(|point| point.0).chain([0.0])),
         y: Scale::log(points.iter().map(|point| point.1)),
@@ -102,7 +106,7 @@ fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure>
             .map(|row| {
                 let walk = &row.walk(pace).series;
                 let points = walk.frame.iter().map(|&frame| frame as f64).zip(values(walk));
-                // Without points a model still has its color.
+                // A model without points still reserves its color.
                 let is_shown = row.draws_strips || !only_strips;
                 Series {
                     name: row.name.to_owned(),

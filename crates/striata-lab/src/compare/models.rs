@@ -1,5 +1,5 @@
-//! Multiresolution models side by side: all are built from one sequence and one set of strips, held to the oracle,
-//! and then timed at the same work.
+//! Compares multiresolution models: all are built from one sequence and one set of strips, checked against
+//! the oracle, and timed on the same work.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -14,9 +14,9 @@ use striata::simplify::{
 };
 use striata_lab::Accounting;
 
-use super::contenders::{Entry, Given, Unbuilt, entries};
-use super::contest::{Contestant, hold};
+use super::contenders::{BuildFailure, Entry, ModelInputs, entries};
 use super::oracle::{Checked, check};
+use super::timed_model::{TimedModel, run_rounds};
 use super::walks::{Pace, WalkReport};
 use crate::args::ModelArgs;
 use striata_command::failure::Failure;
@@ -24,100 +24,100 @@ use striata_command::output::{Bar, grouped, lasted};
 use striata_command::strip_chain::Stripped;
 use striata_command::strip_report::StripReport;
 
-/// Bytes of a position: what the papers count for a vertex.
+/// Bytes of a position, which the papers count per vertex.
 pub(super) const POSITION_BYTES: usize = 12;
 
-/// What all models of a mesh were built from, and the models.
+/// All models of a mesh, and what they were built from.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct ModelsReport {
-    /// What they were built from.
+    /// The data that the models were built from.
     #[serde(rename = "models_of")]
     pub(super) basis: Basis,
-    /// A row for each.
+    /// One row per model.
     #[serde(rename = "models")]
     pub(super) rows: Vec<ModelRow>,
-    /// Those whose published form cannot hold the mesh.
+    /// Models whose published form cannot represent the mesh.
     #[serde(rename = "models_refused")]
     refused: Vec<Refusal>,
 }
 
-/// A model whose published form cannot hold the mesh.
+/// A model whose published form cannot represent the mesh.
 #[derive(Clone, Debug, Serialize)]
 struct Refusal {
     name: &'static str,
     cannot_be_built: String,
 }
 
-/// What all models of a mesh were built from.
+/// The data that all models of a mesh are built from.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Basis {
-    /// Vertices after welding.
+    /// Number of vertices after welding.
     pub(super) vertex_count: usize,
-    /// Triangles after welding.
+    /// Number of triangles after welding.
     pub(super) triangle_count: usize,
     step_count: usize,
     base_triangle_count: usize,
     /// Strips of the full mesh.
     pub(super) strips: StripReport,
-    /// Positions, and the indices of those strips: a mesh without levels.
+    /// Bytes of positions and strip indices: a mesh without levels.
     pub(super) plain_bytes: usize,
-    /// Seconds that the sequence took.
+    /// Seconds to build the sequence.
     pub(super) sequence_secs: f64,
-    /// Of each way of a walk.
+    /// Frames in each direction of a walk.
     pub(super) frames: usize,
-    /// That the models took turns in.
+    /// Number of rounds in which the models took turns.
     pub(super) rounds: usize,
 }
 
-/// What was measured of one model.
+/// Measurements of one model.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct ModelRow {
-    /// The model.
+    /// Name of the model.
     pub(super) name: &'static str,
-    /// Of the static half, without positions.
+    /// Bytes of the static half, without positions.
     bytes: usize,
     bytes_per_vertex: f64,
     parts: Map<String, Value>,
-    /// With positions.
+    /// Including positions.
     pub(super) total_bytes: usize,
-    /// Of `total_bytes`.
+    /// Ratio of `total_bytes` to the plain mesh.
     pub(super) ratio_to_plain: f64,
-    /// With positions, as the papers count.
+    /// Including positions, as the papers count.
     pub(super) paper_bytes: usize,
-    /// The same where an integer takes 2 bytes.
+    /// Like `paper_bytes`, but with 2 bytes per integer.
     pub(super) short_paper_bytes: usize,
     paper_bytes_per_vertex: f64,
-    /// Of `paper_bytes`.
+    /// Ratio of `paper_bytes` to the plain mesh.
     pub(super) paper_ratio_to_plain: f64,
-    /// Of an instance that shows the full mesh.
+    /// Bytes of an instance that shows the full mesh.
     state_bytes: usize,
-    /// From the sequence and the strips.
+    /// Seconds to build the model from the sequence and the strips.
     pub(super) build_secs: f64,
-    /// None where the model has too few levels for steps.
+    /// None if the model has too few levels for single steps.
     sweep_ns_per_step: Option<f64>,
     swept_step_count: usize,
     seek_secs: f64,
-    /// Else it draws single triangles.
+    /// Whether it draws strips instead of single triangles.
     #[serde(skip)]
     pub(super) draws_strips: bool,
-    /// By pace.
+    /// Reports of the walks, by pace.
     walks: BTreeMap<&'static str, WalkReport>,
 }
 
-/// A mesh with its sequence, which all models are built from.
+/// A mesh with the sequence that all models are built from.
 #[derive(Debug)]
 pub(super) struct Sequenced {
     /// The welded mesh with its sequence.
     pub(super) refinable: RefinableMesh,
-    /// Seconds that it took.
+    /// Seconds to build the sequence.
     pub(super) secs: f64,
 }
 
 impl Sequenced {
-    /// Welds and builds the sequence; with errors that hold in any state if asked to.
+    /// Welds the mesh and builds its sequence, with certified errors for any state if `is_certified`.
     ///
     /// # Errors
-    /// Where the mesh does not hang together.
+    /// If the mesh is inconsistent.
     pub(super) fn build(
         mesh: &IndexedMesh,
         is_certified: bool,
@@ -126,7 +126,8 @@ impl Sequenced {
     ) -> Result<Self, Failure> {
         say("the sequence");
         let started = Instant::now();
-        // Published models are for manifolds and for steps that keep them: all models get what all can hold.
+        // Published models require manifolds and steps that preserve the topology, so all models get what
+        // all can represent.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let built =
             build_welded_sequence_with_progress(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
@@ -141,10 +142,10 @@ impl Sequenced {
     }
 }
 
-/// Builds the strips and the models, checks and times them.
+/// Builds the strips and the models, then checks and times them.
 ///
 /// # Errors
-/// Where a name is no model, or a model shows something else than the sequence.
+/// If a name is not a model, or a model shows wrong triangles.
 pub(super) fn measure(
     sequenced: &Sequenced,
     args: &ModelArgs,
@@ -159,30 +160,36 @@ pub(super) fn measure(
     let (frames, step_count) = (args.frames as usize, refinable.sequence.step_count());
     let level_strips = plan.search.options(plan.chain.last());
     let fragmented = FragmentedMesh::from_collapses(refinable);
-    let given =
-        Given { refinable, fragmented: &fragmented, strips: &stripped.strips, level_strips: &level_strips };
-    let (mut contestants, mut refused) = (Vec::new(), Vec::new());
+    let inputs = ModelInputs {
+        refinable,
+        fragmented: &fragmented,
+        strips: &stripped.strips,
+        level_strips: &level_strips,
+    };
+    let (mut timed_models, mut refused) = (Vec::new(), Vec::new());
     for entry in entries {
         say(entry.name);
-        match entry.build(given) {
-            Ok(contender) => contestants.push(Contestant::new(entry, contender, step_count, frames)),
-            Err(Unbuilt::Refused(why)) => refused.push(Refusal { name: entry.name, cannot_be_built: why }),
-            Err(Unbuilt::Failed(failure)) => return Err(failure),
+        match entry.build(inputs) {
+            Ok(contender) => timed_models.push(TimedModel::new(entry, contender, step_count, frames)),
+            Err(BuildFailure::Unsupported(why)) => {
+                refused.push(Refusal { name: entry.name, cannot_be_built: why })
+            }
+            Err(BuildFailure::Failed(failure)) => return Err(failure),
         }
     }
     drop(fragmented);
     bar.phase("check");
-    let mut checked: Vec<Checked<'_>> = contestants.iter_mut().map(Contestant::checked).collect();
+    let mut checked: Vec<Checked<'_>> = timed_models.iter_mut().map(TimedModel::checked).collect();
     check(&mut checked, refinable)?;
     say("all models in turn");
-    let rounds = hold(&mut contestants, step_count, &mut |share| bar.share("timing", share));
+    let rounds = run_rounds(&mut timed_models, step_count, &mut |share| bar.share("timing", share));
     let strips = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped, plan.cache_size())?;
     let basis = Basis::new(refinable, (&stripped, strips), *sequence_secs, (frames, rounds));
-    let rows = contestants.iter_mut().map(|contestant| ModelRow::new(contestant, refinable, &basis));
+    let rows = timed_models.iter_mut().map(|timed_model| ModelRow::new(timed_model, refinable, &basis));
     Ok(ModelsReport { rows: rows.collect(), basis, refused })
 }
 
-impl Contestant {
+impl TimedModel {
     fn checked(&mut self) -> Checked<'_> {
         let Entry { name, has_few_levels, .. } = *self.entry;
         Checked { name, has_few_levels, contender: &mut *self.contender }
@@ -211,10 +218,11 @@ impl Basis {
         }
     }
 
-    /// What models are built from, in a sentence.
+    /// Describes the data that models are built from in one sentence.
     pub(super) fn summary(&self) -> String {
         format!(
-            "{} steps from {} triangles down to {}; {} strips ({}) of {} indices; positions and these take {:.1} bytes a vertex",
+            "{} steps from {} triangles down to {}; {} strips ({}) of {} indices; positions and \
+             strips take {:.1} bytes per vertex",
             grouped(self.step_count),
             grouped(self.triangle_count),
             grouped(self.base_triangle_count),
@@ -227,9 +235,9 @@ impl Basis {
 }
 
 impl ModelRow {
-    fn new(contestant: &mut Contestant, refinable: &RefinableMesh, basis: &Basis) -> Self {
-        contestant.contender.move_to(basis.step_count);
-        let contender = &*contestant.contender;
+    fn new(timed_model: &mut TimedModel, refinable: &RefinableMesh, basis: &Basis) -> Self {
+        timed_model.contender.move_to(basis.step_count);
+        let contender = &*timed_model.contender;
         let parts = contender.bytes();
         let bytes: usize = parts.iter().map(|part| part.bytes).sum();
         let positions = POSITION_BYTES * basis.vertex_count;
@@ -237,12 +245,12 @@ impl ModelRow {
             (bytes + positions, contender.paper_bytes(Accounting::Words) + positions);
         let ratio = |bytes: usize| bytes as f64 / basis.plain_bytes.max(1) as f64;
         let per_vertex = |bytes: usize| bytes as f64 / basis.vertex_count.max(1) as f64;
-        let reports = contestant.walks().iter().map(|walk| {
+        let reports = timed_model.walks().iter().map(|walk| {
             let report = walk.report(&refinable.sequence);
             (walk.pace().as_str(), report)
         });
         Self {
-            name: contestant.entry.name,
+            name: timed_model.entry.name,
             bytes,
             bytes_per_vertex: per_vertex(bytes),
             parts: parts.iter().map(|part| (part.name.to_owned(), part.bytes.into())).collect(),
@@ -254,22 +262,22 @@ impl ModelRow {
             paper_ratio_to_plain: ratio(paper_bytes),
             state_bytes: contender.state_bytes(),
             build_secs: contender.build_secs(),
-            sweep_ns_per_step: contestant.sweep().ns_per_step(),
-            swept_step_count: contestant.sweep().step_count(),
-            seek_secs: contestant.seek_secs(),
+            sweep_ns_per_step: timed_model.sweep().ns_per_step(),
+            swept_step_count: timed_model.sweep().step_count(),
+            seek_secs: timed_model.seek_secs(),
             draws_strips: contender.topology() == Topology::Strips,
             walks: reports.collect(),
         }
     }
 
-    /// What one of its walks took.
+    /// The report of one of its walks.
     pub(super) fn walk(&self, pace: Pace) -> &WalkReport {
         &self.walks[pace.as_str()]
     }
 }
 
 impl ModelsReport {
-    /// Which models cannot be built, and why, in sentences; nothing where all can.
+    /// Sentences naming the models that cannot be built, with reasons; empty if there are none.
     pub(super) fn refusals(&self) -> String {
         let why =
             |refusal: &Refusal| format!(" {} cannot be built: {}.", refusal.name, refusal.cannot_be_built);
@@ -277,18 +285,18 @@ impl ModelsReport {
     }
 }
 
-/// Head and rows: what models take, and how quickly they move.
+/// Header and rows: memory and speed of the models.
 pub(super) fn table(report: &ModelsReport) -> Vec<Vec<String>> {
     let head = [
         "model",
-        "bytes a vertex",
+        "bytes per vertex",
         "with positions",
         "x plain",
         "as the papers count",
         "x plain",
         "instance",
         "build",
-        "ns a step",
+        "ns per step",
         "random access",
     ];
     let mut table = vec![head.map(str::to_owned).to_vec()];
@@ -304,13 +312,13 @@ pub(super) fn table(report: &ModelsReport) -> Vec<Vec<String>> {
             per_vertex(row.state_bytes),
             lasted(row.build_secs),
             row.sweep_ns_per_step.map_or_else(|| "-".to_owned(), nanos),
-            precisely(row.seek_secs),
+            precise_duration(row.seek_secs),
         ]);
     }
     table
 }
 
-/// Head and rows of one walk.
+/// Header and rows of one walk.
 pub(super) fn walk_table(report: &ModelsReport, pace: Pace) -> Vec<Vec<String>> {
     let head = ["model", "extraction", "with sending", "indices", "strips", "triangles"];
     let mut table = vec![head.map(str::to_owned).to_vec()];
@@ -319,8 +327,8 @@ pub(super) fn walk_table(report: &ModelsReport, pace: Pace) -> Vec<Vec<String>> 
         let walk = row.walk(pace);
         table.push(vec![
             row.name.to_owned(),
-            precisely(walk.extract_secs),
-            precisely(walk.extract_and_send_secs),
+            precise_duration(walk.extract_secs),
+            precise_duration(walk.extract_and_send_secs),
             rounded(walk.index_count),
             if row.draws_strips { rounded(walk.strip_count) } else { "-".to_owned() },
             rounded(walk.triangle_count),
@@ -333,12 +341,12 @@ fn nanos(ns: f64) -> String {
     if ns < 1000.0 { format!("{ns:.1}") } else { grouped(ns.round() as usize) }
 }
 
-/// A duration with digits that tell quick models apart.
-fn precisely(secs: f64) -> String {
+/// Formats a duration with enough digits to distinguish fast models.
+fn precise_duration(secs: f64) -> String {
     if secs < 1e-4 { format!("{:.2} µs", secs * 1e6) } else { lasted(secs) }
 }
 
-/// The tables for people, with what is to be known about them.
+/// The tables, with explanations of their columns.
 pub(super) fn to_text(report: &ModelsReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {
     let mut text =
         format!("Models: {}.{}\n{}", report.basis.summary(), report.refusals(), text_of(table(report)));

@@ -1,48 +1,48 @@
-//! The page of a comparison: for each mesh its sections, each with charts and tables.
+//! The HTML page of a comparison: sections for each mesh, each with charts and tables.
 
 use super::bars::BarChart;
 use super::plot::{self, Chart};
 use striata_command::failure::Failure;
 use striata_command::page::{STYLE, escaped, fill, table};
 
-/// The page with `{{NAMES}}` where content goes.
+/// The page, with placeholders such as `{{MESHES}}`.
 const TEMPLATE: &str = include_str!("page.html");
 
-/// One question and its answers.
+/// A section of the page: a topic with charts and tables.
 #[derive(Clone, Debug)]
 pub(super) struct Section {
-    /// The heading.
+    /// Heading of the section.
     pub(super) title: String,
-    /// How to read it.
+    /// Introduction that explains the section.
     pub(super) intro: String,
-    /// What is shown; two stand side by side where there is room.
+    /// Charts and tables; two fit next to each other on wide screens.
     pub(super) blocks: Vec<Block>,
 }
 
 /// A chart or a table.
 #[derive(Clone, Debug)]
 pub(super) enum Block {
-    /// A chart, and what it shows in words.
+    /// A chart and its text alternative.
     Chart { svg: String, alt: String },
-    /// Head and rows, of plain text.
+    /// Header and rows, as plain text.
     Table(Vec<Vec<String>>),
     /// A table that takes the whole width.
     WideTable(Vec<Vec<String>>),
 }
 
 impl Block {
-    /// Draws the chart.
+    /// Draws a chart.
     ///
     /// # Errors
-    /// Where it cannot be drawn.
+    /// If drawing fails.
     pub(super) fn chart(chart: &Chart, alt: &str) -> Result<Self, Failure> {
         Ok(Self::Chart { svg: chart.to_svg()?, alt: alt.to_owned() })
     }
 
-    /// Draws the bars.
+    /// Draws a bar chart.
     ///
     /// # Errors
-    /// Where they cannot be drawn.
+    /// If drawing fails.
     pub(super) fn bars(chart: &BarChart, alt: &str) -> Result<Self, Failure> {
         Ok(Self::Chart { svg: chart.to_svg()?, alt: alt.to_owned() })
     }
@@ -77,18 +77,18 @@ impl Section {
     }
 }
 
-/// A mesh on the page.
+/// The part of the page about one mesh.
 #[derive(Clone, Debug)]
 pub(super) struct MeshPart {
-    /// Its name.
+    /// Name of the mesh.
     pub(super) name: String,
-    /// What it is like, in a line.
+    /// One-line summary of the mesh.
     pub(super) summary: String,
-    /// What was measured on it.
+    /// The sections of its measurements.
     pub(super) sections: Vec<Section>,
 }
 
-/// The page, complete in itself: it needs neither a network nor another file.
+/// Renders the page, which is self-contained: it needs neither a network nor other files.
 pub(super) fn render(command: &str, machine: &str, meshes: &[MeshPart]) -> String {
     fill(TEMPLATE, |name| match name {
         "STYLE" => STYLE.to_owned(),
@@ -96,7 +96,7 @@ pub(super) fn render(command: &str, machine: &str, meshes: &[MeshPart]) -> Strin
         "COMMAND" => escaped(command),
         "MACHINE" => escaped(machine),
         "MESHES" => meshes.iter().map(mesh_to_html).collect(),
-        unknown => unreachable!("the template asks for {unknown}"),
+        unknown => unreachable!("the template contains an unknown placeholder {unknown}"),
     })
 }
 

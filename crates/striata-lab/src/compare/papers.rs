@@ -1,8 +1,8 @@
-//! What the papers published about their meshes, beside what is measured here.
+//! Figures that the papers published for their meshes, compared with those measured here.
 //!
-//! A mesh is known by its number of triangles. Their figures are constants with the table that they stand in; ours are
-//! those of this run, in their accounting as far as it is known, and as stored. Times are those of other machines: theirs
-//! say what was slow and what was quick, not how quick it is.
+//! Meshes are recognized by their number of triangles. Published figures are constants, tagged with the
+//! table they come from. Ours are from this run: in the paper's accounting as far as it is known, and as
+//! stored. Published times are from other machines; they show relative speeds, not absolute ones.
 
 use serde::Serialize;
 
@@ -11,27 +11,27 @@ use super::page::{Block, Section};
 use super::walks::Pace;
 use striata_command::output::grouped;
 
-/// How to read the table, for people.
+/// Explanation of the table.
 pub(super) const READING: &str = "theirs as published, ours of this run; MB = 10^6 bytes, positions included";
 
-/// A published figure, and ours.
+/// A published figure and ours.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct PaperRow {
-    /// Where it stands.
+    /// The paper and table of the figure.
     source: &'static str,
-    /// What was measured.
+    /// The measured quantity.
     what: &'static str,
     unit: &'static str,
     theirs: f64,
-    /// In their accounting; null where the model was not measured.
+    /// Ours in the paper's accounting; null if the model was not measured.
     ours: Option<f64>,
-    /// As stored, where that differs.
+    /// Ours as stored, if that differs.
     ours_as_stored: Option<f64>,
-    /// What ours is the figure of.
+    /// The model or data that ours refers to.
     of: &'static str,
 }
 
-/// A figure that was published.
+/// A published figure.
 struct Published {
     source: &'static str,
     what: &'static str,
@@ -39,16 +39,16 @@ struct Published {
     figure: Figure,
 }
 
-/// What a published figure says.
+/// The kind of a published figure.
 #[derive(Clone, Copy)]
 enum Figure {
     Vertices,
     Triangles,
     Strips,
     PlainMegabytes,
-    /// Of one of our models.
+    /// Memory of one of our models.
     Megabytes(&'static str),
-    /// The same where an integer takes 2 bytes.
+    /// Like `Megabytes`, but with 2 bytes per integer.
     ShortMegabytes(&'static str),
     Ratio(&'static str),
     RenderMillis(&'static str),
@@ -64,7 +64,7 @@ const BRR02_2: &str = "[BRR02] table 2";
 const RCRG06_1: &str = "[RCRG06] table 1";
 const RCRG06_2: &str = "[RCRG06] table 2";
 
-/// The papers' names of models, and ours.
+/// Names of our models for those of the papers.
 const MTS: &str = "mts-graph";
 const PM: &str = "progressive-meshes";
 const SKIP_STRIPS: &str = "skip-strips";
@@ -116,26 +116,28 @@ const BUNNY: [Published; 19] = [
     published(RCRG06_1, "efficient LodStrips, rendering", 2.07, Figure::RenderMillis(EFFICIENT)),
 ];
 
-/// What fans take in \[Cor01\], figure 5: bytes a vertex, positions, normals and the data of criteria included. Of its six
-/// meshes the bunny takes least, and none takes more than 83.8.
+/// Memory of fans in \[Cor01\], figure 5: bytes per vertex, including positions, normals and the data of
+/// criteria. The bunny takes least of its six meshes, and none takes more than 83.8.
 pub(super) const COR01_BYTES_PER_VERTEX: f64 = 83.0;
 
-/// The same of a mesh of so many triangles, 10^6 bytes; `None` where it was not measured.
+/// Memory of fans in \[Cor01\] in 10^6 bytes, for a mesh with this number of triangles; `None` if it was
+/// not measured.
 pub(super) fn cor01_megabytes(triangle_count: usize) -> Option<f64> {
     const MESHES: [(usize, f64); 6] =
         [(268_686, 11.15), (151_558, 6.35), (134_074, 5.61), (96_966, 4.03), (69_451, 2.89), (5_651, 0.235)];
     MESHES.iter().find(|&&(triangles, _)| triangles == triangle_count).map(|&(_, megabytes)| megabytes)
 }
 
-/// What patterns and the Multi-Triangulation take in \[KG98\], sections 3.2 and 3.3: bytes a vertex, without positions.
+/// Memory of patterns and the Multi-Triangulation in \[KG98\], sections 3.2 and 3.3: bytes per vertex,
+/// without positions.
 pub(super) const KG98_BYTES_PER_VERTEX: [u32; 2] = [26, 160];
-/// Bits of a fragment there, with so many overlaps to each.
+/// Bits per fragment in \[KG98\], and the number of overlaps per fragment that this assumes.
 pub(super) const KG98_FRAGMENT_BITS: u32 = 206;
 pub(super) const KG98_OVERLAPS: f64 = 2.5;
-/// Bits of a fragment there in the form for transmission, section 3.1.
+/// Bits per fragment in \[KG98\] in the form for transmission, section 3.1.
 pub(super) const KG98_SEQUENTIAL_BITS: u32 = 44;
 
-/// What was published about a mesh of so many triangles.
+/// The figures published for a mesh with this number of triangles.
 fn published_about(triangle_count: usize) -> &'static [Published] {
     match triangle_count {
         5_804 => &COW,
@@ -145,13 +147,13 @@ fn published_about(triangle_count: usize) -> &'static [Published] {
     }
 }
 
-/// The published figures of a mesh beside ours; nothing where no paper measured it.
-pub(super) fn beside(report: &ModelsReport) -> Vec<PaperRow> {
-    published_about(report.basis.triangle_count).iter().map(|figure| figure.beside(report)).collect()
+/// Compares the published figures of a mesh with ours; empty if no paper measured it.
+pub(super) fn compare(report: &ModelsReport) -> Vec<PaperRow> {
+    published_about(report.basis.triangle_count).iter().map(|figure| figure.compare(report)).collect()
 }
 
 impl Published {
-    fn beside(&self, report: &ModelsReport) -> PaperRow {
+    fn compare(&self, report: &ModelsReport) -> PaperRow {
         let basis = &report.basis;
         let of_model = |name: &str, value: &dyn Fn(&ModelRow) -> f64| {
             report.rows.iter().find(|row| row.name == name).map(value)
@@ -194,7 +196,7 @@ impl Published {
     }
 }
 
-/// Head and rows.
+/// Header and rows of the table.
 pub(super) fn table(rows: &[PaperRow]) -> Vec<Vec<String>> {
     let head = ["what", "published in", "unit", "theirs", "ours, their count", "ours, as stored", "ours is"];
     let mut table = vec![head.map(str::to_owned).to_vec()];
@@ -223,18 +225,19 @@ fn digits(value: f64, unit: &str) -> String {
     }
 }
 
-/// The same as a section of the page.
+/// The page section with the same table.
 pub(super) fn section(rows: &[PaperRow]) -> Section {
     Section {
-        title: "Beside the papers".to_owned(),
-        intro: "What the papers published about this mesh, and what this run measured on a mesh with as many triangles. \
-                MB are 10^6 bytes, positions included at 12 bytes a vertex. Ours in their count takes 4 bytes for every \
-                number, index and pointer beside [RCRG06]; beside [BRR02] 2 for an integer and 4 for a pointer or a long \
-                one. What [RCRG06] calls vertices and strips takes 44 bytes a vertex, twice what positions and strips \
-                take here: compare megabytes, not ratios. Construction counts the sequence, the strips and the model. \
-                Rendering is theirs \
-                in OpenGL's immediate mode on a graphics card of 2006, drawing included; ours is extraction and \
-                sending to a buffer, the processor's side of it, over the linear walk."
+        title: "Compared with the papers".to_owned(),
+        intro: "What the papers published about this mesh, and what this run measured on a mesh with as \
+                many triangles. MB are 10^6 bytes, including positions at 12 bytes per vertex. Ours in \
+                their count takes 4 bytes for every number, index and pointer for [RCRG06]; for [BRR02] \
+                2 for an integer and 4 for a pointer or a long one. What [RCRG06] calls vertices and \
+                strips takes 44 bytes per vertex, twice what positions and strips take here: compare \
+                megabytes, not ratios. Construction counts the sequence, the strips and the model. \
+                Rendering is theirs in OpenGL's immediate mode on a graphics card of 2006, drawing \
+                included; ours is extraction and sending to a buffer, which is the CPU's part, over the \
+                linear walk."
             .to_owned(),
         blocks: vec![Block::WideTable(table(rows))],
     }

@@ -1,4 +1,4 @@
-//! Stripifiers of others, for comparison only.
+//! Stripifiers of other libraries, for comparison only.
 
 use std::time::Instant;
 
@@ -10,10 +10,10 @@ use striata_command::strip_chain::Stripped;
 
 type Stripify = fn(&IndexedMesh) -> Result<Stripped, Failure>;
 
-/// Each with its name.
+/// The stripifiers by name.
 pub(super) const PEERS: [(&str, Stripify); 1] = [("meshoptimizer", meshoptimizer)];
 
-/// The triangles first put into the order that its stripifier wants; the time is that of both.
+/// Stripifies with meshoptimizer, after reordering the triangles as it recommends; the time includes both.
 fn meshoptimizer(mesh: &IndexedMesh) -> Result<Stripped, Failure> {
     by_group(mesh, |indices, vertex_count| {
         let ordered = meshopt::optimize_vertex_cache_strip(indices, vertex_count);
@@ -29,13 +29,13 @@ fn by_group(
     let mut joined = Vec::new();
     for group in mesh.groups_or_whole() {
         if group.count == 0 {
-            // meshoptimizer asserts that there is something to do.
+            // meshoptimizer asserts that its input is not empty.
             joined.push(Vec::new());
             continue;
         }
         let indices = mesh.triangles[group.range()].as_flattened();
-        let made = stripify(indices, mesh.vertex_count());
-        joined.push(made.map_err(|error| Failure::internal(format!("meshoptimizer: {error}")))?);
+        let stripped = stripify(indices, mesh.vertex_count());
+        joined.push(stripped.map_err(|error| Failure::internal(format!("meshoptimizer: {error}")))?);
     }
     let secs = started.elapsed().as_secs_f64();
     let mut strips = StripSet::new();

@@ -1,7 +1,7 @@
-//! Charts as SVG inside a page: lines with a spread, points with names, in the page's colors.
+//! Line charts as SVG inside a page: lines with a spread, and points with names, in the page's colors.
 //!
-//! Colors are written into the SVG as those of the light theme, so that a chart taken out of the page is readable;
-//! [`style`] gives the rules by which the page turns them into its variables.
+//! The SVG contains the colors of the light theme, so that a chart is readable on its own. [`style`]
+//! generates the CSS rules by which the page maps them to its variables.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -10,31 +10,31 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::labels::{Anchor, Frame, Labels, Pixel};
+use super::labels::{Anchor, Labels, Pixel, PixelRect};
 use super::scale::Scale;
 use striata_command::failure::Failure;
 
-/// Pixels of a chart as drawn; the page scales it.
+/// Size of a chart as drawn, in pixels; the page scales it.
 pub(super) const SIZE: (u32, u32) = (960, 560);
-/// Letters.
+/// Font family.
 pub(super) const FONT: &str = "sans-serif";
-/// Their height.
+/// Font size in pixels.
 pub(super) const FONT_PX: u32 = 22;
 
-/// Around a chart, and at its right where names are listed there.
+/// Margin around a chart, and margin on the right if series names are listed there.
 const MARGIN_PX: u32 = 16;
 const NAMES_PX: u32 = 236;
-/// At the right elsewhere: half a number at the last tick.
+/// Margin on the right otherwise: half of the last tick's label.
 const TICK_PX: u32 = 44;
 
-/// Names and titles, as all that is no series: color, and the page's variable for it.
+/// Color of names and titles, with the page's variable for it.
 pub(super) const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
-/// Numbers on axes.
+/// Color of numbers on axes.
 pub(super) const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
-/// Lines behind what is drawn.
+/// Color of grid lines.
 pub(super) const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
 
-/// Colors of series in the light theme and in the dark one.
+/// Colors of series in the light and the dark theme.
 pub(super) const SERIES: [(RGBColor, &str); 13] = [
     (RGBColor(0x0b, 0x6e, 0x99), "#5bb8e0"),
     (RGBColor(0xc2, 0x57, 0x1a), "#f0955a"),
@@ -51,19 +51,19 @@ pub(super) const SERIES: [(RGBColor, &str); 13] = [
     (RGBColor(0x6a, 0x5a, 0xcd), "#b0a4ff"),
 ];
 
-/// Named points, joined by a line where there are several.
+/// Named points, connected by a line if there are several.
 #[derive(Clone, Debug)]
 pub(super) struct Series {
-    /// What it is called.
+    /// Name of the series.
     pub(super) name: String,
     /// Its points from left to right.
     pub(super) points: Vec<(f64, f64)>,
-    /// The lowest and the highest of what each point stands for; empty where there is no spread.
+    /// Minimum and maximum of the values that each point stands for; empty if there is no spread.
     pub(super) spread: Vec<(f64, f64)>,
 }
 
 impl Series {
-    /// More points are a line only.
+    /// A series with more points is drawn as a line without marks.
     const MAX_MARKS: usize = 30;
 
     fn has_marks(&self) -> bool {
@@ -71,28 +71,28 @@ impl Series {
     }
 }
 
-/// A chart to draw.
+/// A line chart.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
-    /// What the axis to the right counts.
+    /// Title of the horizontal axis.
     pub(super) x_title: &'static str,
-    /// What the axis upwards counts.
+    /// Title of the vertical axis.
     pub(super) y_title: &'static str,
-    /// The axis to the right.
+    /// The horizontal axis.
     pub(super) x: Scale,
-    /// The axis upwards.
+    /// The vertical axis.
     pub(super) y: Scale,
-    /// What is drawn.
+    /// The series to draw.
     pub(super) series: Vec<Series>,
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 impl Chart {
-    /// The chart as an SVG element.
+    /// Renders the chart as an SVG element.
     ///
     /// # Errors
-    /// Where it cannot be drawn, which is our fault.
+    /// If drawing fails, which would be a bug.
     pub(super) fn to_svg(&self) -> Result<String, Failure> {
         let mut svg = String::new();
         let drawn = self.draw(&SVGBackend::with_string(&mut svg, SIZE).into_drawing_area());
@@ -136,21 +136,21 @@ impl Chart {
             return Ok(());
         }
         let (across, down) = chart.plotting_area().get_pixel_range();
-        let frame = Frame { left: across.start, top: down.start, right: across.end, bottom: down.end };
+        let rect = PixelRect { left: across.start, top: down.start, right: across.end, bottom: down.end };
         let pixel = |point: &(f64, f64)| chart.plotting_area().map_coordinate(point);
-        let places: Vec<Vec<Pixel>> =
+        let pixels: Vec<Vec<Pixel>> =
             self.series.iter().map(|series| series.points.iter().map(pixel).collect()).collect();
-        self.name_series(root, Labels::new(frame, FONT_PX as i32), &places)?;
+        self.name_series(root, Labels::new(rect, FONT_PX as i32), &pixels)?;
         root.present()?;
         Ok(())
     }
 
-    /// Lines of many points leave no place for names beside them.
+    /// Whether names are listed next to the chart, because lines with many points leave no room for them.
     fn lists_names(&self) -> bool {
         self.series.iter().any(|series| !series.has_marks())
     }
 
-    /// Writes the names in a column beside the chart, those of high lines first.
+    /// Lists the names in a column to the right of the chart, highest lines first.
     fn list_names(&self, root: &Area<'_>) -> Result<(), Box<dyn Error + '_>> {
         let height =
             |series: &Series| series.points.iter().map(|&(_, y)| y).sum::<f64>() / series.points.len() as f64;
@@ -167,33 +167,33 @@ impl Chart {
         Ok(())
     }
 
-    /// Writes each name beside its series, where nothing else is.
+    /// Writes each name next to its series, where nothing else is drawn.
     fn name_series(
         &self,
         root: &Area<'_>,
         mut labels: Labels,
-        places: &[Vec<Pixel>],
+        pixels: &[Vec<Pixel>],
     ) -> Result<(), Box<dyn Error + '_>> {
-        for (series, points) in self.series.iter().zip(places) {
-            labels.keep_free(points, series.has_marks());
+        for (series, points) in self.series.iter().zip(pixels) {
+            labels.reserve(points, series.has_marks());
         }
-        let drawn = self.series.iter().zip(places).zip(SERIES.iter().cycle());
+        let drawn = self.series.iter().zip(pixels).zip(SERIES.iter().cycle());
         for ((series, points), (color, _)) in drawn {
             let from_the_right: Vec<Pixel> = points.iter().rev().copied().collect();
-            let Some(spot) = labels.place(&series.name, &from_the_right) else { continue };
-            let anchor = match spot.anchor {
+            let Some(position) = labels.place(&series.name, &from_the_right) else { continue };
+            let anchor = match position.anchor {
                 Anchor::Start => HPos::Left,
                 Anchor::Middle => HPos::Center,
                 Anchor::End => HPos::Right,
             };
             let style = (FONT, FONT_PX).into_font().color(color).pos(Pos::new(anchor, VPos::Center));
-            root.draw_text(&series.name, &style, (spot.x, spot.y))?;
+            root.draw_text(&series.name, &style, (position.x, position.y))?;
         }
         Ok(())
     }
 }
 
-/// The rules by which a page shows charts in its own colors.
+/// CSS rules by which a page shows charts in its own colors.
 pub(super) fn style() -> String {
     let hex = |RGBColor(r, g, b): RGBColor| format!("#{r:02X}{g:02X}{b:02X}");
     let mut rules = String::from(".chart svg { display: block; width: 100%; height: auto; }\n");
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn a_chart_names_its_series_and_axes_in_colors_that_the_style_knows() {
+    fn chart_names_its_series_and_axes_in_known_colors() {
         let line = |name: &str, y: f64| Series {
             name: name.to_owned(),
             points: vec![(1.0, y), (3.0, y / 2.0), (5.0, y / 3.0)],
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_long_lines_are_listed_from_high_to_low() {
+    fn names_of_long_lines_are_listed_from_highest_to_lowest() {
         let line = |name: &str, y: f64| Series {
             name: name.to_owned(),
             points: (0..100).map(|i| (1.0 + f64::from(i) / 25.0, y)).collect(),
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn a_chart_of_nothing_is_a_frame() {
+    fn empty_chart_still_has_axes() {
         assert!(chart(Vec::new()).to_svg().unwrap().contains("upwards"));
     }
 }

@@ -1,4 +1,4 @@
-//! Axes of charts: linear or logarithmic, with round numbers at their ticks.
+//! Axes of charts: linear or logarithmic, with round numbers at the ticks.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 
 use striata_command::output::grouped;
 
-/// Which values an axis shows, and where.
+/// The range of values that an axis shows, and its ticks.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Scale {
     low: f64,
@@ -16,18 +16,18 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// A linear axis with a tick at each of these rising values.
+    /// Creates a linear axis with ticks at these values, in ascending order.
     pub(super) fn at(ticks: &[f64]) -> Self {
         let (low, high) = bounds(ticks.iter().copied());
-        // Room for the first and last marks.
+        // Leaves room for the first and last marks.
         let margin = 0.03 * (high - low);
         Self { low: low - margin, high: high + margin, is_log: false, ticks: ticks.to_vec() }
     }
 
-    /// A linear axis over these values, from and to round numbers.
+    /// Creates a linear axis that covers these values and ends at round numbers.
     pub(super) fn linear(values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = bounds(values);
-        // Marks do not lie on the frame.
+        // Keeps marks off the border.
         let margin = 0.04 * (high - low);
         let (low, high) = (if low < 0.0 { low - margin } else { (low - margin).max(0.0) }, high + margin);
         let step = round_step((high - low) / 6.0);
@@ -36,7 +36,7 @@ impl Scale {
         Self { low: first as f64 * step, high: last as f64 * step, is_log: false, ticks }
     }
 
-    /// A logarithmic axis over these values; those that are not positive have no place on it.
+    /// Creates a logarithmic axis that covers these values; nonpositive values are ignored.
     pub(super) fn log(values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = bounds(values.into_iter().filter(|&value| value > 0.0));
         let low = if low > 0.0 { low } else { 1.0 };
@@ -52,22 +52,22 @@ impl Scale {
         Self { low: lowest, high: highest, is_log: true, ticks }
     }
 
-    /// Where its ticks are.
+    /// Values of the ticks.
     pub(super) fn ticks(&self) -> &[f64] {
         &self.ticks
     }
 
-    /// The pixel of a value on an axis from one pixel to another.
+    /// The pixel of a value on an axis between two pixels.
     pub(super) fn pixel(&self, value: f64, (first, last): (i32, i32)) -> i32 {
         first + (self.share(value) * f64::from(last - first)).round() as i32
     }
 
-    /// A tick as it is written.
+    /// The label of a tick.
     pub(super) fn label(value: f64) -> String {
         if value >= 1000.0 {
             return grouped(value.round() as usize);
         }
-        // Ticks have few digits; what arithmetic left behind them is not shown.
+        // Ticks have few digits; this hides rounding errors behind them.
         let text = format!("{value:.6}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     }
@@ -81,7 +81,7 @@ impl Scale {
     }
 }
 
-/// The lowest and the highest value, some way apart even where they are equal or there is none.
+/// Minimum and maximum of the values, widened if they are equal or if there are none.
 fn bounds(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     let finite = values.into_iter().filter(|value| value.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
@@ -92,10 +92,10 @@ fn bounds(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     }
 }
 
-/// The next of 1, 2 and 5 times a power of ten.
-fn round_step(least: f64) -> f64 {
-    let power = 10f64.powi(least.log10().floor() as i32);
-    [1.0, 2.0, 5.0].iter().map(|digit| digit * power).find(|&step| step >= least).unwrap_or(10.0 * power)
+/// Rounds up to 1, 2 or 5 times a power of ten.
+fn round_step(at_least: f64) -> f64 {
+    let power = 10f64.powi(at_least.log10().floor() as i32);
+    [1.0, 2.0, 5.0].iter().map(|digit| digit * power).find(|&step| step >= at_least).unwrap_or(10.0 * power)
 }
 
 impl Ranged for Scale {
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_are_round_and_hold_all_values() {
+    fn ticks_are_round_and_cover_all_values() {
         assert_eq!(labels(&Scale::linear([1.13, 1.47])), ["1.1", "1.2", "1.3", "1.4", "1.5"]);
         assert_eq!(
             labels(&Scale::log([46.0, 5123.0])),
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ends_of_an_axis_are_the_ends_of_its_pixels() {
+    fn axis_ends_map_to_pixel_ends() {
         for scale in [Scale::linear([3.0, 17.0]), Scale::log([0.5, 90.0])] {
             let Range { start, end } = scale.range();
             assert_eq!((scale.map(&start, (100, 0)), scale.map(&end, (100, 0))), (100, 0));
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_one_value_have_an_axis_too() {
+    fn axes_work_for_no_value_and_for_one() {
         for values in [vec![], vec![5.0], vec![0.0], vec![f64::NAN]] {
             for scale in [Scale::linear(values.clone()), Scale::log(values.clone()), Scale::at(&values)] {
                 let Range { start, end } = scale.range();

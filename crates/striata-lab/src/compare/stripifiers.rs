@@ -1,4 +1,4 @@
-//! Time against quality: every stripifier, and those that search with several budgets.
+//! Time against quality of every stripifier, including search-based ones with several time budgets.
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, canonical_triangles};
@@ -13,35 +13,35 @@ use striata_command::output::{grouped, lasted};
 use striata_command::strip_chain::{StripChain, StripPlan, Stripped};
 use striata_command::strip_report::StripReport;
 
-/// Runs of what ends by itself; the quickest is told.
+/// Number of runs of stripifiers without a time budget; the fastest one is reported.
 const RUN_COUNT: usize = 3;
 
-/// What one stripifier made in one time.
+/// The result of one stripifier within one budget.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct StripifierRow {
     #[serde(flatten)]
     report: StripReport,
-    /// Seconds that it was given; none where it went on for its usual number of moves, or until nothing was left to do.
+    /// Time budget in seconds; none if it ran for its usual number of moves, or until it was finished.
     budget_secs: Option<f64>,
     secs: f64,
 }
 
-/// Runs every chain; those that search also with each budget. Other tools come last.
+/// Runs every chain; search-based ones also with each budget. Other tools come last.
 ///
 /// # Errors
-/// Where the mesh's parts do not fit together, or strips are not what they are to be.
+/// If the mesh is inconsistent, or strips do not show the mesh.
 pub(super) fn measure(
     mesh: &IndexedMesh,
     chains: &[StripChain],
     budgets: &[f64],
     show: &mut dyn FnMut(&str),
 ) -> Result<Vec<StripifierRow>, Failure> {
-    let wanted = canonical_triangles(&proper_triangles(mesh));
+    let expected = canonical_triangles(&proper_triangles(mesh));
     let mut rows = Vec::new();
-    let mut push = |name: &str, budget_secs, made: &Stripped| {
-        check(name, &made.strips, &wanted)?;
-        let report = StripReport::new(name.to_owned(), mesh, made, 16)?;
-        rows.push(StripifierRow { report, budget_secs, secs: made.secs });
+    let mut push = |name: &str, budget_secs, stripped: &Stripped| {
+        check(name, &stripped.strips, &expected)?;
+        let report = StripReport::new(name.to_owned(), mesh, stripped, 16)?;
+        rows.push(StripifierRow { report, budget_secs, secs: stripped.secs });
         Ok::<(), Failure>(())
     };
     for chain in chains {
@@ -49,7 +49,7 @@ pub(super) fn measure(
         show(&name);
         let plan = StripPlan { chain: chain.clone(), search: StripSearchArgs::default() };
         if !chain.searches() {
-            push(&name, None, &quickest(|| Ok(plan.run(mesh, &mut |_| ())?))?)?;
+            push(&name, None, &fastest_run(|| Ok(plan.run(mesh, &mut |_| ())?))?)?;
             continue;
         }
         for &secs in budgets {
@@ -61,17 +61,17 @@ pub(super) fn measure(
     #[cfg(feature = "peers")]
     for (name, stripify) in super::peers::PEERS {
         show(name);
-        push(name, None, &quickest(|| stripify(mesh))?)?;
+        push(name, None, &fastest_run(|| stripify(mesh))?)?;
     }
     Ok(rows)
 }
 
-fn quickest(mut run: impl FnMut() -> Result<Stripped, Failure>) -> Result<Stripped, Failure> {
+fn fastest_run(mut run: impl FnMut() -> Result<Stripped, Failure>) -> Result<Stripped, Failure> {
     let mut best = run()?;
     for _ in 1..RUN_COUNT {
-        let made = run()?;
-        if made.secs < best.secs {
-            best = made;
+        let stripped = run()?;
+        if stripped.secs < best.secs {
+            best = stripped;
         }
     }
     Ok(best)
@@ -81,14 +81,14 @@ fn proper_triangles(mesh: &IndexedMesh) -> Vec<[u32; 3]> {
     mesh.triangles.iter().copied().filter(|&[a, b, c]| a != b && b != c && c != a).collect()
 }
 
-/// A comparison is worth nothing where the strips do not show the mesh.
-fn check(name: &str, strips: &StripSet, wanted: &[[u32; 3]]) -> Result<(), Failure> {
-    let mut triangles = Vec::with_capacity(wanted.len());
+/// Checks that the strips show the mesh; a comparison would be worthless otherwise.
+fn check(name: &str, strips: &StripSet, expected: &[[u32; 3]]) -> Result<(), Failure> {
+    let mut triangles = Vec::with_capacity(expected.len());
     strips.triangles_into(&mut triangles);
-    if canonical_triangles(&triangles) == wanted {
+    if canonical_triangles(&triangles) == expected {
         return Ok(());
     }
-    Err(Failure::internal(format!("the strips of {name} are not the triangles of the mesh")))
+    Err(Failure::internal(format!("the strips of {name} do not have the triangles of the mesh")))
 }
 
 impl StripifierRow {
@@ -97,7 +97,7 @@ impl StripifierRow {
     }
 }
 
-/// Head and rows.
+/// Header and rows of the table.
 pub(super) fn table(rows: &[StripifierRow]) -> Vec<Vec<String>> {
     let head = [
         "stripifier",
@@ -106,7 +106,7 @@ pub(super) fn table(rows: &[StripifierRow]) -> Vec<Vec<String>> {
         "strips",
         "swaps",
         "indices",
-        "indices a triangle",
+        "indices per triangle",
         "ACMR, FIFO 16",
         "ATVR, FIFO 16",
     ];
@@ -128,17 +128,17 @@ pub(super) fn table(rows: &[StripifierRow]) -> Vec<Vec<String>> {
     table
 }
 
-/// The same as two charts and a table.
+/// The page section with two charts and the table.
 ///
 /// # Errors
-/// Where a chart cannot be drawn.
+/// If a chart cannot be drawn.
 pub(super) fn section(rows: &[StripifierRow]) -> Result<Section, Failure> {
     let indices = |row: &StripifierRow| row.report.indices_per_triangle;
     let strips = |row: &StripifierRow| row.report.strip_count as f64;
     let x = Scale::log(rows.iter().map(|row| row.secs));
     let by_indices = Chart {
         x_title: "seconds",
-        y_title: "indices a triangle",
+        y_title: "indices per triangle",
         x: x.clone(),
         y: Scale::linear(rows.iter().map(indices)),
         series: series(rows, indices),
@@ -153,20 +153,21 @@ pub(super) fn section(rows: &[StripifierRow]) -> Result<Section, Failure> {
     Ok(Section {
         title: "Time against quality".to_owned(),
         intro: format!(
-            "Lower and further left is better. Those that search are joined by a line: one point for each budget, and \
-             one, with no budget in the table, for their usual number of moves. Times are those of one thread; of what \
-             ends by itself, the quickest of {RUN_COUNT} runs. Indices count swaps and restarts; misses are those of a \
-             first-in first-out cache of 16 vertices, a triangle (ACMR) and a vertex (ATVR)."
+            "Lower and further left is better. The points of a search-based stripifier are joined by a \
+             line: one for each budget, and one, without a budget in the table, for its usual number of \
+             moves. Times are for one thread; other stripifiers show the fastest of {RUN_COUNT} runs. \
+             Indices include swaps and restarts; misses are those of a first-in first-out cache of 16 \
+             vertices, per triangle (ACMR) and per vertex (ATVR)."
         ),
         blocks: vec![
-            Block::chart(&by_indices, "Indices a triangle against time")?,
+            Block::chart(&by_indices, "Indices per triangle against time")?,
             Block::chart(&by_strips, "Strips against time")?,
             Block::WideTable(table(rows)),
         ],
     })
 }
 
-/// One series for each stripifier, from the shortest time to the longest.
+/// One series per stripifier, from the shortest to the longest time.
 fn series(rows: &[StripifierRow], value_of: impl Fn(&StripifierRow) -> f64) -> Vec<Series> {
     let same = |a: &StripifierRow, b: &StripifierRow| a.report.algorithm == b.report.algorithm;
     let of_stripifier = |rows: &[StripifierRow]| {

@@ -1,24 +1,24 @@
-//! All levels one step at a time, from the full mesh to the base and back.
+//! Times moves through all levels one step at a time, from the full mesh to the base and back.
 //!
-//! A sweep is timed in laps, and each lap keeps the quickest of its rounds: a machine that does other things too is rarely
-//! left alone for a whole sweep. Where a whole one would take too long, stretches of it spread evenly over all levels
-//! stand for it.
+//! A sweep is timed in laps, and each lap keeps the fastest time of its rounds: on a machine with other
+//! load, few whole sweeps run undisturbed. If a whole sweep would take too long, stretches spread evenly
+//! over all levels represent it.
 
 use std::ops::Range;
 
 use super::contenders::Contender;
 
-/// Seconds that one model may sweep in one round.
+/// Seconds that one model may sweep per round.
 const SWEEP_SECS: f64 = 0.4;
 
-/// Laps of a whole sweep, or stretches that stand for it.
+/// Number of laps of a whole sweep, or of stretches that represent it.
 const LAP_COUNT: usize = 32;
 
-/// The steps that are swept, and the quickest that each lap was.
+/// The steps to sweep, and the fastest times of each lap.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sweep {
     laps: Vec<Lap>,
-    /// Whether each lap begins where the one before ends.
+    /// Whether each lap begins where the previous one ends.
     is_whole: bool,
 }
 
@@ -30,22 +30,22 @@ struct Lap {
 }
 
 impl Sweep {
-    /// A sweep of as many steps as this model does in a reasonable time, not yet gone.
+    /// Creates a sweep with as many steps as the model can do in the time limit; it is not run yet.
     pub(super) fn new(contender: &mut dyn Contender, step_count: usize) -> Self {
-        const TRIED_SECS: f64 = 0.002;
+        const TRIAL_SECS: f64 = 0.002;
         let mut secs_per_step = 0.0;
-        // Few steps tell little where steps are quick, and many take long where they are slow.
+        // Few steps give imprecise times if steps are fast, and many take too long if steps are slow.
         for length in [1, 8, 64, 512] {
-            let mut tried = Self::over(spread(step_count, 8, length), false);
-            tried.go(contender);
-            secs_per_step = tried.secs() / tried.step_count().max(1) as f64;
-            if tried.secs() > TRIED_SECS {
+            let mut trial = Self::over(spread(step_count, 8, length), false);
+            trial.run(contender);
+            secs_per_step = trial.secs() / trial.step_count().max(1) as f64;
+            if trial.secs() > TRIAL_SECS {
                 break;
             }
         }
         let affordable = (SWEEP_SECS / secs_per_step.max(1e-10)) as usize;
         if affordable >= step_count {
-            return Self::over(cut(step_count, LAP_COUNT), true);
+            return Self::over(consecutive(step_count, LAP_COUNT), true);
         }
         let count = LAP_COUNT.min(affordable.max(1));
         Self::over(spread(step_count, count, affordable / count), false)
@@ -56,8 +56,8 @@ impl Sweep {
         Self { laps: stretches.into_iter().map(lap).collect(), is_whole }
     }
 
-    /// Goes down and up once.
-    pub(super) fn go(&mut self, contender: &mut dyn Contender) {
+    /// Runs the sweep down and up once.
+    pub(super) fn run(&mut self, contender: &mut dyn Contender) {
         if !self.is_whole {
             self.laps.iter_mut().for_each(|lap| {
                 contender.move_to(lap.levels.end);
@@ -71,12 +71,12 @@ impl Sweep {
         self.laps.iter_mut().for_each(|lap| lap.go_up(contender));
     }
 
-    /// Steps that it goes over, each down and up.
+    /// Number of steps covered, each down and up.
     pub(super) fn step_count(&self) -> usize {
         self.laps.iter().map(|lap| lap.levels.len()).sum()
     }
 
-    /// Nanoseconds a step; none where there is no step.
+    /// Nanoseconds per step, or `None` if there are no steps.
     pub(super) fn ns_per_step(&self) -> Option<f64> {
         let moves = 2 * self.step_count();
         (moves > 0).then(|| self.secs() * 1e9 / moves as f64)
@@ -97,13 +97,13 @@ impl Lap {
     }
 }
 
-/// All levels in up to `count` stretches, one beginning where another ends.
-fn cut(step_count: usize, count: usize) -> Vec<Range<usize>> {
+/// Divides all levels into up to `count` consecutive stretches.
+fn consecutive(step_count: usize, count: usize) -> Vec<Range<usize>> {
     let end = |i: usize| i * step_count / count;
     (0..count).map(|i| end(i)..end(i + 1)).filter(|levels| !levels.is_empty()).collect()
 }
 
-/// Up to `count` stretches of `length` levels each, evenly spread from the base to the full mesh, none overlapping.
+/// Up to `count` disjoint stretches of `length` levels, spread evenly from the base to the full mesh.
 fn spread(step_count: usize, count: usize, length: usize) -> Vec<Range<usize>> {
     let length = length.clamp(1, step_count.max(1));
     let count = count.min(step_count / length);
@@ -116,9 +116,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_whole_sweep_goes_over_every_step_once() {
+    fn whole_sweep_covers_every_step_once() {
         for step_count in [0, 1, 31, 32, 33, 1000] {
-            let laps = cut(step_count, LAP_COUNT);
+            let laps = consecutive(step_count, LAP_COUNT);
             let steps: Vec<usize> = laps.iter().cloned().flatten().collect();
             assert!(steps.into_iter().eq(0..step_count));
             assert!(laps.len() <= LAP_COUNT);
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn stretches_lie_apart_and_reach_both_ends() {
+    fn stretches_are_disjoint_and_reach_both_ends() {
         assert_eq!(spread(100, 3, 10), [0..10, 45..55, 90..100]);
         assert_eq!(spread(5, 32, 1), [0..1, 1..2, 2..3, 3..4, 4..5]);
         assert!(spread(0, 8, 4).is_empty());
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_sweep_takes_no_time_a_step() {
+    fn empty_sweep_has_no_time_per_step() {
         assert_eq!(Sweep::default().ns_per_step(), None);
         assert_eq!(Sweep::over(vec![0..3, 5..9], false).step_count(), 7);
     }

@@ -1,6 +1,7 @@
-//! Strips against the longest tunnel that is searched for, over several seeds: figure 8 and table 1 of \[PS03\].
+//! Strip counts by maximum tunnel length, over several seeds: figure 8 and table 1 of \[PS03\].
 //!
-//! Runs with different seeds share nothing, so they go on all cores; only counts are told, never times.
+//! Runs with different seeds are independent, so they use all cores; only counts are reported, never
+//! times.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -17,10 +18,10 @@ use striata_command::failure::Failure;
 use striata_command::output::grouped;
 use striata_command::strip_chain::StripPlan;
 
-/// The tunnelling stripifiers: identities that follow each flip, and the baseline without.
+/// The tunneling stripifiers: with identities that follow each flip, and the static baseline.
 const ALGORITHMS: [&str; 2] = ["tunnel", "tunnel-static"];
 
-/// Strips of one stripifier at one length, over all seeds.
+/// Strip counts of one stripifier at one maximum length, over all seeds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct TunnelRow {
     algorithm: &'static str,
@@ -29,7 +30,7 @@ pub(super) struct TunnelRow {
     mean: f64,
     min: usize,
     max: usize,
-    /// Of the sample; 0 for one seed.
+    /// Standard deviation of the sample; 0 for one seed.
     std: f64,
 }
 
@@ -50,10 +51,10 @@ impl TunnelRow {
     }
 }
 
-/// Runs each tunnelling stripifier from scratch, at every odd length up to `max_length`, with seeds from 0 on.
+/// Runs each tunneling stripifier from scratch, at every odd length up to `max_length`, with seeds from 0.
 ///
 /// # Errors
-/// Where the mesh's parts do not fit together.
+/// If the mesh is inconsistent.
 pub(super) fn measure(
     mesh: &IndexedMesh,
     max_length: u32,
@@ -75,7 +76,7 @@ pub(super) fn measure(
     Ok(rows.map(|(&(algorithm, length), counts)| TunnelRow::new(algorithm, length, counts)).collect())
 }
 
-/// The strips of every run, on as many threads as the machine has.
+/// Number of strips of every run, on as many threads as the machine has.
 fn strip_counts(
     mesh: &IndexedMesh,
     runs: &[StripPlan],
@@ -89,9 +90,9 @@ fn strip_counts(
         for _ in 0..thread_count {
             let (done, next) = (done.clone(), &next);
             scope.spawn(move || {
-                while let Some((index, plan)) = take(runs, next) {
-                    let count = plan.run(mesh, &mut |_| ()).map(|made| made.strips.strip_count());
-                    // Nobody listens any more where a run has failed.
+                while let Some((index, plan)) = next_run(runs, next) {
+                    let count = plan.run(mesh, &mut |_| ()).map(|stripped| stripped.strips.strip_count());
+                    // The receiver is gone if another run has failed.
                     if done.send((index, count)).is_err() {
                         return;
                     }
@@ -107,12 +108,12 @@ fn strip_counts(
     })
 }
 
-fn take<'a>(runs: &'a [StripPlan], next: &AtomicUsize) -> Option<(usize, &'a StripPlan)> {
+fn next_run<'a>(runs: &'a [StripPlan], next: &AtomicUsize) -> Option<(usize, &'a StripPlan)> {
     let index = next.fetch_add(1, Ordering::Relaxed);
     runs.get(index).map(|plan| (index, plan))
 }
 
-/// Head and rows, a row for each length.
+/// Header and rows, one row per length.
 pub(super) fn table(rows: &[TunnelRow]) -> Vec<Vec<String>> {
     let mut table = vec![vec!["longest".to_owned()]];
     for algorithm in ALGORITHMS {
@@ -129,16 +130,16 @@ pub(super) fn table(rows: &[TunnelRow]) -> Vec<Vec<String>> {
     table
 }
 
-/// A number with one digit after the point, thousands grouped.
-fn tenths(number: f64) -> String {
-    let tenths = (number * 10.0).round() as usize;
+/// Formats a number with one decimal and grouped thousands.
+fn tenths(value: f64) -> String {
+    let tenths = (value * 10.0).round() as usize;
     format!("{}.{}", grouped(tenths / 10), tenths % 10)
 }
 
-/// The same as a chart and a table.
+/// The page section with a chart and the table.
 ///
 /// # Errors
-/// Where the chart cannot be drawn.
+/// If the chart cannot be drawn.
 pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
     let of = |algorithm: &'static str| rows.iter().filter(move |row| row.algorithm == algorithm);
     let lengths: Vec<f64> = of(ALGORITHMS[0]).map(|row| f64::from(row.max_length)).collect();
@@ -158,8 +159,9 @@ pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
     Ok(Section {
         title: "Strips by the longest tunnel".to_owned(),
         intro: format!(
-            "Tunnelling from scratch with {seeds} seeds at each length: the line is the mean, the band reaches from \
-             the lowest to the highest. In the table, std is the standard deviation of the sample."
+            "Tunneling from scratch with {seeds} seeds at each length: the line is the mean, the band \
+             reaches from the lowest to the highest. In the table, std is the standard deviation of the \
+             sample."
         ),
         blocks: vec![Block::chart(&chart, "Strips against the longest tunnel")?, Block::Table(table(rows))],
     })
@@ -170,7 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_row_knows_mean_spread_and_deviation() {
+    fn row_has_mean_range_and_deviation() {
         let row = TunnelRow::new("tunnel", 3, &[2, 4, 4, 4, 5, 5, 7, 9]);
         assert_eq!((row.mean, row.min, row.max, row.seeds), (5.0, 2, 9, 8));
         assert!((row.std - (32f64 / 7.0).sqrt()).abs() < 1e-12);
@@ -179,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn threads_change_nothing_and_longer_tunnels_leave_fewer_strips() {
+    fn results_are_deterministic_and_longer_tunnels_leave_fewer_strips() {
         let spot = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/spot.obj.zst");
         let mesh = striata_io::read(spot).unwrap();
         let mut shares = Vec::new();

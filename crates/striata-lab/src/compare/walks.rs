@@ -1,9 +1,9 @@
-//! Walks away from an object and back, as the papers measure them: the linear test of \[RCRG06\] and \[BRR02\],
-//! section 4.3, and the exponential one of the latter.
+//! Walks away from an object and back, as the papers measure them: the linear test of \[RCRG06\] and
+//! \[BRR02\], section 4.3, and the exponential test of the latter.
 //!
-//! A walk is a list of levels from near to far. Each is moved to on the way away and again on the way back; how long
-//! that takes is told alone, and with sending all indices to a buffer, which is what the papers' immediate mode asks of
-//! the processor. Of several rounds each frame keeps its quickest.
+//! A walk is a list of levels from near to far. Each level is visited on the way away and again on the way
+//! back. Moving to it is timed alone, and together with sending all indices to a buffer, which is the CPU
+//! work of the papers' immediate mode. Each frame keeps its fastest time of several rounds.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -14,27 +14,28 @@ use striata::model::DrawCounts;
 
 use super::contenders::Contender;
 
-/// Points of a series, at most.
+/// Maximum number of points in a series.
 const MAX_POINTS: usize = 100;
 
-/// Of the way to the base mesh, an exponential walk goes this share of what is left in each frame, times the frames.
+/// In each frame, an exponential walk covers this share of the remaining detail, divided by the number of
+/// frames.
 const EXPONENTIAL_RATE: f64 = 5.0;
 
-/// The ways in which the level falls as the object goes away.
+/// How the level falls as the object moves away.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Pace {
-    /// Evenly with time.
+    /// Linearly with time.
     Linear,
-    /// By a share of what is left in each frame: big changes near, small ones far away.
+    /// By a share of the remainder in each frame: large changes near, small ones far away.
     Exponential,
 }
 
 impl Pace {
-    /// All.
+    /// All paces.
     pub(super) const ALL: [Self; 2] = [Self::Linear, Self::Exponential];
 
-    /// Its name.
+    /// Name of the pace.
     pub(super) const fn as_str(self) -> &'static str {
         match self {
             Self::Linear => "linear",
@@ -42,7 +43,7 @@ impl Pace {
         }
     }
 
-    /// Its name at the beginning of a line.
+    /// Capitalized name of the pace.
     pub(super) const fn title(self) -> &'static str {
         match self {
             Self::Linear => "Linear",
@@ -50,30 +51,32 @@ impl Pace {
         }
     }
 
-    /// Split counts from the full mesh, near, to the base mesh, far: one more than there are frames.
+    /// Split counts from the full mesh (near) to the base mesh (far): one more than there are frames.
     pub(super) fn split_counts(self, step_count: usize, frames: usize) -> Vec<usize> {
         let frames = frames.max(1);
-        // By repeated multiplication, which is the same on every machine.
-        let left_each = 1.0 - (EXPONENTIAL_RATE / frames as f64).min(0.5);
-        let lefts: Vec<f64> =
-            std::iter::successors(Some(1.0), |left| Some(left * left_each)).take(frames + 1).collect();
-        let last = lefts[frames];
+        // Repeated multiplication gives the same result on every machine.
+        let remaining_per_frame = 1.0 - (EXPONENTIAL_RATE / frames as f64).min(0.5);
+        let remainders: Vec<f64> =
+            std::iter::successors(Some(1.0), |remaining| Some(remaining * remaining_per_frame))
+                .take(frames + 1)
+                .collect();
+        let last = remainders[frames];
         let detail = |frame: usize| match self {
             Self::Linear => 1.0 - frame as f64 / frames as f64,
-            Self::Exponential => (lefts[frame] - last) / (1.0 - last),
+            Self::Exponential => (remainders[frame] - last) / (1.0 - last),
         };
         (0..=frames).map(|frame| (detail(frame) * step_count as f64).round() as usize).collect()
     }
 }
 
-/// The quickest that each frame of a walk was, and what it draws.
+/// A walk, the fastest times of its frames, and their draw counts.
 #[derive(Clone, Debug)]
 pub(super) struct Walk {
     pace: Pace,
     split_counts: Vec<usize>,
     away: Vec<FrameSecs>,
     back: Vec<FrameSecs>,
-    shown: Vec<Shown>,
+    shown: Vec<ShownLevel>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -83,42 +86,42 @@ struct FrameSecs {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-struct Shown {
+struct ShownLevel {
     split_count: usize,
     counts: DrawCounts,
 }
 
 impl Walk {
-    /// A walk not yet gone.
+    /// Creates a walk that has not been run.
     pub(super) fn new(pace: Pace, step_count: usize, frames: usize) -> Self {
         let split_counts = pace.split_counts(step_count, frames);
-        let unknown = FrameSecs { extract: f64::INFINITY, with_sending: f64::INFINITY };
-        let times = vec![unknown; split_counts.len()];
-        let shown = vec![Shown::default(); split_counts.len()];
+        let unmeasured = FrameSecs { extract: f64::INFINITY, with_sending: f64::INFINITY };
+        let times = vec![unmeasured; split_counts.len()];
+        let shown = vec![ShownLevel::default(); split_counts.len()];
         Self { pace, split_counts, away: times.clone(), back: times, shown }
     }
 
-    /// Goes away and back once; `buffer` is where indices are sent.
-    pub(super) fn go(&mut self, contender: &mut dyn Contender, buffer: &mut Vec<u32>) {
+    /// Runs the walk away and back once; indices are sent to `buffer`.
+    pub(super) fn run(&mut self, contender: &mut dyn Contender, buffer: &mut Vec<u32>) {
         contender.move_to(self.split_counts[0]);
         let last = self.split_counts.len() - 1;
         for frame in 1..=last {
-            self.away[frame].keep_quicker(frame_secs(contender, self.split_counts[frame], buffer));
+            self.away[frame].keep_fastest(frame_secs(contender, self.split_counts[frame], buffer));
         }
         for frame in (0..last).rev() {
-            self.back[frame].keep_quicker(frame_secs(contender, self.split_counts[frame], buffer));
+            self.back[frame].keep_fastest(frame_secs(contender, self.split_counts[frame], buffer));
         }
     }
 
-    /// Looks at what each frame draws, without a clock.
-    pub(super) fn look(&mut self, contender: &mut dyn Contender) {
+    /// Records the draw counts of each frame, without timing.
+    pub(super) fn count_draws(&mut self, contender: &mut dyn Contender) {
         for (shown, &split_count) in self.shown.iter_mut().zip(&self.split_counts) {
             contender.move_to(split_count);
-            *shown = Shown { split_count: contender.split_count(), counts: contender.draw_counts() };
+            *shown = ShownLevel { split_count: contender.split_count(), counts: contender.draw_counts() };
         }
     }
 
-    /// Means over the frames, both ways, and the series.
+    /// Computes means over the frames of both directions, and the series.
     pub(super) fn report(&self, sequence: &CollapseSequence) -> WalkReport {
         let last = self.split_counts.len() - 1;
         let (away, back) = (&self.away[1..], &self.back[..last]);
@@ -141,7 +144,7 @@ impl Walk {
         let both_ways = |value_of: fn(&FrameSecs) -> f64| -> Vec<f64> {
             let of_frame = |&frame: &usize| {
                 let ways = [&self.away[frame], &self.back[frame]].map(value_of);
-                // The nearest is only come back to, the farthest only gone to.
+                // The nearest frame is only on the way back, the farthest only on the way away.
                 mean(ways.into_iter().filter(|secs| secs.is_finite()))
             };
             frames.iter().map(of_frame).collect()
@@ -158,14 +161,14 @@ impl Walk {
         }
     }
 
-    /// How the level falls.
+    /// The pace of the walk.
     pub(super) fn pace(&self) -> Pace {
         self.pace
     }
 }
 
 impl FrameSecs {
-    fn keep_quicker(&mut self, other: Self) {
+    fn keep_fastest(&mut self, other: Self) {
         self.extract = self.extract.min(other.extract);
         self.with_sending = self.with_sending.min(other.with_sending);
     }
@@ -181,13 +184,13 @@ fn frame_secs(contender: &mut dyn Contender, split_count: usize, buffer: &mut Ve
     FrameSecs { extract, with_sending: started.elapsed().as_secs_f64() }
 }
 
-/// The mean; 0 of nothing.
+/// The mean, or 0 if there are no values.
 pub(super) fn mean(values: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = values.fold((0.0, 0usize), |(sum, count), value| (sum + value, count + 1));
     if count == 0 { 0.0 } else { sum / count as f64 }
 }
 
-/// At most [`MAX_POINTS`] of `count` indices, evenly spread, the first and the last among them.
+/// At most [`MAX_POINTS`] of `count` indices, evenly spaced, including the first and the last.
 pub(super) fn thinned(count: usize) -> Vec<usize> {
     if count <= MAX_POINTS {
         return (0..count).collect();
@@ -195,39 +198,39 @@ pub(super) fn thinned(count: usize) -> Vec<usize> {
     (0..MAX_POINTS).map(|i| i * (count - 1) / (MAX_POINTS - 1)).collect()
 }
 
-/// A walk of one model: means over all frames of both ways.
+/// Report of a walk of one model: means over all frames in both directions.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct WalkReport {
-    /// Moving to a frame's level.
+    /// Seconds to move to a frame's level.
     pub(super) extract_secs: f64,
-    /// The same, and copying its indices.
+    /// Seconds to move there and copy its indices.
     pub(super) extract_and_send_secs: f64,
     extract_away_secs: f64,
     extract_back_secs: f64,
-    /// Indices drawn.
+    /// Number of indices drawn.
     pub(super) index_count: f64,
-    /// Strips drawn.
+    /// Number of strips drawn.
     pub(super) strip_count: f64,
-    /// Triangles shown.
+    /// Number of triangles shown.
     pub(super) triangle_count: f64,
-    /// Frame by frame.
+    /// Values by frame.
     pub(super) series: Series,
 }
 
-/// Frames of a walk from near to far; times are means of both ways.
+/// Frames of a walk from near to far; times are means of both directions.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Series {
-    /// Which frames these are.
+    /// Indices of the frames.
     pub(super) frame: Vec<usize>,
     split_count: Vec<usize>,
     triangle_count: Vec<usize>,
-    /// Indices drawn.
+    /// Number of indices drawn.
     pub(super) index_count: Vec<usize>,
-    /// Strips drawn.
+    /// Number of strips drawn.
     pub(super) strip_count: Vec<usize>,
-    /// Moving there.
+    /// Seconds to move there.
     pub(super) extract_secs: Vec<f64>,
-    /// The same, and copying its indices.
+    /// Seconds to move there and copy the indices.
     pub(super) extract_and_send_secs: Vec<f64>,
 }
 
@@ -236,7 +239,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn walks_go_from_the_full_mesh_to_the_base() {
+    fn walks_lead_from_the_full_mesh_to_the_base() {
         for pace in Pace::ALL {
             for (step_count, frames) in [(0, 1), (1, 1), (7, 200), (1000, 1), (1000, 3), (34_000, 200)] {
                 let levels = pace.split_counts(step_count, frames);
@@ -247,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn an_exponential_walk_changes_much_near_and_little_far_away() {
+    fn exponential_walk_changes_much_near_and_little_far_away() {
         let changes = |pace: Pace| -> Vec<usize> {
             pace.split_counts(10_000, 100).windows(2).map(|pair| pair[0] - pair[1]).collect()
         };
@@ -258,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn a_thinned_series_keeps_its_ends() {
+    fn thinned_series_keeps_its_ends() {
         assert_eq!(thinned(3), [0, 1, 2]);
         for count in [100, 101, 199, 201, 10_001] {
             let kept = thinned(count);
@@ -268,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mean_of_nothing_is_zero() {
+    fn mean_of_no_values_is_zero() {
         assert_eq!((mean([].into_iter()), mean([1.0, 2.0].into_iter())), (0.0, 1.5));
     }
 }

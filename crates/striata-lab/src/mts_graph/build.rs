@@ -1,4 +1,4 @@
-//! Building the graph of each strip from its sequences at all levels.
+//! Builds the graph of each strip from its index sequences at all levels.
 
 use striata::mesh::RefinableMesh;
 use striata::model::mts::MAX_STRIP_INDICES;
@@ -6,14 +6,14 @@ use striata::model::strip_history::{Piece, StripHistory};
 use striata::model::{ModelError, check_strips};
 use striata::strip::StripSet;
 
-use super::{AFRESH, END, MtsGraph, RowNode, SAME_VERTEX, StripNode};
+use super::{END, MtsGraph, NEW_VERTEX, RowNode, SAME_VERTEX, StripNode};
 
 impl MtsGraph {
-    /// Builds the model from strips of the full mesh; strips longer than
-    /// [`MAX_STRIP_INDICES`] are cut, as in [`Mts`](striata::model::Mts).
+    /// Builds the model from strips of the full mesh. Strips longer than [`MAX_STRIP_INDICES`] are cut, as
+    /// in [`Mts`](striata::model::Mts).
     ///
     /// # Errors
-    /// [`ModelError`] where the strips are not those of the mesh.
+    /// [`ModelError`] if the strips do not match the mesh.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
         let sequence = &refinable.sequence;
@@ -34,7 +34,8 @@ impl MtsGraph {
         Ok(graph)
     }
 
-    /// Columns and arcs are numbered in 32 bits; a strip adds far fewer than are left over between that and memory.
+    /// Checks that columns and arcs can be indexed with 32 bits. Checking after each strip is enough: one
+    /// strip adds far less than the headroom between this limit and the machine's memory.
     fn check_size(&self) -> Result<(), ModelError> {
         let limit = u64::from(u32::MAX);
         match self.rows.len().max(self.vertices.len()) as u64 {
@@ -52,22 +53,23 @@ impl MtsGraph {
     }
 }
 
-/// The sequences of one strip, and the rows that come of them; kept from strip to strip.
+/// The index sequences of one strip and the rows built from them; reused from strip to strip.
 #[derive(Debug, Default)]
 struct StripBuilder {
-    /// Vertices and special nodes of all sequences, one after the other, each up to and with its end.
+    /// Vertices and special nodes of all sequences in a row, each including its end node.
     nodes: Vec<i32>,
-    /// For each sequence its first level and where its nodes begin.
+    /// First level of each sequence and the offset of its nodes.
     levels: Vec<(u32, usize)>,
-    /// Column of each vertex, of those in `columns`.
+    /// Column of each vertex that is in `columns`.
     column_of: Vec<u32>,
     /// Vertex of each column.
     columns: Vec<u32>,
     begins: Vec<RowNode>,
     /// Row of each column, its first arc last.
     rows: Vec<Vec<RowNode>>,
-    /// What one sequence has in each row, and columns where it has something.
+    /// The nodes that the current sequence adds to each row.
     nexts: Vec<Vec<i32>>,
+    /// Columns to which the current sequence adds nodes.
     visited: Vec<u32>,
 }
 
@@ -87,15 +89,15 @@ impl StripBuilder {
         self.rows.clear();
     }
 
-    /// Takes what the strip shows from a level on.
+    /// Appends the sequence that the strip shows from `level` on.
     fn push_level(&mut self, pieces: &[Piece], level: u32) {
         self.levels.push((level, self.nodes.len()));
         for (i, piece) in pieces.iter().enumerate() {
             let mut vertices = &piece.vertices[..];
             if let Some(before) = i.checked_sub(1) {
                 let is_same = pieces[before].vertices.last() == vertices.first();
-                self.nodes.push(if is_same { SAME_VERTEX } else { AFRESH });
-                // The vertex itself is not named again.
+                self.nodes.push(if is_same { SAME_VERTEX } else { NEW_VERTEX });
+                // The shared vertex is not repeated.
                 vertices = &vertices[usize::from(is_same)..];
             }
             self.nodes.extend(vertices.iter().map(|&v| v as i32));
@@ -103,7 +105,7 @@ impl StripBuilder {
         self.nodes.push(END);
     }
 
-    /// Makes the rows, coarsest level first, and appends the strip to the graph.
+    /// Builds the rows, coarsest level first, and appends the strip to the graph.
     fn write(&mut self, coarsest: u32, graph: &mut MtsGraph) {
         self.number_columns();
         let mut res = coarsest;
@@ -111,7 +113,8 @@ impl StripBuilder {
         for i in (0..self.levels.len()).rev() {
             let (level, start) = self.levels[i];
             self.add_level(start..end, res);
-            // A level that no sequence begins at is not there; the next finer one ends just before this one.
+            // Levels without a sequence of their own belong to the next finer sequence, which ends just
+            // before this one.
             res = level.saturating_sub(1);
             end = start;
         }
@@ -127,7 +130,7 @@ impl StripBuilder {
         }
     }
 
-    /// Numbers the vertices by the order in which they appear, finest level first.
+    /// Numbers the vertices in the order in which they first appear, finest level first.
     fn number_columns(&mut self) {
         for node in &mut self.nodes {
             let Ok(vertex) = u32::try_from(*node) else { continue };
@@ -144,7 +147,7 @@ impl StripBuilder {
         }
     }
 
-    /// Puts one sequence's arcs, whose coarsest level is `res`, before those of coarser levels.
+    /// Puts the arcs of one sequence, whose coarsest level is `res`, before those of coarser levels.
     fn add_level(&mut self, nodes: std::ops::Range<usize>, res: u32) {
         self.visited.clear();
         let mut at = None;
@@ -159,7 +162,7 @@ impl StripBuilder {
             }
             at = u32::try_from(node).ok().or(at);
         }
-        // The sequence of a strip that is gone is just its end.
+        // A strip that is gone has a sequence consisting only of its end node.
         let begin = self.nodes[nodes.start];
         if begin >= 0 {
             put_first(&mut self.begins, &[begin], res);
@@ -172,8 +175,9 @@ impl StripBuilder {
     }
 }
 
-/// Makes `nexts` the first arcs of a row (kept with its first arc last) for levels up to `res`, where all arcs
-/// that are there reach further: those that `nexts` goes through in their order are used again.
+/// Makes `nexts` the first arcs of a row for levels up to `res`. All existing arcs of the row reach
+/// coarser levels; those that `nexts` passes in the same order are reused. Rows are stored in reverse,
+/// with their first arc last.
 fn put_first(row: &mut Vec<RowNode>, nexts: &[i32], res: u32) {
     let mut used = 0;
     let mut first = Vec::with_capacity(nexts.len());
@@ -202,7 +206,7 @@ mod tests {
         Piece { places: Vec::new(), vertices: vertices.to_vec() }
     }
 
-    /// Figure 2 of the paper and the sequences of its section 3.1.1.
+    /// Figure 2 of the paper, with the sequences of its section 3.1.1.
     fn worked_example() -> MtsGraph {
         let mut builder = StripBuilder::new(8);
         builder.push_level(&[piece(&[0, 1, 2, 3, 4, 5, 6, 7])], 0);
@@ -217,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn the_sequences_of_the_worked_example_are_those_of_the_paper() {
+    fn worked_example_has_the_sequences_of_the_paper() {
         let mut builder = StripBuilder::new(8);
         builder.push_level(&[piece(&[1, 2, 4]), piece(&[4, 6, 7])], 3);
         builder.push_level(&[piece(&[1, 2, 4]), piece(&[5, 6, 7])], 4);
@@ -225,11 +229,11 @@ mod tests {
     }
 
     #[test]
-    fn the_graph_of_the_worked_example_is_that_of_the_paper() {
+    fn worked_example_has_the_graph_of_the_paper() {
         let graph = worked_example();
         let pairs = |nodes: &[RowNode]| nodes.iter().map(|n| (n.column, n.res)).collect::<Vec<_>>();
         assert_eq!(graph.vertices, [0, 1, 2, 3, 4, 5, 6, 7]);
-        // Vertex 0 begins the strip at level 0 only; then vertex 1 does.
+        // Vertex 0 begins the strip at level 0 only; at all others vertex 1 does.
         assert_eq!(pairs(&graph.begins), [(0, 0), (1, 4)]);
         let rows: Vec<_> =
             graph.first_rows.windows(2).map(|w| pairs(&graph.rows[w[0] as usize..w[1] as usize])).collect();
@@ -239,7 +243,8 @@ mod tests {
             &[(3, 2), (4, 3), (6, 4)],
             // "and the other to the adjacency list of vertex 3 (colIndex = 5, res = 2)".
             &[(4, 2), (5, 2)],
-            // "one to the adjacency list of vertex 4 (colIndex = 3, res = 2)"; at level 3 it ends a strip.
+            // "one to the adjacency list of vertex 4 (colIndex = 3, res = 2)"; at level 3 vertex 4 ends a
+            // strip.
             &[(5, 1), (3, 2), (-1, 3), (6, 3)],
             &[(6, 2)],
             &[(7, 3), (-3, 4)],
@@ -249,7 +254,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worked_example_is_recovered_at_every_level() {
+    fn worked_example_is_recovered_at_every_level() {
         let graph = worked_example();
         let mut state = graph.new_state();
         let expected: [&[u32]; 5] = [
@@ -263,14 +268,14 @@ mod tests {
             graph.move_to(&mut state, 4 - level);
             assert_eq!(state.indices(), expected, "level {level}");
         }
-        // 8 columns, 15 arcs, 2 beginnings, a strip.
+        // 8 columns, 15 arcs, 2 beginnings, 1 strip.
         assert_eq!(graph.rows.len(), 15);
         assert_eq!(graph.paper_bytes(Accounting::Words), 12 * 8 + 8 * 17 + 8);
         assert_eq!(graph.paper_bytes(Accounting::ShortIntegers), 10 * 8 + 6 * 17 + 8);
     }
 
     #[test]
-    fn an_arc_that_comes_again_is_stored_twice_and_found() {
+    fn arc_that_reappears_is_stored_twice_and_found() {
         // 0 goes to 1, then to 2, then to 1 again.
         let mut builder = StripBuilder::new(4);
         let sequences: [&[u32]; 4] = [&[0, 1, 2, 3], &[0, 2, 1, 3], &[0, 1, 3], &[]];

@@ -1,9 +1,10 @@
 //! MTS as published \[BRR02\]: each strip with all its levels is a graph of its vertices.
 //!
-//! Each vertex that a strip ever shows is a column; its row lists which column comes next, each with the coarsest
-//! level (`res`) at which that is so. Recovery starts at the first beginning whose `res` reaches the level and
-//! goes from column to column, taking the next arc of a row whose `res` reaches the level; how far a row has been
-//! read is kept for each column, because a strip may pass a vertex several times.
+//! Each vertex that a strip ever shows is a column. The row of a column lists its possible successors,
+//! each with the coarsest level (`res`) at which it is the successor. Recovery starts at the first
+//! beginning whose `res` reaches the level, then goes from column to column, always following the next arc
+//! of the row whose `res` reaches the level. Each column keeps how far its row has been read, because a
+//! strip may pass a vertex several times.
 //!
 //! ```text
 //! begins     0 (res 0), 1 (res 4)
@@ -11,14 +12,15 @@
 //! column 4   5 (res 1), 3 (res 2), -1 (res 3), 6 (res 3)
 //! ```
 //!
-//! Only the far end of an arc's levels is stored, so the order of a row is what makes the first arc that reaches a
-//! level the right one. Rows are therefore built from the coarsest level to the finest: at each, the arcs of that
-//! level come first, those of coarser levels keep their order among and behind them.
+//! Only the coarse end of an arc's range of levels is stored, so the order of a row has to ensure that the
+//! first arc that reaches a level is the right one. Rows are therefore built from the coarsest level to
+//! the finest: the arcs of each level are put first, and those of coarser levels keep their order among
+//! and behind them.
 //!
-//! Levels count as in the paper, 0 the finest. Differs: arrays instead of pointers. [`Mts`](striata::model::Mts) is the
-//! same idea without what is stored twice here.
+//! Levels count as in the paper, 0 the finest. Differs: arrays instead of pointers.
+//! [`Mts`](striata::model::Mts) implements the same idea without the data that is stored twice here.
 //!
-//! Cost: a move recovers every strip, linear in what is shown.
+//! Cost: a move recovers every strip, in time linear in the indices shown.
 
 mod build;
 
@@ -27,11 +29,11 @@ use striata::strip::RESTART;
 
 use crate::paper_bytes::{Accounting, PaperBytes};
 
-/// The strip ends; the next begins with the same vertex.
+/// Special node: the strip ends, and the next one begins with the same vertex.
 const SAME_VERTEX: i32 = -1;
-/// The strip ends; the next begins with the column that the row names next.
-const AFRESH: i32 = -2;
-/// The strip ends.
+/// Special node: the strip ends, and the next one begins with the column that follows in the row.
+const NEW_VERTEX: i32 = -2;
+/// Special node: the strip ends, and no other follows.
 const END: i32 = -3;
 
 /// An arc of a row, or a beginning.
@@ -39,11 +41,11 @@ const END: i32 = -3;
 struct RowNode {
     /// A column of the same strip, or one of the special nodes.
     column: i32,
-    /// The coarsest level at which it holds.
+    /// The coarsest level at which the arc applies.
     res: u32,
 }
 
-/// Where one strip's parts begin; closed by one more.
+/// Offsets of one strip's beginnings and columns; the list has one more entry at its end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct StripNode {
     first_begin: u32,
@@ -58,28 +60,29 @@ pub struct MtsGraph {
     begins: Vec<RowNode>,
     /// Vertex of each column.
     vertices: Vec<u32>,
-    /// First arc of each column, closed by their number.
+    /// First arc of each column, followed by the total number of arcs.
     first_rows: Vec<u32>,
     rows: Vec<RowNode>,
 }
 
-/// An instance: its level and what it shows.
+/// State of one instance: its level and the strips it shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MtsGraphState {
     split_count: usize,
-    /// How far the row of each column has been read.
+    /// Read position in the row of each column.
     current: Vec<u32>,
     indices: Vec<u32>,
     strip_count: usize,
 }
 
 impl MtsGraph {
-    /// Strips, dead ones at coarse levels counted.
+    /// Number of strips, including those that vanish at coarse levels.
     pub fn strip_count(&self) -> usize {
         self.strips.len().saturating_sub(1)
     }
 
-    /// Shows one strip at a level: listing 2 of the paper. `current` is that of all columns, zero for the strip's.
+    /// Appends one strip at a level (listing 2 of the paper) and returns the number of pieces it has
+    /// there. `current` covers all columns and is zero for those of this strip.
     fn recover_strip(&self, strip: usize, level: u32, current: &mut [u32], out: &mut Vec<u32>) -> usize {
         let [head, end] = [self.strips[strip], self.strips[strip + 1]];
         let begins = &self.begins[head.first_begin as usize..end.first_begin as usize];
@@ -109,7 +112,7 @@ impl MtsGraph {
                     strip_count += 1;
                     column = first_column + next_of(column) as usize;
                 }
-                AFRESH => {
+                NEW_VERTEX => {
                     out.push(RESTART);
                     strip_count += 1;
                     column = first_column + next_of(column) as usize;
@@ -121,7 +124,7 @@ impl MtsGraph {
 }
 
 impl MtsGraphState {
-    /// What is drawn: strips with restarts between them.
+    /// Indices to draw: strips with restarts between them.
     pub fn indices(&self) -> &[u32] {
         &self.indices
     }
@@ -146,7 +149,7 @@ impl LodModel for MtsGraph {
         state.split_count
     }
 
-    /// Recovers every strip, whatever was shown before: the published model knows no coherence.
+    /// Recovers every strip, regardless of the previous level: the published model has no coherence.
     fn move_to(&self, state: &mut MtsGraphState, split_count: usize) {
         assert!(split_count <= self.step_count, "split count {split_count} of {}", self.step_count);
         assert_eq!(state.current.len(), self.vertices.len(), "the state belongs to another model");
@@ -196,8 +199,8 @@ impl LodModel for MtsGraph {
 }
 
 impl PaperBytes for MtsGraph {
-    /// Listing 1 of the paper: a long vertex, an integer and a pointer a column; an integer and a long `res` an arc or a
-    /// beginning; two pointers a strip.
+    /// Listing 1 of the paper: a long vertex, an integer and a pointer per column; an integer and a long
+    /// `res` per arc or beginning; two pointers per strip.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let (columns, arcs) = (self.vertices.len(), self.rows.len() + self.begins.len());
         accounting.bytes(columns + arcs, 2 * columns + arcs + 2 * self.strip_count())

@@ -1,4 +1,4 @@
-//! A ball that was built before a test begins.
+//! A test fixture: a ball and the model built from it.
 
 use striata::file::{FileModel, WriteOptions, to_striata};
 use striata::model::LodStrips;

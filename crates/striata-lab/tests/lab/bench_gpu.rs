@@ -1,4 +1,4 @@
-//! `bench-gpu`: every way draws the same walk, and what it says of each holds together.
+//! `bench-gpu`: all ways draw the same walk, and their figures are consistent.
 
 use serde_json::Value;
 
@@ -62,18 +62,18 @@ fn all_ways_are_timed_on_one_walk() {
 }
 
 #[test]
-fn a_table_names_the_adapter_and_explains_the_ways_that_it_shows() {
+fn table_names_the_adapter_and_explains_the_ways_it_shows() {
     let bench = Workbench::with_ball();
     let arguments = "bench-gpu ball.striata --ways fans-compute,discrete --frames 2 --size 32x32 --software";
     let assert = bench.run(arguments).success();
     let text = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
     assert!(text.contains("ball.striata: "), "{text}");
-    assert!(text.contains("draws on the processor"), "{text}");
+    assert!(text.contains("draws on the CPU"), "{text}");
     assert!(text.contains("\nfans-compute: ") && !text.contains("\nstrips-draws: "), "{text}");
 }
 
 #[test]
-fn what_cannot_be_drawn_is_refused() {
+fn inputs_that_cannot_be_drawn_are_rejected() {
     let bench = Workbench::with_ball();
     let text = bench.refused("bench-gpu sphere.obj --ways list,nonsense --software");
     assert!(text.contains("\"nonsense\"") && text.contains("hint: --ways takes list, strips,"), "{text}");

@@ -1,14 +1,14 @@
-//! `compare`: every key and row that was asked for, and a page that needs nothing else.
+//! `compare`: the report has every requested key and row, and the page is self-contained.
 
 use striata_strip::{StripOptions, Stripifier, stripify};
 
 use crate::workbench::{Workbench, assert_keys};
 
-/// Strips only, quickly.
+/// Arguments that compare strips only, with little work.
 const QUICK: &str = "--parts strips --seeds 2 --max-tunnel 5 --budgets 0.01,0.02";
 
 #[test]
-fn lengths_and_stripifiers_are_all_there() {
+fn report_has_all_lengths_and_stripifiers() {
     let bench = Workbench::with_ball();
     let report =
         bench.json(&format!("compare sphere.obj ball.striata {QUICK} --strips greedy,greedy+tunnel:3"));
@@ -57,7 +57,7 @@ fn lengths_and_stripifiers_are_all_there() {
 }
 
 #[test]
-fn a_tunnel_length_counts_what_strip_makes_of_it() {
+fn tunnel_lengths_agree_with_the_stripifier() {
     let bench = Workbench::with_ball();
     let report = bench.json("compare sphere.obj --parts strips --seeds 1 --max-tunnel 3 --strips tunnel:3");
     let mesh = striata_io::read(bench.path("sphere.obj")).expect("a mesh");
@@ -71,7 +71,7 @@ fn a_tunnel_length_counts_what_strip_makes_of_it() {
 }
 
 #[test]
-fn what_searches_is_given_every_budget_and_its_own_time() {
+fn search_based_stripifiers_run_with_every_budget_and_without() {
     let bench = Workbench::with_ball();
     let report = bench.json(&format!("compare sphere.obj {QUICK} --strips greedy,cheapest"));
     let rows = report["meshes"][0]["strips"]["stripifiers"].as_array().expect("a list");
@@ -86,11 +86,11 @@ fn what_searches_is_given_every_budget_and_its_own_time() {
 }
 
 #[test]
-fn the_page_stands_alone() {
+fn page_is_self_contained() {
     let bench = Workbench::with_ball();
     let assert = bench.run(&format!("compare sphere.obj {QUICK} --html page.html")).success();
-    let told = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
-    assert!(told.contains("tunnel-static") && told.contains("greedy"), "{told}");
+    let text = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
+    assert!(text.contains("tunnel-static") && text.contains("greedy"), "{text}");
     let page = String::from_utf8(bench.read("page.html")).expect("text");
     assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
     assert!(
@@ -107,7 +107,7 @@ fn the_page_stands_alone() {
 }
 
 #[test]
-fn meshes_without_triangles_are_compared_too() {
+fn meshes_without_triangles_can_be_compared() {
     let bench = Workbench::new();
     bench.write("cloud.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
     bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
@@ -121,9 +121,9 @@ fn meshes_without_triangles_are_compared_too() {
 }
 
 #[test]
-fn comparisons_that_cannot_be_made_are_refused_at_once() {
+fn invalid_comparisons_are_rejected_immediately() {
     let bench = Workbench::with_ball();
-    for (arguments, named) in [
+    for (arguments, expected) in [
         ("compare", "<INPUT>"),
         ("compare nowhere.ply", "nowhere.ply"),
         ("compare sphere.obj nowhere.ply --seeds 1000 --max-tunnel 999", "nowhere.ply"),
@@ -137,14 +137,14 @@ fn comparisons_that_cannot_be_made_are_refused_at_once() {
         ("compare sphere.obj --model-strips zigzag", "zigzag"),
         ("compare nowhere.ply --models lodstrips,vdpm", "hint: this version has: lodstrips, mts, "),
         ("compare shape:ball", "hint: there are: sphere, torus, "),
-        ("compare sphere.obj --html no/page.html", "hint: make the output's folder first"),
+        ("compare sphere.obj --html no/page.html", "hint: create the output folder first"),
         ("compare sphere.obj --html - --json", "stdout"),
     ] {
-        let said = bench.refused(arguments);
-        assert!(said.contains(named), "{arguments}: {said}");
+        let message = bench.refused(arguments);
+        assert!(message.contains(expected), "{arguments}: {message}");
     }
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
-    let said = bench.refused("compare nan.off --html page.html --quiet");
-    assert!(said.starts_with("error: nan.off: ") && said.contains("vertex 2"), "{said}");
+    let message = bench.refused("compare nan.off --html page.html --quiet");
+    assert!(message.starts_with("error: nan.off: ") && message.contains("vertex 2"), "{message}");
     assert_eq!(bench.names(), ["ball.striata", "nan.off", "sphere.obj"]);
 }

@@ -1,4 +1,4 @@
-//! `compare --parts assets`: every row that was asked for, and values that can be trusted.
+//! `compare --parts assets`: the report has every requested row, with plausible values.
 
 use std::f64::consts::PI;
 
@@ -17,12 +17,13 @@ fn levels(report: &Value) -> &[Value] {
 const SEGMENTS: usize = 64;
 const RINGS: usize = 32;
 
-/// A barrel of 4,096 triangles, open at both ends, with normals and a chart whose seam runs from end to end.
+/// A barrel with 4,096 triangles, open at both ends, with normals and a UV chart whose seam runs from end
+/// to end.
 fn barrel() -> String {
     let mut text = String::new();
     let rows = || (0..=RINGS).map(|ring| ring as f64 / RINGS as f64);
     for y in rows() {
-        // Half a wave of bulge; the normal leans against its slope.
+        // The radius follows half a sine wave, and the normal is perpendicular to its slope.
         let (bulge, slope) = ((PI * y).sin(), PI * (PI * y).cos());
         for segment in 0..SEGMENTS {
             let (sine, cosine) = (2.0 * PI * segment as f64 / SEGMENTS as f64).sin_cos();
@@ -74,7 +75,7 @@ fn levels_of_a_mesh_with_a_seam_have_all_values() {
 }
 
 #[test]
-fn contenders_that_cannot_run_are_left_out_with_a_note() {
+fn contenders_that_cannot_run_are_noted() {
     let bench = Workbench::new();
     let arguments =
         "compare shape:torus --parts assets --shares 10 --contenders striata,gltfpack,gltfpack-sp --json";
@@ -85,7 +86,7 @@ fn contenders_that_cannot_run_are_left_out_with_a_note() {
     assert_eq!(notes.len(), 1, "{notes:?}");
     assert!(notes[0].as_str().is_some_and(|note| note.contains("left out")), "{notes:?}");
     assert!(report.get("assets_summary").is_none(), "there is nothing to compare with");
-    // The torus has neither normals nor texture coordinates: smooth normals are compared.
+    // The torus has neither normals nor texture coordinates, so smooth normals are compared.
     let row = &levels(&report)[0];
     assert!(row["uv_mean"].is_null() && number(row, "normal_mean_degrees") > 0.0, "{row}");
 }

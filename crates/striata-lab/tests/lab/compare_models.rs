@@ -1,4 +1,4 @@
-//! `compare --parts models`: every model with every key, on meshes of all kinds.
+//! `compare --parts models`: every model has every key, on meshes of all kinds.
 
 use serde_json::Value;
 
@@ -36,7 +36,7 @@ fn every_model_has_every_key() {
     let bench = Workbench::with_ball();
     let report = bench.json(&format!("compare sphere.obj {QUICK}"));
     let mesh = &report["meshes"][0];
-    assert!(mesh.get("strips").is_none(), "strips were not asked for");
+    assert!(mesh.get("strips").is_none(), "strips were not requested");
     assert_eq!(
         (&mesh["models_of"]["triangle_count"], &mesh["models_of"]["vertex_count"]),
         (&512.into(), &258.into())
@@ -51,8 +51,8 @@ fn every_model_has_every_key() {
         let bytes: f64 = parts.values().filter_map(Value::as_f64).sum();
         assert_eq!(number(row, "bytes"), bytes);
         assert_eq!(number(row, "total_bytes"), bytes + 12.0 * 258.0);
-        // What reads JSON here may miss a number's last digit.
-        let is_near = |key: &str, wanted: f64| (number(row, key) - wanted).abs() < 1e-9 * wanted;
+        // The JSON parser used here may lose a number's last digit.
+        let is_near = |key: &str, expected: f64| (number(row, key) - expected).abs() < 1e-9 * expected;
         assert!(is_near("bytes_per_vertex", bytes / 258.0), "{row}");
         assert!(is_near("ratio_to_plain", (bytes + 12.0 * 258.0) / plain), "{row}");
         assert!(number(row, "seek_secs") >= 0.0 && number(row, "build_secs") > 0.0, "{row}");
@@ -62,7 +62,7 @@ fn every_model_has_every_key() {
 }
 
 #[test]
-fn walks_go_from_the_full_mesh_to_the_base() {
+fn walks_lead_from_the_full_mesh_to_the_base() {
     let bench = Workbench::with_ball();
     let report = bench.json(&format!("compare sphere.obj {QUICK}"));
     let mesh = &report["meshes"][0];
@@ -87,14 +87,14 @@ fn walks_go_from_the_full_mesh_to_the_base() {
             assert!(has_few_levels || at("triangle_count", 12) == base, "{walk}");
             assert!(number(walk, "triangle_count") < 512.0 && number(walk, "index_count") > 0.0, "{walk}");
         }
-        // Near the object is where the exponential walk leaves detail behind.
+        // The exponential walk drops more detail while it is near the object.
         let triangles = |pace: &str| number(row, &format!("walks.{pace}.triangle_count"));
         assert!(triangles("exponential") < triangles("linear"), "{row}");
     }
 }
 
 #[test]
-fn models_are_measured_alone_where_they_are_named() {
+fn only_named_models_are_measured() {
     let bench = Workbench::with_ball();
     let report = bench.json(&format!("compare sphere.obj ball.striata {QUICK} --models discrete-5,mts,mts"));
     for mesh in report["meshes"].as_array().expect("a list") {
@@ -104,7 +104,7 @@ fn models_are_measured_alone_where_they_are_named() {
 }
 
 #[test]
-fn meshes_of_next_to_nothing_have_rows_too() {
+fn tiny_meshes_have_rows() {
     let bench = Workbench::new();
     bench.write("empty.off", "OFF\n0 0 0\n");
     bench.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
@@ -121,8 +121,8 @@ fn meshes_of_next_to_nothing_have_rows_too() {
 }
 
 #[test]
-fn shapes_with_seams_materials_and_one_side_are_shown_right_by_all() {
-    // The command itself holds every model to the oracle.
+fn seams_materials_and_one_sided_shapes_are_correct_in_all_models() {
+    // The command itself checks every model against the oracle.
     let bench = Workbench::new();
     for (shape, refused) in [
         ("cylinder", Some("one a position")),
@@ -135,23 +135,24 @@ fn shapes_with_seams_materials_and_one_side_are_shown_right_by_all() {
         let line = format!("compare shape:{shape} {QUICK}");
         let mesh = &bench.json(&line)["meshes"][0];
         assert_eq!(mesh["name"], format!("shape:{shape}"));
-        // As published, patterns know surfaces of one side, one group and no seams, with few overlaps to a fragment.
+        // The published patterns support only orientable surfaces with one group, no seams and few
+        // overlaps per fragment.
         let names: Vec<&str> = rows(mesh).iter().filter_map(|row| row["name"].as_str()).collect();
         let expected = MODELS.iter().filter(|name| refused.is_none() || **name != "loop-patterns");
         assert!(names.iter().eq(expected), "{shape}: {names:?}");
         let refusals = mesh["models_refused"].as_array().expect("a list");
         assert_eq!(refusals.len(), usize::from(refused.is_some()), "{shape}: {refusals:?}");
         let Some(why) = refused else { continue };
-        let said = refusals[0]["cannot_be_built"].as_str().expect("a reason");
-        assert!(refusals[0]["name"] == "loop-patterns" && said.contains(why), "{shape}: {said}");
-        let told = bench.run(&line).success();
-        let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-        assert!(told.contains(&format!("loop-patterns cannot be built: {said}.")), "{told}");
+        let reason = refusals[0]["cannot_be_built"].as_str().expect("a reason");
+        assert!(refusals[0]["name"] == "loop-patterns" && reason.contains(why), "{shape}: {reason}");
+        let text_report = bench.run(&line).success();
+        let text_report = String::from_utf8_lossy(&text_report.get_output().stdout).into_owned();
+        assert!(text_report.contains(&format!("loop-patterns cannot be built: {reason}.")), "{text_report}");
     }
 }
 
 #[test]
-fn the_sphere_of_the_papers_stands_beside_their_figures() {
+fn sphere_of_the_papers_is_compared_with_their_figures() {
     let bench = Workbench::new();
     let line = format!("compare shape:sphere shape:cube {QUICK} --models progressive-meshes");
     let report = bench.json(&line);
@@ -166,28 +167,28 @@ fn the_sphere_of_the_papers_stands_beside_their_figures() {
     assert!((1e6 * number(storage, "ours") - paper_bytes).abs() < 0.01, "{storage}");
     assert!(row("MTS, storage")["ours"].is_null(), "MTS was not measured");
     assert_eq!(report["meshes"][1]["papers"], serde_json::json!([]), "no paper measured a cube");
-    let told = bench.run(&line).success();
-    let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-    assert_eq!(told.matches("Beside the papers").count(), 1, "{told}");
+    let text_report = bench.run(&line).success();
+    let text_report = String::from_utf8_lossy(&text_report.get_output().stdout).into_owned();
+    assert_eq!(text_report.matches("Compared with the papers").count(), 1, "{text_report}");
 }
 
 #[test]
-fn the_page_of_all_parts_stands_alone() {
+fn page_with_all_parts_is_self_contained() {
     let bench = Workbench::with_ball();
     let line =
         "compare sphere.obj --model-strips greedy --frames 150 --seeds 1 --max-tunnel 3 --strips greedy";
     let assert = bench.run(&format!("{line} --html page.html")).success();
-    let told = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
+    let text_report = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
     for text in ["Models: ", "Linear walk, 150 frames", "Exponential walk", "Strips by the longest tunnel"] {
-        assert!(told.contains(text), "no {text:?} in {told}");
+        assert!(text_report.contains(text), "no {text:?} in {text_report}");
     }
     let page = String::from_utf8(bench.read("page.html")).expect("text");
     assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (11 + 17 + 3, 5 + 8 + 2));
     for model in MODELS {
-        assert!(told.contains(model) && page.matches(model).count() >= 8, "{model}");
+        assert!(text_report.contains(model) && page.matches(model).count() >= 8, "{model}");
     }
     for outside in ["http", "src=\"", "{{", "@import"] {
-        // The name of SVG's namespace is an address that nobody looks up.
+        // The name of SVG's namespace is a URL that is never fetched.
         let found = page.replace("http://www.w3.org/2000/svg", "").contains(outside);
         assert!(!found, "{outside} in the page");
     }

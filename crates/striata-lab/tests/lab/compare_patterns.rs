@@ -1,4 +1,4 @@
-//! `compare --parts patterns`: fragments of every source in every form, and times of extraction.
+//! `compare --parts patterns`: fragments of every source in every form, and extraction times.
 
 use serde_json::Value;
 
@@ -34,8 +34,8 @@ fn every_source_has_every_form() {
         assert!(number(row, "rule_count") >= 4.0 && number(row, "loop_rule_count") >= 4.0, "{row}");
         let overlaps = number(row, "overlaps_per_fragment");
         assert!((2.0..2.6).contains(&overlaps) && row["cannot_be_published"].is_null(), "{row}");
-        let counted = number(row, "paper_bits_per_fragment");
-        assert!((counted - (116.0 + 36.0 * overlaps)).abs() < 0.01, "{row}");
+        let paper_bits = number(row, "paper_bits_per_fragment");
+        assert!((paper_bits - (116.0 + 36.0 * overlaps)).abs() < 0.01, "{row}");
         for (bytes, bits, per_vertex) in [
             ("bytes", "bits_per_fragment", "bytes_per_vertex"),
             ("loop_bytes", "loop_bits_per_fragment", "loop_bytes_per_vertex"),
@@ -83,7 +83,7 @@ fn every_source_has_every_form() {
 }
 
 #[test]
-fn what_cannot_be_published_says_why() {
+fn unsupported_meshes_report_the_reason() {
     let bench = Workbench::new();
     let line = "compare shape:cylinder --parts patterns";
     let report = bench.json(line);
@@ -104,13 +104,17 @@ fn what_cannot_be_published_says_why() {
         let names: Vec<&str> = list(row, "models").iter().filter_map(|time| time["name"].as_str()).collect();
         assert_eq!(names, MODELS[..2]);
     }
-    let told = bench.run(line).success();
-    let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-    assert_eq!(told.matches("The published form cannot hold ").count(), SOURCES.len(), "{told}");
+    let text_report = bench.run(line).success();
+    let text_report = String::from_utf8_lossy(&text_report.get_output().stdout).into_owned();
+    assert_eq!(
+        text_report.matches("The published form cannot represent ").count(),
+        SOURCES.len(),
+        "{text_report}"
+    );
 }
 
 #[test]
-fn meshes_of_next_to_nothing_have_patterns_too() {
+fn tiny_meshes_have_patterns() {
     let bench = Workbench::with_ball();
     bench.write("empty.off", "OFF\n0 0 0\n");
     bench.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
@@ -128,7 +132,11 @@ fn meshes_of_next_to_nothing_have_patterns_too() {
     let page = String::from_utf8(bench.read("page.html")).expect("text");
     assert!(!page.contains("NaN") && !page.contains(">inf"));
     assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (5 * 3, 5 * 2));
-    let told = bench.run(line).success();
-    let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-    assert_eq!(told.matches("Extraction from the base by a condition on errors").count(), 5, "{told}");
+    let text_report = bench.run(line).success();
+    let text_report = String::from_utf8_lossy(&text_report.get_output().stdout).into_owned();
+    assert_eq!(
+        text_report.matches("Extraction from the base by a condition on errors").count(),
+        5,
+        "{text_report}"
+    );
 }

@@ -1,4 +1,4 @@
-//! `compare --parts rate`: distances after a number of bytes, and sizes.
+//! `compare --parts rate`: distances after a number of bytes, and file sizes.
 
 use serde_json::Value;
 
@@ -31,7 +31,7 @@ fn distances_are_reported_for_numbers_of_bytes() {
         let [first, last] = [rows[0], rows[rows.len() - 1]];
         assert_eq!(last["triangle_count"], 800);
         for key in ["max", "rms"] {
-            // A step of the grid is about 0.06 % of the diagonal.
+            // One grid step is about 0.06 % of the diagonal.
             assert!(
                 number(last, key) < 0.06 && number(last, key) < 0.2 * number(first, key),
                 "{name}: {key}"
@@ -44,7 +44,7 @@ fn distances_are_reported_for_numbers_of_bytes() {
         assert!(row.is_some_and(|row| number(row, "bytes") > 100.0 && row.get("ratio_to_draco").is_none()));
     }
     let page = String::from_utf8(bench.read("rate.html")).expect("text");
-    assert!(page.contains("Distance after so many bytes") && page.contains("RMS, % of the diagonal"));
+    assert!(page.contains("Distance after a number of bytes") && page.contains("RMS, % of the diagonal"));
     let line = "compare sphere.obj --rate --rate-sizes --rate-efforts fast --json";
     let assert = bench.command(line).env("PATH", "").assert().success();
     let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON on stdout");

@@ -1,4 +1,4 @@
-//! `compare --parts views`: models that follow an eye, on meshes of all kinds.
+//! `compare --parts views`: models that follow a camera, on meshes of all kinds.
 
 use serde_json::Value;
 
@@ -48,7 +48,7 @@ fn every_path_has_every_follower_with_every_key() {
             let triangles = number(row, "triangles");
             assert!(triangles > 10.0 && triangles <= 2.0 * 192.0 * 96.0, "{row}");
             let (max, p99) = (number(row, "max_error_px"), number(row, "p99_error_px"));
-            // What a step is said to be off is measured at points, and so is this: they are not the same points.
+            // The reported error of a step and this measurement sample different points.
             assert!(p99 <= max && max > 0.0 && max < 1.5 * number(path, "pixels"), "{row}");
             for (name, values) in row["series"].as_object().expect("an object") {
                 let values = values.as_array().expect("a list");
@@ -63,9 +63,10 @@ fn every_path_has_every_follower_with_every_key() {
         for key in ["triangles", "max_error_px", "p99_error_px", "bytes_per_vertex"] {
             assert!(fans[key] == kept[key] && fans[key] == stateless[key], "{key} depends on memory: {path}");
         }
-        // Where all is new in each frame, what the last one showed is asked for besides.
-        let asks_less = number(fans, "asked_per_frame") < number(stateless, "asked_per_frame");
-        assert!(asks_less || path["name"] == "jumps", "{path}");
+        // On jumps everything changes in each frame, and the parts of the previous view are evaluated in
+        // addition.
+        let evaluates_less = number(fans, "asked_per_frame") < number(stateless, "asked_per_frame");
+        assert!(evaluates_less || path["name"] == "jumps", "{path}");
         let bytes = [kept, fans, stateless].map(|row| number(row, "bytes_per_instance"));
         assert!(bytes.is_sorted_by(|a, b| a > b), "{bytes:?}");
         assert!(number(stateless, "bytes_per_instance") <= 192.0 * 96.0 / 8.0 + 8.0);
@@ -96,23 +97,23 @@ fn every_path_has_every_follower_with_every_key() {
 }
 
 #[test]
-fn what_cannot_be_built_says_why() {
+fn unsupported_meshes_report_the_reason() {
     let bench = Workbench::new();
     let line = "compare shape:klein-bottle --parts views";
     let report = bench.json(line);
     for path in list(&report["meshes"][0]["views"], "paths") {
-        let rival = contender(path, "vdpm");
-        assert!(rival["cannot_be_built"].as_str().is_some_and(|why| why.contains("edge")), "{rival}");
-        assert!(rival.get("update_ms").is_none());
+        let vdpm = contender(path, "vdpm");
+        assert!(vdpm["cannot_be_built"].as_str().is_some_and(|why| why.contains("edge")), "{vdpm}");
+        assert!(vdpm.get("update_ms").is_none());
         assert!(number(contender(path, "fans"), "triangles") > 0.0);
     }
-    let told = bench.run(line).success();
-    let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-    assert_eq!(told.matches("vdpm cannot be built: ").count(), 1, "{told}");
+    let text_report = bench.run(line).success();
+    let text_report = String::from_utf8_lossy(&text_report.get_output().stdout).into_owned();
+    assert_eq!(text_report.matches("vdpm cannot be built: ").count(), 1, "{text_report}");
 }
 
 #[test]
-fn meshes_of_next_to_nothing_are_looked_at_too() {
+fn tiny_meshes_have_views() {
     let bench = Workbench::new();
     bench.write("empty.off", "OFF\n0 0 0\n");
     bench.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
@@ -131,13 +132,13 @@ fn meshes_of_next_to_nothing_are_looked_at_too() {
 }
 
 #[test]
-fn a_page_of_several_meshes_has_them_beside_each_other() {
+fn page_of_several_meshes_compares_them() {
     let bench = Workbench::new();
     let line = "compare shape:icosphere shape:grid --parts views --html page.html";
-    let told = bench.run(line).success();
-    let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-    for text in ["orbit, 5 pixels: 720 frames", "Memory, bytes a vertex", "One view from the base"] {
-        assert_eq!(told.matches(text).count(), 2, "{text:?} in {told}");
+    let text_report = bench.run(line).success();
+    let text_report = String::from_utf8_lossy(&text_report.get_output().stdout).into_owned();
+    for text in ["orbit, 5 pixels: 720 frames", "Memory in bytes per vertex", "One view from the base"] {
+        assert_eq!(text_report.matches(text).count(), 2, "{text:?} in {text_report}");
     }
     let page = String::from_utf8(bench.read("page.html")).expect("text");
     assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (2 * 17 + 2, 2 * 8));

@@ -1,4 +1,4 @@
-//! What `--help` says, letter by letter.
+//! Snapshots of the `--help` output.
 
 use crate::workbench::Workbench;
 

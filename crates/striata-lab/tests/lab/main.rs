@@ -1,4 +1,5 @@
-//! The lab's command as its users meet it: run in a folder of its own, judged by what it prints and leaves.
+//! End-to-end tests of the `striata-lab` command: each runs in a temporary folder and checks the output
+//! and the files written.
 
 mod ball;
 #[cfg(feature = "gpu")]
@@ -11,7 +12,7 @@ mod compare_rate;
 mod compare_views;
 mod help;
 #[path = "../../../striata-cli/tests/cli/workbench.rs"]
-#[expect(dead_code, reason = "the product's tests need more of it")]
+#[expect(dead_code, reason = "shared with the tests of striata-cli, which use more of it")]
 mod workbench;
 
 /// The command under test.

@@ -1,32 +1,36 @@
-//! The pattern model as published \[KG98\]: a rule and two anchors for each fragment, and the hierarchy as loops.
+//! The pattern model as published \[KG98\]: each fragment is a rule with two anchors, and the hierarchy
+//! consists of loops.
 //!
-//! No triangles are stored. A fragment is told by its **rule** (how its floor triangulates its ring; the ceiling is always the fan
-//! around the removed vertex) and by two vertices of the ring, its **anchors**, from which the rule is laid over the current
-//! triangulation. The fragments that one covers are linked in a **loop**: down to the first of them, from each to the
-//! next, and from the last one back. So each fragment stores a link for every loop that it is in, and following these to
-//! their ends finds all that cover it.
+//! No triangles are stored. A fragment is described by its **rule** (how its floor triangulates its ring;
+//! the ceiling is always the fan around the removed vertex) and by two vertices of the ring, its
+//! **anchors**, which position the rule on the current triangulation. The fragments covered by one
+//! fragment are linked in a **loop**: down to the first of them, from each to the next, and from the last
+//! one back. A fragment therefore stores a link for every loop it is part of, and following these loops to
+//! their ends finds all fragments that cover it.
 //!
 //! ```text
 //!        41 --down--> 17 --loop 2--> 30 --loop 0--> 12 --loop 1--> back to 41
-//!        41 stands on 17, 30 and 12; 30's loop 0 ends at 41, so 41 covers 30
+//!        41 depends on 17, 30 and 12; loop 0 of 30 ends at 41, so 41 covers 30
 //! ```
 //!
-//! **An instance** is the current triangulation with its neighbors. To insert a fragment, its floor is found at the side
-//! between the anchors and replaced by a fan; to remove one, the fan of its vertex is found and replaced by a floor. A triangle's
-//! youngest corner tells which fragment made it.
+//! **An instance** is the current triangulation with adjacency. To insert a fragment, its floor is located
+//! at the edge between the anchors and replaced by a fan. To remove one, the fan of its vertex is replaced
+//! by the floor. The youngest corner of a triangle identifies the fragment that created it.
 //!
-//! Differs, since the paper is silent on it: fragments are numbered from coarse to fine, as vertices are. Two triangles of a
-//! refined surface may have the same two anchors at the same side; the first fragment of a loop is therefore the one that makes the
-//! right one. Fragments that cover the base are listed. A triangle that hangs on one edge has no floor; it
-//! is taken to cover the one that it hangs on, or it could come without it. One of the sixteen loop numbers stands for the
-//! end of a loop, so a fragment is in at most 15; the rule's number has the other 12 of the paper's 16 bits. Where the links of
-//! a fragment begin takes a bit more (`records.rs`).
+//! Differs, since the paper does not specify it: fragments are numbered from coarse to fine, like
+//! vertices. Two triangles of a refined surface may have the same anchors on the same edge; therefore the
+//! first fragment of a loop is the one that creates the right triangle. Fragments that cover the base are
+//! listed. A triangle attached by one edge has no floor; it counts as covering the triangle it is attached
+//! to, since it could otherwise appear without it. One of the sixteen loop indices marks the end of a
+//! loop, so a fragment is in at most 15 loops; the other 12 of the paper's 16 bits are the rule index.
+//! Finding the links of a fragment takes slightly more memory (`records.rs`).
 //!
-//! The paper's form holds surfaces only: [`build`](LoopPatterns::build) refuses seams, groups, stars that are not one fan
-//! and floors that do not fill their hole, and says where. Borders are open rings, and holes may close.
+//! The paper's form represents surfaces only: [`build`](LoopPatterns::build) rejects seams, groups, stars
+//! that are not one fan, and floors that do not fill their hole, and reports where they are. Borders are
+//! open rings, and holes may close.
 //!
-//! Cost: 116 bits a fragment and 36 an overlap, of which there are 2.3 to 2.5 a fragment. Changes are linear in the fragments that
-//! come and go, a condition is asked for each overlap of what is shown.
+//! Cost: 116 bits per fragment and 36 per overlap, of which there are 2.3 to 2.5 per fragment. Changes are
+//! linear in the fragments inserted and removed; a condition is evaluated for each overlap shown.
 
 mod build;
 mod records;
@@ -39,7 +43,7 @@ pub(super) use self::build::check_form;
 use self::records::Records;
 pub(super) use self::rule::{Rule, RuleTable, Shape};
 pub use self::state::LoopPatternsState;
-pub(super) use self::surface::{Found, Side, Surface};
+pub(super) use self::surface::{Region, Side, Surface};
 use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};
 
 use crate::paper_bytes::{Accounting, PaperBytes, pattern_bytes};
@@ -49,50 +53,50 @@ use crate::paper_bytes::{Accounting, PaperBytes, pattern_bytes};
 pub struct LoopPatterns {
     vertices: StepVertices<'static>,
     base: Vec<[u32; 3]>,
-    /// Fragments that replace triangles of the base, or hang on them, rising.
+    /// Fragments that replace triangles of the base or are attached to them, ascending.
     base_covers: Vec<u32>,
     rules: RuleTable,
     records: Records,
 }
 
 impl LoopPatterns {
-    /// Rules: kinds of fragments, with those of open rings.
+    /// Number of rules (kinds of fragments), including those with open rings.
     pub fn rule_count(&self) -> usize {
         self.rules.len()
     }
 
-    /// Pairs of fragments that overlap, those with the base not counted; the paper's `u`.
+    /// Number of pairs of overlapping fragments, without overlaps with the base; the paper's `u`.
     pub fn overlap_count(&self) -> usize {
         self.records.link_count()
     }
 
-    /// The fragments that a fragment stands on.
+    /// The fragments that a fragment depends on.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     pub fn covered(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
         self.records.covered(step)
     }
 
-    /// The fragments that stand on a fragment, each found at the end of a loop.
+    /// The fragments that depend on a fragment, each found at the end of a loop.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     pub fn covering(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
         self.records.covering(step)
     }
 
-    /// The fragments that stand on the base, rising.
+    /// The fragments that depend on the base, ascending.
     pub fn base_covers(&self) -> &[u32] {
         &self.base_covers
     }
 
-    /// A new instance that shows the base.
+    /// Creates an instance that shows the base.
     pub fn base_state(&self) -> LoopPatternsState {
         LoopPatternsState::base(self)
     }
 
-    /// The fragment that makes a triangle; none for one of the base.
+    /// The fragment that creates a triangle, or `None` if it is in the base.
     #[inline]
     fn maker(&self, &[a, b, c]: &[u32; 3]) -> Option<u32> {
         a.max(b).max(c).checked_sub(self.vertices.base_vertex_count())
@@ -112,7 +116,7 @@ impl LodModel for LoopPatterns {
         state
     }
 
-    /// Fragments that are inserted, whichever they are.
+    /// Number of fragments inserted, in whatever combination.
     fn split_count(&self, state: &LoopPatternsState) -> usize {
         state.split_count()
     }
@@ -154,7 +158,7 @@ impl LodModel for LoopPatterns {
 }
 
 impl PaperBytes for LoopPatterns {
-    /// The paper's bits of each fragment and each overlap, with the overlaps that there are.
+    /// The paper's bits per fragment and per overlap, with the actual number of overlaps.
     fn paper_bytes(&self, _: Accounting) -> usize {
         pattern_bytes(self.step_count(), self.overlap_count())
     }

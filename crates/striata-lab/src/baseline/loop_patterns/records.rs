@@ -1,68 +1,68 @@
-//! The published record of a fragment, packed to the bit.
+//! The published record of a fragment, packed bit by bit.
 //!
 //! ```text
 //! heads   | anchor 32 | anchor 32 | rule 12 | down: fragment 32, loop 4 |   112 bits each
 //! counts  | loops 4 |                                                         4 bits each
-//! links   | fragment 32, loop 4 |                                            36 bits each, a fragment's in a row
+//! links   | fragment 32, loop 4 |                                            36 bits each, by fragment
 //! ```
 //!
-//! Where a fragment's links begin the paper leaves open. Here the first link of every 32nd fragment is stored, a bit each, and the
-//! counts between are added up, sixteen at a time.
+//! The paper does not say how a fragment's links are found. Here the first link of every 32nd fragment is
+//! stored, which takes one bit per fragment, and the counts in between are summed, sixteen at a time.
 
 use striata::model::Bits;
 
-/// Loops that 4 bits can number, one number being the end of a loop.
+/// Number of loops that 4 bits can address; one value marks the end of a loop.
 pub(super) const MAX_LOOPS: usize = 15;
 
-/// Instead of a loop, in the link that leads back to the covering fragment.
+/// Replaces the loop index in the link that leads back to the covering fragment.
 const END: u32 = MAX_LOOPS as u32;
 
 const RULE_BITS: u32 = 12;
 const LOOP_BITS: u32 = 4;
 const LINK_BITS: u32 = 32 + LOOP_BITS;
 const HEAD_BITS: u32 = 64 + RULE_BITS + LINK_BITS;
-/// Counts in a word.
+/// Counts per word.
 const COUNTS_PER_WORD: usize = 16;
-/// Words of counts from one stored place to the next.
+/// Words of counts between two stored offsets.
 const WORDS_PER_BLOCK: usize = 2;
 
-/// One element of a loop: the fragment that it leads to, and which of that one's loops goes on.
+/// An element of a loop: the next fragment, and which of its loops continues this one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Link {
     pub(super) step: u32,
-    number: u32,
+    loop_index: u32,
 }
 
 impl Link {
-    /// Which of the loops of its fragment goes on.
-    pub(super) fn number(self) -> usize {
-        self.number as usize
+    /// Which of its fragment's loops continues this one.
+    pub(super) fn loop_index(self) -> usize {
+        self.loop_index as usize
     }
 
-    pub(super) fn to(step: u32, number: usize) -> Self {
-        Self { step, number: number as u32 }
+    pub(super) fn to(step: u32, loop_index: usize) -> Self {
+        Self { step, loop_index: loop_index as u32 }
     }
 
-    /// Back to the fragment whose loop it is.
+    /// A link back to the fragment that owns the loop.
     pub(super) fn back_to(step: u32) -> Self {
-        Self { step, number: END }
+        Self { step, loop_index: END }
     }
 
     #[inline]
     fn is_back(self) -> bool {
-        self.number == END
+        self.loop_index == END
     }
 
     fn bits(self) -> u64 {
-        u64::from(self.step) | u64::from(self.number) << 32
+        u64::from(self.step) | u64::from(self.loop_index) << 32
     }
 
     fn of_bits(bits: u64) -> Self {
-        Self { step: bits as u32, number: (bits >> 32) as u32 }
+        Self { step: bits as u32, loop_index: (bits >> 32) as u32 }
     }
 }
 
-/// What is stored of a fragment beside its links.
+/// The part of a fragment's record that precedes its links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Head {
     pub(super) anchors: [u32; 2],
@@ -70,21 +70,21 @@ pub(super) struct Head {
     pub(super) down: Link,
 }
 
-/// All fragments of a model.
+/// The records of all fragments of a model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Records {
     count: usize,
     heads: Bits,
-    /// Loops of each fragment, sixteen in a word.
+    /// Number of loops through each fragment, sixteen per word.
     counts: Vec<u64>,
     links: Bits,
     link_count: usize,
-    /// The first link of each block.
+    /// First link of each block.
     firsts: Vec<u32>,
 }
 
 impl Records {
-    /// Appends a fragment.
+    /// Appends the record of a fragment.
     pub(super) fn push(&mut self, head: &Head, links: &[Link]) {
         if self.count.is_multiple_of(COUNTS_PER_WORD) {
             if self.counts.len().is_multiple_of(WORDS_PER_BLOCK) {
@@ -106,7 +106,7 @@ impl Records {
         self.count
     }
 
-    /// Links of all loops, those down not counted: one for each overlap.
+    /// Number of links in all loops, without those down: one per overlap.
     pub(super) fn link_count(&self) -> usize {
         self.link_count
     }
@@ -132,24 +132,24 @@ impl Records {
     }
 
     #[inline]
-    fn link(&self, step: u32, number: u32) -> Link {
+    fn link(&self, step: u32, loop_index: u32) -> Link {
         let word = step as usize / COUNTS_PER_WORD;
         let block = word / WORDS_PER_BLOCK;
-        let mut at = self.firsts[block] as usize + number as usize;
+        let mut at = self.firsts[block] as usize + loop_index as usize;
         at += self.counts[block * WORDS_PER_BLOCK..word].iter().map(|&counts| sum(counts)).sum::<usize>();
         let before = (1u64 << (4 * (step as usize % COUNTS_PER_WORD))) - 1;
         at += sum(self.counts[word] & before);
         Link::of_bits(self.links.get(at * LINK_BITS as usize, LINK_BITS))
     }
 
-    /// The fragments that a fragment covers: those of its loop.
+    /// The fragments that a fragment covers, in the order of its loop.
     #[inline]
     pub(super) fn covered(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
         let mut at = self.down(step);
         std::iter::from_fn(move || {
             let here = at;
             (!here.is_back()).then(|| {
-                at = self.link(here.step, here.number);
+                at = self.link(here.step, here.loop_index);
                 here.step
             })
         })
@@ -158,27 +158,27 @@ impl Records {
     /// The fragments that cover a fragment, each found at the end of a loop.
     #[inline]
     pub(super) fn covering(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
-        (0..self.loop_count(step) as u32).map(move |number| {
-            let mut at = self.link(step, number);
+        (0..self.loop_count(step) as u32).map(move |loop_index| {
+            let mut at = self.link(step, loop_index);
             while !at.is_back() {
-                at = self.link(at.step, at.number);
+                at = self.link(at.step, at.loop_index);
             }
             at.step
         })
     }
 
-    /// Bytes of heads, of loops with their counts, and of what finds them.
+    /// Bytes of the heads, of the loops with their counts, and of the offsets of links.
     pub(super) fn bytes(&self) -> [usize; 3] {
         [self.heads.bytes(), self.links.bytes() + size_of_val(&self.counts[..]), 4 * self.firsts.len()]
     }
 }
 
-/// Adds up sixteen numbers of four bits.
+/// Sum of sixteen 4-bit integers.
 #[inline]
 fn sum(counts: u64) -> usize {
     const EVEN: u64 = 0x0F0F_0F0F_0F0F_0F0F;
     let pairs = (counts & EVEN) + (counts >> 4 & EVEN);
-    // Eight sums of at most 30 fit a byte together.
+    // Eight sums of at most 30 fit in one byte together.
     (pairs.wrapping_mul(0x0101_0101_0101_0101) >> 56) as usize
 }
 
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn sixteen_counts_are_added_at_once() {
+    fn sixteen_counts_are_summed_in_one_word() {
         assert_eq!(sum(u64::MAX), 240);
         assert_eq!(sum(0x1234_5678_9ABC_DEF0), 120);
     }

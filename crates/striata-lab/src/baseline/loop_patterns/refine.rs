@@ -1,17 +1,19 @@
-//! Selective refinement: \[KG98\] section 3.4.
+//! Selective refinement, \[KG98\] section 3.4.
 //!
-//! A triangle belongs to the overlap of the fragment that makes it, told by its youngest corner, with one that covers it. An
-//! overlap is part of the current triangulation where the lower fragment is inserted and the upper one is not.
+//! A triangle belongs to an overlap: between the fragment that creates it, identified by its youngest
+//! corner, and one that covers it. An overlap is part of the current triangulation if its lower fragment
+//! is inserted and its upper one is not.
 
 use striata::model::{Condition, Overlap, PatternChange};
 
 use super::{LoopPatterns, LoopPatternsState};
 
 impl LoopPatterns {
-    /// Goes to the smallest closed set of fragments in which no overlap is too coarse, from wherever the instance is.
+    /// Moves to the smallest closed set of fragments in which no overlap is too coarse, from any current
+    /// set.
     ///
-    /// That set is the same for any condition, also where a fine overlap may be too coarse and the one below it not; the
-    /// two steps of the paper may then stop above it.
+    /// That set is unique for any condition, even one that considers a fine overlap too coarse but not the
+    /// one below it. In that case the two steps of the paper may stop above the smallest set.
     ///
     /// # Panics
     /// If the state belongs to another model.
@@ -27,7 +29,8 @@ impl LoopPatterns {
         PatternChange { inserted: change.inserted.len(), removed: change.removed.len() }
     }
 
-    /// Removes fragments from the top as long as none of the overlaps in their floors is too coarse; how many went.
+    /// Removes fragments from the top as long as none of the overlaps in their floors is too coarse.
+    /// Returns the number of fragments removed.
     ///
     /// # Panics
     /// If the state belongs to another model.
@@ -54,8 +57,8 @@ impl LoopPatterns {
             || self.records.covered(step).any(|lower| is_coarse(Some(lower)))
     }
 
-    /// Inserts the upper fragments of all overlaps that are too coarse, with what they stand on, until there are none; how many
-    /// fragments came.
+    /// Inserts the upper fragments of all overlaps that are too coarse, along with their prerequisites,
+    /// until none is left. Returns the number of fragments inserted.
     ///
     /// # Panics
     /// If the state belongs to another model.
@@ -66,30 +69,31 @@ impl LoopPatterns {
         let mut count = 0;
         for &upper in &self.base_covers {
             if !state.inserted.has(upper) && coarse(None, upper) {
-                count += self.lay_foundation(state, upper, &mut arrived);
+                count += self.insert_closure(state, upper, &mut arrived);
             }
         }
         while let Some(step) = arrived.pop() {
             for upper in self.records.covering(step) {
                 if !state.inserted.has(upper) && coarse(Some(step), upper) {
-                    count += self.lay_foundation(state, upper, &mut arrived);
+                    count += self.insert_closure(state, upper, &mut arrived);
                 }
             }
         }
         count
     }
 
-    /// Inserts a fragment, and first what it stands on; how many fragments came.
+    /// Inserts a fragment after its prerequisites. Returns the number of fragments inserted.
     ///
     /// # Panics
-    /// If there is no such fragment, or the state belongs to another model.
+    /// If the fragment does not exist or the state belongs to another model.
     pub fn insert(&self, state: &mut LoopPatternsState, step: u32) -> usize {
         state.check(self);
-        self.lay_foundation(state, step, &mut Vec::new())
+        self.insert_closure(state, step, &mut Vec::new())
     }
 
-    /// The paper's `layFoundation`, with a list of what waits instead of recursion; lists what comes.
-    fn lay_foundation(&self, state: &mut LoopPatternsState, step: u32, arrived: &mut Vec<u32>) -> usize {
+    /// The paper's `layFoundation`, with an explicit stack instead of recursion. Appends the inserted
+    /// fragments to `arrived`.
+    fn insert_closure(&self, state: &mut LoopPatternsState, step: u32, arrived: &mut Vec<u32>) -> usize {
         let before = state.inserted.len();
         let mut waiting = vec![step];
         while let Some(&step) = waiting.last() {

@@ -1,8 +1,9 @@
-//! Rules: what fragments look like, up to where they are.
+//! Rules: the shapes of fragments, independent of where they are in the mesh.
 //!
-//! A ceiling is the fan around the removed vertex, so all that tells one kind of fragment from another is how many corners the
-//! ring has, whether it is closed, and how the floor triangulates it. With ring corners numbered counterclockwise, the floor
-//! is a binary tree: the triangle at side 0 1 has an apex, which leaves a smaller ring on either side of it, and so on.
+//! A ceiling is the fan around the removed vertex. Kinds of fragments therefore differ only in the number
+//! of ring corners, in whether the ring is closed, and in how the floor triangulates it. With the ring
+//! corners numbered counterclockwise, the floor is a binary tree: the triangle at side 0 1 has an apex,
+//! which leaves a smaller ring on either side, and so on.
 //!
 //! ```text
 //!        3                 side 0 1 -> apex 3: ring 1 2 3 and ring 3 4 0
@@ -12,34 +13,36 @@
 //!       0-1                code: closed, 3 2 4
 //! ```
 //!
-//! Of all corners that a closed ring can begin with the one with the smallest code counts; the mirror image of a floor has
-//! another code. An open ring, that of a border, begins where the border enters it.
+//! Of all corners at which a closed ring can begin, the one with the smallest code is chosen. The mirror
+//! image of a floor has a different code. An open ring, at a border of the mesh, begins where the border
+//! enters it.
 
 use std::collections::HashMap;
 
 use striata::model::ModelError;
 
-/// Rules that 12 bits can number.
+/// Number of rules that 12 bits can address.
 pub(super) const MAX_RULES: usize = 1 << 12;
 
-/// Corners of a ring that a byte can number.
+/// Number of ring corners that a byte can address.
 const MAX_RING: usize = 255;
 
-/// A fragment's surroundings: its ring from the anchors on, and its code.
+/// The surroundings of a fragment: its ring, beginning at the anchors, and its code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::baseline) struct Shape {
-    /// The first two are the anchors.
+    /// Vertices of the ring; the first two are the anchors.
     pub(in crate::baseline) ring: Vec<u32>,
-    /// 1 for an open ring, then the apexes, triangle before its left part before its right one.
+    /// 1 for an open ring or else 0, then the apexes: each triangle before its left part, and that before
+    /// its right part.
     pub(in crate::baseline) code: Vec<u8>,
 }
 
-/// A rule of a table.
+/// A rule in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::baseline) struct Rule<'a> {
     /// Whether the ring is open.
     pub(in crate::baseline) is_open: bool,
-    /// Apexes of the floor's triangles in order.
+    /// Apexes of the floor's triangles, in the order of the code.
     pub(in crate::baseline) apexes: &'a [u8],
 }
 
@@ -48,7 +51,7 @@ impl<'a> Rule<'a> {
         Self { is_open: code[0] != 0, apexes: &code[1..] }
     }
 
-    /// Whether the apexes leave no part of the ring open.
+    /// Whether the apexes fill the ring completely.
     pub(in crate::baseline) fn is_tree(self) -> bool {
         let n = self.ring_len();
         let mut rings = if n > 2 { vec![(1, n)] } else { Vec::new() };
@@ -64,22 +67,22 @@ impl<'a> Rule<'a> {
         rings.is_empty()
     }
 
-    /// Corners of the ring.
+    /// Number of ring corners.
     pub(in crate::baseline) fn ring_len(self) -> usize {
         self.apexes.len() + 2
     }
 
-    /// Triangles of the ceiling.
+    /// Number of triangles in the ceiling.
     pub(in crate::baseline) fn ceiling_len(self) -> usize {
         self.ring_len() - usize::from(self.is_open)
     }
 }
 
 impl Shape {
-    /// Looks at a fragment by itself.
+    /// Determines the shape of a fragment from its triangles.
     ///
     /// # Errors
-    /// What it has that no rule can say.
+    /// The property of the fragment that no rule can represent.
     pub(in crate::baseline) fn of(
         vertex: u32,
         ceiling: &[[u32; 3]],
@@ -97,7 +100,8 @@ impl Shape {
             let code =
                 code_from(&sides, n, start, is_open).ok_or("has a floor that does not fill the hole")?;
             let is_better = best.as_ref().is_none_or(|(least, at)| {
-                // Where a floor looks the same from several corners the smallest vertex comes first.
+                // If a floor looks the same from several corners, start at the one with the smallest
+                // vertex.
                 code.cmp(least).then(ring[start].cmp(&ring[*at])).is_lt()
             });
             if is_better {
@@ -110,14 +114,14 @@ impl Shape {
     }
 }
 
-/// The neighbors of a vertex, counterclockwise, and whether they end at a border.
+/// The neighbors of a vertex, counterclockwise, and whether the ring is open.
 fn ring_of(vertex: u32, ceiling: &[[u32; 3]]) -> Result<(Vec<u32>, bool), &'static str> {
     const NO_FAN: &str = "removes a vertex whose triangles are not one fan";
     if ceiling.is_empty() {
         return Err("removes a vertex without triangles");
     }
     if ceiling.len() > MAX_RING {
-        return Err("removes a vertex of more than 255 triangles");
+        return Err("removes a vertex with more than 255 triangles");
     }
     let arc = |t: &[u32; 3]| {
         let turn = t.iter().position(|&v| v == vertex)?;
@@ -144,12 +148,12 @@ fn ring_of(vertex: u32, ceiling: &[[u32; 3]]) -> Result<(Vec<u32>, bool), &'stat
         return Err(NO_FAN);
     }
     if ring.len() > MAX_RING {
-        return Err("removes a vertex of more than 255 triangles");
+        return Err("removes a vertex with more than 255 triangles");
     }
     Ok((ring, is_open))
 }
 
-/// The sides of a floor's triangles by ring corner, with the corner on the left of each; sorted.
+/// The directed edges of a floor's triangles as ring corners, each with the apex to its left; sorted.
 fn sides_of(ring: &[u32], floor: &[[u32; 3]]) -> Result<Vec<[u8; 3]>, &'static str> {
     let mut corner_of: Vec<(u32, u8)> = ring.iter().copied().zip(0..).collect();
     corner_of.sort_unstable();
@@ -161,7 +165,7 @@ fn sides_of(ring: &[u32], floor: &[[u32; 3]]) -> Result<Vec<[u8; 3]>, &'static s
     for t in floor {
         let [a, b, c] = t.map(corner);
         let (Some(a), Some(b), Some(c)) = (a, b, c) else {
-            return Err("has a floor with a vertex that is not around the removed one");
+            return Err("has a floor with a vertex that is not a neighbor of the removed one");
         };
         sides.extend([[a, b, c], [b, c, a], [c, a, b]]);
     }
@@ -169,7 +173,8 @@ fn sides_of(ring: &[u32], floor: &[[u32; 3]]) -> Result<Vec<[u8; 3]>, &'static s
     Ok(sides)
 }
 
-/// The code of a floor whose ring begins at corner `start`; none where the floor does not triangulate the ring.
+/// The code of a floor whose ring begins at corner `start`, or `None` if the floor does not triangulate
+/// the ring.
 fn code_from(sides: &[[u8; 3]], n: usize, start: usize, is_open: bool) -> Option<Vec<u8>> {
     let mut code = vec![u8::from(is_open)];
     let mut rings = if n > 2 { vec![(1, n)] } else { Vec::new() };
@@ -191,7 +196,7 @@ fn code_from(sides: &[[u8; 3]], n: usize, start: usize, is_open: bool) -> Option
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::baseline) struct RuleTable {
     codes: Vec<u8>,
-    /// First byte of each code, closed by their number.
+    /// First byte of each code, followed by the total length.
     firsts: Vec<u32>,
 }
 
@@ -223,32 +228,35 @@ impl RuleTable {
     }
 }
 
-/// Rules as they are met, found again by their codes' hash.
+/// Collects rules in order of appearance and finds them by the hash of their code.
 #[derive(Debug, Default)]
 pub(super) struct RuleFinder {
-    numbers: HashMap<Vec<u8>, u32>,
+    indices: HashMap<Vec<u8>, u32>,
 }
 
 impl RuleFinder {
-    pub(super) fn number_of(&mut self, code: Vec<u8>) -> u32 {
-        let next = self.numbers.len() as u32;
-        *self.numbers.entry(code).or_insert(next)
+    pub(super) fn index_of(&mut self, code: Vec<u8>) -> u32 {
+        let next = self.indices.len() as u32;
+        *self.indices.entry(code).or_insert(next)
     }
 
-    /// The table, and for each rule as it was met its number there.
+    /// Returns the table, and the new index of each rule in order of appearance.
     ///
     /// # Errors
-    /// Where there are more than 12 bits can number.
+    /// If 12 bits cannot address all rules.
     pub(super) fn finish(self) -> Result<(RuleTable, Vec<u32>), ModelError> {
-        if self.numbers.len() > MAX_RULES {
-            let (found, limit) = (self.numbers.len() as u64, MAX_RULES as u64);
+        if self.indices.len() > MAX_RULES {
+            let (found, limit) = (self.indices.len() as u64, MAX_RULES as u64);
             return Err(ModelError::Form { what: "rules", found, limit });
         }
-        let mut sorted: Vec<(Vec<u8>, u32)> = self.numbers.into_iter().collect();
+        let mut sorted: Vec<(Vec<u8>, u32)> = self.indices.into_iter().collect();
         sorted.sort_unstable_by(|(a, _), (b, _)| (a.len(), a).cmp(&(b.len(), b)));
-        let mut renumbered = vec![0; sorted.len()];
-        sorted.iter().zip(0..).for_each(|((_, met), number)| renumbered[*met as usize] = number);
-        Ok((RuleTable::of(sorted.iter().map(|(code, _)| &code[..])), renumbered))
+        let mut new_indices = vec![0; sorted.len()];
+        sorted
+            .iter()
+            .zip(0..)
+            .for_each(|((_, old_index), new_index)| new_indices[*old_index as usize] = new_index);
+        Ok((RuleTable::of(sorted.iter().map(|(code, _)| &code[..])), new_indices))
     }
 }
 
@@ -263,30 +271,31 @@ mod tests {
     }
 
     #[test]
-    fn the_drawing_has_its_code() {
+    fn code_of_the_drawing_is_as_documented() {
         let floor = [[0, 1, 3], [1, 2, 3], [0, 3, 4]];
         let shape = Shape::of(9, &fan(&[0, 1, 2, 3, 4], true), &floor).unwrap();
         assert_eq!((shape.ring, shape.code), (vec![0, 1, 2, 3, 4], vec![1, 3, 2, 4]));
     }
 
     #[test]
-    fn turned_floors_are_equal_and_mirrored_ones_are_not() {
+    fn rotated_floors_are_equal_and_mirrored_ones_are_not() {
         let zigzag = |turn: u32| {
             let at = |i: u32| (i + turn) % 6;
             let floor = [[0, 1, 5], [1, 2, 5], [2, 4, 5], [2, 3, 4]].map(|t| t.map(at));
             Shape::of(9, &fan(&[0, 1, 2, 3, 4, 5], false), &floor).unwrap()
         };
         assert!((1..6).all(|turn| zigzag(turn).code == zigzag(0).code));
-        // The zigzag looks the same from its other end, where the ring begins at the smaller vertex.
+        // The zigzag looks the same from its other end, so the ring begins at the smaller of the two
+        // vertices.
         assert!(zigzag(3).ring == zigzag(0).ring && zigzag(1).ring == zigzag(4).ring);
         let mirrored = [[0, 1, 5], [1, 4, 5], [1, 2, 4], [2, 3, 4]];
         let mirrored = Shape::of(9, &fan(&[0, 1, 2, 3, 4, 5], false), &mirrored).unwrap();
         assert_ne!(mirrored.code, zigzag(0).code);
     }
 
-    /// Triangulations of a ring up to turning: 1, 1, 1, 4, 6, 19 for three to eight corners.
+    /// Triangulations of a ring up to rotation: 1, 1, 1, 4, 6, 19 for three to eight corners.
     #[test]
-    fn there_are_as_many_rules_as_ways_to_cut_a_polygon() {
+    fn rule_count_matches_the_triangulations_of_a_polygon() {
         fn cuts(i: u32, j: u32) -> Vec<Vec<[u32; 3]>> {
             if j - i < 2 {
                 return vec![Vec::new()];
@@ -306,14 +315,14 @@ mod tests {
             let mut finder = RuleFinder::default();
             for floor in cuts(0, n - 1) {
                 let floor: Vec<_> = floor.iter().map(|t| t.map(|i| ring[i as usize])).collect();
-                finder.number_of(Shape::of(9, &fan(&ring, false), &floor).unwrap().code);
+                finder.index_of(Shape::of(9, &fan(&ring, false), &floor).unwrap().code);
             }
             assert_eq!(finder.finish().unwrap().0.len(), expected, "{n} corners");
         }
     }
 
     #[test]
-    fn what_has_no_rule_is_told() {
+    fn fragments_without_a_rule_are_reported() {
         let reason = |ceiling: &[[u32; 3]], floor: &[[u32; 3]]| Shape::of(9, ceiling, floor).unwrap_err();
         let no_fan = "removes a vertex whose triangles are not one fan";
         assert_eq!(reason(&[[9, 0, 1], [9, 2, 3]], &[]), no_fan);
@@ -327,9 +336,9 @@ mod tests {
         assert_eq!(reason(&square, &[[0, 1, 2], [0, 1, 2]]), hole);
         assert_eq!(reason(&square, &[[2, 1, 0], [3, 2, 0]]), hole);
         assert_eq!(reason(&fan(&[0, 1], false), &[]), hole);
-        let outside = "has a floor with a vertex that is not around the removed one";
+        let outside = "has a floor with a vertex that is not a neighbor of the removed one";
         assert_eq!(reason(&square, &[[0, 1, 2], [0, 2, 7]]), outside);
         let wide: Vec<u32> = (10..300).collect();
-        assert_eq!(reason(&fan(&wide, false), &[]), "removes a vertex of more than 255 triangles");
+        assert_eq!(reason(&fan(&wide, false), &[]), "removes a vertex with more than 255 triangles");
     }
 }

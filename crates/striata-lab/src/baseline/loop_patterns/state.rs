@@ -1,21 +1,21 @@
-//! What one instance owns: the fragments that are inserted and the current triangulation with its neighbors.
+//! State of one instance: the fragments that are inserted and the current triangulation with adjacency.
 
 use striata::mesh::canonical_triangles;
 
 use super::LoopPatterns;
 use super::records::Head;
-use super::surface::{Found, Side, Surface};
+use super::surface::{Region, Side, Surface};
 use crate::baseline::step_set::{Change, StepSet};
 
-/// An instance: a closed set of fragments and the triangulation that it shows.
+/// State of one instance: a closed set of fragments and the triangulation that it shows.
 ///
-/// Two instances are equal if they show the same, however they came there.
+/// Two instances are equal if they show the same triangles, regardless of how they got there.
 #[derive(Clone, Debug)]
 pub struct LoopPatternsState {
     pub(super) inserted: StepSet,
     surface: Surface,
-    /// Scratch.
-    found: Found,
+    /// Scratch: the floor or fan being replaced.
+    region: Region,
     star: Vec<Side>,
 }
 
@@ -27,20 +27,20 @@ impl LoopPatternsState {
         Self {
             inserted: StepSet::new(step_count),
             surface: surface.expect("the base was checked when the model was built"),
-            found: Found::default(),
+            region: Region::default(),
             star: Vec::new(),
         }
     }
 
-    /// The triangles that it shows, in no order.
+    /// The triangles shown, unordered.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.surface.corners()
     }
 
-    /// Whether a vertex is there.
+    /// Whether a vertex is active.
     ///
     /// # Panics
-    /// If there is no such vertex.
+    /// If the vertex does not exist.
     pub fn is_active(&self, vertex: u32) -> bool {
         self.surface.has(vertex)
     }
@@ -48,17 +48,17 @@ impl LoopPatternsState {
     /// Whether a fragment is inserted.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     pub fn is_refined(&self, step: u32) -> bool {
         self.inserted.has(step)
     }
 
-    /// Fragments that are inserted.
+    /// Number of fragments inserted.
     pub fn split_count(&self) -> usize {
         self.inserted.len()
     }
 
-    /// Whether the instance is one of the model's, as far as sizes tell.
+    /// Panics unless the state has the model's sizes.
     pub(super) fn check(&self, model: &LoopPatterns) {
         assert_eq!(self.inserted.limit(), model.records.len(), "the state belongs to another model");
     }
@@ -68,37 +68,38 @@ impl LoopPatternsState {
         change.inserted.iter().for_each(|&step| self.insert_fragment(model, step));
     }
 
-    /// Replaces the floor of a fragment, which is there, by its ceiling.
+    /// Replaces a fragment's floor, which must be shown, by its ceiling.
     pub(super) fn insert_fragment(&mut self, model: &LoopPatterns, step: u32) {
         let Head { anchors: [a, b], rule, down } = model.records.head(step);
         let rule = model.rules.get(rule as usize);
         let surface = &self.surface;
         if rule.apexes.is_empty() {
             let side = surface.find_side(b, a, |side| surface.is_border(side));
-            let (on, _) = side.expect("what a fragment hangs on is there before it");
-            self.found.hang([a, b], on);
+            let (on, _) = side.expect("the triangle a fragment is attached to exists before it");
+            self.region.attach([a, b], on);
         } else {
-            // Two triangles may have the anchors. The first fragment of the loop makes the right one, if it is not of the base.
+            // Two triangles may have the anchors. The right one was created by the first fragment of the
+            // loop, unless it is in the base.
             let is_made_by = |maker: Option<u32>| {
                 move |(slot, _): Side| model.maker(&surface.corners()[slot as usize]) == maker
             };
             let side = surface
                 .find_side(a, b, is_made_by((down.step != step).then_some(down.step)))
                 .or_else(|| surface.find_side(a, b, is_made_by(None)));
-            let side = side.expect("a floor is there before its ceiling");
-            let is_there = surface.find_floor(rule, side, &mut self.found);
-            assert!(is_there, "the floor of step {step} is another");
+            let side = side.expect("a floor exists before its ceiling");
+            let is_match = surface.find_floor(rule, side, &mut self.region);
+            assert!(is_match, "the floor of step {step} does not match its rule");
         }
-        self.surface.put_fan(model.vertices.base_vertex_count() + step, rule, &mut self.found);
+        self.surface.replace_by_fan(model.vertices.base_vertex_count() + step, rule, &mut self.region);
         self.inserted.insert(step);
     }
 
-    /// Replaces the ceiling of a fragment, which is all there, by its floor.
+    /// Replaces a fragment's ceiling, all of which must be shown, by its floor.
     pub(super) fn remove_fragment(&mut self, model: &LoopPatterns, step: u32) {
         let Head { anchors, rule, .. } = model.records.head(step);
         let (vertex, rule) = (model.vertices.base_vertex_count() + step, model.rules.get(rule as usize));
-        self.surface.find_fan(vertex, anchors[0], &mut self.found, &mut self.star);
-        self.surface.put_floor(vertex, rule, &mut self.found);
+        self.surface.find_fan(vertex, anchors[0], &mut self.region, &mut self.star);
+        self.surface.replace_by_floor(vertex, rule, &mut self.region);
         self.inserted.remove(step);
     }
 

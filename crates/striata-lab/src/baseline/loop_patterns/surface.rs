@@ -1,46 +1,47 @@
-//! A triangulation that knows its neighbors, and the two ways to change it: a fan for a floor, and a floor for a fan.
+//! A triangulation with adjacency and its two edit operations: replacing a floor by a fan, and a fan by a
+//! floor.
 //!
-//! Triangles stand side by side in slots. Side `i` of a triangle runs from its corner `i` to the next; behind it is another slot,
-//! or a border. Every vertex knows one of its triangles. A rule is laid over the triangles by walking its tree, so that a floor
-//! is found from one of its sides.
+//! Triangles are stored in slots. Side `i` of a triangle runs from its corner `i` to the next; across it
+//! is another slot or a border. Every vertex stores one of its triangles. A rule is matched by walking its
+//! tree over the triangles, so a floor is located from one of its sides.
 
 use super::rule::Rule;
 
-/// No triangle.
+/// Marks a missing triangle.
 pub(in crate::baseline) const NONE: u32 = u32::MAX;
 
-/// A manifold surface of oriented triangles, borders allowed.
+/// A manifold surface of oriented triangles, possibly with borders.
 #[derive(Clone, Debug)]
 pub(in crate::baseline) struct Surface {
     corners: Vec<[u32; 3]>,
-    beside: Vec<[u32; 3]>,
-    /// Some triangle of each vertex, or [`NONE`].
+    across: Vec<[u32; 3]>,
+    /// One triangle of each vertex, or [`NONE`].
     triangle_at: Vec<u32>,
 }
 
-/// What a walk finds: a ring, what lies outside of it, and the triangles within.
+/// A region located by a walk: its ring, the triangles outside the ring and those inside.
 #[derive(Clone, Debug, Default)]
-pub(in crate::baseline) struct Found {
-    /// Vertices of the ring from the first anchor on.
+pub(in crate::baseline) struct Region {
+    /// Vertices of the ring, beginning at the first anchor.
     pub(in crate::baseline) ring: Vec<u32>,
-    /// Behind the side of the ring that each of them begins.
+    /// For each vertex of the ring, the triangle across the side that begins there.
     outer: Vec<u32>,
     slots: Vec<u32>,
     rings: Vec<Part>,
 }
 
-/// A part of a ring that a triangle is to fill, and where that hangs.
+/// A part of a ring that remains to be triangulated, and the side from which it is entered.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     first: usize,
-    /// The ring's length stands for its first corner.
+    /// Last corner; the ring's length denotes corner 0.
     last: usize,
-    /// A slot: the triangle itself, or the one before it.
+    /// The triangle inside the part, or the one before it.
     slot: u32,
     side: usize,
 }
 
-/// A triangle and one of its sides, or the corner that the side begins with.
+/// A slot and a side of its triangle, or the corner at which the side begins.
 pub(in crate::baseline) type Side = (u32, usize);
 
 #[inline]
@@ -49,10 +50,10 @@ fn next(side: usize) -> usize {
 }
 
 impl Surface {
-    /// Joins triangles along their edges.
+    /// Connects triangles along their edges.
     ///
     /// # Errors
-    /// A triangle and what keeps it from being part of a surface.
+    /// The first triangle that cannot be part of a surface, and the reason.
     pub(in crate::baseline) fn new(
         corners: &[[u32; 3]],
         vertex_count: usize,
@@ -62,7 +63,7 @@ impl Surface {
         let mut triangle_at = vec![NONE; vertex_count];
         for (slot, t) in corners.iter().enumerate() {
             if t.iter().any(|&v| v as usize >= vertex_count) {
-                return Err((slot, "has a vertex that is not there"));
+                return Err((slot, "has a vertex out of range"));
             }
             if t[0] == t[1] || t[1] == t[2] || t[2] == t[0] {
                 return Err((slot, "has a vertex twice"));
@@ -75,16 +76,16 @@ impl Surface {
         }
         sides.sort_unstable();
         if let Some(pair) = sides.windows(2).find(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)) {
-            return Err((pair[1].2 as usize, "runs along an edge as another triangle does"));
+            return Err((pair[1].2 as usize, "has an edge in the same direction as another triangle"));
         }
-        let mut beside = vec![[NONE; 3]; corners.len()];
+        let mut across = vec![[NONE; 3]; corners.len()];
         for &(from, to, slot, side) in &sides {
             let at = sides.partition_point(|other| (other.0, other.1) < (to, from));
             if let Some(other) = sides.get(at).filter(|other| (other.0, other.1) == (to, from)) {
-                beside[slot as usize][side] = other.2;
+                across[slot as usize][side] = other.2;
             }
         }
-        let surface = Self { corners: corners.to_vec(), beside, triangle_at };
+        let surface = Self { corners: corners.to_vec(), across, triangle_at };
         let mut star = Vec::new();
         for (v, &count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
             surface.star_into(v as u32, &mut star);
@@ -104,13 +105,13 @@ impl Surface {
         self.triangle_at[vertex as usize] != NONE
     }
 
-    /// The next vertex, without triangles as yet.
+    /// Appends a vertex, initially without triangles.
     pub(in crate::baseline) fn add_vertex(&mut self) {
         self.triangle_at.push(NONE);
     }
 
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(&self.corners[..]) + size_of_val(&self.beside[..]) + size_of_val(&self.triangle_at[..])
+        size_of_val(&self.corners[..]) + size_of_val(&self.across[..]) + size_of_val(&self.triangle_at[..])
     }
 
     #[inline]
@@ -120,23 +121,23 @@ impl Surface {
         usize::from(corners[1] == vertex) + 2 * usize::from(corners[2] == vertex)
     }
 
-    /// The triangle around a vertex that comes after one, counterclockwise; the vertex stands at the given corner.
+    /// The next triangle counterclockwise around the vertex at the given corner.
     #[inline]
     fn turn_left(&self, (slot, corner): Side) -> Option<Side> {
         let vertex = self.corners[slot as usize][corner];
-        let other = self.beside[slot as usize][next(next(corner))];
+        let other = self.across[slot as usize][next(next(corner))];
         (other != NONE).then(|| (other, self.corner_of(other, vertex)))
     }
 
     #[inline]
     fn turn_right(&self, (slot, corner): Side) -> Option<Side> {
         let vertex = self.corners[slot as usize][corner];
-        let other = self.beside[slot as usize][corner];
+        let other = self.across[slot as usize][corner];
         (other != NONE).then(|| (other, self.corner_of(other, vertex)))
     }
 
-    /// Lists the triangles of a vertex counterclockwise, with the corner where it stands: from the border on, if there is one.
-    /// Whether they close a ring.
+    /// Lists the triangles of a vertex counterclockwise, each with the vertex's corner, beginning at the
+    /// border if there is one. Returns whether they form a closed ring.
     pub(in crate::baseline) fn star_into(&self, vertex: u32, out: &mut Vec<Side>) -> bool {
         out.clear();
         let slot = self.triangle_at[vertex as usize];
@@ -163,7 +164,7 @@ impl Surface {
         is_closed
     }
 
-    /// The side from one vertex to another that is accepted, if any is.
+    /// The first side from one vertex to another that `accept` accepts, if any.
     pub(super) fn find_side(&self, from: u32, to: u32, accept: impl Fn(Side) -> bool) -> Option<Side> {
         let slot = self.triangle_at[from as usize];
         if slot == NONE {
@@ -192,147 +193,146 @@ impl Surface {
         None
     }
 
-    /// Whether nothing lies behind a side.
+    /// Whether a side is a border.
     pub(in crate::baseline) fn is_border(&self, (slot, side): Side) -> bool {
-        self.beside[slot as usize][side] == NONE
+        self.across[slot as usize][side] == NONE
     }
 
-    /// Lays the floor of a rule over the triangles from its first side on: the comparison of \[KG98\], where what is compared is
-    /// a rule with a place. False where the triangles are otherwise, or the ring is not simple.
-    pub(in crate::baseline) fn find_floor(&self, rule: Rule, start: Side, found: &mut Found) -> bool {
+    /// Matches the floor of a rule against the triangles, beginning at the given side: the comparison of
+    /// \[KG98\], with a positioned rule. Returns false if the triangles differ or the ring is not simple.
+    pub(in crate::baseline) fn find_floor(&self, rule: Rule, start: Side, region: &mut Region) -> bool {
         let n = rule.ring_len();
         let (slot, side) = start;
-        found.start(n);
-        found.ring[0] = self.corners[slot as usize][side];
-        found.ring[1] = self.corners[slot as usize][next(side)];
-        found.outer[0] = self.beside[slot as usize][side];
-        found.rings.push(Part { first: 1, last: n, slot, side });
+        region.start(n);
+        region.ring[0] = self.corners[slot as usize][side];
+        region.ring[1] = self.corners[slot as usize][next(side)];
+        region.outer[0] = self.across[slot as usize][side];
+        region.rings.push(Part { first: 1, last: n, slot, side });
         for &apex in rule.apexes {
-            let Some(Part { first, last, slot, side }) = found.rings.pop() else { return false };
+            let Some(Part { first, last, slot, side }) = region.rings.pop() else { return false };
             let m = usize::from(apex);
             let corners = &self.corners[slot as usize];
-            let is_entered =
-                corners[side] == found.ring[last % n] && corners[next(side)] == found.ring[first];
-            if !is_entered || m <= first || m >= last {
+            let matches = corners[side] == region.ring[last % n] && corners[next(side)] == region.ring[first];
+            if !matches || m <= first || m >= last {
                 return false;
             }
-            found.slots.push(slot);
-            found.ring[m] = corners[next(next(side))];
+            region.slots.push(slot);
+            region.ring[m] = corners[next(next(side))];
             for (first, last, side) in [(m, last, next(next(side))), (first, m, next(side))] {
-                let behind = self.beside[slot as usize][side];
+                let across_side = self.across[slot as usize][side];
                 if last - first == 1 {
-                    found.outer[first] = behind;
-                } else if behind == NONE {
+                    region.outer[first] = across_side;
+                } else if across_side == NONE {
                     return false;
                 } else {
-                    let side = self.corner_of(behind, found.ring[last % n]);
-                    found.rings.push(Part { first, last, slot: behind, side });
+                    let side = self.corner_of(across_side, region.ring[last % n]);
+                    region.rings.push(Part { first, last, slot: across_side, side });
                 }
             }
         }
-        found.rings.is_empty()
+        region.rings.is_empty()
     }
 
-    /// Whether the fan of an open ring can be put where a floor was found: it lies at a border, or it closes a hole
-    /// whose ends have no other border.
-    pub(in crate::baseline) fn is_openable(&self, found: &Found, star: &mut Vec<Side>) -> bool {
-        let ends = [found.ring[0], found.ring[found.ring.len() - 1]];
-        found.outer.last() == Some(&NONE) || ends.into_iter().all(|end| self.star_into(end, star))
+    /// Whether the fan of an open ring can replace the located floor: the floor is at a border, or it
+    /// closes a hole whose ends have no other border.
+    pub(in crate::baseline) fn is_openable(&self, region: &Region, star: &mut Vec<Side>) -> bool {
+        let ends = [region.ring[0], region.ring[region.ring.len() - 1]];
+        region.outer.last() == Some(&NONE) || ends.into_iter().all(|end| self.star_into(end, star))
     }
 
-    /// The triangles of a floor that was found.
-    pub(in crate::baseline) fn found_corners<'f>(
+    /// The triangles of a located floor.
+    pub(in crate::baseline) fn region_corners<'f>(
         &'f self,
-        found: &'f Found,
+        region: &'f Region,
     ) -> impl Iterator<Item = [u32; 3]> + 'f {
-        found.slots.iter().map(|&slot| self.corners[slot as usize])
+        region.slots.iter().map(|&slot| self.corners[slot as usize])
     }
 
-    /// Finds the ring of a vertex from an anchor on.
-    pub(super) fn find_fan(&self, vertex: u32, anchor: u32, found: &mut Found, star: &mut Vec<Side>) {
+    /// Locates the fan and the ring of a vertex, beginning at an anchor.
+    pub(super) fn find_fan(&self, vertex: u32, anchor: u32, region: &mut Region, star: &mut Vec<Side>) {
         let is_closed = self.star_into(vertex, star);
         let after = |&(slot, corner): &Side| self.corners[slot as usize][next(corner)];
         if is_closed {
             let start = star.iter().position(|side| after(side) == anchor);
             star.rotate_left(start.expect("an anchor is around its vertex"));
         }
-        found.start(0);
+        region.start(0);
         for side in star.iter() {
-            found.ring.push(after(side));
-            found.outer.push(self.beside[side.0 as usize][next(side.1)]);
-            found.slots.push(side.0);
+            region.ring.push(after(side));
+            region.outer.push(self.across[side.0 as usize][next(side.1)]);
+            region.slots.push(side.0);
         }
         if let Some(&(slot, corner)) = star.last().filter(|_| !is_closed) {
-            found.ring.push(self.corners[slot as usize][next(next(corner))]);
-            found.outer.push(NONE);
+            region.ring.push(self.corners[slot as usize][next(next(corner))]);
+            region.outer.push(NONE);
         }
     }
 
-    /// Puts the fan of a new vertex where a floor was found.
-    pub(in crate::baseline) fn put_fan(&mut self, vertex: u32, rule: Rule, found: &mut Found) {
+    /// Replaces a located floor by the fan of a new vertex.
+    pub(in crate::baseline) fn replace_by_fan(&mut self, vertex: u32, rule: Rule, region: &mut Region) {
         let (n, count) = (rule.ring_len(), rule.ceiling_len());
-        while found.slots.len() < count {
-            found.slots.push(self.corners.len() as u32);
+        while region.slots.len() < count {
+            region.slots.push(self.corners.len() as u32);
             self.corners.push([NONE; 3]);
-            self.beside.push([NONE; 3]);
+            self.across.push([NONE; 3]);
         }
         for i in 0..count {
-            let [a, b] = [found.ring[i], found.ring[(i + 1) % n]];
-            let slot = found.slots[i];
-            let before = if i > 0 { found.slots[i - 1] } else { found.slots[count - 1] };
-            let after = found.slots[(i + 1) % count];
+            let [a, b] = [region.ring[i], region.ring[(i + 1) % n]];
+            let slot = region.slots[i];
+            let before = if i > 0 { region.slots[i - 1] } else { region.slots[count - 1] };
+            let after = region.slots[(i + 1) % count];
             let is_end = |at: usize| rule.is_open && i == at;
             self.corners[slot as usize] = [vertex, a, b];
-            self.beside[slot as usize] = [
+            self.across[slot as usize] = [
                 if is_end(0) { NONE } else { before },
-                found.outer[i],
+                region.outer[i],
                 if is_end(count - 1) { NONE } else { after },
             ];
-            self.join(found.outer[i], [b, a], slot);
+            self.join(region.outer[i], [b, a], slot);
             self.triangle_at[a as usize] = slot;
             self.triangle_at[b as usize] = slot;
         }
         if rule.is_open && n > 2 {
-            // Where the floor had closed a hole the hole is open again.
-            self.join(found.outer[n - 1], [found.ring[0], found.ring[n - 1]], NONE);
+            // If the floor had closed a hole, the hole is open again.
+            self.join(region.outer[n - 1], [region.ring[0], region.ring[n - 1]], NONE);
         }
-        self.triangle_at[vertex as usize] = found.slots[0];
+        self.triangle_at[vertex as usize] = region.slots[0];
     }
 
-    /// Puts a floor where the fan of a vertex was found.
-    pub(super) fn put_floor(&mut self, vertex: u32, rule: Rule, found: &mut Found) {
+    /// Replaces the located fan of a vertex by a floor.
+    pub(super) fn replace_by_floor(&mut self, vertex: u32, rule: Rule, region: &mut Region) {
         let n = rule.ring_len();
-        debug_assert_eq!(found.ring.len(), n, "the fan is another rule's");
+        debug_assert_eq!(region.ring.len(), n, "the fan is another rule's");
         self.triangle_at[vertex as usize] = NONE;
-        let [first, last] = [found.ring[0], found.ring[n - 1]];
+        let [first, last] = [region.ring[0], region.ring[n - 1]];
         let mut closing = None;
         if rule.apexes.is_empty() {
-            // A triangle on an edge of another: that becomes a border.
-            self.join(found.outer[0], [last, first], NONE);
-            [first, last].iter().for_each(|&v| self.triangle_at[v as usize] = found.outer[0]);
+            // The fan is a triangle attached to an edge of another, which becomes a border.
+            self.join(region.outer[0], [last, first], NONE);
+            [first, last].iter().for_each(|&v| self.triangle_at[v as usize] = region.outer[0]);
         } else {
-            found.rings.push(Part { first: 1, last: n, slot: found.outer[0], side: 3 });
+            region.rings.push(Part { first: 1, last: n, slot: region.outer[0], side: 3 });
         }
         for (at, &apex) in rule.apexes.iter().enumerate() {
-            let part = found.rings.pop().expect("a rule is a tree");
+            let part = region.rings.pop().expect("a rule is a tree");
             let m = usize::from(apex);
-            let slot = found.slots[at];
-            let corners = [part.last % n, part.first, m].map(|corner| found.ring[corner]);
+            let slot = region.slots[at];
+            let corners = [part.last % n, part.first, m].map(|corner| region.ring[corner]);
             self.corners[slot as usize] = corners;
-            self.beside[slot as usize][0] = part.slot;
+            self.across[slot as usize][0] = part.slot;
             corners.iter().for_each(|&v| self.triangle_at[v as usize] = slot);
             if part.side == 3 {
                 self.join(part.slot, [corners[1], corners[0]], slot);
             } else {
-                self.beside[part.slot as usize][part.side] = slot;
+                self.across[part.slot as usize][part.side] = slot;
             }
             for (first, last, side) in [(m, part.last, 2), (part.first, m, 1)] {
                 if last - first > 1 {
-                    found.rings.push(Part { first, last, slot, side });
+                    region.rings.push(Part { first, last, slot, side });
                     continue;
                 }
-                self.beside[slot as usize][side] = found.outer[first];
-                self.join(found.outer[first], [found.ring[last % n], found.ring[first]], slot);
+                self.across[slot as usize][side] = region.outer[first];
+                self.join(region.outer[first], [region.ring[last % n], region.ring[first]], slot);
                 if rule.is_open && last == n {
                     closing = Some((slot, side));
                 }
@@ -341,45 +341,45 @@ impl Surface {
         if let Some(side) = closing {
             self.close_hole(side, last);
         }
-        let rest = &mut found.slots[rule.apexes.len()..];
+        let rest = &mut region.slots[rule.apexes.len()..];
         rest.sort_unstable();
         rest.iter().rev().for_each(|&slot| self.remove(slot));
     }
 
-    /// Joins a new border side with what lies at the other end of the fan of the vertex that it leads to, if that leads back.
+    /// Connects a new border side with the one at the other end of its vertex's fan if that leads back.
     fn close_hole(&mut self, side: Side, from: u32) {
         let mut at = (side.0, next(side.1));
         while let Some(before) = self.turn_right(at) {
             at = before;
         }
         if self.corners[at.0 as usize][next(at.1)] == from {
-            self.beside[at.0 as usize][at.1] = side.0;
-            self.beside[side.0 as usize][side.1] = at.0;
+            self.across[at.0 as usize][at.1] = side.0;
+            self.across[side.0 as usize][side.1] = at.0;
         }
     }
 
-    /// Tells a triangle what lies behind its side `ends`.
-    fn join(&mut self, slot: u32, ends: [u32; 2], behind: u32) {
+    /// Sets the triangle across the side `ends` of a triangle.
+    fn join(&mut self, slot: u32, ends: [u32; 2], across_side: u32) {
         if slot != NONE {
             let side = self.corner_of(slot, ends[0]);
             debug_assert_eq!(self.corners[slot as usize][next(side)], ends[1]);
-            self.beside[slot as usize][side] = behind;
+            self.across[slot as usize][side] = across_side;
         }
     }
 
-    /// Takes a triangle out that no other names any more; the last one moves to its slot.
+    /// Removes a triangle that nothing refers to any more; the last triangle moves to its slot.
     fn remove(&mut self, slot: u32) {
         self.corners.swap_remove(slot as usize);
-        self.beside.swap_remove(slot as usize);
+        self.across.swap_remove(slot as usize);
         let moved = self.corners.len() as u32;
         if slot == moved {
             return;
         }
-        let (corners, beside) = (self.corners[slot as usize], self.beside[slot as usize]);
+        let (corners, across) = (self.corners[slot as usize], self.across[slot as usize]);
         for side in 0..3 {
             let ends = [corners[next(side)], corners[side]];
-            // A neighbor behind two sides is told of both.
-            self.join(beside[side], ends, slot);
+            // A neighbor across two sides is updated for both.
+            self.join(across[side], ends, slot);
             let at = &mut self.triangle_at[corners[side] as usize];
             if *at == moved {
                 *at = slot;
@@ -388,7 +388,7 @@ impl Surface {
     }
 }
 
-impl Found {
+impl Region {
     fn start(&mut self, n: usize) {
         self.ring.clear();
         self.ring.resize(n, NONE);
@@ -398,8 +398,8 @@ impl Found {
         self.rings.clear();
     }
 
-    /// A triangle that hangs on an edge of another: found where that has a border.
-    pub(in crate::baseline) fn hang(&mut self, ring: [u32; 2], on: u32) {
+    /// Describes a triangle to be attached to a border edge of another one.
+    pub(in crate::baseline) fn attach(&mut self, ring: [u32; 2], on: u32) {
         self.start(2);
         self.ring.copy_from_slice(&ring);
         self.outer[0] = on;

@@ -1,33 +1,38 @@
-//! The explicit Multi-Triangulation \[Pup96\], \[KK97\]: lists of triangles and fragments that name each other.
+//! The explicit Multi-Triangulation \[Pup96\], \[KK97\]: lists of triangles and fragments that refer to
+//! each other.
 //!
-//! Every triangle of every level is listed once, with its vertices and its two fragments: the **lower** one, whose ceiling it is
-//! in, and the **upper** one, whose floor it is in. Every fragment lists the triangles of its ceiling and its floor. So what
-//! a fragment stands on and what stands on it are each one look away, and any set of fragments can be inserted that has, for
-//! each of them, the lower fragments of its floor.
+//! Every triangle of every level is stored once, with its vertices and two fragments: the **lower** one,
+//! whose ceiling contains it, and the **upper** one, whose floor contains it. Every fragment lists the
+//! triangles of its ceiling and of its floor. A fragment's prerequisites and dependents are therefore one
+//! lookup away, and any set of fragments is valid that also contains the lower fragments of each member's
+//! floor.
 //!
 //! ```text
-//!     ceiling  \ | /      6 triangles made by the fragment; each names its upper fragment, if something refines it
+//!     ceiling  \ | /      6 triangles created by the fragment; each refers to its upper fragment, if any
 //!     --------- (v)       fragment: ceiling, floor, error
-//!     floor    | / |      4 triangles that it replaces; each names its lower fragment, or it is the base's
+//!     floor    | / |      4 triangles that it replaces; each refers to its lower one, unless in the base
 //! ```
 //!
-//! Nothing here walks from a triangle to its neighbors, so any mesh will do: borders, seams, groups, non-manifold places.
+//! The model never walks from a triangle to its neighbors, so it works for any mesh: borders, seams,
+//! groups, non-manifold vertices and edges.
 //!
-//! Differs: a fragment without a floor (a triangle that hangs on one edge, a vertex without triangles) stands on nothing, so that no
-//! triangle tells that it is missing; a condition is asked for it by itself. Beside the two steps of \[KG98\] section 3.4,
+//! Differs: a fragment without a floor (a triangle attached by one edge only, a vertex without triangles)
+//! depends on nothing and replaces no triangle that would show that the fragment is missing; the condition
+//! is evaluated for it separately. In addition to the two steps of \[KG98\] section 3.4,
 //! [`coarsen`](MultiTriangulation::coarsen) and [`refine`](MultiTriangulation::refine), there is
-//! [`adapt`](MultiTriangulation::adapt), which comes to the smallest set for conditions too where a fine triangle may be wanted
-//! although the coarse one below would do.
+//! [`adapt`](MultiTriangulation::adapt). It also finds the smallest set for conditions that may require a
+//! fine triangle although the coarse one below it is accurate enough.
 //!
-//! Cost: 160 bytes a vertex where vertices have six triangles when they go, as three times as many triangles as the full mesh has
-//! make 120 and their numbers in the lists 40. Quadrics take vertices of fewer triangles first: 134 to 142 bytes as
-//! the paper counts, 146 to 154 with lengths and errors. A condition costs a question for each triangle that is shown and the change
-//! itself.
+//! Cost: 160 bytes per vertex if each vertex has six triangles when it is removed: 120 for the triangles,
+//! of which there are three times as many as in the full mesh, and 40 for their indices in the lists.
+//! Quadrics prefer to remove vertices with fewer triangles: 134 to 142 bytes as the paper counts, 146 to
+//! 154 with list lengths and errors. Selective refinement evaluates the condition for each triangle shown,
+//! and pays for the change itself.
 
 mod refine;
 mod state;
 
-pub use self::refine::MtQuestion;
+pub use self::refine::MtQuery;
 pub use self::state::MultiTriangulationState;
 use striata::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh};
 use striata::model::{
@@ -36,14 +41,14 @@ use striata::model::{
 
 use crate::paper_bytes::{Accounting, PaperBytes};
 
-/// A triangle of some levels.
+/// A triangle that some level shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MtTriangle {
     /// Its vertices, counterclockwise.
     pub corners: [u32; 3],
-    /// The fragment that makes it; [`FragmentSequence::NO_STEP`] for one of the base.
+    /// The fragment that creates it; [`FragmentSequence::NO_STEP`] if it is in the base.
     pub lower: u32,
-    /// The fragment that replaces it; [`FragmentSequence::NO_STEP`] for one of the full mesh.
+    /// The fragment that replaces it; [`FragmentSequence::NO_STEP`] if it is in the full mesh.
     pub upper: u32,
 }
 
@@ -51,24 +56,24 @@ pub struct MtTriangle {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MultiTriangulation {
     vertices: StepVertices<'static>,
-    /// The base's first.
+    /// All triangles, those of the base first.
     triangles: Vec<MtTriangle>,
     base_triangle_count: usize,
     ceilings: Lists,
     floors: Lists,
-    /// How far off each fragment's floor is.
+    /// Error of each fragment's floor, in mesh units.
     errors: Vec<f32>,
-    /// Fragments without a floor, rising.
+    /// Fragments without a floor, ascending.
     floorless: Vec<u32>,
     group_count: usize,
-    /// The group of each triangle; empty where there is one group.
+    /// The group of each triangle; empty if there is only one group.
     groups: Vec<u32>,
 }
 
 /// A list of triangles for each fragment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Lists {
-    /// First entry of each, closed by their number.
+    /// First entry of each list, followed by their number.
     firsts: Vec<u32>,
     entries: Vec<u32>,
 }
@@ -94,10 +99,10 @@ impl Lists {
 }
 
 impl MultiTriangulation {
-    /// Lists all triangles and fragments.
+    /// Builds the lists of all triangles and fragments.
     ///
     /// # Panics
-    /// If the mesh is not the sequence's: it lacks a group that a face is in.
+    /// If the mesh lacks the group of a triangle of the sequence.
     pub fn build(mesh: &FragmentedMesh) -> Self {
         let fragments = &mesh.fragments;
         let replaced_by = fragments.replaced_by();
@@ -109,10 +114,7 @@ impl MultiTriangulation {
         let steps = || 0..fragments.step_count() as u32;
         let group_count = mesh.mesh.groups.len().max(1);
         let groups = || fragments.faces().iter().map(|face| face.group);
-        assert!(
-            groups().all(|group| (group as usize) < group_count),
-            "a face is in a group that is not there"
-        );
+        assert!(groups().all(|group| (group as usize) < group_count), "a face belongs to a missing group");
         Self {
             vertices: StepVertices::of_levels(fragments.levels()),
             triangles: (0..).zip(&replaced_by).map(triangle).collect(),
@@ -126,74 +128,74 @@ impl MultiTriangulation {
         }
     }
 
-    /// All triangles: the base's, then the ceilings' by step.
+    /// All triangles: those of the base, then those of the ceilings by step.
     pub fn triangles(&self) -> &[MtTriangle] {
         &self.triangles
     }
 
-    /// Triangles of the base: the first so many.
+    /// Number of triangles in the base; they come first.
     pub fn base_triangle_count(&self) -> usize {
         self.base_triangle_count
     }
 
-    /// Numbers of the triangles that a fragment brings.
+    /// Indices of the triangles that a fragment creates.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     #[inline]
     pub fn ceiling(&self, step: u32) -> &[u32] {
         self.ceilings.get(step)
     }
 
-    /// Numbers of the triangles that a fragment replaces.
+    /// Indices of the triangles that a fragment replaces.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     #[inline]
     pub fn floor(&self, step: u32) -> &[u32] {
         self.floors.get(step)
     }
 
-    /// How far a fragment's floor is from the surface that it stands for, mesh units.
+    /// Distance of a fragment's floor from the surface that it approximates, in mesh units.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     pub fn error(&self, step: u32) -> f32 {
         self.errors[step as usize]
     }
 
-    /// Vertices of the base mesh.
+    /// Number of vertices in the base mesh.
     pub fn base_vertex_count(&self) -> usize {
         self.vertices.base_vertex_count() as usize
     }
 
-    /// The same as patterns.
+    /// Converts the model to patterns.
     ///
     /// # Errors
-    /// As [`Patterns::build`].
+    /// See [`Patterns::build`].
     pub fn to_patterns(&self) -> Result<Patterns, ModelError> {
         Patterns::from_fragments(&self.to_fragments(), self.group_count)
     }
 
-    /// The fragments that these are the triangles of.
+    /// Reconstructs the fragments from the triangles.
     pub fn to_fragments(&self) -> FragmentSequence {
-        let face = |&number: &u32| Face {
-            corners: self.triangles[number as usize].corners,
-            group: self.groups.get(number as usize).map_or(0, |&group| group),
+        let face = |&index: &u32| Face {
+            corners: self.triangles[index as usize].corners,
+            group: self.groups.get(index as usize).map_or(0, |&group| group),
         };
-        let faces = |numbers: &[u32]| numbers.iter().map(face).collect();
+        let faces = |indices: &[u32]| indices.iter().map(face).collect();
         let fragment = |step| Fragment {
             ceiling: faces(self.ceiling(step)),
             floor: faces(self.floor(step)),
             error: self.error(step),
         };
-        let base = (0..self.base_triangle_count as u32).map(|number| face(&number)).collect();
+        let base = (0..self.base_triangle_count as u32).map(|index| face(&index)).collect();
         let fragments = (0..self.errors.len() as u32).map(fragment);
         FragmentSequence::from_fragments(self.vertices.positions(), base, fragments)
-            .expect("the triangles were those of fragments")
+            .expect("the triangles were built from fragments")
     }
 
-    /// A new instance that shows the base.
+    /// Creates an instance that shows the base.
     pub fn base_state(&self) -> MultiTriangulationState {
         MultiTriangulationState::base(self)
     }
@@ -204,8 +206,8 @@ impl MultiTriangulation {
             out.extend_from_slice(state.triangles().as_flattened());
             return;
         }
-        for (number, corners) in state.numbered() {
-            if self.groups[number as usize] as usize == group {
+        for (index, corners) in state.indexed() {
+            if self.groups[index as usize] as usize == group {
                 out.extend_from_slice(corners);
             }
         }
@@ -225,7 +227,7 @@ impl LodModel for MultiTriangulation {
         state
     }
 
-    /// Fragments that are inserted, whichever they are.
+    /// Number of fragments inserted, in whatever combination.
     fn split_count(&self, state: &MultiTriangulationState) -> usize {
         state.split_count()
     }
@@ -266,9 +268,10 @@ impl LodModel for MultiTriangulation {
 }
 
 impl PaperBytes for MultiTriangulation {
-    /// The structures of \[KK97\] as \[KG98\] counts them, 32 bits for each vertex and pointer: a triangle has three vertices and
-    /// two fragments, a fragment a number for each triangle of its ceiling and its floor. A vertex that goes with six
-    /// triangles leaves four: 6 * 20 + 10 * 4 = 160 bytes. Errors and the lengths of lists are not counted.
+    /// The structures of \[KK97\] as \[KG98\] counts them, 32 bits per vertex and pointer: a triangle has
+    /// three vertices and two fragments; a fragment has an index per triangle of its ceiling and floor. A
+    /// vertex that is removed with six triangles leaves four: 6 * 20 + 10 * 4 = 160 bytes. Errors and list
+    /// lengths are not counted.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let listed = self.ceilings.entries.len() + self.floors.entries.len();
         accounting.bytes(0, 5 * self.triangles.len() + listed)

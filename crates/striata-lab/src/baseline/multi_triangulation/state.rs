@@ -1,4 +1,4 @@
-//! What one instance owns: the fragments that are inserted and the triangles that are there.
+//! State of one instance: the fragments that are inserted and the triangles that are shown.
 
 use striata::mesh::FragmentSequence;
 
@@ -7,22 +7,23 @@ use crate::baseline::step_set::{Change, StepSet};
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
 
-/// Not shown.
+/// Marks a triangle that is not shown.
 const NONE: u32 = u32::MAX;
 
-/// An instance: a closed set of fragments and the triangles that it shows.
+/// State of one instance: a closed set of fragments and the triangles that it shows.
 ///
-/// Two instances are equal if they show the same, however they came there.
+/// Two instances are equal if they show the same triangles, regardless of how they got there.
 #[derive(Clone, Debug)]
 pub struct MultiTriangulationState {
     pub(super) inserted: StepSet,
-    /// What is drawn.
+    /// Corners of the triangles shown.
     corners: Vec<[u32; 3]>,
-    /// The numbers of these triangles.
-    numbers: Vec<u32>,
-    /// Where each triangle stands among them, or [`NONE`].
-    place_of: Vec<u32>,
-    /// How many triangles of its ceiling other fragments have replaced: 0 for a fragment on top.
+    /// Indices of the triangles shown.
+    shown: Vec<u32>,
+    /// Index of each triangle in `shown`, or [`NONE`].
+    shown_index_of: Vec<u32>,
+    /// For each fragment, the number of its ceiling triangles that other fragments have replaced; 0 for a
+    /// fragment on top.
     pub(super) replaced_counts: Vec<u32>,
 }
 
@@ -32,45 +33,45 @@ impl MultiTriangulationState {
         let mut state = Self {
             inserted: StepSet::new(step_count),
             corners: Vec::new(),
-            numbers: Vec::new(),
-            place_of: vec![NONE; model.triangles.len()],
+            shown: Vec::new(),
+            shown_index_of: vec![NONE; model.triangles.len()],
             replaced_counts: vec![0; step_count],
         };
-        (0..model.base_triangle_count as u32).for_each(|number| state.show(model, number));
+        (0..model.base_triangle_count as u32).for_each(|index| state.show(model, index));
         state
     }
 
-    /// The triangles that it shows, of all groups, in no order.
+    /// The triangles shown, of all groups, unordered.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.corners
     }
 
-    /// Their numbers.
-    pub fn triangle_numbers(&self) -> &[u32] {
-        &self.numbers
+    /// Indices of the triangles shown, in the order of [`triangles`](Self::triangles).
+    pub fn triangle_indices(&self) -> &[u32] {
+        &self.shown
     }
 
     /// Whether a fragment is inserted.
     ///
     /// # Panics
-    /// If there is no such fragment.
+    /// If the fragment does not exist.
     pub fn is_refined(&self, step: u32) -> bool {
         self.inserted.has(step)
     }
 
-    /// Fragments that are inserted.
+    /// Number of fragments inserted.
     pub fn split_count(&self) -> usize {
         self.inserted.len()
     }
 
-    pub(super) fn numbered(&self) -> impl Iterator<Item = (u32, &[u32; 3])> {
-        self.numbers.iter().copied().zip(&self.corners)
+    pub(super) fn indexed(&self) -> impl Iterator<Item = (u32, &[u32; 3])> {
+        self.shown.iter().copied().zip(&self.corners)
     }
 
-    /// Whether the instance is one of the model's, as far as sizes tell.
+    /// Panics unless the state has the model's sizes.
     pub(super) fn check(&self, model: &MultiTriangulation) {
         assert!(
-            self.inserted.limit() == model.errors.len() && self.place_of.len() == model.triangles.len(),
+            self.inserted.limit() == model.errors.len() && self.shown_index_of.len() == model.triangles.len(),
             "the state belongs to another model"
         );
     }
@@ -84,26 +85,26 @@ impl MultiTriangulationState {
         change.inserted.iter().for_each(|&step| self.insert(model, step));
     }
 
-    /// Replaces a floor by its ceiling.
+    /// Replaces a fragment's floor by its ceiling.
     pub(super) fn insert(&mut self, model: &MultiTriangulation, step: u32) {
-        for &number in model.floor(step) {
-            self.hide(number);
-            let lower = model.triangles[number as usize].lower;
+        for &index in model.floor(step) {
+            self.hide(index);
+            let lower = model.triangles[index as usize].lower;
             if lower != NO_STEP {
                 self.replaced_counts[lower as usize] += 1;
             }
         }
-        model.ceiling(step).iter().for_each(|&number| self.show(model, number));
+        model.ceiling(step).iter().for_each(|&index| self.show(model, index));
         self.inserted.insert(step);
     }
 
-    /// Replaces a ceiling by its floor.
+    /// Replaces a fragment's ceiling by its floor.
     pub(super) fn remove(&mut self, model: &MultiTriangulation, step: u32) {
         debug_assert_eq!(self.replaced_counts[step as usize], 0, "step {step} is not on top");
-        model.ceiling(step).iter().for_each(|&number| self.hide(number));
-        for &number in model.floor(step) {
-            self.show(model, number);
-            let lower = model.triangles[number as usize].lower;
+        model.ceiling(step).iter().for_each(|&index| self.hide(index));
+        for &index in model.floor(step) {
+            self.show(model, index);
+            let lower = model.triangles[index as usize].lower;
             if lower != NO_STEP {
                 self.replaced_counts[lower as usize] -= 1;
             }
@@ -111,35 +112,35 @@ impl MultiTriangulationState {
         self.inserted.remove(step);
     }
 
-    fn show(&mut self, model: &MultiTriangulation, number: u32) {
-        debug_assert_eq!(self.place_of[number as usize], NONE, "triangle {number} is there twice");
-        self.place_of[number as usize] = self.numbers.len() as u32;
-        self.numbers.push(number);
-        self.corners.push(model.triangles[number as usize].corners);
+    fn show(&mut self, model: &MultiTriangulation, index: u32) {
+        debug_assert_eq!(self.shown_index_of[index as usize], NONE, "triangle {index} is there twice");
+        self.shown_index_of[index as usize] = self.shown.len() as u32;
+        self.shown.push(index);
+        self.corners.push(model.triangles[index as usize].corners);
     }
 
-    fn hide(&mut self, number: u32) {
-        let place = std::mem::replace(&mut self.place_of[number as usize], NONE) as usize;
-        self.numbers.swap_remove(place);
-        self.corners.swap_remove(place);
-        if let Some(&moved) = self.numbers.get(place) {
-            self.place_of[moved as usize] = place as u32;
+    fn hide(&mut self, index: u32) {
+        let at = std::mem::replace(&mut self.shown_index_of[index as usize], NONE) as usize;
+        self.shown.swap_remove(at);
+        self.corners.swap_remove(at);
+        if let Some(&moved) = self.shown.get(at) {
+            self.shown_index_of[moved as usize] = at as u32;
         }
     }
 
     pub(super) fn bytes(&self) -> usize {
         self.inserted.bytes()
             + size_of_val(&self.corners[..])
-            + 4 * (self.numbers.len() + self.place_of.len() + self.replaced_counts.len())
+            + 4 * (self.shown.len() + self.shown_index_of.len() + self.replaced_counts.len())
     }
 }
 
 impl PartialEq for MultiTriangulationState {
     fn eq(&self, other: &Self) -> bool {
-        let shows = |&number: &u32| other.place_of.get(number as usize).is_some_and(|&place| place != NONE);
+        let shows = |&index: &u32| other.shown_index_of.get(index as usize).is_some_and(|&at| at != NONE);
         self.inserted == other.inserted
-            && self.numbers.len() == other.numbers.len()
-            && self.numbers.iter().all(shows)
+            && self.shown.len() == other.shown.len()
+            && self.shown.iter().all(shows)
     }
 }
 

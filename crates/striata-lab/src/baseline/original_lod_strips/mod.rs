@@ -1,21 +1,23 @@
 //! LodStrips as first published \[RC04\]: strips of the full mesh in which each step substitutes indices.
 //!
-//! Each vertex has a change: for every strip that it stands in when it is collapsed, the places where. Coarsening
-//! puts its target there, refining puts it back. Strips keep their full length, so that nothing ever moves; what
-//! repeats in them is left out while they are sent to the GPU, as \[RCRG06\] tells of its forerunner.
+//! Each vertex has a change that lists, for every strip containing it when it collapses, the slots it
+//! occupies. Coarsening writes its target to these slots, refining writes the vertex back. Strips keep
+//! their full length, so nothing ever moves. Repetitions are filtered out while the strips are sent to the
+//! GPU, as \[RCRG06\] describes for its forerunner.
 //!
 //! ```text
-//! change of a vertex   strip, place count, places ... | strip, place count, places ... | ...
+//! change of a vertex   strip, slot count, slots ... | strip, slot count, slots ... | ...
 //! ```
 //!
-//! A strip whose last triangle is gone draws nothing, whatever stands in it: later changes leave it out. That
-//! makes the changes of the bunny a third smaller.
+//! A strip whose last triangle has vanished draws nothing, whatever its indices are, so later changes
+//! leave it out. That makes the changes of the bunny a third smaller.
 //!
-//! Differs: the publication has one vertex a position. Here a step has one change for each wedge of its position, so
-//! that no place needs to say which wedge stands there.
+//! Differs: the publication has one vertex per position. Here a step has a separate change for each wedge
+//! of its position, so that slots do not need to store their wedge.
 //!
-//! Cost: a place is listed once for each vertex that it shows while its strip is drawn, also where a filter would
-//! leave it out; building is linear in that. Sending a level costs the length of the strips of the full mesh.
+//! Cost: a slot is listed once for each vertex that it shows while its strip is drawn, even if the filter
+//! would remove it; building is linear in that. Sending a level takes time linear in the strips of the
+//! full mesh.
 
 mod build;
 
@@ -30,12 +32,12 @@ use crate::paper_bytes::{Accounting, PaperBytes};
 pub struct OriginalLodStrips {
     vertices: StepVertices<'static>,
     strips: StripSet,
-    /// Where the change of each vertex above the base begins, closed by the number of words.
+    /// Offset of the change of each vertex above the base, followed by the number of words.
     change_offsets: Vec<u32>,
     changes: Vec<u32>,
 }
 
-/// An instance: its level and its strips, all at full length.
+/// State of one instance: its level and its strips, all at full length.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OriginalLodStripsState {
     split_count: usize,
@@ -43,20 +45,20 @@ pub struct OriginalLodStripsState {
 }
 
 impl OriginalLodStrips {
-    /// Strips, those without triangles at coarse levels counted.
+    /// Number of strips, including those without triangles at coarse levels.
     pub fn strip_count(&self) -> usize {
         self.strips.strip_count()
     }
 
-    /// Groups of triangles; strips never cross them.
+    /// Number of groups of triangles; strips never cross groups.
     pub fn group_count(&self) -> usize {
         self.strips.group_count()
     }
 
-    /// Appends what draws one group, with [`RESTART`] between strips.
+    /// Appends the indices that draw one group, with [`RESTART`] between strips.
     ///
     /// # Panics
-    /// If there is no such group.
+    /// If the group does not exist.
     pub fn group_indices_into(&self, state: &OriginalLodStripsState, group: usize, out: &mut Vec<u32>) {
         self.strips_into(state, self.strips.group_strips(group), out);
     }
@@ -82,32 +84,32 @@ impl OriginalLodStrips {
         }
     }
 
-    /// A strip as it is stored: at full length, with all its repetitions.
+    /// The stored indices of a strip: at full length, with all repetitions.
     fn strip<'s>(&self, state: &'s OriginalLodStripsState, strip: usize) -> &'s [u32] {
         let offsets = self.strips.offsets();
         &state.indices[offsets[strip] as usize..offsets[strip + 1] as usize]
     }
 
-    /// Puts `shown` in all places that a vertex has while it is there.
+    /// Writes the index `shown` to all slots that a vertex has while it is active.
     fn substitute(&self, indices: &mut [u32], vertex: u32, shown: u32) {
         let change = (vertex - self.vertices.base_vertex_count()) as usize;
         let [start, end] = [change, change + 1].map(|i| self.change_offsets[i] as usize);
         for record in Records(&self.changes[start..end]) {
             let strip = &mut indices[self.strips.offsets()[record.strip as usize] as usize..];
-            for &place in record.places {
-                strip[place as usize] = shown;
+            for &slot in record.slots {
+                strip[slot as usize] = shown;
             }
         }
     }
 }
 
-/// What a change does to one strip.
+/// The part of a change that affects one strip.
 struct Record<'m> {
     strip: u32,
-    places: &'m [u32],
+    slots: &'m [u32],
 }
 
-/// The records of a change.
+/// Iterator over the records of a change.
 struct Records<'m>(&'m [u32]);
 
 impl<'m> Iterator for Records<'m> {
@@ -115,10 +117,10 @@ impl<'m> Iterator for Records<'m> {
 
     #[inline]
     fn next(&mut self) -> Option<Record<'m>> {
-        let [strip, place_count, rest @ ..] = self.0 else { return None };
-        let (places, rest) = rest.split_at_checked(*place_count as usize)?;
+        let [strip, slot_count, rest @ ..] = self.0 else { return None };
+        let (slots, rest) = rest.split_at_checked(*slot_count as usize)?;
         self.0 = rest;
-        Some(Record { strip: *strip, places })
+        Some(Record { strip: *strip, slots })
     }
 }
 
@@ -195,12 +197,12 @@ impl LodModel for OriginalLodStrips {
 }
 
 impl PaperBytes for OriginalLodStrips {
-    /// The structures of \[RCRG06\], its figure 3, without resizes: a `Collapse` for each vertex, a pointer for each
-    /// strip, a `Change` of two words for each step, a `RecordChange` of three (strip, number of collapses, pointer)
-    /// for each strip that it affects, and a word for each place.
+    /// The structures of \[RCRG06\], its figure 3, without resizes: a `Collapse` per vertex, a pointer per
+    /// strip, a two-word `Change` per step, a three-word `RecordChange` (strip, number of collapses,
+    /// pointer) per strip that a step affects, and a word per slot.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let record_count = Records(&self.changes).count();
-        // A record's strip and number are among the words already.
+        // The strip and count of each record are already among the words of `changes`.
         let changes = self.step_count() + self.changes.len();
         let integers = self.vertices.vertex_count() + self.strips.indices().len() + changes;
         accounting.bytes(integers, self.strip_count() + self.step_count() + record_count)

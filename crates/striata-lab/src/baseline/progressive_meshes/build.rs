@@ -1,22 +1,23 @@
-//! Building the list and the records: one pass from the full mesh to the base, following each corner.
+//! Builds the triangle list and the records in one pass from the full mesh to the base, following each
+//! corner.
 
 use striata::mesh::{RefinableMesh, is_proper};
 use striata::model::StepVertices;
 
 use super::ProgressiveMeshes;
-use super::counts::{Counts, GroupNumbers};
+use super::counts::{Counts, GroupIndices};
 
-/// Ends a chain of corners.
+/// End of a chain of corners.
 const END: u32 = u32::MAX;
 
-/// A triangle without area in the full mesh comes at no level.
+/// Marks a triangle without area in the full mesh, which no level shows.
 const NEVER: u32 = u32::MAX;
 
 impl ProgressiveMeshes {
     /// Builds the model from a mesh and its sequence.
     ///
     /// # Panics
-    /// If the mesh is not the sequence's: it names other vertices, or its groups do not tile it.
+    /// If the mesh does not match the sequence: it refers to other vertices, or its groups do not tile it.
     pub fn build(refinable: &RefinableMesh) -> Self {
         let mut builder = Builder::new(refinable);
         for step in (0..refinable.sequence.step_count()).rev() {
@@ -28,15 +29,16 @@ impl ProgressiveMeshes {
 
 struct Builder<'r> {
     refinable: &'r RefinableMesh,
-    /// The triangles as they stand, those that are gone as they went.
+    /// The triangles at the current level; removed ones keep their last corners.
     triangles: Vec<[u32; 3]>,
-    /// The split count from which each triangle shows.
+    /// The split count from which each triangle is shown.
     shown_from: Vec<u32>,
     /// First corner of each vertex's chain.
     chains: Vec<u32>,
-    /// The next corner of the same chain; corners of triangles that are gone are left out when it is next walked.
+    /// The next corner of the same chain. Corners of removed triangles are dropped the next time a chain
+    /// is walked.
     next: Vec<u32>,
-    /// The corners that each vertex above the base gives to its target, last vertex first.
+    /// The corners that each vertex above the base passes to its target, last vertex first.
     corners: Vec<u32>,
     corner_counts: Vec<u32>,
     moved: Vec<(u32, u32)>,
@@ -63,7 +65,8 @@ impl<'r> Builder<'r> {
         }
     }
 
-    /// Puts targets for the vertices of a step, and notes which corners that changes and which triangles it removes.
+    /// Replaces the vertices of a step by their targets, and records which corners change and which
+    /// triangles vanish.
     fn collapse(&mut self, step: usize) {
         let sequence = &self.refinable.sequence;
         self.moved.clear();
@@ -77,7 +80,7 @@ impl<'r> Builder<'r> {
                 corner = self.next[corner as usize];
             }
         }
-        // Only when all wedges have moved is it known which triangles are left.
+        // Only after all wedges have moved is it known which triangles remain.
         for &(corner, vertex) in &self.moved {
             let triangle = corner as usize / 3;
             if !is_proper(&self.triangles[triangle]) {
@@ -96,14 +99,14 @@ impl<'r> Builder<'r> {
         let full = &self.refinable.mesh;
         let mut indices = Vec::with_capacity(3 * full.triangle_count());
         let mut group_offsets = vec![0];
-        let mut place_of = vec![END; full.triangle_count()];
+        let mut index_of = vec![END; full.triangle_count()];
         let mut removed = Vec::new();
         for (group, range) in full.groups_or_whole().iter().map(|group| group.range()).enumerate() {
             let shown = range.map(|t| (self.shown_from[t], t)).filter(|&(from, _)| from != NEVER);
             let mut order: Vec<(u32, usize)> = shown.collect();
             order.sort_unstable();
             for &(from, triangle) in &order {
-                place_of[triangle] = indices.len() as u32 / 3;
+                index_of[triangle] = indices.len() as u32 / 3;
                 indices.extend(full.triangles[triangle]);
                 if let Some(step) = from.checked_sub(1) {
                     removed.push((step, group as u32));
@@ -120,16 +123,17 @@ impl<'r> Builder<'r> {
             vertices: StepVertices::of_sequence(sequence).into_owned(),
             indices,
             group_offsets,
-            corners: self.corners_in_list(&place_of),
+            corners: self.corners_in_list(&index_of),
             corner_counts: Counts::of(&self.corner_counts),
             removed_counts: Counts::of(&removed_counts),
-            removed_groups: GroupNumbers::of(removed.into_iter().map(|(_, group)| group), group_count),
+            removed_groups: GroupIndices::of(removed.into_iter().map(|(_, group)| group), group_count),
         }
     }
 
-    /// The corners of all records, first vertex first, as places in the list; those of a vertex rise.
-    fn corners_in_list(&self, place_of: &[u32]) -> Vec<u32> {
-        let in_list = |&corner: &u32| 3 * place_of[corner as usize / 3] + corner % 3;
+    /// The corners of all records, first vertex first, as positions in the list; ascending for each
+    /// vertex.
+    fn corners_in_list(&self, index_of: &[u32]) -> Vec<u32> {
+        let in_list = |&corner: &u32| 3 * index_of[corner as usize / 3] + corner % 3;
         let mut corners: Vec<u32> = self.corners.iter().rev().map(in_list).collect();
         let mut rest = corners.as_mut_slice();
         for &count in &self.corner_counts {

@@ -1,15 +1,15 @@
-//! Small numbers in as few bytes as they take.
+//! Compact storage of small integers: counts in a byte each, group indices as narrow as possible.
 
 use std::ops::Range;
 
-/// A count of this or more stands among the long ones.
+/// Counts of this value or more are stored in the table of long ones.
 const LONG: u8 = u8::MAX;
 
-/// A count for each of many things: a byte, for the few that do not fit a pair of words.
+/// An array of counts: one byte each, and an index-value pair for each of the few that do not fit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {
     short: Vec<u8>,
-    /// Which thing and its count, sorted.
+    /// Index and value of each long count, sorted.
     long: Vec<(u32, u32)>,
 }
 
@@ -24,16 +24,16 @@ impl Counts {
     }
 
     #[inline]
-    pub(super) fn get(&self, thing: usize) -> usize {
-        match self.short[thing] {
-            LONG => self.long_count(thing),
+    pub(super) fn get(&self, index: usize) -> usize {
+        match self.short[index] {
+            LONG => self.long_count(index),
             count => usize::from(count),
         }
     }
 
     #[cold]
-    fn long_count(&self, thing: usize) -> usize {
-        self.long[self.long.partition_point(|&(other, _)| (other as usize) < thing)].1 as usize
+    fn long_count(&self, index: usize) -> usize {
+        self.long[self.long.partition_point(|&(other, _)| (other as usize) < index)].1 as usize
     }
 
     pub(super) fn bytes(&self) -> usize {
@@ -41,18 +41,18 @@ impl Counts {
     }
 }
 
-/// The group of each of many triangles.
+/// The group of each of an array of triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum GroupNumbers {
-    /// There is but one group.
+pub(super) enum GroupIndices {
+    /// There is only one group.
     One,
     /// At most 256 groups.
     Narrow(Vec<u8>),
-    /// More.
+    /// More than 256 groups.
     Wide(Vec<u32>),
 }
 
-impl GroupNumbers {
+impl GroupIndices {
     pub(super) fn of(groups: impl Iterator<Item = u32>, group_count: usize) -> Self {
         match group_count {
             0..=1 => Self::One,
@@ -61,7 +61,7 @@ impl GroupNumbers {
         }
     }
 
-    /// Numbers held.
+    /// Number of stored indices.
     pub(super) fn len(&self) -> usize {
         match self {
             Self::One => 0,
@@ -70,13 +70,13 @@ impl GroupNumbers {
         }
     }
 
-    /// Tells the groups of some of the triangles.
+    /// Calls `visit` with the group of each triangle in a range.
     #[inline]
-    pub(super) fn for_each(&self, triangles: Range<usize>, mut tell: impl FnMut(usize)) {
+    pub(super) fn for_each(&self, triangles: Range<usize>, mut visit: impl FnMut(usize)) {
         match self {
             Self::One => {}
-            Self::Narrow(groups) => groups[triangles].iter().for_each(|&group| tell(usize::from(group))),
-            Self::Wide(groups) => groups[triangles].iter().for_each(|&group| tell(group as usize)),
+            Self::Narrow(groups) => groups[triangles].iter().for_each(|&group| visit(usize::from(group))),
+            Self::Wide(groups) => groups[triangles].iter().for_each(|&group| visit(group as usize)),
         }
     }
 
@@ -94,19 +94,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn long_counts_stand_apart() {
+    fn long_counts_are_stored_separately() {
         let all = [0, 254, 255, 3, 256, 70_000, 1, u32::MAX];
         let counts = Counts::of(&all);
         assert_eq!(counts.bytes(), 8 + 4 * 8);
-        for (thing, &count) in all.iter().enumerate() {
-            assert_eq!(counts.get(thing), count as usize);
+        for (index, &count) in all.iter().enumerate() {
+            assert_eq!(counts.get(index), count as usize);
         }
     }
 
     #[test]
-    fn group_numbers_are_as_wide_as_they_must_be() {
-        assert_eq!(GroupNumbers::of([0; 9].into_iter(), 1).bytes(), 0);
-        assert_eq!(GroupNumbers::of([0, 255].into_iter(), 256), GroupNumbers::Narrow(vec![0, 255]));
-        assert_eq!(GroupNumbers::of([0, 256].into_iter(), 257), GroupNumbers::Wide(vec![0, 256]));
+    fn group_indices_are_as_narrow_as_possible() {
+        assert_eq!(GroupIndices::of([0; 9].into_iter(), 1).bytes(), 0);
+        assert_eq!(GroupIndices::of([0, 255].into_iter(), 256), GroupIndices::Narrow(vec![0, 255]));
+        assert_eq!(GroupIndices::of([0, 256].into_iter(), 257), GroupIndices::Wide(vec![0, 256]));
     }
 }

@@ -1,22 +1,24 @@
-//! Progressive meshes: one list of triangles, edited in place by the record of each step \[Hop96\], \[Hop98\].
+//! Progressive meshes \[Hop96\], \[Hop98\]: one list of triangles, edited in place by the record of each
+//! step.
 //!
-//! The triangles of each group stand in the order in which refinement brings them back, so those of a level are
-//! the first so many of their group. A step's record names the corners that change between its vertices and
-//! their targets, and says how many triangles come or go: no triangle is ever moved or copied. A triangle
-//! that goes keeps its corners as they were, which is what they have to be when it comes back.
+//! Each group's triangles are stored in the order in which refinement restores them, so a level shows a
+//! first part of every group. The record of a step lists the corners that change between its vertices and
+//! their targets, and the number of triangles that appear or vanish; no triangle is ever moved or copied.
+//! A triangle that vanishes keeps its last corners, which are the ones it needs when it reappears.
 //!
 //! ```text
 //! group of the list | base | step 0 | step 1 | step 2 | ... | last step |
-//! split count 2     | ------- shown ------- | - waiting, as they were - |
+//! split count 2     | ------- shown ------- | --- waiting, unchanged --- |
 //! ```
 //!
-//! Differs: \[Hop96\] places vertices anew and splits into wedges as it refines; here collapses are half-edge
-//! collapses over one vertex buffer, so attributes need no record. \[Hop98\] finds the corners of a split by
-//! walking around the vertex, with the neighbors of each triangle kept in the instance; here they are listed, which
-//! serves any mesh, needs no neighbors and makes a step a few writes. A corner is a word, a count is a byte.
+//! Differs: \[Hop96\] moves vertices and splits them into wedges as it refines. Here collapses are
+//! half-edge collapses over one vertex buffer, so attributes need no record. \[Hop98\] finds the corners
+//! of a split by walking around the vertex, for which each instance stores the neighbors of its triangles.
+//! Here the corners are listed, which works for any mesh, needs no neighbors, and reduces a step to a few
+//! writes. A corner is a word, a count is a byte.
 //!
-//! Cost: a step touches about three corners and two triangles. Building is linear in the corners that change, but
-//! for sorting.
+//! Cost: a step touches about three corners and two triangles. Building is linear in the corners that
+//! change, plus sorting.
 
 mod build;
 mod counts;
@@ -24,7 +26,7 @@ mod state;
 
 use std::ops::Range;
 
-use self::counts::{Counts, GroupNumbers};
+use self::counts::{Counts, GroupIndices};
 pub use self::state::ProgressiveMeshesState;
 use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology};
 
@@ -32,36 +34,37 @@ use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// The static half of the model; see the [module](self).
 ///
-/// [`ProgressiveMeshesState::indices`] is the list that a renderer draws,
-/// [`group_ranges`](Self::group_ranges) says what of it.
+/// A renderer draws the [`group_ranges`](Self::group_ranges) of the list
+/// [`ProgressiveMeshesState::indices`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgressiveMeshes {
     step_count: usize,
     vertices: StepVertices<'static>,
-    /// The list of the full mesh, three indices a triangle.
+    /// The list of the full mesh, three indices per triangle.
     indices: Vec<u32>,
-    /// First triangle of each group in the list, closed by the number of triangles.
+    /// First triangle of each group in the list, followed by the number of triangles.
     group_offsets: Vec<u32>,
-    /// Places in the list that change from a vertex to its target, vertex by vertex above the base.
+    /// Positions in the list that change between a vertex and its target, by vertex, beginning above the
+    /// base.
     corners: Vec<u32>,
-    /// For each vertex above the base, how many of `corners` are its own.
+    /// For each vertex above the base, its number of entries in `corners`.
     corner_counts: Counts,
-    /// For each step, how many triangles its collapse removes.
+    /// For each step, the number of triangles that its collapse removes.
     removed_counts: Counts,
-    /// The groups of these, step by step.
-    removed_groups: GroupNumbers,
+    /// The groups of these triangles, by step.
+    removed_groups: GroupIndices,
 }
 
 impl ProgressiveMeshes {
-    /// Groups of triangles.
+    /// Number of groups of triangles.
     pub fn group_count(&self) -> usize {
         self.group_offsets.len() - 1
     }
 
-    /// For each group (material) the range of [`ProgressiveMeshesState::indices`] to draw as triangles.
+    /// For each group (material), the range of [`ProgressiveMeshesState::indices`] to draw as triangles.
     ///
     /// # Panics
-    /// If the state belongs to a model of another shape.
+    /// If the state belongs to a model with another number of groups.
     pub fn group_ranges(&self, state: &ProgressiveMeshesState) -> impl Iterator<Item = Range<u32>> {
         assert_eq!(state.live_counts().len(), self.group_count(), "the state belongs to another model");
         let live = self.group_offsets.iter().zip(state.live_counts());
@@ -120,9 +123,9 @@ impl LodModel for ProgressiveMeshes {
 }
 
 impl PaperBytes for ProgressiveMeshes {
-    /// The list of the full mesh, three long indices a triangle: that holds the triangles that splits bring, too. A
-    /// split: for each vertex its target, a pointer to its corners and a long index for each; and the number of
-    /// triangles that come.
+    /// The list of the full mesh, three long indices per triangle, which includes the triangles that
+    /// splits add. For each vertex of a split, its target, a pointer to its corners and a long index for
+    /// each; and per split the number of triangles added.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let target_count = self.vertices.vertex_count() - self.vertices.base_vertex_count() as usize;
         let splits = 2 * target_count + self.corners.len();

@@ -1,19 +1,20 @@
-//! What one instance of progressive meshes owns, and how it moves between levels.
+//! State of one instance of progressive meshes, and how it moves between levels.
 
 use super::ProgressiveMeshes;
-use super::counts::GroupNumbers;
+use super::counts::GroupIndices;
 
-/// An instance: its level and its list. Made by [`LodModel::new_state`](striata::model::LodModel).
+/// State of one instance: its level and its triangle list. Created by
+/// [`LodModel::new_state`](striata::model::LodModel).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgressiveMeshesState {
     split_count: usize,
-    /// Behind the corners of the last step that is split, where those of the next begin.
+    /// End of the corners of the last refined step, which is where those of the next step begin.
     corner_cursor: usize,
-    /// Behind the groups of the triangles of that step.
+    /// End of the groups of that step's triangles.
     group_cursor: usize,
-    /// The list; see the drawing in the [module](super).
+    /// The triangle list; see the drawing in the [module](super).
     indices: Vec<u32>,
-    /// Triangles shown of each group.
+    /// Number of triangles shown in each group.
     live_counts: Vec<u32>,
 }
 
@@ -28,23 +29,23 @@ impl ProgressiveMeshesState {
         }
     }
 
-    /// The level it shows.
+    /// The current level.
     pub fn split_count(&self) -> usize {
         self.split_count
     }
 
-    /// The list, three indices a triangle, those that wait counted: its length never changes.
-    /// [`ProgressiveMeshes::group_ranges`] says what to draw of it.
+    /// The triangle list, three indices per triangle. It includes triangles that are not shown, so its
+    /// length never changes; [`ProgressiveMeshes::group_ranges`] returns the parts to draw.
     pub fn indices(&self) -> &[u32] {
         &self.indices
     }
 
-    /// Bytes that the instance owns.
+    /// Bytes owned by the instance.
     pub fn bytes(&self) -> usize {
         4 * (self.indices.len() + self.live_counts.len())
     }
 
-    /// Triangles shown of each group.
+    /// Number of triangles shown in each group.
     pub(super) fn live_counts(&self) -> &[u32] {
         &self.live_counts
     }
@@ -64,7 +65,7 @@ impl ProgressiveMeshesState {
         }
     }
 
-    /// Collapses the step below.
+    /// Collapses the last refined step.
     #[inline]
     fn coarsen(&mut self, model: &ProgressiveMeshes) {
         self.split_count -= 1;
@@ -81,7 +82,7 @@ impl ProgressiveMeshesState {
         let removed = model.removed_counts.get(step);
         let Self { live_counts, group_cursor, .. } = self;
         match &model.removed_groups {
-            GroupNumbers::One => live_counts[0] -= removed as u32,
+            GroupIndices::One => live_counts[0] -= removed as u32,
             groups => {
                 *group_cursor -= removed;
                 groups.for_each(*group_cursor..*group_cursor + removed, |group| live_counts[group] -= 1);
@@ -89,7 +90,7 @@ impl ProgressiveMeshesState {
         }
     }
 
-    /// Splits the step above.
+    /// Refines the next step.
     #[inline]
     fn refine(&mut self, model: &ProgressiveMeshes) {
         let step = self.split_count;
@@ -105,7 +106,7 @@ impl ProgressiveMeshesState {
         let removed = model.removed_counts.get(step);
         let Self { live_counts, group_cursor, .. } = self;
         match &model.removed_groups {
-            GroupNumbers::One => live_counts[0] += removed as u32,
+            GroupIndices::One => live_counts[0] += removed as u32,
             groups => {
                 groups.for_each(*group_cursor..*group_cursor + removed, |group| live_counts[group] += 1);
                 *group_cursor += removed;

@@ -1,4 +1,4 @@
-//! Reading: whatever the bytes are, what comes out are levels of a surface or an error.
+//! Decoder: arbitrary bytes yield either levels of a valid surface or an error.
 
 use striata::mesh::{Face, Fragment, FragmentSequence, PositionIndex};
 use striata::model::Bits;
@@ -7,22 +7,22 @@ use super::{
     ANCHOR_BITS, FRAGMENT_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS,
     Neighbors, OPENS_TWICE, RULE_BITS, SequentialPatternsError,
 };
-use crate::baseline::loop_patterns::{Found, Rule, RuleTable, Surface};
+use crate::baseline::loop_patterns::{Region, Rule, RuleTable, Surface};
 
-/// Reads fragments one after the other and keeps the level that they lead to.
+/// Decodes one fragment after another and keeps the level that they lead to.
 #[derive(Debug)]
 pub struct SequentialDecoder {
     base: Vec<[u32; 3]>,
     base_vertex_count: usize,
     step_count: usize,
-    /// Fragments that have been read.
+    /// Number of fragments decoded.
     step: usize,
     rules: RuleTable,
     bits: Bits,
     at: usize,
     surface: Surface,
-    around: Neighbors,
-    found: Found,
+    neighbors: Neighbors,
+    region: Region,
     sorted: Vec<u32>,
 }
 
@@ -30,7 +30,8 @@ impl SequentialDecoder {
     /// Reads the base and the rules.
     ///
     /// # Errors
-    /// [`SequentialPatternsError`] where they make no sense or the bytes are too few for what they promise.
+    /// [`SequentialPatternsError`] if they are invalid or the data is too short for the counts in its
+    /// header.
     pub fn new(bytes: &[u8]) -> Result<Self, SequentialPatternsError> {
         let mut rest = bytes;
         let mut count = || -> Result<u64, SequentialPatternsError> {
@@ -60,8 +61,8 @@ impl SequentialDecoder {
             bits,
             at: 0,
             surface,
-            around: Neighbors::default(),
-            found: Found::default(),
+            neighbors: Neighbors::default(),
+            region: Region::default(),
             sorted: Vec::new(),
         })
     }
@@ -71,20 +72,21 @@ impl SequentialDecoder {
         &self.base
     }
 
-    /// Fragments in all.
+    /// Total number of fragments.
     pub fn step_count(&self) -> usize {
         self.step_count
     }
 
-    /// The triangles of the level that has been read, in no order.
+    /// The triangles of the current level, unordered.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.surface.corners()
     }
 
-    /// Reads the next fragment; none after the last.
+    /// Decodes the next fragment; returns `None` after the last one.
     ///
     /// # Errors
-    /// [`SequentialPatternsError`] naming the step, where it has no place in the level before it or the bytes end.
+    /// [`SequentialPatternsError`] with the step, if the fragment does not fit the previous level or the
+    /// data ends.
     pub fn next_fragment(&mut self) -> Result<Option<Fragment>, SequentialPatternsError> {
         if self.step == self.step_count {
             return self.check_end().map(|()| None);
@@ -95,13 +97,13 @@ impl SequentialDecoder {
         Ok(Some(fragment))
     }
 
-    /// Reads all fragments that are left.
+    /// Decodes all remaining fragments.
     ///
     /// # Errors
-    /// As [`next_fragment`](Self::next_fragment).
+    /// See [`next_fragment`](Self::next_fragment).
     ///
     /// # Panics
-    /// If some have been read already.
+    /// If a fragment has been decoded before.
     pub fn into_sequence(mut self) -> Result<FragmentSequence, SequentialPatternsError> {
         assert_eq!(self.step, 0, "fragments have been read already");
         let mut fragments = Vec::with_capacity(self.step_count);
@@ -122,76 +124,77 @@ impl SequentialDecoder {
     }
 
     fn read(&mut self) -> Result<Fragment, &'static str> {
-        let rule = self.read_number(LONG_RULE, [RULE_BITS, LONG_RULE_BITS])? as usize;
+        let rule = self.read_value(LONG_RULE, [RULE_BITS, LONG_RULE_BITS])? as usize;
         let anchor = self.read_bits(ANCHOR_BITS)? as usize;
-        let counted = self.read_number(LONG_NEIGHBOR, [NEIGHBOR_BITS, LONG_NEIGHBOR_BITS])? as usize;
+        let rank = self.read_value(LONG_NEIGHBOR, [NEIGHBOR_BITS, LONG_NEIGHBOR_BITS])? as usize;
         let vertex = self.base_vertex_count + self.step;
         if rule >= self.rules.len() {
-            return Err("has a rule that is not there");
+            return Err("has an unknown rule");
         }
         if anchor >= vertex {
-            return Err("has an anchor that is not there");
+            return Err("has an anchor out of range");
         }
-        self.around.find(&self.surface, anchor as u32);
-        if counted >= self.around.count() {
+        self.neighbors.find(&self.surface, anchor as u32);
+        if rank >= self.neighbors.count() {
             return Err("counts more neighbors than its anchor has");
         }
-        let place = self.around.place(counted);
+        let index = self.neighbors.index(rank);
         let rules = std::mem::take(&mut self.rules);
-        let fragment = self.place(rules.get(rule), anchor as u32, place);
+        let fragment = self.apply(rules.get(rule), anchor as u32, index);
         self.rules = rules;
         fragment
     }
 
-    /// Puts the fragment with a rule where its second anchor is the neighbor at a place.
-    fn place(&mut self, rule: Rule, anchor: u32, place: usize) -> Result<Fragment, &'static str> {
+    /// Applies the fragment with the given rule, whose second anchor is the neighbor at `index`.
+    fn apply(&mut self, rule: Rule, anchor: u32, index: usize) -> Result<Fragment, &'static str> {
         if rule.apexes.is_empty() {
-            let side = place.checked_sub(1).map(|before| self.around.star[before]);
-            let (on, _) = side.filter(|_| self.around.side(place).is_none()).ok_or("hangs on no border")?;
-            self.found.hang([anchor, self.around.vertex(&self.surface, place)], on);
+            let side = index.checked_sub(1).map(|before| self.neighbors.star[before]);
+            let (on, _) =
+                side.filter(|_| self.neighbors.side(index).is_none()).ok_or("is attached to no border")?;
+            self.region.attach([anchor, self.neighbors.vertex(&self.surface, index)], on);
         } else {
-            let side = self.around.side(place).ok_or("has its anchors where no triangle is")?;
-            if !self.surface.find_floor(rule, side, &mut self.found) || !self.is_simple() {
-                return Err("has a floor that is not where its anchors are");
+            let side = self.neighbors.side(index).ok_or("has no triangle at its anchors")?;
+            if !self.surface.find_floor(rule, side, &mut self.region) || !self.is_simple() {
+                return Err("has a floor that does not match its anchors");
             }
-            if rule.is_open && !self.surface.is_openable(&self.found, &mut self.around.star) {
+            if rule.is_open && !self.surface.is_openable(&self.region, &mut self.neighbors.star) {
                 return Err(OPENS_TWICE);
             }
         }
         let vertex = (self.base_vertex_count + self.step) as u32;
-        let floor = self.surface.found_corners(&self.found).map(|corners| face(&corners)).collect();
-        let ring = &self.found.ring;
+        let floor = self.surface.region_corners(&self.region).map(|corners| face(&corners)).collect();
+        let ring = &self.region.ring;
         let ends = (0..rule.ceiling_len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]);
         let ceiling = ends.map(|[a, b]| face(&[vertex, a, b])).collect();
         self.surface.add_vertex();
-        self.surface.put_fan(vertex, rule, &mut self.found);
+        self.surface.replace_by_fan(vertex, rule, &mut self.region);
         Ok(Fragment { ceiling, floor, error: 0.0 })
     }
 
-    /// Whether no vertex is twice in the ring that was found.
+    /// Whether no vertex appears twice in the ring of the region.
     fn is_simple(&mut self) -> bool {
-        self.sorted.clone_from(&self.found.ring);
+        self.sorted.clone_from(&self.region.ring);
         self.sorted.sort_unstable();
         self.sorted.windows(2).all(|pair| pair[0] != pair[1])
     }
 
-    fn read_number(&mut self, long: u64, [width, long_width]: [u32; 2]) -> Result<u64, &'static str> {
-        let number = self.read_bits(width)?;
-        if number < long {
-            return Ok(number);
+    fn read_value(&mut self, long: u64, [width, long_width]: [u32; 2]) -> Result<u64, &'static str> {
+        let value = self.read_bits(width)?;
+        if value < long {
+            return Ok(value);
         }
-        let number = self.read_bits(long_width)?;
-        if number < long { Err("has a short number in the long form") } else { Ok(number) }
+        let value = self.read_bits(long_width)?;
+        if value < long { Err("has a short value in the long form") } else { Ok(value) }
     }
 
     fn read_bits(&mut self, width: u32) -> Result<u64, &'static str> {
         let end = self.at + width as usize;
         if end > self.bits.len() {
-            return Err("is cut off by the end of the bytes");
+            return Err("is truncated");
         }
-        let number = self.bits.get(self.at, width);
+        let value = self.bits.get(self.at, width);
         self.at = end;
-        Ok(number)
+        Ok(value)
     }
 }
 
@@ -219,7 +222,7 @@ fn read_rules(count: usize, rest: &mut &[u8]) -> Result<RuleTable, SequentialPat
         let &[ring_len, is_open] =
             rest.split_off(..2).and_then(|head| head.as_array()).ok_or(short("a rule", 2, 0))?;
         let apex_count =
-            usize::from(ring_len).checked_sub(2).ok_or(refused("has a ring of less than two corners"))?;
+            usize::from(ring_len).checked_sub(2).ok_or(refused("has a ring of fewer than two corners"))?;
         check_bytes("the floor of a rule", apex_count as u64, rest)?;
         let (apexes, behind) = rest.split_at(apex_count);
         *rest = behind;

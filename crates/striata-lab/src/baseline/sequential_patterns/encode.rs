@@ -1,4 +1,4 @@
-//! Writing: each fragment told by its place in the level before it.
+//! Encoder: describes each fragment by its position in the previous level.
 
 use std::collections::HashMap;
 
@@ -9,14 +9,15 @@ use super::{
     ANCHOR_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS, Neighbors,
     OPENS_TWICE, RULE_BITS, SequentialPatterns,
 };
-use crate::baseline::loop_patterns::{Found, Rule, Shape, Side, Surface, check_form};
+use crate::baseline::loop_patterns::{Region, Rule, Shape, Side, Surface, check_form};
 
 impl SequentialPatterns {
-    /// Writes all levels of a mesh.
+    /// Encodes all levels of a mesh.
     ///
     /// # Errors
-    /// [`ModelError`] naming the first step, or the triangle of the base, that the published form cannot hold, as
-    /// [`LoopPatterns::build`](crate::baseline::LoopPatterns::build) does.
+    /// [`ModelError`] with the first step, or the triangle of the base, that the published form cannot
+    /// represent; the same limits apply as to
+    /// [`LoopPatterns::build`](crate::baseline::LoopPatterns::build).
     pub fn encode(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         let fragments = &mesh.fragments;
         let levels = fragments.levels();
@@ -32,7 +33,7 @@ impl SequentialPatterns {
             return Err(ModelError::Form { what: "vertices of the base", found, limit });
         }
         let shapes = shapes_of(fragments)?;
-        let (rules, numbers) = number_rules(&shapes)?;
+        let (rules, rule_indices) = sort_rules(&shapes)?;
         let mut bytes = Vec::new();
         for count in [base_vertex_count, base.len(), shapes.len(), rules.len()] {
             bytes.extend_from_slice(&(count as u32).to_le_bytes());
@@ -46,20 +47,20 @@ impl SequentialPatterns {
         let mut writer = Writer {
             surface,
             bits: Bits::default(),
-            around: Neighbors::default(),
-            found: Found::default(),
+            neighbors: Neighbors::default(),
+            region: Region::default(),
             star: Vec::new(),
         };
-        for (step, (shape, number)) in shapes.iter().zip(numbers).enumerate() {
+        for (step, (shape, rule_index)) in shapes.iter().zip(rule_indices).enumerate() {
             let vertex = (base_vertex_count + step) as u32;
-            writer.push(vertex, shape, number).map_err(|reason| ModelError::Step { step, reason })?;
+            writer.push(vertex, shape, rule_index).map_err(|reason| ModelError::Step { step, reason })?;
         }
         bytes.extend_from_slice(writer.bits.as_bytes());
         Ok(Self { bytes, step_count: shapes.len(), fragment_bits: writer.bits.len() })
     }
 }
 
-/// What each fragment looks like.
+/// Determines the shape of each fragment.
 fn shapes_of(fragments: &FragmentSequence) -> Result<Vec<Shape>, ModelError> {
     let base_vertex_count = fragments.levels().base_vertex_count();
     let corners = |face: u32| fragments.faces()[face as usize].corners;
@@ -72,8 +73,8 @@ fn shapes_of(fragments: &FragmentSequence) -> Result<Vec<Shape>, ModelError> {
     (0..fragments.step_count()).map(shape).collect()
 }
 
-/// The codes of all rules, those that are met most often first, and the number of each shape's.
-fn number_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> {
+/// The codes of all rules, most frequent first, and the rule index of each shape.
+fn sort_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> {
     let mut counts: HashMap<&[u8], u32> = HashMap::new();
     for shape in shapes {
         *counts.entry(&shape.code).or_insert(0) += 1;
@@ -84,63 +85,63 @@ fn number_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> 
     if sorted.len() > limit {
         return Err(ModelError::Form { what: "rules", found: sorted.len() as u64, limit: limit as u64 });
     }
-    sorted.iter().zip(0..).for_each(|(&(code, _), number)| *counts.entry(code).or_insert(0) = number);
-    let numbers = shapes.iter().map(|shape| counts[&shape.code[..]]).collect();
-    Ok((sorted.into_iter().map(|(code, _)| code).collect(), numbers))
+    sorted.iter().zip(0..).for_each(|(&(code, _), index)| *counts.entry(code).or_insert(0) = index);
+    let rule_indices = shapes.iter().map(|shape| counts[&shape.code[..]]).collect();
+    Ok((sorted.into_iter().map(|(code, _)| code).collect(), rule_indices))
 }
 
 struct Writer {
     surface: Surface,
     bits: Bits,
-    around: Neighbors,
-    found: Found,
+    neighbors: Neighbors,
+    region: Region,
     star: Vec<Side>,
 }
 
 impl Writer {
-    fn push(&mut self, vertex: u32, shape: &Shape, rule_number: u32) -> Result<(), &'static str> {
+    fn push(&mut self, vertex: u32, shape: &Shape, rule_index: u32) -> Result<(), &'static str> {
         let rule = Rule::of_code(&shape.code);
         let a = shape.ring[0];
-        self.around.find(&self.surface, a);
-        let place = self.find(rule, shape).ok_or("has a floor that is not where its anchors are")?;
-        let is_hung = rule.apexes.is_empty();
-        if rule.is_open && !is_hung && !self.surface.is_openable(&self.found, &mut self.star) {
+        self.neighbors.find(&self.surface, a);
+        let index = self.find(rule, shape).ok_or("has a floor that does not match its anchors")?;
+        let is_attached = rule.apexes.is_empty();
+        if rule.is_open && !is_attached && !self.surface.is_openable(&self.region, &mut self.star) {
             return Err(OPENS_TWICE);
         }
-        self.write(u64::from(rule_number), LONG_RULE, [RULE_BITS, LONG_RULE_BITS]);
+        self.write(u64::from(rule_index), LONG_RULE, [RULE_BITS, LONG_RULE_BITS]);
         self.bits.push(u64::from(a), ANCHOR_BITS);
-        let counted = self.around.counted(place) as u64;
-        self.write(counted, LONG_NEIGHBOR, [NEIGHBOR_BITS, LONG_NEIGHBOR_BITS]);
+        let rank = self.neighbors.rank(index) as u64;
+        self.write(rank, LONG_NEIGHBOR, [NEIGHBOR_BITS, LONG_NEIGHBOR_BITS]);
         self.surface.add_vertex();
-        self.surface.put_fan(vertex, rule, &mut self.found);
+        self.surface.replace_by_fan(vertex, rule, &mut self.region);
         Ok(())
     }
 
-    /// The place of the second anchor among the neighbors of the first; leaves the floor in `found`.
+    /// Index of the second anchor among the neighbors of the first; leaves the floor in `region`.
     fn find(&mut self, rule: Rule, shape: &Shape) -> Option<usize> {
         let [a, b] = [shape.ring[0], shape.ring[1]];
-        let mut places = 0..self.around.count();
+        let mut indices = 0..self.neighbors.count();
         if rule.apexes.is_empty() {
-            let last = places.next_back()?;
-            let is_it = !self.around.is_closed && self.around.vertex(&self.surface, last) == b;
-            self.found.hang([a, b], self.around.star[last.checked_sub(1)?].0);
+            let last = indices.next_back()?;
+            let is_it = !self.neighbors.is_closed && self.neighbors.vertex(&self.surface, last) == b;
+            self.region.attach([a, b], self.neighbors.star[last.checked_sub(1)?].0);
             return is_it.then_some(last);
         }
-        places.find(|&place| {
-            self.around.vertex(&self.surface, place) == b
-                && self.around.side(place).is_some_and(|side| {
-                    self.surface.find_floor(rule, side, &mut self.found) && self.found.ring == shape.ring
+        indices.find(|&index| {
+            self.neighbors.vertex(&self.surface, index) == b
+                && self.neighbors.side(index).is_some_and(|side| {
+                    self.surface.find_floor(rule, side, &mut self.region) && self.region.ring == shape.ring
                 })
         })
     }
 
-    /// A number, or what says that it is longer and then the number.
-    fn write(&mut self, number: u64, long: u64, [width, long_width]: [u32; 2]) {
-        if number < long {
-            self.bits.push(number, width);
+    /// Writes a value, or an escape value followed by the wider value.
+    fn write(&mut self, value: u64, long: u64, [width, long_width]: [u32; 2]) {
+        if value < long {
+            self.bits.push(value, width);
         } else {
             self.bits.push(long, width);
-            self.bits.push(number, long_width);
+            self.bits.push(value, long_width);
         }
     }
 }

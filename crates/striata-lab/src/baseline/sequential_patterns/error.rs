@@ -1,62 +1,62 @@
-//! Why bytes are no sequence of patterns.
+//! The error type of the decoder.
 
 use striata::mesh::FragmentError;
 
-/// What is wrong with bytes that should tell a sequence of fragments.
+/// Error of decoding a sequence of fragments.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SequentialPatternsError {
-    /// There are too few bytes.
+    /// The data is too short.
     #[error("{what} take {needed} bytes, but {found} are left")]
     Short {
-        /// What is missing.
+        /// The part that is missing.
         what: &'static str,
-        /// Bytes that it takes at least.
+        /// Minimum number of bytes it needs.
         needed: u64,
-        /// Bytes that there are.
+        /// Number of bytes left.
         found: usize,
     },
-    /// A number of the head cannot be.
+    /// A count in the header is impossible.
     #[error("there are {found} {what}, but at most {limit} are possible")]
     Count {
-        /// Of what.
+        /// The objects that are counted.
         what: &'static str,
-        /// The number.
+        /// The count in the header.
         found: u64,
-        /// The largest that is possible.
+        /// The largest possible count.
         limit: u64,
     },
-    /// A triangle of the base is none of a surface.
+    /// A triangle of the base cannot be part of a surface.
     #[error("triangle {triangle} of the base {reason}")]
     Base {
-        /// The triangle.
+        /// Index of the triangle.
         triangle: usize,
-        /// What is wrong.
+        /// The reason.
         reason: &'static str,
     },
-    /// A rule is none.
+    /// A rule is invalid.
     #[error("rule {rule} {reason}")]
     Rule {
-        /// The rule.
+        /// Index of the rule.
         rule: usize,
-        /// What is wrong.
+        /// The reason.
         reason: &'static str,
     },
-    /// A fragment has no place.
+    /// A fragment does not fit the previous level.
     #[error("step {step} {reason}")]
     Step {
         /// The step.
         step: usize,
-        /// What is wrong.
+        /// The reason.
         reason: &'static str,
     },
-    /// Something follows the last fragment.
+    /// Set bits follow the last fragment.
     #[error("{bits} bits follow the last fragment, some of them set")]
     Trailing {
-        /// How many.
+        /// Number of bits that follow.
         bits: usize,
     },
-    /// The fragments do not follow each other.
+    /// The fragments do not form a sequence.
     #[error(transparent)]
     Fragments(#[from] FragmentError),
 }

@@ -1,42 +1,42 @@
-//! Building: the nodes of each strip, then for each step the strips that it changes.
+//! Builds the model: first the nodes of each strip, then for each step the strips that it changes.
 
 use striata::mesh::RefinableMesh;
 use striata::model::{ModelError, StepVertices, check_strips};
 use striata::strip::StripSet;
 
-use super::grow::{NodeArrays, StripGrower};
+use super::node_builder::{NodeArrays, NodeBuilder};
 use super::{SkipStrip, SkipStrips};
 
 impl SkipStrips {
-    /// Builds the model from strips of the full mesh, which are taken as they are.
+    /// Builds the model from strips of the full mesh, which are used unchanged.
     ///
     /// # Errors
-    /// [`ModelError`] where the strips are not those of the mesh: other groups, other numbers of
-    /// triangles, vertices that are not there; or where all nodes together number more than 2^32.
+    /// [`ModelError`] if the strips do not match the mesh (other groups, other triangle counts, vertices
+    /// out of range), or if all nodes together number more than 2^32.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
         let sequence = &refinable.sequence;
-        let mut grower = StripGrower::new(sequence);
+        let mut builder = NodeBuilder::new(sequence);
         let mut arrays = NodeArrays::default();
         let mut entries = Vec::with_capacity(strips.strip_count() + 1);
         let mut affected = AffectedStrips::default();
         for (strip, indices) in strips.strips().enumerate() {
-            entries.push(grower.grow(indices, &mut arrays));
-            affected.add(strip as u32, &grower.steps);
+            entries.push(builder.build(indices, &mut arrays));
+            affected.add(strip as u32, &builder.steps);
             check_node_count(arrays.node_vertices.len())?;
         }
         entries.push(SkipStrip {
-            first_place: arrays.places.len() as u32,
+            first_slot: arrays.slots.len() as u32,
             first_node: arrays.node_vertices.len() as u32,
             drawn_from: 0,
         });
         let (step_offsets, affected_strips) = affected.by_step(sequence.step_count());
         let mut model = Self {
-            // Climbing goes over the nodes of strips: nothing reads the targets.
+            // Climbing follows the nodes of strips, so targets are never read.
             vertices: StepVertices::of_sequence(sequence).without_targets(),
             strips: entries,
             group_offsets: strips.group_offsets().to_vec(),
-            places: arrays.places,
+            slots: arrays.slots,
             node_vertices: arrays.node_vertices,
             node_parents: arrays.node_parents,
             step_offsets,
@@ -53,7 +53,7 @@ fn check_node_count(found: usize) -> Result<(), ModelError> {
     if found > limit { Err(ModelError::TooMany { what: "nodes of strips", found, limit }) } else { Ok(()) }
 }
 
-/// Pairs of a step and a strip that it changes, by strip.
+/// Pairs of a strip and a step that changes it, ordered by strip.
 #[derive(Default)]
 struct AffectedStrips {
     steps: Vec<u32>,
@@ -66,7 +66,7 @@ impl AffectedStrips {
         self.strips.resize(self.steps.len(), strip);
     }
 
-    /// Where the strips of each step begin, closed by their number, and the strips.
+    /// The strips that each step changes, and the offset of each step in them, followed by the total.
     fn by_step(&self, step_count: usize) -> (Vec<u32>, Vec<u32>) {
         let mut offsets = vec![0; step_count + 1];
         for &step in &self.steps {

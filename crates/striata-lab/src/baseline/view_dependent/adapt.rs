@@ -1,33 +1,34 @@
-//! Following a criterion from one view to the next.
+//! Adapts an instance to a criterion, from one view to the next.
 
 use striata::view::{Criterion, Part, Verdict};
 
-use super::state::ASK;
+use super::state::DUE_NOW;
 use super::{LEAF, NONE, ROOT, ViewDependentMeshes, ViewDependentState};
 
-/// Questions that are asked at once: few enough to stay in a cache.
+/// Number of parts evaluated together: few enough to stay in the cache.
 const BLOCK_LEN: usize = 64;
 
-/// What a change of view took.
+/// Number of changes that an adaptation took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Adapted {
-    /// Vertices that were split.
+    /// Number of splits.
     pub split_count: usize,
-    /// Splits that were undone.
+    /// Number of collapses.
     pub collapse_count: usize,
 }
 
 impl Adapted {
-    /// Splits and collapses.
+    /// Total number of splits and collapses.
     pub fn change_count(self) -> usize {
         self.split_count + self.collapse_count
     }
 }
 
 impl ViewDependentMeshes {
-    /// Refines an instance where the criterion wants it, with all that this takes to be legal, and coarsens it where it does
-    /// not and that is legal: `adapt_refinement` of \[Hop97\]. It begins with what the instance shows, so that the
-    /// cost is that of its vertices and of what changes; nothing is left that could be coarsened.
+    /// Refines an instance wherever the criterion requires it, including the splits needed to make that
+    /// legal, and coarsens it wherever the criterion permits and it is legal: `adapt_refinement` of
+    /// \[Hop97\]. The pass starts with the vertices shown, so its cost is linear in these and in the
+    /// changes. Afterwards nothing is left that could be coarsened.
     ///
     /// # Panics
     /// If the state belongs to another model.
@@ -35,9 +36,10 @@ impl ViewDependentMeshes {
         self.adapt_after(state, criterion, f32::INFINITY)
     }
 
-    /// The same for a criterion that has moved by so much since the one before
-    /// ([`motion_since`](Criterion::motion_since)): whatever verdict of an earlier one lasts is not asked for again, which \[Hop97\]
-    /// does not have. Motions add up from call to call, so that none may be left out.
+    /// Adapts to a criterion that has moved by `motion` since the previous one
+    /// ([`motion_since`](Criterion::motion_since)). Verdicts of earlier criteria that are still valid are
+    /// not evaluated again, which \[Hop97\] does not have. Motions accumulate from call to call, so no
+    /// call may be skipped.
     ///
     /// # Panics
     /// If the state belongs to another model.
@@ -52,7 +54,7 @@ impl ViewDependentMeshes {
             state.elapsed += f64::from(motion.max(0.0));
         } else {
             state.elapsed = 0.0;
-            state.active.iter_mut().for_each(|active| active.due = [ASK; 2]);
+            state.active.iter_mut().for_each(|active| active.due = [DUE_NOW; 2]);
         }
         let elapsed = (state.elapsed as f32).next_up();
         let mut pass = Pass {
@@ -62,17 +64,17 @@ impl ViewDependentMeshes {
             elapsed,
             adapted: Adapted::default(),
             block: Block::default(),
-            wanted: Vec::new(),
-            unwanted: Vec::new(),
+            required: Vec::new(),
+            dispensable: Vec::new(),
         };
-        pass.ask_due();
+        pass.evaluate_due();
         pass.refine();
         pass.coarsen();
         pass.adapted
     }
 }
 
-/// One go over the active vertices.
+/// One pass over the active vertices.
 struct Pass<'p, C> {
     model: &'p ViewDependentMeshes,
     state: &'p mut ViewDependentState,
@@ -80,52 +82,55 @@ struct Pass<'p, C> {
     elapsed: f32,
     adapted: Adapted,
     block: Block,
-    /// Steps that are to be split.
-    wanted: Vec<u32>,
-    /// Steps that are not, and have both children.
-    unwanted: Vec<u32>,
+    /// Steps to split.
+    required: Vec<u32>,
+    /// Steps to collapse: not required, and both of their children are active.
+    dispensable: Vec<u32>,
 }
 
-/// Questions that are put together.
+/// A batch of parts to evaluate.
 #[derive(Default)]
 struct Block {
     parts: Vec<Part>,
-    asked: Vec<Question>,
+    requests: Vec<Request>,
     verdicts: Vec<Verdict>,
 }
 
-/// Whether to split the vertex at a place (`kind` 0), or whether to undo the step that restored it (1).
+/// Asks whether to split the vertex at an index of `active` (`kind` 0), or to collapse the step that
+/// restored it (`kind` 1).
 #[derive(Clone, Copy)]
-struct Question {
-    place: u32,
+struct Request {
+    index: u32,
     kind: usize,
     step: u32,
 }
 
 impl<C: Criterion> Pass<'_, C> {
-    /// `qrefine` of the paper: whether a step is wanted, and after how much motion it is to be asked again.
+    /// `qrefine` of the paper: whether a step is required, and the accumulated motion at which to evaluate
+    /// it again.
     #[inline]
-    fn ask(&self, step: u32) -> (bool, f32) {
+    fn evaluate(&self, step: u32) -> (bool, f32) {
         let verdict = self.criterion.weigh(&self.model.parts[step as usize]);
         (verdict.is_wanted(), self.due(verdict))
     }
 
-    /// What lasts for one view only is due at once.
+    /// The accumulated motion at which a verdict expires; immediately if it is valid for one view only.
     fn due(&self, verdict: Verdict) -> f32 {
-        // Where sums of motion are coarse it lasts rather less.
+        // Rounding makes large sums of motion inaccurate, so expire slightly earlier.
         let due = (self.state.elapsed + f64::from(verdict.lasts * (1.0 - 1e-4))) as f32;
-        if verdict.lasts > 0.0 { due.next_down() } else { ASK }
+        if verdict.lasts > 0.0 { due.next_down() } else { DUE_NOW }
     }
 
-    /// Asks whatever is due of the active vertices: verdicts tell of a view, so that they hold whatever changes then.
-    fn ask_due(&mut self) {
+    /// Evaluates the active vertices whose verdicts have expired. Verdicts depend only on the view, so
+    /// later changes in this pass do not invalidate them.
+    fn evaluate_due(&mut self) {
         let base_count = self.model.roots.len() as u32;
-        for place in 0..self.state.active.len() as u32 {
-            let active = &mut self.state.active[place as usize];
+        for index in 0..self.state.active.len() as u32 {
+            let active = &mut self.state.active[index as usize];
             if active.due[0] > self.elapsed && active.due[1] > self.elapsed {
                 continue;
             }
-            // Of two children the restored one speaks for both.
+            // Of two children, the restored one represents both.
             let restored_by = || active.vertex - base_count;
             let steps = [(active.node != LEAF).then_some(active.node), active.has_both.then(restored_by)];
             for (kind, step) in steps.into_iter().enumerate() {
@@ -133,73 +138,74 @@ impl<C: Criterion> Pass<'_, C> {
                     continue;
                 }
                 let Some(step) = step else {
-                    // There is nothing to ask; once there is, it will be.
+                    // There is nothing to evaluate; it becomes due when there is.
                     active.due[kind] = f32::INFINITY;
                     continue;
                 };
                 self.block.parts.push(self.model.parts[step as usize]);
-                self.block.asked.push(Question { place, kind, step });
+                self.block.requests.push(Request { index, kind, step });
             }
             if self.block.parts.len() >= BLOCK_LEN {
-                self.hear();
+                self.evaluate_block();
             }
         }
-        self.hear();
+        self.evaluate_block();
     }
 
-    /// Has the block's questions answered.
-    fn hear(&mut self) {
+    /// Evaluates the batch.
+    fn evaluate_block(&mut self) {
         let mut block = std::mem::take(&mut self.block);
         self.criterion.weigh_all(&block.parts, &mut block.verdicts);
-        for (&Question { place, kind, step }, &verdict) in block.asked.iter().zip(&block.verdicts) {
-            self.state.active[place as usize].due[kind] = self.due(verdict);
+        for (&Request { index, kind, step }, &verdict) in block.requests.iter().zip(&block.verdicts) {
+            self.state.active[index as usize].due[kind] = self.due(verdict);
             match (kind, verdict.is_wanted()) {
-                (0, true) => self.wanted.push(step),
-                (1, false) => self.unwanted.push(step),
+                (0, true) => self.required.push(step),
+                (1, false) => self.dispensable.push(step),
                 _ => {}
             }
         }
         block.parts.clear();
-        block.asked.clear();
+        block.requests.clear();
         block.verdicts.clear();
         self.block = block;
     }
 
     fn refine(&mut self) {
-        for step in std::mem::take(&mut self.wanted) {
+        for step in std::mem::take(&mut self.required) {
             self.force_split(step);
             self.refine_arrived();
         }
     }
 
     fn coarsen(&mut self) {
-        for step in std::mem::take(&mut self.unwanted) {
-            // Where it cannot go yet it is asked again when it can.
+        for step in std::mem::take(&mut self.dispensable) {
+            // A step that cannot collapse yet is evaluated again when it can.
             if self.state.has_children(self.model, step) && self.state.can_collapse(self.model, step) {
                 self.collapse(step);
-                self.coarsen_loosened();
+                self.coarsen_collapsible();
             }
         }
     }
 
-    /// Splits the vertices that have come as long as that is wanted. What came for another's sake cannot go while that is there.
+    /// Splits newly active vertices as long as the criterion requires it. A vertex split as a prerequisite
+    /// cannot collapse while its dependents are active.
     fn refine_arrived(&mut self) {
         while let Some(vertex) = self.state.arrived.pop() {
-            let place = self.state.place_of[vertex as usize] as usize;
-            let Some(active) = self.state.active.get(place) else { continue };
+            let index = self.state.index_of[vertex as usize] as usize;
+            let Some(active) = self.state.active.get(index) else { continue };
             if active.node == LEAF || active.due[0] > self.elapsed {
                 continue;
             }
-            let (is_wanted, due) = self.ask(active.node);
-            if is_wanted {
+            let (is_required, due) = self.evaluate(active.node);
+            if is_required {
                 self.force_split(active.node);
             } else {
-                self.state.active[place].due[0] = due;
+                self.state.active[index].due[0] = due;
             }
         }
     }
 
-    /// Splits a vertex, and first all that has to be split for that.
+    /// Splits a vertex after all of its prerequisites.
     fn force_split(&mut self, step: u32) {
         let (model, state) = (self.model, &mut *self.state);
         state.waiting.push(step);
@@ -215,9 +221,9 @@ impl<C: Criterion> Pass<'_, C> {
                 continue;
             }
             let count = state.waiting.len();
-            for number in split.beside {
-                if number != NONE && !state.has_triangle(number) {
-                    state.waiting.extend(model.maker(number));
+            for triangle in split.neighbors {
+                if triangle != NONE && !state.has_triangle(triangle) {
+                    state.waiting.extend(model.maker(triangle));
                 }
             }
             if state.waiting.len() == count {
@@ -229,27 +235,28 @@ impl<C: Criterion> Pass<'_, C> {
         }
     }
 
-    /// Undoes a split, and notes what that may allow.
+    /// Collapses a step and records the steps that may have become collapsible.
     fn collapse(&mut self, step: u32) {
         let model = self.model;
         self.state.collapse(model, step);
         self.adapted.collapse_count += 1;
         let split = &model.splits[step as usize];
-        // The vertex above has two children again, perhaps, and the triangles beside have the neighbors that they were made with.
-        let beside = split.beside.into_iter().filter(|&number| number != NONE);
-        let makers = beside.filter_map(|number| model.maker(number));
-        self.state.loosened.extend(makers.chain((split.parent != ROOT).then_some(split.parent)));
+        // The parent may have two children again, and adjacent triangles may have their original neighbors
+        // again.
+        let neighbors = split.neighbors.into_iter().filter(|&triangle| triangle != NONE);
+        let makers = neighbors.filter_map(|triangle| model.maker(triangle));
+        self.state.collapsible.extend(makers.chain((split.parent != ROOT).then_some(split.parent)));
     }
 
-    fn coarsen_loosened(&mut self) {
-        while let Some(step) = self.state.loosened.pop() {
+    fn coarsen_collapsible(&mut self) {
+        while let Some(step) = self.state.collapsible.pop() {
             if !self.state.has_children(self.model, step) {
                 continue;
             }
-            let (is_wanted, due) = self.ask(step);
-            let place = self.state.place_of[self.model.restored(step) as usize] as usize;
-            self.state.active[place].due[1] = due;
-            if !is_wanted && self.state.can_collapse(self.model, step) {
+            let (is_required, due) = self.evaluate(step);
+            let index = self.state.index_of[self.model.restored(step) as usize] as usize;
+            self.state.active[index].due[1] = due;
+            if !is_required && self.state.can_collapse(self.model, step) {
                 self.collapse(step);
             }
         }

@@ -1,14 +1,14 @@
-//! What a criterion is asked of each vertex of the hierarchy: a sphere and a cone over all its leaves.
+//! Bounds for criteria: a sphere and a normal cone over all leaves of each hierarchy node.
 //!
-//! As \[Hop97\] has it: the sphere of a leaf holds the triangles of the full mesh around it, and its cone their normals; that of
-//! a parent keeps its center, which is its vertex, and holds those of its children. What a split needs beside, to be
-//! legal, is not in it.
+//! Following \[Hop97\], the sphere of a leaf contains the triangles of the full mesh around it, and its cone
+//! contains their normals. Those of a parent contain its children's; the sphere keeps its center, which is
+//! the parent's vertex. Vertices that a split needs in addition, to be legal, are not included.
 
 use glam::DVec3;
 use striata::mesh::{RefinableMesh, is_proper};
 use striata::view::{NormalCone, Part, Sphere};
 
-/// The part of each step: what its split brings back.
+/// Computes the part of each step: the bounds of everything its split can restore.
 pub(super) fn parts(refinable: &RefinableMesh) -> Vec<Part> {
     let sequence = &refinable.sequence;
     let mut leaves = leaves(refinable);
@@ -17,24 +17,24 @@ pub(super) fn parts(refinable: &RefinableMesh) -> Vec<Part> {
         let vertex = sequence.step_vertices(step).start;
         let below = leaves[vertex as usize];
         let node = &mut leaves[sequence.target(vertex) as usize];
-        node.hold(&below);
+        node.enclose(&below);
         parts.push(Part { sphere: node.sphere, cone: node.cone, error: sequence.error_at(step) });
     }
     parts.reverse();
     parts
 }
 
-/// What lies below a node.
+/// Bounds of all leaves below a node.
 #[derive(Clone, Copy)]
-struct Below {
+struct SubtreeBounds {
     sphere: Sphere,
     cone: NormalCone,
-    /// Normals by area, added up: they tell a parent's axis.
+    /// Sum of the area-weighted normals, from which a parent's axis is derived.
     normals: DVec3,
 }
 
-impl Below {
-    fn hold(&mut self, other: &Self) {
+impl SubtreeBounds {
+    fn enclose(&mut self, other: &Self) {
         self.sphere = self.sphere.with_sphere(&other.sphere);
         self.normals += other.normals;
         let kept = self.cone.with_cone(&other.cone);
@@ -44,12 +44,12 @@ impl Below {
     }
 }
 
-fn leaves(refinable: &RefinableMesh) -> Vec<Below> {
+fn leaves(refinable: &RefinableMesh) -> Vec<SubtreeBounds> {
     let mesh = &refinable.mesh;
-    let mut leaves: Vec<Below> = mesh
+    let mut leaves: Vec<SubtreeBounds> = mesh
         .positions
         .iter()
-        .map(|&p| Below { sphere: Sphere::point(p), cone: NormalCone::ALL, normals: DVec3::ZERO })
+        .map(|&p| SubtreeBounds { sphere: Sphere::point(p), cone: NormalCone::ALL, normals: DVec3::ZERO })
         .collect();
     let triangles = || mesh.triangles.iter().filter(|t| is_proper(t));
     for triangle in triangles() {
@@ -64,7 +64,7 @@ fn leaves(refinable: &RefinableMesh) -> Vec<Below> {
     leaves.iter_mut().for_each(|leaf| leaf.cone = NormalCone::around(leaf.normals.to_array()));
     for triangle in triangles() {
         let normal = normal(&triangle.map(|v| mesh.positions[v as usize]));
-        // A triangle without area has no normal.
+        // A degenerate triangle has no normal.
         if normal.length_squared() > 0.0 {
             let cone = NormalCone::around(normal.to_array());
             triangle
@@ -76,7 +76,7 @@ fn leaves(refinable: &RefinableMesh) -> Vec<Below> {
     leaves
 }
 
-/// The normal of a triangle, as long as twice its area.
+/// The normal of a triangle, with a length of twice its area.
 fn normal(corners: &[[f32; 3]; 3]) -> DVec3 {
     let [a, b, c] = corners.map(|p| DVec3::from(p.map(f64::from)));
     (b - a).cross(c - a)

@@ -1,25 +1,26 @@
-//! Why a mesh or its sequence makes no view-dependent progressive mesh.
+//! The error type of building a view-dependent mesh.
 
-/// What keeps a mesh from being refined with \[Hop97\]: that takes manifold surfaces at every level.
+/// Reason why a mesh cannot be refined as in \[Hop97\], which requires a manifold surface at every level.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ViewDependentError {
-    /// A position has several vertices: there is a seam.
-    #[error(
-        "position {position} has {vertex_count} vertices, where view-dependent progressive meshes allow one"
-    )]
+    /// A position has several vertices, so there is a seam.
+    #[error("position {position} has {vertex_count} vertices, but view-dependent meshes allow only one")]
     Seam {
-        /// The position.
+        /// Index of the position.
         position: usize,
-        /// Its vertices.
+        /// Number of its vertices.
         vertex_count: usize,
     },
-    /// An edge has more than two triangles, or two that face opposite ways.
-    #[error("the edge of vertices {} and {} has {triangle_count} triangles that do not make one surface", ends[0], ends[1])]
+    /// An edge has more than two triangles, or two of opposite orientation.
+    #[error(
+        "the edge of vertices {} and {} has {triangle_count} triangles that do not form a manifold surface",
+        ends[0], ends[1]
+    )]
     Edge {
-        /// The vertices.
+        /// The vertices of the edge.
         ends: [u32; 2],
-        /// Its triangles.
+        /// Number of its triangles.
         triangle_count: usize,
     },
     /// A collapse does not lead from one manifold surface to another.
@@ -27,17 +28,17 @@ pub enum ViewDependentError {
     Step {
         /// The step.
         step: usize,
-        /// The vertex that it removes.
+        /// The removed vertex.
         vertex: u32,
-        /// What that becomes.
+        /// The vertex it collapses to.
         target: u32,
-        /// What is in its way.
+        /// The reason.
         reason: &'static str,
     },
-    /// Triangles cannot be numbered.
-    #[error("{triangle_count} triangles are more than 32 bits can number")]
+    /// There are too many triangles to index.
+    #[error("{triangle_count} triangles are more than 32-bit indices can address")]
     TooMany {
-        /// Numbers that are needed.
+        /// Number of indices needed.
         triangle_count: usize,
     },
 }

@@ -1,36 +1,39 @@
-//! View-dependent progressive meshes: a hierarchy of vertices, and a surface that is refined in place \[Hop97\].
+//! View-dependent progressive meshes \[Hop97\]: a vertex hierarchy, and a surface that is refined in
+//! place.
 //!
-//! Every step is a node of a hierarchy: the vertex that it splits, with the two that come of it as its children. An instance shows
-//! a front of the hierarchy: a list of vertices that are active, and the triangles between them, each with its
-//! three corners and its three neighbors. A vertex can be split once the four triangles are there that will lie beside the two
-//! that the split makes; a split can be undone while those two still have these four as neighbors.
+//! Every step is a node of the hierarchy: the vertex that it splits, whose children are the two resulting
+//! vertices. An instance shows a front of the hierarchy: the active vertices, and the triangles between
+//! them, each with three corners and three neighbors. A vertex can be split once the four triangles exist
+//! that will be adjacent to the two new ones. A split can be undone while the two still have these four
+//! neighbors.
 //!
 //! ```text
 //!            tip                         tip
 //!          / | \      split            / |\ \
 //!         /  |  \    ------->         /  | \ \        left: kept, restored, tip
-//!      n0   kept  n1                n0 kept-restored n1     n0 and n1 lie beside it
+//!      n0   kept  n1                n0 kept-restored n1     n0 and n1 lie neighbors it
 //!      n2    |    n3                n2   | /  /   n3        right: restored, kept, tip
-//!          \ | /      <-------         \ |/ /               n2 and n3 lie beside it
+//!          \ | /      <-------         \ |/ /               n2 and n3 lie neighbors it
 //!           tip       collapse          tip
 //! ```
 //!
-//! A node is told from a vertex: vertex 7 of the buffer is active as its leaf, or as the vertex that step 12 or step 9
-//! splits. It is at most one of these at a time.
+//! Nodes and vertices are different things: vertex 7 of the buffer may be active as its leaf, or as the
+//! vertex that step 12 or step 9 splits. It is at most one of these at a time.
 //!
-//! Differs: in \[Hop97\] both vertices of a split are new, here one keeps the position and the number of the vertex that is
-//! split, so only the corners on the other's side change. Active vertices and triangles are not linked in lists but stand side by
-//! side, so that looking at all of them is a walk through memory, and drawing needs no copy. A restored vertex
-//! is asked for both children whether they go, and what a collapse allows is tried at once, not in the next frame.
-//! All active vertices are asked before anything changes, many at once, and verdicts can be kept as long as they last.
-//! There are no wedges, no geomorphs and no spreading of work over frames. Numbers of triangles tell their step, so that
-//! it needs no pointer.
+//! Differs: in \[Hop97\] both vertices of a split are new. Here one keeps the position and index of the
+//! split vertex, so only the corners on the other's side change. Active vertices and triangles are stored
+//! contiguously instead of in linked lists, so visiting all of them is a linear scan, and drawing needs no
+//! copy. A restored vertex is evaluated on behalf of both children when deciding on a collapse, and the
+//! collapses that this allows are tried immediately instead of in the next frame. All active vertices are
+//! evaluated before anything changes, in batches, and verdicts can be kept while they are valid. There are
+//! no wedges, no geomorphs, and work is not spread over frames. The index of a triangle determines its
+//! step, so no pointer is needed.
 //!
-//! The surface has to be manifold at every level, borders allowed, with one vertex a position:
-//! [`build`](ViewDependentMeshes::build) refuses others and says where.
+//! The surface has to be manifold at every level (borders are allowed) with one vertex per position;
+//! [`build`](ViewDependentMeshes::build) rejects others and reports where they fail.
 //!
-//! Cost: a frame costs a question for each active vertex that may have changed its mind, a look at the others, and about ten triangles for each change. Building is linear in the stars that
-//! change.
+//! Cost: a frame evaluates each active vertex whose verdict may have changed, scans the others, and
+//! touches about ten triangles per change. Building is linear in the stars that change.
 
 mod adapt;
 mod bounds;
@@ -47,89 +50,90 @@ use striata::view::Part;
 
 use crate::paper_bytes::{Accounting, PaperBytes};
 
-/// No triangle, or no place.
+/// Marks a missing triangle or an inactive vertex.
 const NONE: u32 = u32::MAX;
 
-/// The node of a vertex that nothing splits.
+/// The node of a vertex that no step splits.
 const LEAF: u32 = u32::MAX;
 
-/// Above the roots of the hierarchy.
+/// The parent of the roots of the hierarchy.
 const ROOT: u32 = u32::MAX;
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViewDependentMeshes {
-    /// One for each step; the vertex that it restores follows from its number.
+    /// One per step; the restored vertex follows from the step.
     splits: Vec<VertexSplit>,
-    /// What a criterion is asked of each.
+    /// The bounds of each step, which criteria evaluate.
     parts: Vec<Part>,
-    /// The node of each vertex of the base.
+    /// The node of each vertex in the base.
     roots: Vec<u32>,
     base_corners: Vec<[u32; 3]>,
     base_triangles: Vec<Triangle>,
     group_count: usize,
-    /// The group of each triangle; empty where there is one group.
+    /// The group of each triangle; empty if there is only one group.
     groups: Vec<u32>,
 }
 
 /// A node of the hierarchy that can be split.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct VertexSplit {
-    /// The vertex that is split, and the one of the two that keeps its number.
+    /// The split vertex, and the one of the two that keeps its index.
     target: u32,
-    /// The node above, or [`ROOT`].
+    /// The parent node, or [`ROOT`].
     parent: u32,
-    /// The nodes that come of it, the one that keeps the number first.
+    /// The child nodes, the one that keeps the index first.
     children: [u32; 2],
-    /// Beside the left triangle at the kept vertex and at the restored one, and beside the right; [`NONE`] at borders.
-    beside: [u32; 4],
+    /// Neighbors of the left triangle at the kept and at the restored vertex, then of the right triangle;
+    /// [`NONE`] at borders.
+    neighbors: [u32; 4],
 }
 
-/// A triangle among others.
+/// A triangle and its neighbors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Triangle {
-    /// Behind the side opposite of each corner, or [`NONE`].
-    beside: [u32; 3],
-    number: u32,
+    /// The neighbor opposite each corner, or [`NONE`].
+    neighbors: [u32; 3],
+    index: u32,
 }
 
-/// Where a vertex stands in a triangle that has it.
+/// The corner of a triangle at which a vertex is.
 #[inline]
-fn turn_of(corners: &[u32; 3], vertex: u32) -> usize {
+fn corner_of(corners: &[u32; 3], vertex: u32) -> usize {
     debug_assert!(corners.contains(&vertex), "{corners:?} has no vertex {vertex}");
     usize::from(corners[1] == vertex) + 2 * usize::from(corners[2] == vertex)
 }
 
 impl VertexSplit {
-    /// The triangles that the split makes; [`NONE`] for one beyond a border.
+    /// The triangles that the split creates, with [`NONE`] for one beyond a border.
     #[inline]
-    fn present(&self, made: [u32; 2]) -> [u32; 2] {
-        let [a, b, c, d] = self.beside;
+    fn present(&self, created: [u32; 2]) -> [u32; 2] {
+        let [a, b, c, d] = self.neighbors;
         let has = [a != NONE || b != NONE, c != NONE || d != NONE];
-        [0, 1].map(|side| if has[side] { made[side] } else { NONE })
+        [0, 1].map(|side| if has[side] { created[side] } else { NONE })
     }
 }
 
 impl ViewDependentMeshes {
-    /// Vertices of the full mesh.
+    /// Number of vertices in the full mesh.
     pub fn vertex_count(&self) -> usize {
         self.roots.len() + self.splits.len()
     }
 
-    /// A new instance that shows the base.
+    /// Creates an instance that shows the base.
     pub fn base_state(&self) -> ViewDependentState {
         ViewDependentState::base(self)
     }
 
-    /// What a criterion is asked of a step: all that its split can bring back.
+    /// The bounds of everything that a step's split can restore, for criteria to evaluate.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     pub fn part(&self, step: usize) -> &Part {
         &self.parts[step]
     }
 
-    /// Groups of triangles.
+    /// Number of groups of triangles.
     pub fn group_count(&self) -> usize {
         self.group_count
     }
@@ -137,7 +141,7 @@ impl ViewDependentMeshes {
     /// Appends the triangles of one group, three indices each.
     ///
     /// # Panics
-    /// If there is no such group, or the state belongs to another model.
+    /// If the group does not exist or the state belongs to another model.
     pub fn group_indices_into(&self, state: &ViewDependentState, group: usize, out: &mut Vec<u32>) {
         state.check(self);
         assert!(group < self.group_count, "group {group} of {}", self.group_count);
@@ -145,14 +149,14 @@ impl ViewDependentMeshes {
             out.extend_from_slice(state.triangles().as_flattened());
             return;
         }
-        for (number, corners) in state.numbered() {
-            if self.groups[number as usize] as usize == group {
+        for (index, corners) in state.indexed() {
+            if self.groups[index as usize] as usize == group {
                 out.extend_from_slice(corners);
             }
         }
     }
 
-    /// What an instance takes as others count it: 112 bytes an active vertex \[Cor01\].
+    /// Memory of an instance as \[Cor01\] counts it: 112 bytes per active vertex.
     pub fn paper_state_bytes(&self, state: &ViewDependentState) -> usize {
         112 * state.vertex_count()
     }
@@ -163,17 +167,17 @@ impl ViewDependentMeshes {
         self.roots.len() as u32 + step
     }
 
-    /// Numbers of the triangles left and right of the edge that a step makes; a border leaves one unused.
+    /// Indices of the triangles left and right of the edge that a step creates; at a border one is unused.
     #[inline]
-    fn made_by(&self, step: u32) -> [u32; 2] {
+    fn created_by(&self, step: u32) -> [u32; 2] {
         let left = self.base_triangles.len() as u32 + 2 * step;
         [left, left + 1]
     }
 
-    /// The step that makes a triangle; `None` for one of the base.
+    /// The step that creates a triangle, or `None` if it is in the base.
     #[inline]
-    fn maker(&self, number: u32) -> Option<u32> {
-        number.checked_sub(self.base_triangles.len() as u32).map(|behind| behind / 2)
+    fn maker(&self, index: u32) -> Option<u32> {
+        index.checked_sub(self.base_triangles.len() as u32).map(|behind| behind / 2)
     }
 }
 
@@ -190,7 +194,7 @@ impl LodModel for ViewDependentMeshes {
         state
     }
 
-    /// Steps that are split, whichever they are.
+    /// Number of steps that are split, in whatever combination.
     fn split_count(&self, state: &ViewDependentState) -> usize {
         state.vertex_count() - self.roots.len()
     }
@@ -200,7 +204,7 @@ impl LodModel for ViewDependentMeshes {
         state.check(self);
         for step in (split_count as u32..state.highest as u32).rev() {
             if state.is_split(self, step) {
-                // All that could be in its way is finer.
+                // Everything that could prevent this collapse is finer.
                 debug_assert!(state.has_children(self, step) && state.can_collapse(self, step));
                 state.collapse(self, step);
             }
@@ -211,7 +215,7 @@ impl LodModel for ViewDependentMeshes {
             }
         }
         (state.lowest, state.highest) = (split_count, split_count);
-        // Nothing is known any more of what was asked.
+        // Invalidates all earlier verdicts.
         state.elapsed = f64::INFINITY;
     }
 
@@ -244,9 +248,10 @@ impl LodModel for ViewDependentMeshes {
 }
 
 impl PaperBytes for ViewDependentMeshes {
-    /// The structures of \[Hop97\], dynamic ones among them as there: a vertex of the hierarchy with two links of the active
-    /// list, parent, children, left triangle, four neighbors and four numbers for the criterion; a triangle with two links,
-    /// material, three vertices and three neighbors. Positions and normals are not counted.
+    /// The structures of \[Hop97\], including the dynamic ones: a hierarchy vertex with two links of the
+    /// active list, parent, children, left triangle, four neighbors and four numbers for the criterion; a
+    /// triangle with two links, material, three vertices and three neighbors. Positions and normals are
+    /// not counted.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let nodes = self.vertex_count() + self.splits.len();
         let triangles = self.splits.iter().flat_map(|split| split.present([0, 1]));

@@ -1,49 +1,49 @@
-//! The surface while the model is built: triangles that know their neighbors, collapsed from the full mesh to the base.
+//! The surface during the build: triangles with adjacency, collapsed from the full mesh to the base.
 
 use striata::mesh::{Adjacency, IndexedMesh};
 
 use super::error::ViewDependentError;
-use super::{NONE, turn_of};
+use super::{NONE, corner_of};
 
-/// A manifold surface that loses vertices.
+/// A manifold surface whose vertices are removed one by one.
 pub(super) struct Surface {
-    /// The triangles as they stand; those that are gone as they went.
+    /// Current corners of the triangles; removed ones keep their last corners.
     pub(super) corners: Vec<[u32; 3]>,
-    /// Behind the side opposite of each corner: a triangle, or [`NONE`] at a border.
-    pub(super) beside: Vec<[u32; 3]>,
-    /// Some triangle of each vertex; [`NONE`] where there is none.
+    /// The neighbor opposite each corner, or [`NONE`] at a border.
+    pub(super) neighbors: Vec<[u32; 3]>,
+    /// One triangle of each vertex, or [`NONE`].
     triangle_at: Vec<u32>,
-    /// Triangles of each vertex.
+    /// Number of triangles of each vertex.
     valences: Vec<u32>,
-    /// The step that last marked a vertex.
+    /// The step that last marked each vertex.
     marks: Vec<usize>,
     star: Vec<u32>,
     target_star: Vec<u32>,
 }
 
-/// What a collapse takes from the surface, and what it leaves beside.
-pub(super) struct Taken {
-    /// The triangle left of the edge from the target to the vertex, and the one right of it.
+/// The triangles that a collapse removes, and their neighbors.
+pub(super) struct Removed {
+    /// The triangles left and right of the edge from the target to the vertex.
     pub(super) triangles: [u32; 2],
-    /// Beside the left one at the target and at the vertex, beside the right one at the target and at the vertex.
-    pub(super) beside: [u32; 4],
+    /// Neighbors of the left triangle at the target and at the vertex, then of the right triangle.
+    pub(super) neighbors: [u32; 4],
 }
 
 impl Surface {
     /// # Errors
-    /// Where an edge is none of a manifold surface.
+    /// If an edge is not that of a manifold surface.
     ///
     /// # Panics
-    /// If a triangle names a vertex that is not below the count.
+    /// If a triangle refers to a vertex beyond the vertex count.
     pub(super) fn new(mesh: &IndexedMesh) -> Result<Self, ViewDependentError> {
         let corners = mesh.triangles.clone();
-        let mut beside = vec![[NONE; 3]; corners.len()];
+        let mut neighbors = vec![[NONE; 3]; corners.len()];
         let adjacency = Adjacency::of_vertices(mesh);
         for edge in adjacency.edges() {
             match (edge.forward, edge.backward) {
                 (&[a], &[b]) => {
                     for (side, other) in [(a, b), (b, a)] {
-                        beside[side as usize / 3][(side as usize + 2) % 3] = other / 3;
+                        neighbors[side as usize / 3][(side as usize + 2) % 3] = other / 3;
                     }
                 }
                 (&[_], &[]) | (&[], &[_]) => {}
@@ -59,7 +59,7 @@ impl Surface {
         let triangle_at = |v| adjacency.corners(v).first().map_or(NONE, |corner| corner / 3);
         Ok(Self {
             corners,
-            beside,
+            neighbors,
             triangle_at: vertices.clone().map(triangle_at).collect(),
             valences: vertices.map(|v| adjacency.corners(v).len() as u32).collect(),
             marks: vec![usize::MAX; mesh.vertex_count()],
@@ -71,28 +71,34 @@ impl Surface {
     /// Collapses a vertex to its target.
     ///
     /// # Errors
-    /// Why that does not lead from a manifold surface to a manifold surface.
-    pub(super) fn collapse(&mut self, step: usize, vertex: u32, target: u32) -> Result<Taken, &'static str> {
+    /// The reason why the result would not be a manifold surface.
+    pub(super) fn collapse(
+        &mut self,
+        step: usize,
+        vertex: u32,
+        target: u32,
+    ) -> Result<Removed, &'static str> {
         let (mut star, mut target_star) =
             (std::mem::take(&mut self.star), std::mem::take(&mut self.target_star));
         let is_closed =
             self.star_into(vertex, &mut star).ok_or("the triangles of the vertex are not one fan")?;
         let is_target_closed =
             self.star_into(target, &mut target_star).ok_or("the triangles of the target are not one fan")?;
-        let taken = self.taken(&star, vertex, target)?;
-        let taken_count = taken.triangles.iter().filter(|&&t| t != NONE).count();
-        if taken_count == 2 && !is_closed && !is_target_closed {
-            return Err("both lie on borders and their edge does not");
+        let removed = self.removed(&star, vertex, target)?;
+        let removed_count = removed.triangles.iter().filter(|&&t| t != NONE).count();
+        if removed_count == 2 && !is_closed && !is_target_closed {
+            return Err("both are on borders but their edge is not");
         }
-        if self.common_neighbors(step, &star, &target_star, [vertex, target]) != taken_count {
+        if self.common_neighbors(step, &star, &target_star, [vertex, target]) != removed_count {
             return Err("they have further neighbors in common");
         }
-        self.take(&star, vertex, target, &taken);
+        self.remove(&star, vertex, target, &removed);
         (self.star, self.target_star) = (star, target_star);
-        Ok(taken)
+        Ok(removed)
     }
 
-    /// Finds the triangles of a vertex in order; whether they close a ring. `None` where they are not one fan.
+    /// Lists the triangles of a vertex in order and returns whether they form a closed ring, or `None` if
+    /// they are not one fan.
     fn star_into(&self, vertex: u32, out: &mut Vec<u32>) -> Option<bool> {
         out.clear();
         let first = self.triangle_at[vertex as usize];
@@ -101,8 +107,8 @@ impl Surface {
         }
         let limit = self.valences[vertex as usize] as usize;
         let next = |triangle: u32, turn: usize| {
-            let corner = turn_of(&self.corners[triangle as usize], vertex);
-            self.beside[triangle as usize][(corner + turn) % 3]
+            let corner = corner_of(&self.corners[triangle as usize], vertex);
+            self.neighbors[triangle as usize][(corner + turn) % 3]
         };
         let mut at = first;
         while at != NONE && out.len() < limit {
@@ -120,36 +126,36 @@ impl Surface {
         (out.len() == limit && at == NONE).then_some(false)
     }
 
-    fn taken(&self, star: &[u32], vertex: u32, target: u32) -> Result<Taken, &'static str> {
-        let mut taken = Taken { triangles: [NONE; 2], beside: [NONE; 4] };
+    fn removed(&self, star: &[u32], vertex: u32, target: u32) -> Result<Removed, &'static str> {
+        let mut removed = Removed { triangles: [NONE; 2], neighbors: [NONE; 4] };
         for &triangle in star {
             let corners = &self.corners[triangle as usize];
-            let corner = turn_of(corners, vertex);
-            let beside = self.beside[triangle as usize];
+            let corner = corner_of(corners, vertex);
+            let neighbors = self.neighbors[triangle as usize];
             if corners[(corner + 2) % 3] == target {
-                taken.triangles[0] = triangle;
-                taken.beside[..2].copy_from_slice(&[beside[corner], beside[(corner + 2) % 3]]);
+                removed.triangles[0] = triangle;
+                removed.neighbors[..2].copy_from_slice(&[neighbors[corner], neighbors[(corner + 2) % 3]]);
             } else if corners[(corner + 1) % 3] == target {
-                taken.triangles[1] = triangle;
-                taken.beside[2..].copy_from_slice(&[beside[corner], beside[(corner + 1) % 3]]);
+                removed.triangles[1] = triangle;
+                removed.neighbors[2..].copy_from_slice(&[neighbors[corner], neighbors[(corner + 1) % 3]]);
             }
         }
-        if taken.triangles == [NONE; 2] {
-            return Err("no triangle has both");
+        if removed.triangles == [NONE; 2] {
+            return Err("no triangle contains both");
         }
-        for (side, &triangle) in taken.triangles.iter().enumerate() {
-            let beside = &taken.beside[2 * side..2 * side + 2];
-            if triangle != NONE && beside == [NONE; 2] {
-                return Err("a triangle vanishes that hangs on no other");
+        for (side, &triangle) in removed.triangles.iter().enumerate() {
+            let neighbors = &removed.neighbors[2 * side..2 * side + 2];
+            if triangle != NONE && neighbors == [NONE; 2] {
+                return Err("a triangle vanishes that has no neighbor");
             }
-            if beside.iter().any(|&t| t != NONE && taken.triangles.contains(&t)) {
+            if neighbors.iter().any(|&t| t != NONE && removed.triangles.contains(&t)) {
                 return Err("the triangles that vanish share two edges");
             }
         }
-        Ok(taken)
+        Ok(removed)
     }
 
-    /// Vertices that are next to both.
+    /// Number of vertices adjacent to both ends of the edge.
     fn common_neighbors(&mut self, step: usize, star: &[u32], target_star: &[u32], ends: [u32; 2]) -> usize {
         for &triangle in star {
             self.corners[triangle as usize].iter().for_each(|&v| self.marks[v as usize] = step);
@@ -166,36 +172,37 @@ impl Surface {
         count
     }
 
-    fn take(&mut self, star: &[u32], vertex: u32, target: u32, taken: &Taken) {
+    fn remove(&mut self, star: &[u32], vertex: u32, target: u32, removed: &Removed) {
         for &triangle in star {
-            if taken.triangles.contains(&triangle) {
+            if removed.triangles.contains(&triangle) {
                 for &v in &self.corners[triangle as usize] {
                     self.valences[v as usize] -= 1;
                 }
             } else {
-                let corner = turn_of(&self.corners[triangle as usize], vertex);
+                let corner = corner_of(&self.corners[triangle as usize], vertex);
                 self.corners[triangle as usize][corner] = target;
                 self.valences[target as usize] += 1;
             }
         }
         for side in 0..2 {
-            let [at_target, at_vertex] = [taken.beside[2 * side], taken.beside[2 * side + 1]];
-            // The side of a triangle that ends where the vanished one stood, seen from the target.
+            let [at_target, at_vertex] = [removed.neighbors[2 * side], removed.neighbors[2 * side + 1]];
+            // Connects the triangles across the vanished one, whose side is found relative to the target.
             let mut join = |triangle: u32, turn: usize, other: u32| {
                 if triangle != NONE {
-                    let corner = turn_of(&self.corners[triangle as usize], target);
-                    self.beside[triangle as usize][(corner + turn) % 3] = other;
+                    let corner = corner_of(&self.corners[triangle as usize], target);
+                    self.neighbors[triangle as usize][(corner + turn) % 3] = other;
                 }
             };
             let turns = if side == 0 { [2, 1] } else { [1, 2] };
             join(at_target, turns[0], at_vertex);
             join(at_vertex, turns[1], at_target);
         }
-        for &gone in taken.triangles.iter().filter(|&&t| t != NONE) {
+        for &gone in removed.triangles.iter().filter(|&&t| t != NONE) {
             for v in self.corners[gone as usize] {
-                if taken.triangles.contains(&self.triangle_at[v as usize]) {
+                if removed.triangles.contains(&self.triangle_at[v as usize]) {
                     let stays = |&&t: &&u32| t != NONE && self.corners[t as usize].contains(&v);
-                    self.triangle_at[v as usize] = taken.beside.iter().find(stays).copied().unwrap_or(NONE);
+                    self.triangle_at[v as usize] =
+                        removed.neighbors.iter().find(stays).copied().unwrap_or(NONE);
                 }
             }
         }

@@ -1,24 +1,24 @@
-//! Progressive fans, made triangles by the processor or by the GPU.
+//! Progressive fans, expanded to triangles by the CPU or by the GPU.
 
 use striata::model::{FanForm, FanIndices, FanInstance, Fans, LodModel};
 use striata_gpu::wgpu::CommandEncoder;
 use striata_gpu::{Drawing, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuIndices};
 
-use super::super::stage::Stage;
+use super::super::bench_scene::BenchScene;
 use super::way::Way;
 use striata_command::failure::Failure;
 
-/// Fans that the processor writes as a list or as strips, sent whole.
+/// Fans that the CPU writes as a list or as strips and uploads whole.
 pub(super) struct SentFans {
     fans: Fans,
     form: FanForm,
-    made: FanIndices,
+    expanded: FanIndices,
     sent: GpuIndices,
 }
 
-/// Fans of which the GPU is told the steps that are taken.
+/// Fans that the GPU expands; only the set of refined steps is uploaded.
 pub(super) struct ComputedFans<'s> {
-    stage: &'s Stage<'s>,
+    bench: &'s BenchScene<'s>,
     fans: Fans,
     extractor: FanExtractor,
     table: GpuFans,
@@ -27,20 +27,20 @@ pub(super) struct ComputedFans<'s> {
 }
 
 impl SentFans {
-    pub(super) fn new(stage: &Stage<'_>, form: FanForm) -> Result<Self, Failure> {
-        let fans = Fans::build(&stage.refinable);
-        Ok(Self { fans, form, made: FanIndices::default(), sent: GpuIndices::new(stage.gpu, 0)? })
+    pub(super) fn new(bench: &BenchScene<'_>, form: FanForm) -> Result<Self, Failure> {
+        let fans = Fans::build(&bench.refinable);
+        Ok(Self { fans, form, expanded: FanIndices::default(), sent: GpuIndices::new(bench.gpu, 0)? })
     }
 }
 
 impl<'s> ComputedFans<'s> {
-    pub(super) fn new(stage: &'s Stage<'_>) -> Result<Self, Failure> {
-        let fans = Fans::build(&stage.refinable);
-        let extractor = FanExtractor::new(stage.gpu);
-        let table = GpuFans::upload(stage.gpu, &fans)?;
-        let instance = GpuFanInstance::new(stage.gpu, &extractor, &table)?;
-        let split_count = stage.step_count();
-        Ok(Self { stage, fans, extractor, table, instance, split_count })
+    pub(super) fn new(bench: &'s BenchScene<'_>) -> Result<Self, Failure> {
+        let fans = Fans::build(&bench.refinable);
+        let extractor = FanExtractor::new(bench.gpu);
+        let table = GpuFans::upload(bench.gpu, &fans)?;
+        let instance = GpuFanInstance::new(bench.gpu, &extractor, &table)?;
+        let split_count = bench.step_count();
+        Ok(Self { bench, fans, extractor, table, instance, split_count })
     }
 }
 
@@ -48,12 +48,12 @@ impl Way for SentFans {
     fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure> {
         let mut level = self.fans.new_state();
         self.fans.move_to(&mut level, split_count);
-        self.fans.emit_level_into(&level, self.form, &mut self.made);
-        Ok(self.sent.write(gpu, &self.made.indices)?)
+        self.fans.emit_level_into(&level, self.form, &mut self.expanded);
+        Ok(self.sent.write(gpu, &self.expanded.indices)?)
     }
 
     fn drawing(&self) -> Drawing<'_> {
-        let (indices, groups) = (&self.sent, &self.made.group_ranges[..]);
+        let (indices, groups) = (&self.sent, &self.expanded.group_ranges[..]);
         match self.form {
             FanForm::Triangles => Drawing::List { indices, groups },
             _ => Drawing::Strips { indices, groups },
@@ -61,7 +61,7 @@ impl Way for SentFans {
     }
 
     fn index_count(&self) -> usize {
-        self.made.group_ranges.iter().map(|group| group.len()).sum()
+        self.expanded.group_ranges.iter().map(|group| group.len()).sum()
     }
 
     fn uploaded_bytes(&self) -> u64 {
@@ -89,7 +89,7 @@ impl Way for ComputedFans<'_> {
     }
 
     fn index_count(&self) -> usize {
-        3 * self.stage.refinable.sequence.triangle_count_at(self.split_count)
+        3 * self.bench.refinable.sequence.triangle_count_at(self.split_count)
     }
 
     fn uploaded_bytes(&self) -> u64 {

@@ -1,4 +1,4 @@
-//! All ways to get a level onto the screen that are timed.
+//! All ways of drawing a level that are timed.
 
 mod fans;
 mod resident;
@@ -11,33 +11,33 @@ use self::fans::{ComputedFans, SentFans};
 use self::resident::Resident;
 use self::strips::{ChangedStrips, SentList, SentStrips};
 pub(super) use self::way::Way;
-use super::stage::Stage;
+use super::bench_scene::BenchScene;
 use striata_command::failure::Failure;
 
 /// Builds a way for the levels of a walk.
-type Build = for<'s> fn(&'s Stage<'_>, &[usize]) -> Result<Box<dyn Way + 's>, Failure>;
+type Build = for<'s> fn(&'s BenchScene<'_>, &[usize]) -> Result<Box<dyn Way + 's>, Failure>;
 
-/// A way by its name.
+/// A way, its name, and how to build it.
 pub(super) struct Entry {
     pub(super) name: &'static str,
-    /// What it does, for people.
+    /// Description printed in the report.
     pub(super) about: &'static str,
-    /// Whether levels stay on the GPU.
+    /// Whether all levels stay on the GPU.
     pub(super) is_resident: bool,
     build: Build,
 }
 
 impl Entry {
-    /// Builds it.
+    /// Builds the way.
     ///
     /// # Errors
-    /// Where it does not fit onto the GPU.
+    /// If it does not fit onto the GPU.
     pub(super) fn build<'s>(
         &self,
-        stage: &'s Stage<'_>,
+        bench: &'s BenchScene<'_>,
         levels: &[usize],
     ) -> Result<Box<dyn Way + 's>, Failure> {
-        (self.build)(stage, levels)
+        (self.build)(bench, levels)
     }
 }
 
@@ -50,50 +50,54 @@ const fn resident(name: &'static str, about: &'static str, build: Build) -> Entr
 }
 
 const ENTRIES: [Entry; 10] = [
-    sent("list", "a progressive mesh's list of triangles, sent whole", |stage, _| {
-        Ok(Box::new(SentList::new(stage)?))
+    sent("list", "triangle list of a progressive mesh, uploaded whole", |bench, _| {
+        Ok(Box::new(SentList::new(bench)?))
     }),
-    sent("strips", "the strips of LodStrips, sent whole", |stage, _| Ok(Box::new(SentStrips::new(stage)?))),
-    sent("strips-ranges", "the same, of which only what changes is sent", |stage, _| {
-        Ok(Box::new(ChangedStrips::new(stage, false)?))
+    sent("strips", "strips of LodStrips, uploaded whole", |bench, _| Ok(Box::new(SentStrips::new(bench)?))),
+    sent("strips-ranges", "strips of LodStrips, uploading only the changed ranges", |bench, _| {
+        Ok(Box::new(ChangedStrips::new(bench, false)?))
     }),
-    sent("strips-draws", "the same, and a draw for each strip instead of restarts", |stage, _| {
-        Ok(Box::new(ChangedStrips::new(stage, true)?))
+    sent("strips-draws", "as strips-ranges, with a draw per strip instead of restarts", |bench, _| {
+        Ok(Box::new(ChangedStrips::new(bench, true)?))
     }),
-    sent("fans", "fans made a list by the processor, sent whole", |stage, _| {
-        Ok(Box::new(SentFans::new(stage, FanForm::Triangles)?))
+    sent("fans", "fans expanded to a list by the CPU, uploaded whole", |bench, _| {
+        Ok(Box::new(SentFans::new(bench, FanForm::Triangles)?))
     }),
-    sent("fans-strips", "fans made strips by the processor, sent whole", |stage, _| {
-        Ok(Box::new(SentFans::new(stage, FanForm::Strips)?))
+    sent("fans-strips", "fans expanded to strips by the CPU, uploaded whole", |bench, _| {
+        Ok(Box::new(SentFans::new(bench, FanForm::Strips)?))
     }),
-    sent("fans-compute", "fans made a list by compute shaders; a bit a step is sent", |stage, _| {
-        Ok(Box::new(ComputedFans::new(stage)?))
+    sent(
+        "fans-compute",
+        "fans expanded to a list by compute shaders, uploading a bit per step",
+        |bench, _| Ok(Box::new(ComputedFans::new(bench)?)),
+    ),
+    resident("resident-list", "all levels of the walk as lists, uploaded in advance", |bench, levels| {
+        Ok(Box::new(Resident::lists(bench, levels)?))
     }),
-    resident("resident-list", "the levels of the walk as lists, all on the GPU before", |stage, levels| {
-        Ok(Box::new(Resident::lists(stage, levels)?))
+    resident("resident-strips", "all levels of the walk as strips, uploaded in advance", |bench, levels| {
+        Ok(Box::new(Resident::strips(bench, levels)?))
     }),
-    resident("resident-strips", "the same as strips", |stage, levels| {
-        Ok(Box::new(Resident::strips(stage, levels)?))
-    }),
-    resident("discrete", "five discrete levels down to a sixteenth, the next coarser one", |stage, _| {
-        Ok(Box::new(Resident::discrete(stage)?))
-    }),
+    resident(
+        "discrete",
+        "five discrete levels down to a sixteenth, drawing the next coarser one",
+        |bench, _| Ok(Box::new(Resident::discrete(bench)?)),
+    ),
 ];
 
-/// The names of all ways.
+/// Names of all ways.
 pub(crate) fn way_names() -> impl Iterator<Item = &'static str> {
     ENTRIES.iter().map(|entry| entry.name)
 }
 
-/// All ways, for those who explain them.
+/// All ways, in the order of the report.
 pub(super) fn all() -> &'static [Entry] {
     &ENTRIES
 }
 
-/// The ways of these names.
+/// Finds the ways with these names.
 ///
 /// # Errors
-/// Where a name is none.
+/// If a name is unknown.
 pub(super) fn entries(names: &[&str]) -> Result<Vec<&'static Entry>, Failure> {
     let find = |name: &&str| {
         ENTRIES.iter().find(|entry| entry.name == *name).ok_or_else(|| {

@@ -1,4 +1,4 @@
-//! Levels that are on the GPU before the walk begins: nothing is made and nothing sent while they are drawn.
+//! Levels uploaded before the walk begins: nothing is computed or uploaded while they are drawn.
 
 use std::ops::Range;
 
@@ -7,23 +7,24 @@ use striata_gpu::{Drawing, Gpu, GpuIndices};
 use striata_lab::baseline::{DiscreteLevels, ProgressiveMeshes};
 use striata_strip::stripify;
 
-use super::super::stage::Stage;
+use super::super::bench_scene::BenchScene;
 use super::way::Way;
 use striata_command::failure::Failure;
 
-/// Bytes of indices that are kept at most; of longer walks some levels are drawn by the next finer one.
-const MOST_BYTES: usize = 256 << 20;
+/// Maximum bytes of indices; on longer walks some levels are drawn with the next finer one.
+const MAX_BYTES: usize = 256 << 20;
 
-/// Levels of the discrete set.
+/// Number of levels of the discrete set.
 const DISCRETE_COUNT: usize = 5;
 
-/// Levels one after the other in one index buffer.
+/// Several levels, one after the other in one index buffer.
 pub(super) struct Resident {
     indices: GpuIndices,
     topology: Topology,
-    /// Coarse to fine.
+    /// Coarsest first.
     levels: Vec<Level>,
-    /// Whether the next coarser level stands for one that is not here, or the next finer.
+    /// Whether a level that is not stored is drawn with the next coarser one instead of the next finer
+    /// one.
     rounds_down: bool,
     drawn: usize,
 }
@@ -33,15 +34,15 @@ struct Level {
     groups: Vec<Range<u32>>,
 }
 
-/// Levels on their way to the GPU.
+/// Levels collected for upload.
 #[derive(Default)]
-struct Shelf {
+struct LevelBuffer {
     indices: Vec<u32>,
     levels: Vec<Level>,
 }
 
-impl Shelf {
-    fn put(&mut self, split_count: usize, fill: impl FnOnce(&mut Vec<u32>)) {
+impl LevelBuffer {
+    fn push(&mut self, split_count: usize, fill: impl FnOnce(&mut Vec<u32>)) {
         let first = self.indices.len() as u32;
         fill(&mut self.indices);
         let group = first..self.indices.len() as u32;
@@ -50,45 +51,45 @@ impl Shelf {
 }
 
 impl Resident {
-    /// The levels of a walk as lists.
-    pub(super) fn lists(stage: &Stage<'_>, levels: &[usize]) -> Result<Self, Failure> {
-        let model = ProgressiveMeshes::build(&stage.refinable);
-        Self::of_model(stage, &model, levels)
+    /// Stores the levels of a walk as triangle lists.
+    pub(super) fn lists(bench: &BenchScene<'_>, levels: &[usize]) -> Result<Self, Failure> {
+        let model = ProgressiveMeshes::build(&bench.refinable);
+        Self::of_model(bench, &model, levels)
     }
 
-    /// The levels of a walk as strips.
-    pub(super) fn strips(stage: &Stage<'_>, levels: &[usize]) -> Result<Self, Failure> {
-        let model = LodStrips::build(&stage.refinable, &stage.strips)?;
+    /// Stores the levels of a walk as strips.
+    pub(super) fn strips(bench: &BenchScene<'_>, levels: &[usize]) -> Result<Self, Failure> {
+        let model = LodStrips::build(&bench.refinable, &bench.strips)?;
         debug_assert!(model.strip_count() > 0, "a mesh with triangles has strips");
-        Self::of_model(stage, &model, levels)
+        Self::of_model(bench, &model, levels)
     }
 
-    /// A few levels, each with strips of its own.
-    pub(super) fn discrete(stage: &Stage<'_>) -> Result<Self, Failure> {
-        let model = DiscreteLevels::build(&stage.refinable, DISCRETE_COUNT, |mesh| {
-            stripify(mesh, &stage.level_strips)
+    /// Stores a few discrete levels, each stripified separately.
+    pub(super) fn discrete(bench: &BenchScene<'_>) -> Result<Self, Failure> {
+        let model = DiscreteLevels::build(&bench.refinable, DISCRETE_COUNT, |mesh| {
+            stripify(mesh, &bench.level_strips)
         })
         .map_err(|error| Failure::internal(error.to_string()))?;
         let levels: Vec<usize> = model.split_counts().collect();
-        Ok(Self { rounds_down: true, ..Self::of_model(stage, &model, &levels)? })
+        Ok(Self { rounds_down: true, ..Self::of_model(bench, &model, &levels)? })
     }
 
-    fn of_model(stage: &Stage<'_>, model: &impl LodModel, levels: &[usize]) -> Result<Self, Failure> {
+    fn of_model(bench: &BenchScene<'_>, model: &impl LodModel, levels: &[usize]) -> Result<Self, Failure> {
         let mut levels = levels.to_vec();
         levels.sort_unstable_by(|a, b| b.cmp(a));
         levels.dedup();
         let mut state = model.new_state();
         let full_bytes = 4 * model.draw_counts(&state).index_count.max(1);
-        let stride = (levels.len() * full_bytes).div_ceil(MOST_BYTES).max(1);
-        let mut shelf = Shelf::default();
+        let stride = (levels.len() * full_bytes).div_ceil(MAX_BYTES).max(1);
+        let mut buffer = LevelBuffer::default();
         for &split_count in levels.iter().step_by(stride) {
             model.move_to(&mut state, split_count);
-            shelf.put(split_count, |out| model.indices_into(&state, out));
+            buffer.push(split_count, |out| model.indices_into(&state, out));
         }
-        shelf.levels.reverse();
-        let indices = GpuIndices::upload(stage.gpu, &shelf.indices)?;
-        let drawn = shelf.levels.len() - 1;
-        Ok(Self { indices, topology: model.topology(), levels: shelf.levels, rounds_down: false, drawn })
+        buffer.levels.reverse();
+        let indices = GpuIndices::upload(bench.gpu, &buffer.indices)?;
+        let drawn = buffer.levels.len() - 1;
+        Ok(Self { indices, topology: model.topology(), levels: buffer.levels, rounds_down: false, drawn })
     }
 }
 

@@ -1,4 +1,4 @@
-//! Lists and strips that the processor edits and sends.
+//! Lists and strips that the CPU edits and uploads.
 
 use std::ops::Range;
 
@@ -6,11 +6,11 @@ use striata::model::{LodModel, LodStrips, LodStripsState};
 use striata_gpu::{Drawing, Gpu, GpuIndices, GpuLodStrips, GpuMultiDraw};
 use striata_lab::baseline::{ProgressiveMeshes, ProgressiveMeshesState};
 
-use super::super::stage::Stage;
+use super::super::bench_scene::BenchScene;
 use super::way::{Way, whole};
 use striata_command::failure::Failure;
 
-/// A progressive mesh, whose list is sent whole.
+/// A progressive mesh whose triangle list is uploaded whole.
 pub(super) struct SentList {
     model: ProgressiveMeshes,
     state: ProgressiveMeshesState,
@@ -19,7 +19,7 @@ pub(super) struct SentList {
     drawn: Range<u32>,
 }
 
-/// The strips of LodStrips, sent whole.
+/// The strips of LodStrips, uploaded whole.
 pub(super) struct SentStrips {
     model: LodStrips<'static>,
     state: LodStripsState,
@@ -28,37 +28,37 @@ pub(super) struct SentStrips {
     drawn: Range<u32>,
 }
 
-/// The strips of LodStrips, of which what changes is sent.
+/// The strips of LodStrips, of which only the changed ranges are uploaded.
 pub(super) struct ChangedStrips {
     model: LodStrips<'static>,
     state: LodStripsState,
     strips: GpuLodStrips,
-    /// A draw for each strip, where restarts are not to be drawn.
+    /// A draw command for each strip, if restarts are not drawn.
     draws: Option<GpuMultiDraw>,
 }
 
 impl SentList {
-    pub(super) fn new(stage: &Stage<'_>) -> Result<Self, Failure> {
-        let model = ProgressiveMeshes::build(&stage.refinable);
-        let (state, sent) = (model.new_state(), GpuIndices::new(stage.gpu, 0)?);
+    pub(super) fn new(bench: &BenchScene<'_>) -> Result<Self, Failure> {
+        let model = ProgressiveMeshes::build(&bench.refinable);
+        let (state, sent) = (model.new_state(), GpuIndices::new(bench.gpu, 0)?);
         Ok(Self { model, state, scratch: Vec::new(), sent, drawn: 0..0 })
     }
 }
 
 impl SentStrips {
-    pub(super) fn new(stage: &Stage<'_>) -> Result<Self, Failure> {
-        let model = LodStrips::build(&stage.refinable, &stage.strips)?;
-        let (state, sent) = (model.new_state(), GpuIndices::new(stage.gpu, 0)?);
+    pub(super) fn new(bench: &BenchScene<'_>) -> Result<Self, Failure> {
+        let model = LodStrips::build(&bench.refinable, &bench.strips)?;
+        let (state, sent) = (model.new_state(), GpuIndices::new(bench.gpu, 0)?);
         Ok(Self { model, state, scratch: Vec::new(), sent, drawn: 0..0 })
     }
 }
 
 impl ChangedStrips {
-    pub(super) fn new(stage: &Stage<'_>, has_draws: bool) -> Result<Self, Failure> {
-        let model = LodStrips::build(&stage.refinable, &stage.strips)?;
+    pub(super) fn new(bench: &BenchScene<'_>, has_draws: bool) -> Result<Self, Failure> {
+        let model = LodStrips::build(&bench.refinable, &bench.strips)?;
         let mut state = model.new_state();
-        let strips = GpuLodStrips::new(stage.gpu, &model, &mut state)?;
-        let draws = has_draws.then(|| GpuMultiDraw::new(stage.gpu, strips.buffer().strip_ranges().count()));
+        let strips = GpuLodStrips::new(bench.gpu, &model, &mut state)?;
+        let draws = has_draws.then(|| GpuMultiDraw::new(bench.gpu, strips.buffer().strip_ranges().count()));
         Ok(Self { model, state, strips, draws: draws.transpose()? })
     }
 }

@@ -1,35 +1,35 @@
-//! What all ways to get a level onto the screen can do.
+//! The trait that every way of drawing a level implements.
 
 use striata_gpu::wgpu::CommandEncoder;
 use striata_gpu::{Drawing, Gpu};
 
 use striata_command::failure::Failure;
 
-/// A way to get a level onto the screen.
+/// A way of drawing a level.
 pub(in crate::bench_gpu) trait Way {
-    /// Does all that the processor does until the level can be drawn.
+    /// Does all CPU work that is needed before the level can be drawn.
     ///
     /// # Errors
-    /// Where the GPU has no room.
+    /// If the GPU is out of memory.
     fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure>;
 
-    /// Records what the GPU does before it draws.
+    /// Records the GPU work that precedes the draw.
     fn extract(&self, _: &mut CommandEncoder) {}
 
-    /// What is drawn.
+    /// The draw of the current level.
     fn drawing(&self) -> Drawing<'_>;
 
-    /// Indices that are drawn, restarts among them.
+    /// Number of indices drawn, including restarts.
     fn index_count(&self) -> usize;
 
-    /// Bytes sent so far.
+    /// Total bytes uploaded so far.
     fn uploaded_bytes(&self) -> u64;
 
-    /// Bytes that it keeps on the GPU, without the vertices.
+    /// Bytes kept on the GPU, without the vertices.
     fn gpu_bytes(&self) -> usize;
 }
 
-/// All of an index buffer as one group.
+/// Range of a whole index buffer, as one group.
 pub(super) fn whole(index_count: usize) -> std::ops::Range<u32> {
     0..index_count as u32
 }

@@ -1,21 +1,23 @@
-//! The error limit that other simplifiers need to reach a target.
+//! Finds the error limit that other simplifiers need to reach a target.
 //!
-//! They stop at an error limit or at a target, whichever comes first. A limit that is far too high is no remedy: when collapses run
-//! out, both meshoptimizer and gltfpack remove whole parts up to the limit, and overshoot the target by far. So each level gets
-//! the smallest limit of a list with which the target is reached.
+//! They stop at an error limit or at a target, whichever comes first. Passing a limit that is far too high
+//! does not help: when collapses run out, both meshoptimizer and gltfpack remove whole parts up to the
+//! limit and overshoot the target by far. So each level gets the smallest limit from a list with which the
+//! target is reached.
 
 use super::contender::Level;
 use super::contender::Request;
 
-/// Limits, shares of the extent; 0.01 is what gltfpack has by default.
+/// Error limits as shares of the extent; 0.01 is gltfpack's default.
 const LIMITS: [f64; 7] = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
 
-/// The level of the smallest limit that reaches the target; if there is none, or nothing is left of it, the level of the
-/// largest limit that does not. `simplify` returns nothing if no triangle is left.
+/// Returns the level of the smallest limit that reaches the target. If there is none, or it is empty,
+/// returns the level of the largest limit that misses the target. `simplify` returns `None` if no triangle
+/// is left.
 ///
 /// # Errors
-/// What `simplify` reports, or that no limit leaves a triangle.
-pub(super) fn with_least_limit(
+/// The error of `simplify`, or that no limit leaves a triangle.
+pub(super) fn with_smallest_limit(
     request: &Request,
     simplify: impl Fn(f64) -> Result<Option<Level>, String>,
 ) -> Result<Level, String> {
@@ -45,9 +47,9 @@ mod tests {
 
     use super::*;
 
-    /// The count and the limit of the level for a target of 100, if a limit leaves so many triangles.
+    /// The triangle count and limit chosen for a target of 100, if any level remains.
     fn found(count_of: impl Fn(f64) -> usize) -> Option<(usize, f64)> {
-        let level = with_least_limit(&Request { percent: 50.0, target_count: 100 }, |limit| {
+        let level = with_smallest_limit(&Request { percent: 50.0, target_count: 100 }, |limit| {
             let mesh = IndexedMesh::new(vec![[0.0; 3]; 3], vec![[0, 1, 2]; count_of(limit)]);
             let level = Level { mesh, secs: 0.0, error: None, error_limit: None };
             Ok(Some(level).filter(|level| level.mesh.triangle_count() > 0))
@@ -57,14 +59,14 @@ mod tests {
     }
 
     #[test]
-    fn the_smallest_limit_that_reaches_the_target_is_taken() {
+    fn smallest_limit_that_reaches_the_target_is_used() {
         assert_eq!(found(|limit| if limit < 0.02 { 150 } else { 90 }), Some((90, 0.03)));
         assert_eq!(found(|_| 80), Some((80, 0.001)));
         assert_eq!(found(|limit| if limit < 0.5 { 150 } else { 20 }), Some((20, 1.0)));
     }
 
     #[test]
-    fn a_level_that_misses_the_target_is_better_than_none() {
+    fn level_that_misses_the_target_is_better_than_none() {
         assert_eq!(found(|limit| if limit < 0.2 { 150 } else { 0 }), Some((150, 0.1)));
         assert_eq!(found(|_| 150), Some((150, 1.0)));
         assert_eq!(found(|_| 0), None);

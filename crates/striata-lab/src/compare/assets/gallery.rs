@@ -1,48 +1,48 @@
-//! Pictures of a mesh from twelve directions, by the software rasterizer, to compare levels with.
+//! Renders a mesh from twelve directions with the software rasterizer, to compare levels with it.
 //!
-//! The directions are the corners of an icosahedron, so they are spread evenly. Pictures show the shading by normals alone: no
-//! textures, no colors, both sides of each triangle lit.
+//! The directions are the corners of an icosahedron, so they are spread evenly. Pictures show shading by
+//! normals only: no textures or colors, and both sides of each triangle are lit.
 
 use striata::mesh::{IndexedMesh, Semantic};
 
 use striata_command::output::Output;
 use striata_viewer::picture::{Angles, Artist, Camera, Paint, Shot, Style};
 
-/// Height and width of a picture, pixels.
+/// Width and height of a picture in pixels.
 const SIDE: usize = 256;
 
-/// Angle between the equator and the five corners of an icosahedron next to a pole, radians.
+/// Elevation of the five corners of an icosahedron next to a pole, in radians.
 const RISE: f32 = 0.463_647_6;
 
-/// Height of the view, radians.
+/// Vertical field of view in radians.
 const FOV: f32 = 0.45;
 
-/// What a pixel shows.
+/// Gray level and coverage of a pixel.
 #[derive(Clone, Copy)]
 struct Pixel {
     /// Gray level, 0 to 255, over black.
     gray: f32,
-    /// Share that the mesh covers.
+    /// Share of the pixel that the mesh covers.
     cover: f32,
 }
 
-/// Pictures of the original, and where they are taken from.
+/// Pictures of the original, and their cameras.
 pub(super) struct Gallery {
     cameras: Vec<Camera>,
     pictures: Vec<Vec<Pixel>>,
 }
 
-/// How pictures of a level differ from those of the original.
+/// Differences between the pictures of a level and those of the original.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PictureDifference {
-    /// Root of the mean squared difference of gray levels (0 to 255), over the pixels that either of the meshes covers.
+    /// RMS difference of gray levels (0 to 255) over the pixels that either mesh covers.
     pub(super) gray_rms: f64,
-    /// Covered area as a share of the original's, all pictures together.
+    /// Covered area relative to the original's, over all pictures.
     pub(super) silhouette: f64,
 }
 
 impl Gallery {
-    /// Takes the pictures of a mesh that has normals.
+    /// Renders the pictures of a mesh that has normals.
     pub(super) fn of(original: &IndexedMesh) -> Self {
         let camera = |(turn, rise)| {
             let angles = Angles { turn, rise, up: [0.0, 1.0, 0.0], fov: FOV };
@@ -53,7 +53,7 @@ impl Gallery {
         Self { cameras, pictures }
     }
 
-    /// Compares a level that has normals.
+    /// Compares a level that has normals with the original.
     pub(super) fn compare(&self, level: &IndexedMesh) -> PictureDifference {
         let (mut squares, mut seen) = (0.0, 0.0);
         let (mut area, mut original_area) = (0.0, 0.0);
@@ -73,7 +73,7 @@ impl Gallery {
     }
 }
 
-/// The corners of an icosahedron as turns and rises, radians.
+/// The corners of an icosahedron as azimuths and elevations in radians.
 fn directions() -> Vec<(f32, f32)> {
     let quarter = std::f32::consts::FRAC_PI_2;
     let fifth = |k: usize| k as f32 * std::f32::consts::TAU / 5.0;
@@ -111,25 +111,25 @@ mod tests {
     use striata_viewer::picture::with_normals;
 
     #[test]
-    fn a_mesh_looks_like_itself() {
+    fn mesh_does_not_differ_from_itself() {
         let ball = with_normals(shapes::icosphere(2, 1.0));
         let same = Gallery::of(&ball).compare(&ball);
         assert_eq!(same, PictureDifference { gray_rms: 0.0, silhouette: 1.0 });
     }
 
     #[test]
-    fn a_silhouette_shrinks_with_the_square_of_the_size() {
+    fn silhouette_area_shrinks_with_the_square_of_the_size() {
         let ball = with_normals(shapes::icosphere(4, 1.0));
         let mut small = ball.clone();
         small.positions.iter_mut().for_each(|p| *p = p.map(|x| 0.8 * x));
         let found = Gallery::of(&ball).compare(&small);
-        // A little less than .64, since outlines of a smaller ball are farther from a near eye.
+        // Slightly less than 0.64, because the outline of a smaller ball is farther from a near camera.
         assert!((found.silhouette - 0.63).abs() < 0.01, "{found:?}");
         assert!(found.gray_rms > 20.0, "{found:?}");
     }
 
     #[test]
-    fn both_sides_of_a_triangle_count() {
+    fn both_sides_of_triangles_are_drawn() {
         let sheet = with_normals(shapes::grid(9, 9));
         let mut turned = sheet.clone();
         turned.triangles.iter_mut().for_each(|t| t.swap(1, 2));

@@ -1,7 +1,7 @@
-//! gltfpack, which simplifies each material by itself, through npx.
+//! gltfpack, run through npx; it simplifies each material separately.
 //!
-//! Nothing is quantized (`-noq`), no attribute is dropped (`-kv`), and materials are not merged (`-km`). Its time is that of one
-//! run and includes the start of Node and the files.
+//! Nothing is quantized (`-noq`), no attribute is dropped (`-kv`), and materials are not merged (`-km`).
+//! The time is that of one run, including the start of Node and file access.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -14,18 +14,18 @@ use tempfile::TempDir;
 
 use super::contender::Request;
 use super::contender::{Level, Simplify};
-use super::error_limits::with_least_limit;
+use super::error_limits::with_smallest_limit;
 use super::subject::{Subject, key};
 use striata_command::failure::Failure;
 
-/// The mesh as a file that gltfpack reads.
+/// A temporary folder with the mesh as a file that gltfpack reads.
 struct Workplace {
     folder: TempDir,
     positions: HashSet<[u32; 3]>,
 }
 
-/// Writes the mesh for gltfpack; a permissive run may collapse across seams of normals. The inner error says why gltfpack
-/// takes no part.
+/// Writes the mesh for gltfpack; a permissive run may collapse across seams of normals. The inner error is
+/// the reason why gltfpack cannot take part.
 ///
 /// # Errors
 /// If the mesh cannot be written.
@@ -41,7 +41,7 @@ pub(super) fn prepare<'a>(
     let workplace = Workplace { folder, positions: subject.mesh.positions.iter().map(key).collect() };
     striata_io::write(workplace.input(), &subject.mesh, &WriteOptions::default())?;
     Ok(Ok(Box::new(move |request| {
-        with_least_limit(request, |limit| workplace.simplify(request, limit, is_permissive))
+        with_smallest_limit(request, |limit| workplace.simplify(request, limit, is_permissive))
     })))
 }
 
@@ -66,7 +66,7 @@ impl Workplace {
         Ok((!is_empty).then_some(Level { mesh, secs, error: None, error_limit: None }))
     }
 
-    /// Distances would mean nothing if positions were quantized or moved.
+    /// Checks that positions were neither quantized nor moved, since distances would then be meaningless.
     fn check(&self, mesh: &IndexedMesh) -> Result<(), String> {
         match mesh.positions.iter().find(|position| !self.positions.contains(&key(position))) {
             Some(position) => Err(format!("no vertex of the original is at {position:?}")),
@@ -79,14 +79,14 @@ fn utf8(path: &Path) -> Result<&str, String> {
     path.to_str().ok_or_else(|| "the temporary folder's name is not UTF-8".to_owned())
 }
 
-/// Runs gltfpack; the error says why it did not work, in a line.
+/// Runs gltfpack. The error is a one-line reason.
 fn run(arguments: &[&str]) -> Result<Output, String> {
     let output = Command::new("npx").args(["--yes", "gltfpack"]).args(arguments).output();
     let output = output.map_err(|error| format!("npx: {error}"))?;
     if output.status.success() {
         return Ok(output);
     }
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    let last = said.lines().rev().find(|line| !line.trim().is_empty());
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    let last = message.lines().rev().find(|line| !line.trim().is_empty());
     Err(last.map_or_else(|| format!("{}", output.status), |line| line.trim().to_owned()))
 }

@@ -1,4 +1,4 @@
-//! One level of one contender: what it is measured by.
+//! Measurements of one level of one contender.
 
 use serde::Serialize;
 use striata::mesh::{AttributeSpread, DistanceOptions, attribute_distance, surface_distance};
@@ -7,39 +7,39 @@ use super::contender::{Level, Request};
 use super::subject::Subject;
 use striata_command::failure::Failure;
 
-/// Samples of each surface for distances, and of the original for attributes.
+/// Number of samples on each surface for distances, and on the original for attributes.
 pub(super) const SAMPLES: usize = 100_000;
 
-/// What was measured of one level.
+/// Measurements of one level.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct LevelRow {
-    /// Who made it.
+    /// Name of the contender.
     pub(super) contender: &'static str,
-    /// Percent of the triangles that were asked for.
+    /// Requested percentage of the triangles.
     pub(super) percent: f64,
     pub(super) target_count: usize,
     pub(super) triangle_count: usize,
-    /// True if there are no more triangles than asked for.
+    /// Whether the level has no more triangles than requested.
     pub(super) is_reached: bool,
-    /// The larger one-sided RMS, a share of the diagonal; as all distances here.
+    /// The larger one-sided RMS distance; like all distances here a share of the diagonal.
     pub(super) rms: f64,
     pub(super) max: f64,
     pub(super) normal_mean_degrees: Option<f64>,
     pub(super) normal_p95_degrees: Option<f64>,
-    /// UV units.
+    /// Difference of texture coordinates, in UV units.
     pub(super) uv_mean: Option<f64>,
     pub(super) uv_p95: Option<f64>,
     /// Share of the samples that were compared with a triangle on the same side.
     pub(super) same_side_share: f64,
-    /// Gray levels, 0 to 255.
+    /// RMS difference in gray levels, 0 to 255.
     pub(super) gray_rms: f64,
-    /// Covered area over the original's.
+    /// Covered area relative to the original's.
     pub(super) silhouette: f64,
-    /// What the contender reports.
+    /// The error that the contender reports.
     pub(super) error: Option<f64>,
-    /// The reported error over the measured maximum.
+    /// Ratio of the reported error to the measured maximum.
     pub(super) error_ratio: Option<f64>,
-    /// The error limit that the contender was given, a share of the extent.
+    /// The error limit passed to the contender, as a share of the extent.
     pub(super) error_limit: Option<f64>,
     pub(super) secs: f64,
 }
@@ -47,7 +47,7 @@ pub(super) struct LevelRow {
 /// Measures a level against the original.
 ///
 /// # Errors
-/// If the level's parts do not fit together, or nothing is left of it.
+/// If the level is inconsistent or empty.
 pub(super) fn measure_level(
     subject: &Subject,
     request: &Request,
@@ -90,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn targets_are_rounded_down_but_not_by_floats() {
+    fn targets_are_rounded_down_despite_floating_point_errors() {
         assert_eq!(Request::new(10.0, 1_000).target_count, 100);
         assert_eq!(Request::new(2.0, 99).target_count, 1);
         assert_eq!(Request::new(29.0, 100).target_count, 29);

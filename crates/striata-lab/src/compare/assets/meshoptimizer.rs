@@ -1,8 +1,9 @@
-//! The simplifier of meshoptimizer, with attributes.
+//! meshoptimizer's simplifier, with attributes.
 //!
-//! Normals and colors have the weights that gltfpack gives them. gltfpack gives texture coordinates none, since it keeps their
-//! seams; here they get what meshoptimizer's documentation advises, one over the root of the mean area of a triangle in UV space,
-//! without which levels across seams would be of no use.
+//! Normals and colors have the weights that gltfpack uses. gltfpack gives texture coordinates no weight,
+//! since it keeps their seams. Here they get the weight that meshoptimizer's documentation recommends, the
+//! reciprocal root of the mean triangle area in UV space; without it, levels across seams would be
+//! useless.
 
 use std::time::Instant;
 
@@ -11,26 +12,26 @@ use striata::mesh::{IndexedMesh, Semantic};
 
 use super::contender::Request;
 use super::contender::{Level, Simplify};
-use super::error_limits::with_least_limit;
+use super::error_limits::with_smallest_limit;
 
-/// The weight of each component of a normal.
+/// Weight of each component of a normal.
 const NORMAL_WEIGHT: f32 = 0.5;
-/// The weight of each channel of a color.
+/// Weight of each channel of a color.
 const COLOR_WEIGHT: f32 = 1.0;
 
-/// Attributes of all vertices, vertex by vertex.
+/// Interleaved attributes of all vertices.
 struct Attributes {
     values: Vec<f32>,
     weights: Vec<f32>,
 }
 
-/// Gets the simplifier ready for a mesh; a permissive one may collapse across seams.
+/// Prepares the simplifier for a mesh; a permissive one may collapse across seams.
 pub(super) fn prepare(mesh: &IndexedMesh, is_permissive: bool) -> Simplify<'_> {
     let attributes = Attributes::of(mesh);
     let mut options = SimplifyOptions::Prune;
     options.set(SimplifyOptions::Permissive, is_permissive);
     Box::new(move |request| {
-        with_least_limit(request, |limit| simplify((mesh, &attributes), options, (request, limit)))
+        with_smallest_limit(request, |limit| simplify((mesh, &attributes), options, (request, limit)))
     })
 }
 
@@ -111,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn attributes_lie_vertex_by_vertex() {
+    fn attributes_are_interleaved() {
         let positions = vec![[0., 0., 0.], [3., 0., 0.], [3., 6., 0.], [0., 6., 0.]];
         let mut mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [0, 2, 3]]);
         mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, [0., 0., 1.].repeat(4)));
@@ -125,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_reaches_its_target() {
+    fn ball_reaches_its_target() {
         let ball = shapes::icosphere(4, 1.0);
         let request = Request::new(25.0, ball.triangle_count());
         for is_permissive in [false, true] {

@@ -1,7 +1,9 @@
-//! Levels of real assets, next to those of other simplifiers: distances, normals, texture coordinates, pictures and silhouettes.
+//! Compares levels of real assets with those of other simplifiers: distances, normals, texture
+//! coordinates, pictures and silhouettes.
 //!
-//! All contenders get the same welded mesh with the attributes that all of them can weigh: normals, one set of texture
-//! coordinates, one set of colors. Every level is measured with the same samples and cameras.
+//! All contenders get the same welded mesh with the attributes that all of them can weight: normals, one
+//! set of texture coordinates, one set of colors. Every level is measured with the same samples and
+//! cameras.
 
 mod contender;
 #[cfg(feature = "peers")]
@@ -35,7 +37,7 @@ use striata_command::output::Bar;
 /// Simplifies the mesh with every contender to every share of its triangles, and measures the levels.
 ///
 /// # Errors
-/// If the mesh has no triangles, its parts do not fit together, or there is no room for temporary files.
+/// If the mesh has no triangles or is inconsistent, or temporary files cannot be written.
 pub(super) fn measure(
     mesh: &IndexedMesh,
     args: &AssetArgs,
@@ -75,7 +77,7 @@ pub(super) fn measure(
     })
 }
 
-/// Gets a contender ready; the inner error says why it takes no part.
+/// Prepares a contender; the inner error is the reason why it cannot take part.
 fn prepare<'a>(
     contender: AssetContender,
     subject: &'a Subject,
@@ -98,7 +100,7 @@ fn prepare<'a>(
     }
 }
 
-/// The levels of one sequence with default options; the time of each is that of the whole sequence.
+/// Takes levels from one sequence with default options; the time of each is that of the whole sequence.
 fn striata<'a>(subject: &Subject, bar: &mut Bar) -> Result<Simplify<'a>, Failure> {
     let started = Instant::now();
     let options = SequenceOptions::default();

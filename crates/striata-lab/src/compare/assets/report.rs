@@ -1,18 +1,18 @@
-//! What was measured of assets.
+//! Report of the comparison of assets.
 
 use serde::Serialize;
 
 use super::levels::LevelRow;
 
-/// What was measured of one asset.
+/// The report of one asset.
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::compare) struct AssetsReport {
-    /// Triangles of the welded mesh, without degenerate ones: what shares are shares of.
+    /// Number of triangles of the welded mesh, without degenerate ones; shares refer to it.
     pub(super) triangle_count: usize,
     pub(super) vertex_count: usize,
     pub(super) has_normals: bool,
     pub(super) has_uvs: bool,
-    /// Why rows are missing.
+    /// Reasons for missing rows.
     pub(super) notes: Vec<String>,
     pub(super) levels: Vec<LevelRow>,
 }

@@ -1,4 +1,4 @@
-//! The mesh that all contenders simplify, and what levels of it are compared with.
+//! The mesh that all contenders simplify, and the data that levels are compared with.
 
 use std::collections::HashMap;
 
@@ -8,15 +8,15 @@ use super::gallery::Gallery;
 use striata_command::failure::Failure;
 use striata_viewer::picture::with_normals;
 
-/// A mesh with the attributes that all contenders can weigh.
+/// A mesh with the attributes that all contenders can weight.
 pub(super) struct Subject {
-    /// What is simplified.
+    /// The mesh to simplify.
     pub(super) mesh: IndexedMesh,
-    /// The same mesh with normals to compare with and to light it by: its own, or smooth ones.
+    /// The mesh with normals for comparison and lighting: its own, or smooth ones.
     pub(super) reference: IndexedMesh,
-    /// Pictures of it.
+    /// Pictures of the mesh.
     pub(super) gallery: Gallery,
-    /// The smooth normal of each position, if the mesh has no normals of its own.
+    /// The smooth normal of each position, if the mesh itself has no normals.
     smooth_normals: Option<HashMap<[u32; 3], [f32; 3]>>,
 }
 
@@ -36,17 +36,17 @@ impl Subject {
         Ok(Self { mesh, reference, gallery, smooth_normals })
     }
 
-    /// True if the mesh has normals of its own.
+    /// Whether the mesh itself has normals.
     pub(super) fn has_normals(&self) -> bool {
         self.smooth_normals.is_none()
     }
 
-    /// True if the mesh has texture coordinates.
+    /// Whether the mesh has texture coordinates.
     pub(super) fn has_uvs(&self) -> bool {
         self.mesh.layer(&Semantic::TexCoord(0)).is_some()
     }
 
-    /// A level with normals: its own, or the smooth ones that the original has at the same positions.
+    /// Adds normals to a level if needed: its own, or the original's smooth normals at the same positions.
     pub(super) fn lit(&self, mut level: IndexedMesh) -> IndexedMesh {
         let Some(normals) = &self.smooth_normals else { return level };
         let normal = |p: &[f32; 3]| normals.get(&key(p)).copied().unwrap_or_default();
@@ -62,7 +62,8 @@ pub(super) fn key(position: &[f32; 3]) -> [u32; 3] {
     position.map(|x| (x + 0.0).to_bits())
 }
 
-/// Positions, normals, the first set of texture coordinates and of colors; materials by number, without textures.
+/// Keeps positions, normals, and the first set of texture coordinates and of colors; materials become
+/// numbered ones without textures.
 fn with_common_layers(mesh: &IndexedMesh) -> IndexedMesh {
     let is_common = |layer: &&AttributeLayer| match layer.semantic {
         Semantic::Normal => layer.component_count == 3,
@@ -77,12 +78,12 @@ fn with_common_layers(mesh: &IndexedMesh) -> IndexedMesh {
     let materials = std::mem::take(&mut common.appearance.materials);
     common.appearance = Default::default();
     common.appearance.materials = (0..materials.len())
-        .map(|number| striata::mesh::Material { name: format!("material {number}"), ..Default::default() })
+        .map(|index| striata::mesh::Material { name: format!("material {index}"), ..Default::default() })
         .collect();
     common
 }
 
-/// Floats pass through every contender unchanged.
+/// Converts a layer to floats, which pass through every contender unchanged.
 fn as_floats(layer: &AttributeLayer) -> AttributeLayer {
     if matches!(layer.data, LayerData::F32(_)) {
         return layer.clone();

@@ -1,4 +1,4 @@
-//! All assets and shares together: how striata's levels compare with the better level of each other tool.
+//! Summary of all assets and shares: striata's levels compared with the better level of each other tool.
 
 use serde::Serialize;
 
@@ -8,7 +8,7 @@ use super::report::AssetsReport;
 /// A measured value of a level; lower is better.
 type Metric = (&'static str, fn(&LevelRow) -> Option<f64>);
 
-/// What is compared.
+/// The metrics that are summarized.
 const METRICS: [Metric; 8] = [
     ("rms", |row| Some(row.rms)),
     ("max", |row| Some(row.max)),
@@ -20,33 +20,33 @@ const METRICS: [Metric; 8] = [
     ("silhouette", |row| Some((row.silhouette - 1.0).abs())),
 ];
 
-/// Values below this are as good as 0 in a ratio.
-const LEAST: f64 = 1e-7;
+/// Values below this count as 0 in ratios.
+const MIN_VALUE: f64 = 1e-7;
 
-/// Other tools by the beginning of the names of their variants.
+/// Other tools, by the common prefix of their variants' names.
 const TOOLS: [&str; 2] = ["gltfpack", "meshoptimizer"];
 
-/// striata-lab compared with the better variant of one other tool, in one metric.
+/// striata compared with the better variant of one other tool, in one metric.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(in super::super) struct Summary {
-    /// The other tool.
+    /// Name of the other tool.
     pub(super) against: &'static str,
     pub(super) metric: &'static str,
-    /// Geometric mean of striata's value over the lower value of the tool's variants.
+    /// Geometric mean of striata's value over the lowest value of the tool's variants.
     pub(super) ratio: f64,
-    /// Levels in which striata's value is the higher one.
+    /// Number of levels in which striata's value is higher.
     pub(super) worse_count: usize,
-    /// Levels of both that reach their target and have the value.
+    /// Number of levels of both that reach their target and have the value.
     pub(super) level_count: usize,
 }
 
-/// Summarizes all assets; a variant takes part in the levels in which it reaches its target.
+/// Summarizes all assets; a variant is included in the levels in which it reaches its target.
 pub(in super::super) fn summarize(reports: &[&AssetsReport]) -> Vec<Summary> {
     let pairs = TOOLS.into_iter().flat_map(|tool| METRICS.map(|metric| (tool, metric)));
     pairs.filter_map(|(tool, metric)| compare(reports, tool, metric)).collect()
 }
 
-/// None if no level can be compared.
+/// Summarizes one metric against one tool; returns `None` if no level can be compared.
 fn compare(reports: &[&AssetsReport], against: &'static str, (metric, value): Metric) -> Option<Summary> {
     let (mut logs, mut worse_count, mut level_count) = (0.0, 0, 0);
     for report in reports {
@@ -56,7 +56,7 @@ fn compare(reports: &[&AssetsReport], against: &'static str, (metric, value): Me
                 reached().filter(|row| row.contender.starts_with(against) && row.percent == own.percent);
             let best = peers.filter_map(value).min_by(f64::total_cmp);
             let (Some(ours), Some(theirs)) = (value(own), best) else { continue };
-            let (ours, theirs) = (ours.max(LEAST), theirs.max(LEAST));
+            let (ours, theirs) = (ours.max(MIN_VALUE), theirs.max(MIN_VALUE));
             logs += (ours / theirs).ln();
             worse_count += usize::from(ours > theirs);
             level_count += 1;
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn the_better_variant_that_reaches_its_target_counts() {
+    fn better_variant_that_reaches_its_target_counts() {
         let levels = vec![
             row("striata", 50.0, 0.2, true),
             row("gltfpack", 50.0, 0.1, false),
@@ -114,7 +114,7 @@ mod tests {
             levels,
         };
         let found = summarize(&[&report]);
-        // One level at half their RMS, one at four times it; the last one has no peer.
+        // One level at half their RMS, one at four times it; the last one has no competitor.
         let rms = &found[0];
         assert_eq!((rms.against, rms.metric, rms.worse_count, rms.level_count), ("gltfpack", "rms", 1, 2));
         assert!((rms.ratio - 2f64.sqrt()).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! Assets for people: tables, charts, and what to know about them.
+//! Text tables and page sections of assets.
 
 use super::super::page::{Block, MeshPart, Section};
 use super::super::plot::{Chart, Series};
@@ -9,10 +9,10 @@ use super::summary::Summary;
 use striata_command::failure::Failure;
 use striata_command::output::{grouped, lasted};
 
-/// How the table is read.
-const READING: &str = "RMS, max: 1e-5 of the diagonal, both ways. Normals: degrees. UV: units of UV space. \
-                       Gray: RMS of 255 levels over 12 pictures. Silhouette: covered area over the original's. \
-                       A star marks levels with more triangles than asked for.";
+/// Explanation of the table.
+const READING: &str = "RMS, max: 1e-5 of the diagonal, both ways. Normals: degrees. UV: units of UV \
+                       space. Gray: RMS of 255 levels over 12 pictures. Silhouette: covered area over \
+                       the original's. A star marks levels with more triangles than requested.";
 
 /// The table with its notes, as text.
 pub(in super::super) fn to_text(
@@ -69,7 +69,7 @@ fn cells(row: &LevelRow) -> Vec<String> {
     ]
 }
 
-/// Charts and the table.
+/// The page section with charts and the table.
 ///
 /// # Errors
 /// If a chart cannot be drawn.
@@ -94,10 +94,10 @@ pub(in super::super) fn section(report: &AssetsReport) -> Result<Section, Failur
     Ok(Section {
         title: "Levels next to other simplifiers".to_owned(),
         intro: format!(
-            "{READING} Distances are sampled at {SAMPLES} points of each surface; attributes at as many points of the original, \
-             each compared with the nearest triangle on the same side. Other tools get the smallest error limit with which they reach the \
-             target. The time of striata is that of its whole sequence, on one \
-             thread; gltfpack's includes the start of Node. {}",
+            "{READING} Distances are sampled at {SAMPLES} points on each surface, attributes at as many \
+             points on the original, each compared with the nearest triangle on the same side. Other \
+             tools get the smallest error limit with which they reach the target. The time of striata is \
+             that of its whole sequence, on one thread; gltfpack's includes the start of Node. {}",
             report.notes.join(" ")
         ),
         blocks,
@@ -105,7 +105,7 @@ pub(in super::super) fn section(report: &AssetsReport) -> Result<Section, Failur
 }
 
 fn chart(report: &AssetsReport, y_title: &'static str, value: fn(&LevelRow) -> Option<f64>) -> Chart {
-    // A logarithmic axis has no 0.
+    // A logarithmic axis cannot show 0.
     let point = |row: &LevelRow| value(row).map(|y| (row.triangle_count as f64, y.max(1e-5)));
     let mut series: Vec<Series> = Vec::new();
     for row in &report.levels {
@@ -153,11 +153,13 @@ pub(in super::super) fn summary_text(
     format!("All assets, levels that reach their target\n{}\n", text_of(summary_table(rows)))
 }
 
-/// The summary as a part of the page; nothing if there is nothing to summarize.
+/// The summary as a part of the page, or `None` if it is empty.
 pub(in super::super) fn summary_part(rows: &[Summary]) -> Option<MeshPart> {
     let section = Section {
         title: "striata next to the better variant of each tool".to_owned(),
-        intro: "Levels that reach their target, over all assets and shares. Ratios below 1 are in favor of striata.".to_owned(),
+        intro: "Levels that reach their target, over all assets and shares. Ratios below 1 are in favor of \
+                striata."
+            .to_owned(),
         blocks: vec![Block::WideTable(summary_table(rows))],
     };
     let part = MeshPart { name: "All assets".to_owned(), summary: String::new(), sections: vec![section] };

@@ -1,4 +1,4 @@
-//! Patterns on the page: what they take, and how long extraction does, as charts and tables.
+//! Page sections of patterns: charts and tables of their memory and extraction time.
 
 use super::super::bars::{BarChart, Bars};
 use super::super::page::{Block, Section};
@@ -10,36 +10,37 @@ use super::report::{PatternsReport, extraction_table, table};
 use super::sizes::SourceRow;
 use striata_command::failure::Failure;
 
-/// The same as charts and tables.
+/// The page sections of a patterns report.
 ///
 /// # Errors
-/// Where a chart cannot be drawn.
+/// If a chart cannot be drawn.
 pub(in super::super) fn sections(report: &PatternsReport) -> Result<Vec<Section>, Failure> {
     let [patterns, explicit] = KG98_BYTES_PER_VERTEX;
     let space = Section {
         title: "Patterns".to_owned(),
         intro: format!(
-            "{} Ours, the published form and the Multi-Triangulation are counted as they lie in memory, the base and the rules \
-             included; bytes a vertex without positions. The paper has {patterns} bytes a vertex beside {explicit} of the \
-             Multi-Triangulation.",
+            "{} Ours, the published form and the Multi-Triangulation are measured in memory, including \
+             the base and the rules; bytes per vertex without positions. The paper reports {patterns} \
+             bytes per vertex, and {explicit} for the Multi-Triangulation.",
             report.about(),
         ),
         blocks: vec![
-            Block::bars(&bits_chart(report), "Bits a fragment in each form")?,
-            Block::bars(&bytes_chart(report), "Bytes a vertex of each model")?,
+            Block::bars(&bits_chart(report), "Bits per fragment in each form")?,
+            Block::bars(&bytes_chart(report), "Bytes per vertex of each model")?,
             Block::WideTable(table(report)),
         ],
     };
     let time = Section {
         title: "Extraction of patterns".to_owned(),
         intro: format!(
-            "From a new instance of the base to the coarsest surface that leaves no fragment with a larger error out, and its \
-             triangles into a buffer: fragments of {}. Where time is linear in what is extracted, a line is flat. Of each, the \
-             quickest of several rounds in which models take turns; all extract the same triangles.",
+            "Time from a new base instance to the coarsest surface within an error limit, including \
+             writing its triangles into a buffer; fragments of {}. If time is linear in the triangles \
+             extracted, a line is flat. Times are the fastest of several rounds, in which the models \
+             take turns; all extract the same triangles.",
             report.extracted_from
         ),
         blocks: vec![
-            Block::chart(&time_chart(report), "Time a triangle by triangles extracted")?,
+            Block::chart(&time_chart(report), "Time per triangle by triangles extracted")?,
             Block::WideTable(extraction_table(report)),
         ],
     };
@@ -59,11 +60,11 @@ fn bar_chart(
     BarChart { title, kinds, bars: report.sources.iter().map(bars).collect() }
 }
 
-// What may be missing stands last, so that colors stay what they are.
+// Values that may be missing come last, so that the others keep their colors.
 
 fn bits_chart(report: &PatternsReport) -> BarChart {
     let kinds = vec!["ours", "paper's count", "as published", "in sequence"];
-    bar_chart(report, "bits a fragment", kinds, |row| {
+    bar_chart(report, "bits per fragment", kinds, |row| {
         vec![
             Some(row.bits_per_fragment),
             Some(row.paper_bits_per_fragment),
@@ -75,7 +76,7 @@ fn bits_chart(report: &PatternsReport) -> BarChart {
 
 fn bytes_chart(report: &PatternsReport) -> BarChart {
     let kinds = vec!["ours", "Multi-Triangulation", "as published"];
-    bar_chart(report, "bytes a vertex, positions not included", kinds, |row| {
+    bar_chart(report, "bytes per vertex, without positions", kinds, |row| {
         vec![
             Some(row.bytes_per_vertex),
             Some(row.multi_triangulation_bytes_per_vertex),
@@ -100,7 +101,7 @@ fn time_chart(report: &PatternsReport) -> Chart {
     let all = || series.iter().flat_map(|series| series.points.iter().copied());
     Chart {
         x_title: "triangles extracted",
-        y_title: "ns a triangle",
+        y_title: "ns per triangle",
         x: Scale::log(all().map(|point| point.0)),
         y: Scale::linear(all().map(|point| point.1).chain([0.0])),
         series,

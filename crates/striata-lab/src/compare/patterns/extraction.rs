@@ -1,7 +1,8 @@
-//! How long it takes to come from the base to the coarsest surface of no more than an error, by how large that is.
+//! Times the extraction of the coarsest surface within an error limit from the base, for several limits.
 //!
-//! The condition looks at errors of fragments alone, so what is timed is the model. Each time begins with a new instance of the base and
-//! ends when its triangles are in a buffer; models take turns, and of several rounds the quickest counts.
+//! The condition reads only the errors of fragments, so the measured time is that of the model. Timing
+//! starts with a new base instance and ends when its triangles are in a buffer. Models take turns, and the
+//! fastest of several rounds counts.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -9,48 +10,48 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::mesh::canonical_triangles;
 use striata::model::{Overlap, PatternInstance};
-use striata_lab::baseline::MtQuestion;
+use striata_lab::baseline::MtQuery;
 
 use super::or_dash::or_dash;
 use super::sizes::Models;
 use striata_command::failure::Failure;
 use striata_command::output::grouped;
 
-/// Triangles of the smallest level.
-const FEWEST: usize = 1000;
+/// Number of triangles of the smallest level.
+const MIN_TRIANGLES: usize = 1000;
 
-/// Rounds of which the quickest counts, where time allows.
+/// Maximum number of rounds; the fastest one counts.
 const ROUND_COUNT: usize = 7;
 
-/// Seconds after which no further round of a size begins.
+/// No further round of a size starts after this many seconds.
 const SIZE_SECS: f64 = 0.3;
 
-/// The models; the colors of charts follow this order, in which the one that may be missing is last.
+/// Names of the models; chart colors follow this order, in which the model that may be missing is last.
 pub(super) const NAMES: [&str; 3] = ["patterns", "multi-triangulation", "loop-patterns"];
 
-/// One size of what is extracted.
+/// Extraction times at one size.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct ExtractionRow {
-    /// That no fragment which is left out may exceed, mesh units; null where all are wanted.
+    /// Error limit for fragments that are not inserted, in mesh units; null for the full mesh.
     error: Option<f32>,
     pub(super) triangle_count: usize,
     fragment_count: usize,
-    /// Of those that can be built.
+    /// Times of the models that can be built.
     pub(super) models: Vec<ExtractionTime>,
 }
 
-/// How long one model took.
+/// Extraction time of one model.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct ExtractionTime {
-    /// Which.
+    /// Name of the model.
     pub(super) name: &'static str,
     secs: f64,
-    /// None where there is no triangle.
+    /// None if there are no triangles.
     pub(super) ns_per_triangle: Option<f64>,
 }
 
 impl ExtractionRow {
-    /// As a row of a table.
+    /// The cells of the table row.
     pub(super) fn cells(&self) -> Vec<String> {
         let error = self.error.map_or_else(|| "none".to_owned(), |error| format!("{error:.3e}"));
         let mut cells = vec![error, grouped(self.triangle_count), grouped(self.fragment_count)];
@@ -63,10 +64,10 @@ impl ExtractionRow {
     }
 }
 
-/// Extracts levels from about [`FEWEST`] triangles to all, each twice as large as the one before.
+/// Extracts levels from about [`MIN_TRIANGLES`] triangles to the full mesh, doubling each time.
 ///
 /// # Errors
-/// Where models show different things, which is our fault.
+/// If models extract different triangles, which would be a bug.
 pub(super) fn measure(models: &Models, show: &mut dyn FnMut(f64)) -> Result<Vec<ExtractionRow>, Failure> {
     let limits = limits(models);
     let mut rows: Vec<ExtractionRow> = Vec::new();
@@ -78,11 +79,11 @@ pub(super) fn measure(models: &Models, show: &mut dyn FnMut(f64)) -> Result<Vec<
     Ok(rows)
 }
 
-/// Errors that are allowed, falling; none at last, for the full mesh.
+/// The error limits in descending order, with `None` at the end for the full mesh.
 fn limits(models: &Models) -> Vec<Option<f32>> {
     let full = models.triangle_counts.last().copied().unwrap_or(0);
     let counts =
-        std::iter::successors(Some(FEWEST), |count| Some(2 * count)).take_while(|&count| count < full);
+        std::iter::successors(Some(MIN_TRIANGLES), |count| Some(2 * count)).take_while(|&count| count < full);
     let level = |count: usize| models.triangle_counts.partition_point(|&n| n <= count).saturating_sub(1);
     let of_level = |count| models.level_errors.get(level(count)).copied().map(Some);
     let mut limits: Vec<Option<f32>> = counts.filter_map(of_level).collect();
@@ -96,16 +97,16 @@ fn measure_one(models: &Models, limit: Option<f32>) -> Result<ExtractionRow, Fai
     let (mut best, mut expected) = ([f64::INFINITY; NAMES.len()], None);
     let began = Instant::now();
     for round in 0..ROUND_COUNT {
-        for (which, best) in best.iter_mut().enumerate() {
+        for (model_index, best) in best.iter_mut().enumerate() {
             buffer.clear();
             let started = Instant::now();
-            let Some(count) = extract(models, which, limit, &mut buffer) else { continue };
+            let Some(count) = extract(models, model_index, limit, &mut buffer) else { continue };
             black_box(&*buffer);
             *best = best.min(started.elapsed().as_secs_f64());
             if round == 0 {
                 let found = (count, canonical_triangles(&buffer));
                 if *expected.get_or_insert_with(|| found.clone()) != found {
-                    let what = format!("{} extracts other triangles than {}", NAMES[which], NAMES[0]);
+                    let what = format!("{} and {} extract different triangles", NAMES[model_index], NAMES[0]);
                     return Err(Failure::internal(what));
                 }
             }
@@ -125,13 +126,18 @@ fn measure_one(models: &Models, limit: Option<f32>) -> Result<ExtractionRow, Fai
     Ok(ExtractionRow { error: limit, triangle_count, fragment_count, models: timed.map(time).collect() })
 }
 
-/// Goes from the base to what the limit asks for and appends its triangles; how many fragments that took. None where the model
-/// could not be built.
-fn extract(models: &Models, which: usize, limit: Option<f32>, out: &mut Vec<[u32; 3]>) -> Option<usize> {
+/// Adapts from the base to the limit and appends the triangles. Returns the number of fragments inserted,
+/// or `None` if the model could not be built.
+fn extract(
+    models: &Models,
+    model_index: usize,
+    limit: Option<f32>,
+    out: &mut Vec<[u32; 3]>,
+) -> Option<usize> {
     let limit = limit.unwrap_or(-1.0);
     let errors = &models.errors;
     let by_overlap = |overlap: Overlap| errors[overlap.upper as usize] > limit;
-    match which {
+    match model_index {
         0 => {
             let mut instance = PatternInstance::base(&models.patterns);
             instance.adapt(&models.patterns, &by_overlap);
@@ -140,7 +146,7 @@ fn extract(models: &Models, which: usize, limit: Option<f32>, out: &mut Vec<[u32
         }
         1 => {
             let mut state = models.explicit.base_state();
-            models.explicit.adapt(&mut state, |question: MtQuestion| errors[question.upper as usize] > limit);
+            models.explicit.adapt(&mut state, |query: MtQuery| errors[query.upper as usize] > limit);
             out.extend_from_slice(state.triangles());
             Some(state.split_count())
         }

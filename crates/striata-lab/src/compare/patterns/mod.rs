@@ -1,8 +1,8 @@
-//! Patterns beside what they replace: fragments of several sources, what they take in each form, and how long it takes to
-//! extract a level by a condition on errors.
+//! Compares patterns with their alternatives: memory of fragments from several sources in each form, and
+//! the time to extract a level by a condition on errors.
 //!
-//! The paper, \[KG98\], takes any simplifier. So the same is measured of collapses in the order of quadrics and of vertices removed by
-//! Hausdorff distance, with holes filled in any way and as collapses would.
+//! The paper, \[KG98\], accepts any simplifier. Therefore fragments come from collapses in quadric order,
+//! and from vertices removed by Hausdorff distance, with holes filled freely or as collapses would.
 
 mod charts;
 mod extraction;
@@ -21,10 +21,10 @@ use self::source::Source;
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 
-/// Builds the fragments and all forms of them, and times the extraction.
+/// Builds the fragments in all forms, and times the extraction.
 ///
 /// # Errors
-/// Where the mesh does not hang together, or models show different things, which is our fault.
+/// If the mesh is inconsistent, or models extract different triangles, which would be a bug.
 pub(super) fn measure(
     mesh: &IndexedMesh,
     (refinable, sequence_secs): (&RefinableMesh, f64),
@@ -57,7 +57,7 @@ pub(super) fn measure(
     })
 }
 
-/// The tables for people, with what is to be known about them.
+/// The tables, with explanations of their columns.
 pub(super) fn to_text(report: &PatternsReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {
     format!(
         "Patterns. {}\n{}\nExtraction from the base by a condition on errors, fragments of {}\n{}",

@@ -1,6 +1,6 @@
-//! Numbers that may not be there.
+//! Formatting of optional numbers.
 
-/// A number, or that there is none.
+/// Formats a number, or a dash if there is none.
 pub(super) fn or_dash(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }

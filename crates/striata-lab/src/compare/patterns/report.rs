@@ -1,4 +1,4 @@
-//! What was measured of patterns, and its tables.
+//! Report of the comparison of patterns, and its tables.
 
 use serde::Serialize;
 
@@ -9,40 +9,41 @@ use super::source::Source;
 use crate::compare::papers::{KG98_FRAGMENT_BITS, KG98_OVERLAPS, KG98_SEQUENTIAL_BITS};
 use striata_command::output::{grouped, lasted};
 
-/// What was measured of one mesh.
+/// The report of one mesh.
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::compare) struct PatternsReport {
-    /// Of the welded mesh.
+    /// Number of triangles of the welded mesh.
     pub(super) triangle_count: usize,
     pub(super) vertex_count: usize,
     pub(super) sources: Vec<SourceRow>,
-    /// Which source the times are of.
+    /// The source whose extraction is timed.
     pub(super) extracted_from: &'static str,
     pub(super) extraction: Vec<ExtractionRow>,
 }
 
 impl PatternsReport {
-    /// What is measured, and what could not be built, in sentences.
+    /// Sentences describing the measurements and naming what could not be built.
     pub(super) fn about(&self) -> String {
         let mut text = String::from("Fragments of");
         for (i, source) in Source::ALL.into_iter().enumerate() {
-            let joint = if i == 0 { " " } else { "; " };
-            text.push_str(&format!("{joint}{}: {}", source.as_str(), source.about()));
+            let separator = if i == 0 { " " } else { "; " };
+            text.push_str(&format!("{separator}{}: {}", source.as_str(), source.about()));
         }
         text.push_str(&format!(
-            ". What [KG98] counts is 116 bits a fragment and 36 an overlap: {KG98_FRAGMENT_BITS} bits where there are \
-             {KG98_OVERLAPS} overlaps to a fragment; its form for transmission takes {KG98_SEQUENTIAL_BITS}.",
+            ". [KG98] counts 116 bits per fragment and 36 per overlap, which is {KG98_FRAGMENT_BITS} \
+             bits with {KG98_OVERLAPS} overlaps per fragment; its form for transmission takes \
+             {KG98_SEQUENTIAL_BITS}.",
         ));
         for row in &self.sources {
             if let Some(why) = row.refusal() {
-                text.push_str(&format!(" The published form cannot hold {}: {why}.", row.source));
+                text.push_str(&format!(" The published form cannot represent {}: {why}.", row.source));
             }
         }
         text
     }
 }
 
-/// Head and rows: what forms take.
+/// Header and rows: memory of the forms.
 pub(super) fn table(report: &PatternsReport) -> Vec<Vec<String>> {
     let head = [
         "fragments of",
@@ -54,7 +55,7 @@ pub(super) fn table(report: &PatternsReport) -> Vec<Vec<String>> {
         "ours",
         "as published",
         "in sequence",
-        "bytes a vertex",
+        "bytes per vertex",
         "with bounds",
         "as published",
         "Multi-Triangulation",
@@ -66,11 +67,11 @@ pub(super) fn table(report: &PatternsReport) -> Vec<Vec<String>> {
     table
 }
 
-/// Head and rows: what extraction takes.
+/// Header and rows: extraction times.
 pub(super) fn extraction_table(report: &PatternsReport) -> Vec<Vec<String>> {
     let mut head = vec!["error".to_owned(), "triangles".to_owned(), "fragments".to_owned()];
     for name in extraction::NAMES {
-        head.extend([format!("{name}, ms"), "ns a triangle".to_owned()]);
+        head.extend([format!("{name}, ms"), "ns per triangle".to_owned()]);
     }
     let mut table = vec![head];
     table.extend(report.extraction.iter().map(ExtractionRow::cells));

@@ -1,4 +1,4 @@
-//! What fragments take in each form.
+//! Memory of fragments in each form.
 
 use std::time::Instant;
 
@@ -13,32 +13,32 @@ use striata_command::failure::Failure;
 
 /// All forms of the same fragments.
 pub(super) struct Models {
-    /// Ours.
+    /// Our patterns.
     pub(super) patterns: Patterns,
     build_secs: f64,
-    /// Bytes of the bounds that views ask for.
+    /// Bytes of the bounds that view-dependent refinement needs.
     bounds_bytes: usize,
-    /// As published, or why not.
+    /// The published form, or why it cannot be built.
     pub(super) loops: Result<LoopPatterns, String>,
     loop_build_secs: f64,
     sequential: Option<SequentialPatterns>,
     /// The explicit model.
     pub(super) explicit: MultiTriangulation,
     explicit_build_secs: f64,
-    /// The error of each fragment's floor.
+    /// Error of each fragment's floor.
     pub(super) errors: Vec<f32>,
-    /// The largest error of what each level leaves out.
+    /// For each level, the largest error of the fragments it omits.
     pub(super) level_errors: Vec<f32>,
-    /// Triangles of each level.
+    /// Number of triangles of each level.
     pub(super) triangle_counts: Vec<usize>,
     vertex_count: usize,
 }
 
 impl Models {
-    /// Builds all that can be built.
+    /// Builds all forms that can be built.
     ///
     /// # Errors
-    /// Where the fragments are too many to be numbered.
+    /// If there are too many fragments to index.
     pub(super) fn build(mesh: &FragmentedMesh) -> Result<Self, Failure> {
         let (patterns, build_secs) = timed(|| Patterns::build_without_bounds(mesh));
         let patterns = patterns?;
@@ -70,53 +70,53 @@ fn timed<T>(build: impl FnOnce() -> T) -> (T, f64) {
     (built, started.elapsed().as_secs_f64())
 }
 
-/// Fragments of one source, and what they take. Bytes are those of what is built once, without positions; bits a fragment those of the
-/// same, the base and the tables of rules counted.
+/// The fragments of one source and their memory. Bytes are those of the static data without positions;
+/// bits per fragment include the base and the tables of rules.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct SourceRow {
-    /// Where they come from.
+    /// Name of the source.
     pub(super) source: &'static str,
-    /// How many there are.
+    /// Number of fragments.
     pub(super) fragment_count: usize,
-    /// Seconds that making them took.
+    /// Seconds to build the fragments.
     pub(super) fragments_secs: f64,
-    /// Kinds of fragments.
+    /// Number of kinds of fragments.
     pub(super) rule_count: usize,
-    /// Kinds of fragments, as the published form tells them apart; null where it cannot hold them.
+    /// Number of kinds of fragments in the published form; null if it cannot represent them.
     loop_rule_count: Option<usize>,
-    /// Pairs of fragments that overlap.
+    /// Number of pairs of overlapping fragments.
     overlap_count: usize,
     pub(super) overlaps_per_fragment: f64,
-    /// As the paper counts, with as many overlaps as there are.
+    /// Bits as the paper counts, with the actual number of overlaps.
     pub(super) paper_bits_per_fragment: f64,
     pub(super) bits_per_fragment: f64,
-    /// As published; null where that cannot hold them.
+    /// In the published form; null if it cannot represent them.
     pub(super) loop_bits_per_fragment: Option<f64>,
-    /// In the form for transmission, fragments alone; null where that cannot hold them.
+    /// In the form for transmission, fragments only; null if it cannot represent them.
     pub(super) sequential_bits_per_fragment: Option<f64>,
-    /// The same with the base and the rules.
+    /// Size of the form for transmission, including the base and the rules.
     sequential_bytes: Option<usize>,
     bytes: usize,
     pub(super) bytes_per_vertex: f64,
-    /// With the bounds that views ask for.
+    /// Including the bounds that view-dependent refinement needs.
     pub(super) bytes_per_vertex_with_bounds: f64,
     loop_bytes: Option<usize>,
     pub(super) loop_bytes_per_vertex: Option<f64>,
     multi_triangulation_bytes: usize,
     pub(super) multi_triangulation_bytes_per_vertex: f64,
-    /// As its paper counts.
+    /// Bytes as its paper counts.
     pub(super) multi_triangulation_paper_bytes_per_vertex: f64,
-    /// How many times ours the explicit model takes.
+    /// Ratio of the explicit model's memory to ours.
     pub(super) multi_triangulation_ratio: f64,
     build_secs: f64,
     loop_build_secs: Option<f64>,
     multi_triangulation_build_secs: f64,
-    /// Why the published form cannot hold them; null where it can.
+    /// Why the published form cannot represent the fragments; null if it can.
     cannot_be_published: Option<String>,
 }
 
 impl SourceRow {
-    /// What models of a source take.
+    /// Computes the sizes of a source's models.
     pub(super) fn new(source: Source, models: &Models, fragments_secs: f64) -> Self {
         let Models { patterns, explicit, vertex_count, .. } = models;
         let fragment_count = patterns.fragment_count();
@@ -155,7 +155,7 @@ impl SourceRow {
         }
     }
 
-    /// Why the published form cannot hold them.
+    /// Why the published form cannot represent the fragments.
     pub(super) fn refusal(&self) -> Option<&str> {
         self.cannot_be_published.as_deref()
     }

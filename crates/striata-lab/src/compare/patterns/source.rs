@@ -1,4 +1,4 @@
-//! Where fragments come from.
+//! Sources of fragments.
 
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh};
 use striata::simplify::{RemovalOptions, Retriangulation, build_fragments_with_progress};
@@ -6,19 +6,19 @@ use striata::simplify::{RemovalOptions, Retriangulation, build_fragments_with_pr
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 
-/// Where fragments come from.
+/// A source of fragments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Source {
-    /// Half-edge collapses in the order of quadrics.
+    /// Half-edge collapses in quadric order.
     Quadric,
-    /// Removed vertices, holes filled in any way.
+    /// Removed vertices, with holes filled freely.
     Removal,
-    /// Removed vertices, holes filled as collapses do.
+    /// Removed vertices, with holes filled as by collapses.
     RemovalCollapse,
 }
 
 impl Source {
-    /// All; times are those of the paper's, in the middle.
+    /// All sources; extraction is timed for the one in the middle, which is the paper's.
     pub(super) const ALL: [Self; 3] = [Self::Quadric, Self::Removal, Self::RemovalCollapse];
 
     pub(super) const fn as_str(self) -> &'static str {
@@ -31,16 +31,19 @@ impl Source {
 
     pub(super) const fn about(self) -> &'static str {
         match self {
-            Self::Quadric => "half-edge collapses in the order of quadrics",
+            Self::Quadric => "half-edge collapses in quadric order",
             Self::Removal => {
-                "vertices removed by summed squared distances, gaps and the largest distance, holes filled in any way"
+                "vertices removed by summed squared distances, gaps and the largest distance, \
+                 holes filled freely"
             }
-            Self::RemovalCollapse => "the same, holes filled as half-edge collapses do",
+            Self::RemovalCollapse => "same removal, holes filled as by half-edge collapses",
         }
     }
 
+    /// Builds the fragments.
+    ///
     /// # Errors
-    /// Where the mesh does not hang together.
+    /// If the mesh is inconsistent.
     pub(super) fn fragments(
         self,
         mesh: &IndexedMesh,

@@ -1,4 +1,4 @@
-//! Meshes as coders keep them, and how long coding takes.
+//! Encoded meshes and their coding times.
 
 use std::time::Instant;
 
@@ -8,40 +8,40 @@ use striata_stream::Effort;
 use striata_command::failure::Failure;
 use striata_command::stream::effort_name;
 
-/// How often decoding is repeated at most; the quickest counts.
+/// Maximum number of decoding runs; the fastest one counts.
 pub(super) const RUNS: usize = 5;
-/// Seconds after which it is not repeated any more.
+/// Decoding is not repeated after this many seconds.
 pub(super) const RUN_SECS: f64 = 2.0;
 
-/// A mesh as some coder keeps it.
+/// The result of encoding and decoding a mesh.
 pub(super) struct Coded {
     pub(super) bytes: usize,
-    /// Decoded again.
+    /// The decoded mesh.
     pub(super) mesh: IndexedMesh,
     pub(super) encode_secs: f64,
     pub(super) decode_secs: f64,
 }
 
-/// A coder of single meshes: positions on a grid of a number of bits.
+/// A coder of single meshes, with positions on a grid of the given number of bits.
 pub(super) type Coder<'c> = Box<dyn Fn(&IndexedMesh, u32) -> Result<Coded, Failure> + 'c>;
 
-/// What a stream is called.
+/// Name of a stream in the report.
 pub(super) fn stream_name(effort: Effort) -> String {
     format!("striata {}", effort_name(effort))
 }
 
-/// The quickest of some runs, each of which gives its seconds.
+/// The fastest of several runs, each of which returns its seconds.
 ///
 /// # Errors
-/// Where one of them fails.
-pub(super) fn quickest(mut run: impl FnMut() -> Result<f64, Failure>) -> Result<f64, Failure> {
+/// If a run fails.
+pub(super) fn fastest(mut run: impl FnMut() -> Result<f64, Failure>) -> Result<f64, Failure> {
     let started = Instant::now();
-    let mut least = run()?;
+    let mut best = run()?;
     for _ in 1..RUNS {
         if started.elapsed().as_secs_f64() > RUN_SECS {
             break;
         }
-        least = least.min(run()?);
+        best = best.min(run()?);
     }
-    Ok(least)
+    Ok(best)
 }

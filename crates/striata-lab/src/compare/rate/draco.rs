@@ -1,4 +1,4 @@
-//! Draco, by its command line tools, where they are on the PATH.
+//! Draco, through its command-line tools if they are on the PATH.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,25 +6,25 @@ use std::process::Command;
 use striata::mesh::IndexedMesh;
 use tempfile::TempDir;
 
-use super::coded::{Coded, quickest};
+use super::coded::{Coded, fastest};
 use striata_command::failure::Failure;
 
-/// What its files are called.
+/// Name of its files in the report.
 pub(super) const NAME: &str = "Draco -cl 10";
 
-/// The tools, with a folder for what they read and write.
+/// The tools, with a folder for their files.
 pub(super) struct Draco {
     folder: TempDir,
 }
 
 impl Draco {
-    /// None where the tools are not there.
+    /// Finds the tools; returns `None` if they are not installed.
     ///
     /// # Errors
-    /// Where there is no place for a folder.
+    /// If no temporary folder can be created.
     pub(super) fn find() -> Result<Option<Self>, Failure> {
-        let is_there = |tool| Command::new(tool).arg("-h").output().is_ok();
-        if !is_there("draco_encoder") || !is_there("draco_decoder") {
+        let is_installed = |tool| Command::new(tool).arg("-h").output().is_ok();
+        if !is_installed("draco_encoder") || !is_installed("draco_decoder") {
             return Ok(None);
         }
         let folder = TempDir::new();
@@ -32,17 +32,18 @@ impl Draco {
         Ok(Some(Self { folder }))
     }
 
-    /// Codes positions and triangles, the smallest that it can; times are those that it tells, in whole milliseconds.
+    /// Encodes positions and triangles at the highest compression. Times are those the tools report, in
+    /// whole milliseconds.
     ///
     /// # Errors
-    /// Where a tool fails.
+    /// If a tool fails.
     pub(super) fn code(&self, mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
         let [plain, packed, back] =
             ["in.ply", "out.drc", "back.ply"].map(|name| self.folder.path().join(name));
         striata_io::write(&plain, mesh, &striata_io::WriteOptions::default())?;
         let bits = bits.to_string();
         let encode_secs = run("draco_encoder", (&plain, &packed), &["-cl", "10", "-qp", &bits])?;
-        let decode_secs = quickest(|| run("draco_decoder", (&packed, &back), &[]))?;
+        let decode_secs = fastest(|| run("draco_decoder", (&packed, &back), &[]))?;
         let bytes =
             std::fs::metadata(&packed).map_err(|error| failed("draco_encoder", &error.to_string()))?;
         let mesh = striata_io::read(&back)?;
@@ -50,7 +51,7 @@ impl Draco {
     }
 }
 
-/// Runs a tool; gives the seconds that it says it took, files left out.
+/// Runs a tool and returns the seconds it reports, which exclude file access.
 fn run(tool: &str, (from, to): (&Path, &Path), flags: &[&str]) -> Result<f64, Failure> {
     let output = Command::new(tool).arg("-i").arg(from).arg("-o").arg(to).args(flags).output();
     let output = output.map_err(|error| failed(tool, &error.to_string()))?;
@@ -58,14 +59,14 @@ fn run(tool: &str, (from, to): (&Path, &Path), flags: &[&str]) -> Result<f64, Fa
     if !output.status.success() {
         return Err(failed(tool, text.trim()));
     }
-    told_secs(&text).ok_or_else(|| failed(tool, "it does not say how long it took"))
+    parse_secs(&text).ok_or_else(|| failed(tool, "its output contains no time"))
 }
 
-/// The time in `(12 ms to decode)`.
-fn told_secs(text: &str) -> Option<f64> {
+/// Parses the time in `(12 ms to decode)`.
+fn parse_secs(text: &str) -> Option<f64> {
     let (before, _) = text.split_once(" ms to ")?;
-    let (_, number) = before.rsplit_once('(')?;
-    Some(number.parse::<f64>().ok()? / 1e3)
+    let (_, millis) = before.rsplit_once('(')?;
+    Some(millis.parse::<f64>().ok()? / 1e3)
 }
 
 fn failed(tool: &str, why: &str) -> Failure {
@@ -77,11 +78,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_read_off_what_the_tools_say() {
+    fn times_are_parsed_from_the_output() {
         let text =
             "Encoder options:\n  Level = 10 (best)\n\nEncoded mesh saved to a.drc (38 ms to encode).\n";
-        assert_eq!(told_secs(text), Some(0.038));
-        assert_eq!(told_secs("Decoded geometry saved to a (b).ply (0 ms to decode)\n"), Some(0.0));
-        assert_eq!(told_secs("nothing"), None);
+        assert_eq!(parse_secs(text), Some(0.038));
+        assert_eq!(parse_secs("Decoded geometry saved to a (b).ply (0 ms to decode)\n"), Some(0.0));
+        assert_eq!(parse_secs("nothing"), None);
     }
 }

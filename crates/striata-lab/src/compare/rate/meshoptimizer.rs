@@ -1,32 +1,32 @@
-//! The codecs of meshoptimizer, with zstd behind them, as its author recommends.
+//! The codecs of meshoptimizer followed by zstd, as its author recommends.
 
 use std::time::Instant;
 
 use striata::mesh::{Bounds, IndexedMesh};
 
-use super::coded::{Coded, quickest};
+use super::coded::{Coded, fastest};
 use striata_command::failure::Failure;
 
-/// What its files are called.
+/// Name of its files in the report.
 pub(super) const NAME: &str = "meshoptimizer + zstd";
 
 const ZSTD_LEVEL: i32 = 19;
 
-/// Positions as integers; vertices of its codecs are multiples of four bytes.
+/// A position as integers; the codecs require vertices of a multiple of four bytes.
 type Vertex = [u16; 4];
 
-/// Codes positions and triangles, in the order in which the codecs do best.
+/// Encodes positions and triangles, in the order that suits the codecs best.
 ///
 /// # Errors
-/// Where a codec fails.
+/// If a codec fails.
 pub(super) fn code(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
     let started = Instant::now();
     let bounds = mesh.bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
     let extent = (0..3).map(|i| f64::from(bounds.max[i]) - f64::from(bounds.min[i])).fold(0.0, f64::max);
     let step = (extent / f64::from((1u32 << bits) - 1)).max(f64::MIN_POSITIVE);
     let quantized = |p: &[f32; 3]| {
-        let place = |i: usize| ((f64::from(p[i]) - f64::from(bounds.min[i])) / step).round() as u16;
-        [place(0), place(1), place(2), 0]
+        let coordinate = |i: usize| ((f64::from(p[i]) - f64::from(bounds.min[i])) / step).round() as u16;
+        [coordinate(0), coordinate(1), coordinate(2), 0]
     };
     let vertices: Vec<Vertex> = mesh.positions.iter().map(quantized).collect();
     let indices = meshopt::optimize_vertex_cache(mesh.triangles.as_flattened(), vertices.len());
@@ -48,15 +48,15 @@ pub(super) fn code(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
         let corners = meshopt::decode_index_buffer(&unpacked(&corners)?, indices.len()).map_err(failed)?;
         Ok((points, corners))
     };
-    let decode_secs = quickest(|| {
+    let decode_secs = fastest(|| {
         let started = Instant::now();
         decode().map(|_| started.elapsed().as_secs_f64())
     })?;
     let (vertices, indices) = decode()?;
-    let place =
+    let position =
         |v: &Vertex| std::array::from_fn(|i| (f64::from(bounds.min[i]) + f64::from(v[i]) * step) as f32);
     let mesh = IndexedMesh {
-        positions: vertices.iter().map(place).collect(),
+        positions: vertices.iter().map(position).collect(),
         triangles: indices.as_chunks().0.to_vec(),
         ..IndexedMesh::default()
     };

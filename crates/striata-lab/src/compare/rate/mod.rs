@@ -1,14 +1,15 @@
-//! How near to the mesh one comes after so many bytes: our streams, levels sent one after another, and the files of others.
+//! Distance to the mesh after a number of bytes: our streams, levels sent one after another, and the files
+//! of other coders.
 //!
-//! Positions only, on the same grid for all: that of the longest side of the bounds in 2^bits - 1 steps. Distances are sampled, to the
-//! mesh and back, and are shares of its diagonal.
+//! Positions only, on the same grid for all: 2^bits - 1 steps along the longest side of the bounds.
+//! Distances are sampled in both directions and reported as shares of the diagonal.
 
 mod coded;
 mod discrete;
+mod distance_meter;
 mod draco;
 #[cfg(feature = "peers")]
 mod meshoptimizer;
-mod ruler;
 mod streams;
 
 use serde::Serialize;
@@ -16,8 +17,8 @@ use striata::mesh::IndexedMesh;
 use striata_stream::Effort;
 
 use self::coded::{Coded, Coder, RUNS, stream_name};
+use self::distance_meter::{DistanceMeter, RateRow};
 use self::draco::Draco;
-use self::ruler::{RateRow, Ruler};
 use self::streams::Streams;
 use super::page::{Block, Section};
 use super::plot::{Chart, Series};
@@ -27,27 +28,27 @@ use striata_command::failure::Failure;
 use striata_command::output::{Bar, grouped, lasted};
 use striata_command::stream::effort_name;
 
-/// Bits of a coordinate at which single files are compared.
+/// Bits per coordinate at which single files are compared.
 const FILE_BITS: [u32; 5] = [8, 10, 12, 14, 16];
-/// Those at which sizes are.
+/// Bits per coordinate at which sizes are compared.
 const SIZE_BITS: [u32; 2] = [12, 14];
-/// What was measured.
+/// Sizes, and distances after a number of bytes, of one mesh.
 #[derive(Serialize)]
 pub(super) struct RateReport {
-    /// Bits of a coordinate in streams and levels.
+    /// Bits per coordinate in streams and levels.
     rate_bits: u32,
     rate: Vec<RateRow>,
     sizes: Vec<SizeRow>,
 }
 
-/// A whole file.
+/// Size and times of a whole file.
 #[derive(Clone, Debug, Serialize)]
 struct SizeRow {
     name: String,
     bits: u32,
     bytes: usize,
     bits_per_vertex: f64,
-    /// Where Draco is there.
+    /// Present if Draco is installed.
     #[serde(skip_serializing_if = "Option::is_none")]
     ratio_to_draco: Option<f64>,
     encode_secs: f64,
@@ -55,24 +56,24 @@ struct SizeRow {
     triangles_per_sec: f64,
 }
 
-/// Measures all ways on one mesh.
+/// Measures all coders on one mesh.
 ///
 /// # Errors
-/// Where the mesh does not hang together, or a coder fails.
+/// If the mesh is inconsistent or a coder fails.
 pub(super) fn measure(
     mesh: &IndexedMesh,
     args: &RateArgs,
     bar: &mut Bar,
     say: &dyn Fn(&str),
 ) -> Result<RateReport, Failure> {
-    let bare = IndexedMesh {
+    let positions_only = IndexedMesh {
         positions: mesh.positions.clone(),
         triangles: mesh.triangles.clone(),
         ..IndexedMesh::default()
     };
     say("collapses in batches");
-    let streams = Streams::build(&bare, bar)?;
-    let ruler = Ruler { reference: streams.mesh() };
+    let streams = Streams::build(&positions_only, bar)?;
+    let meter = DistanceMeter { reference: streams.mesh() };
     let draco = Draco::find()?;
     if draco.is_none() {
         say("draco_encoder and draco_decoder are not on the PATH: left out");
@@ -88,7 +89,7 @@ pub(super) fn measure(
     for effort in args.efforts() {
         say(&format!("streams, {} effort", effort_name(effort)));
         if !args.sizes_only {
-            rate.extend(streams.prefixes(args.bits, effort, &ruler)?);
+            rate.extend(streams.prefixes(args.bits, effort, &meter)?);
         }
         for bits in SIZE_BITS {
             let coded = streams.code(bits, effort)?;
@@ -100,7 +101,7 @@ pub(super) fn measure(
         for bits in FILE_BITS.into_iter().filter(|bits| !args.sizes_only || SIZE_BITS.contains(bits)) {
             let coded = code(streams.mesh(), bits)?;
             if !args.sizes_only {
-                rate.extend(ruler.row(name, coded.bytes, &coded.mesh));
+                rate.extend(meter.row(name, coded.bytes, &coded.mesh));
             }
             if SIZE_BITS.contains(&bits) {
                 sizes.push(SizeRow::new(name.clone(), bits, &coded));
@@ -108,18 +109,18 @@ pub(super) fn measure(
         }
     }
     if args.sizes_only {
-        relate(&mut sizes);
+        compute_ratios(&mut sizes);
         return Ok(RateReport { rate_bits: args.bits, rate, sizes });
     }
     say("levels one after another");
     peers.push((stream_name(Effort::Default), Box::new(streams::code_level)));
-    rate.extend(discrete::measure(&bare, args.bits, &peers, (&ruler, bar))?);
-    relate(&mut sizes);
+    rate.extend(discrete::measure(&positions_only, args.bits, &peers, (&meter, bar))?);
+    compute_ratios(&mut sizes);
     Ok(RateReport { rate_bits: args.bits, rate, sizes })
 }
 
-/// Divides sizes by those of Draco.
-fn relate(sizes: &mut [SizeRow]) {
+/// Computes the ratios of sizes to those of Draco.
+fn compute_ratios(sizes: &mut [SizeRow]) {
     let theirs: Vec<(u32, usize)> =
         sizes.iter().filter(|row| row.name == draco::NAME).map(|row| (row.bits, row.bytes)).collect();
     for row in sizes {
@@ -149,7 +150,8 @@ pub(super) fn to_text(report: &RateReport, text_of: impl Fn(Vec<Vec<String>>) ->
         return format!("Whole files, positions only\n{}", text_of(size_table(report)));
     }
     format!(
-        "Whole files, positions only\n{}\nDistance after so many bytes, {} bits a coordinate where nothing else is said\n{}",
+        "Whole files, positions only\n{}\n\
+         Distance after a number of bytes, {} bits per coordinate unless noted\n{}",
         text_of(size_table(report)),
         report.rate_bits,
         text_of(rate_table(report))
@@ -158,7 +160,7 @@ pub(super) fn to_text(report: &RateReport, text_of: impl Fn(Vec<Vec<String>>) ->
 
 fn size_table(report: &RateReport) -> Vec<Vec<String>> {
     let head =
-        ["file", "bits", "bytes", "bits a vertex", "to Draco", "encoding", "decoding", "M triangles/s"];
+        ["file", "bits", "bytes", "bits per vertex", "to Draco", "encoding", "decoding", "M triangles/s"];
     let rows = report.sizes.iter().map(|row| {
         vec![
             row.name.clone(),
@@ -188,26 +190,29 @@ fn with_head(head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Vec<Vec<
     std::iter::once(head).chain(rows).collect()
 }
 
-/// The same as charts and tables.
+/// The page section with charts and tables.
 ///
 /// # Errors
-/// Where a chart cannot be drawn.
+/// If a chart cannot be drawn.
 pub(super) fn section(report: &RateReport) -> Result<Section, Failure> {
     if report.rate.is_empty() {
         return Ok(Section {
             title: "Sizes of whole files".to_owned(),
-            intro: format!("Positions only. Decoding is the quickest of up to {RUNS} runs on one core."),
+            intro: format!(
+                "Positions only. Decoding times are the fastest of up to {RUNS} runs on one core."
+            ),
             blocks: vec![Block::WideTable(size_table(report))],
         });
     }
     Ok(Section {
-        title: "Distance after so many bytes".to_owned(),
+        title: "Distance after a number of bytes".to_owned(),
         intro: format!(
-            "What can be shown of the mesh once so many bytes are there, positions only, as shares of the diagonal, sampled both ways. \
-             Streams and levels have {} bits a coordinate; levels halve their triangles, are coded by themselves and \
-             come from coarse to fine. Files of others are there when their last byte is: a point for each of {} bits a \
-             coordinate. Decoding is the quickest of up to {RUNS} runs on one core; encoding \
-             streams has their simplification in it.",
+            "Distance between the mesh and what can be shown after a number of bytes, positions only, as \
+             a share of the diagonal, sampled in both directions. Streams and levels have {} bits per \
+             coordinate; levels halve their triangles, are coded separately and arrive from coarse to \
+             fine. Files of other coders are usable after their last byte: a point for each of {} bits \
+             per coordinate. Decoding times are the fastest of up to {RUNS} runs on one core; encoding \
+             times of streams include simplification.",
             report.rate_bits,
             FILE_BITS.map(|bits| bits.to_string()).join(", ")
         ),
@@ -224,7 +229,7 @@ pub(super) fn section(report: &RateReport) -> Result<Section, Failure> {
 }
 
 fn chart(report: &RateReport, y_title: &'static str, distance: fn(&RateRow) -> f64) -> Chart {
-    // What is exact has no place on a scale of logarithms.
+    // Exact results have no place on a logarithmic scale, so small distances are clamped.
     let point = |row: &RateRow| (row.bytes as f64, distance(row).max(1e-5));
     let mut series: Vec<Series> = Vec::new();
     for row in &report.rate {

@@ -1,4 +1,4 @@
-//! Our streams: whole, and their prefixes.
+//! Our streams: whole, and as prefixes.
 
 use std::time::Instant;
 
@@ -9,28 +9,30 @@ use striata_stream::{
     Effort, Precision, SHAPE_STEPS, StreamError, StreamFacts, StreamOptions, encode_stream,
 };
 
-use super::coded::{Coded, quickest, stream_name};
-use super::ruler::{RateRow, Ruler};
+use super::coded::{Coded, fastest, stream_name};
+use super::distance_meter::{DistanceMeter, RateRow};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 use striata_command::stream::Received;
 
-/// Prefixes of a stream that are looked at.
+/// Number of prefixes measured per stream.
 const PREFIXES: i32 = 12;
 
-/// A mesh whose collapses come in batches.
+/// A mesh with batched collapses, ready to be streamed.
 pub(super) struct Streams {
     refinable: RefinableMesh,
     batches: Vec<u32>,
     simplify_secs: f64,
 }
 
-/// Bits of the streams that batches are made for; others are coded from the same batches.
+/// Bits for which the batches are built; streams of other precisions reuse them.
 const BATCH_BITS: u32 = 12;
 
 impl Streams {
+    /// Simplifies a mesh in batches.
+    ///
     /// # Errors
-    /// Where the mesh does not hang together.
+    /// If the mesh is inconsistent.
     pub(super) fn build(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Self, Failure> {
         Self::with_progress(mesh, &mut |progress| bar.show(progress))
     }
@@ -40,12 +42,12 @@ impl Streams {
         let options = StreamOptions::default().with_precision(Precision::Bits(BATCH_BITS));
         let step = options.grid_step(mesh).map_err(StreamError::Grid)?;
         let options = BatchOptions::default().with_shape_step(Some(SHAPE_STEPS * step));
-        let made = build_batches_with_progress(mesh, &options, progress)?;
+        let batched = build_batches_with_progress(mesh, &options, progress)?;
         let simplify_secs = started.elapsed().as_secs_f64();
-        Ok(Self { refinable: made.built.refinable, batches: made.batches, simplify_secs })
+        Ok(Self { refinable: batched.built.refinable, batches: batched.batches, simplify_secs })
     }
 
-    /// The mesh, welded, in the order of the collapses.
+    /// The welded mesh, in collapse order.
     pub(super) fn mesh(&self) -> &IndexedMesh {
         &self.refinable.mesh
     }
@@ -55,28 +57,28 @@ impl Streams {
         Ok(encode_stream(&self.refinable, &self.batches, &options)?.bytes)
     }
 
-    /// A whole stream; simplification is in the time of encoding.
+    /// Encodes and decodes a whole stream; encoding time includes simplification.
     ///
     /// # Errors
-    /// Where it cannot be coded, or not decoded.
+    /// If encoding or decoding fails.
     pub(super) fn code(&self, bits: u32, effort: Effort) -> Result<Coded, Failure> {
         let started = Instant::now();
         let bytes = self.encode(bits, effort)?;
         let encode_secs = self.simplify_secs + started.elapsed().as_secs_f64();
-        let decode_secs = quickest(|| Ok(Received::read_all(&bytes)?.decode_secs))?;
+        let decode_secs = fastest(|| Ok(Received::read_all(&bytes)?.decode_secs))?;
         let mesh = Received::read_all(&bytes)?.refinable()?.mesh;
         Ok(Coded { bytes: bytes.len(), mesh, encode_secs, decode_secs })
     }
 
-    /// What prefixes show, from the base mesh to the whole stream in even ratios.
+    /// Measures prefixes, from the base mesh to the whole stream in geometric progression.
     ///
     /// # Errors
-    /// Where it cannot be coded, or not decoded.
+    /// If encoding or decoding fails.
     pub(super) fn prefixes(
         &self,
         bits: u32,
         effort: Effort,
-        ruler: &Ruler<'_>,
+        meter: &DistanceMeter<'_>,
     ) -> Result<Vec<RateRow>, Failure> {
         let bytes = self.encode(bits, effort)?;
         let name = stream_name(effort);
@@ -87,16 +89,16 @@ impl Streams {
             let length = base * ratio.powf(f64::from(i) / f64::from(PREFIXES - 1));
             let length = (length.round() as usize).clamp(base as usize, bytes.len());
             let shown = Received::read_all(&bytes[..length])?.refinable()?.mesh;
-            rows.extend(ruler.row(&name, length, &shown));
+            rows.extend(meter.row(&name, length, &shown));
         }
         Ok(rows)
     }
 }
 
-/// A level as a stream of its own, at the default effort.
+/// Encodes a level as a separate stream, at the default effort.
 ///
 /// # Errors
-/// Where it cannot be coded, or not decoded.
+/// If encoding or decoding fails.
 pub(super) fn code_level(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
     Streams::with_progress(mesh, &mut striata::ignore_progress)?.code(bits, Effort::Default)
 }

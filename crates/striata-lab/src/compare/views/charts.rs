@@ -1,34 +1,35 @@
-//! Views on the page: charts of paths, of memory, and of what time depends on.
+//! Charts of views: times along the paths, memory, and what the time of a frame depends on.
 
 use super::super::bars;
 use super::super::page::{Block, MeshPart, Section};
 use super::super::plot::{Chart, Series};
 use super::super::scale::Scale;
-use super::course::Run;
 use super::figures::Figures;
 use super::followers::{NAMES, UNIFORM};
 use super::report::{PathReport, READING, ViewsReport};
+use super::scenario::Run;
 use super::{costs, memory};
 use striata_command::failure::Failure;
 use striata_command::output::grouped;
 
-/// Points that many frames are put together to.
+/// Number of points into which many frames are averaged.
 const BIN_COUNT: usize = 16;
 
-/// All that is shown of a mesh.
+/// The chart sections of one mesh.
 ///
 /// # Errors
-/// Where a chart cannot be drawn.
+/// If a chart cannot be drawn.
 pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, Failure> {
     let mut sections = vec![Section {
         title: "Views".to_owned(),
         intro: format!(
-            "What follows an eye along recorded paths, on a screen of {screen} x {screen} pixels, 60 degrees wide. Fans are \
-             asked again only where the view may have changed its mind; kept fans keep their triangles from frame to frame \
-             besides, so that emission writes what changes and copies the rest; stateless fans begin at the base in every frame and \
-             own nothing but their bits; VDPM are view-dependent progressive meshes [Hop97]; uniform is a level that is the \
-             same everywhere, as fine as the nearest point in the picture asks for, which is found beforehand. {READING} Of \
-             each frame the quickest of several rounds counts, in which models take turns.{}",
+            "Models that follow a camera along recorded paths, {screen} x {screen} pixels, 60 degrees \
+             wide. Fans are evaluated again only if their verdict may have changed; fans-kept also keep \
+             their triangles from frame to frame, so that emission writes what changes and copies the \
+             rest; fans-stateless begin at the base in every frame and store only one bit per step; VDPM \
+             are view-dependent progressive meshes [Hop97]; uniform is one level for the whole mesh, as \
+             fine as the nearest visible point requires, which is determined beforehand. {READING} For \
+             each frame the fastest of several rounds counts, in which the models take turns.{}",
             report.missing(),
             screen = grouped(report.screen_px as usize),
         ),
@@ -42,13 +43,14 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
     let bars: &bars::BarChart = &memory::chart(&report.memory);
     sections.push(Section {
         title: "Memory of views".to_owned(),
-        intro: "Bytes a vertex of the full mesh. What is built once is shared by all instances; each instance owns the rest, \
-                here the most on the orbit at 1 pixel. Fans own a bit a step; one that follows a view at the cost of what \
-                changes owns a front besides, and its triangles where it keeps them. What papers count: their structures, 4 bytes a number; 83 bytes a vertex and \
-                112 an active vertex of VDPM are what [Cor01] says (figure 5 and section 4.1)."
+        intro: "Bytes per vertex of the full mesh. Static data is shared by all instances; each instance \
+                owns the rest, measured at its maximum on the orbit at 1 pixel. A fan instance owns a \
+                bit per step; one that follows a view incrementally also owns a front, and fans-kept \
+                their triangles. Papers count their structures with 4 bytes per number; 83 bytes per \
+                vertex and 112 per active vertex of VDPM are from [Cor01] (figure 5 and section 4.1)."
             .to_owned(),
         blocks: vec![
-            Block::bars(bars, "Bytes a vertex of each model")?,
+            Block::bars(bars, "Bytes per vertex of each model")?,
             Block::WideTable(memory::table(&report.memory)),
         ],
     });
@@ -59,7 +61,7 @@ fn path_section(path: &PathReport) -> Result<Section, Failure> {
     let frames = path.frame_count as f64;
     let chart = |y_title: &'static str, values: &dyn Fn(&Figures) -> Vec<f64>| {
         let lines = path.contenders.iter().map(|contender| {
-            // Without points a model still has its color.
+            // A model without points still reserves its color.
             let points = contender.figures.as_ref().map_or_else(Vec::new, |figures| {
                 let frames = figures.series.frame.iter().map(|&frame| frame as f64);
                 frames.zip(values(figures)).skip(1).collect()
@@ -88,31 +90,32 @@ fn path_section(path: &PathReport) -> Result<Section, Failure> {
     })
 }
 
-/// What the time of a frame depends on.
+/// The chart of what the time of a frame depends on.
 fn activity_section(report: &ViewsReport) -> Result<Section, Failure> {
     let by_changes = report.paths.iter().map(|path| {
         let fans = path.contenders.first().and_then(|contender| contender.run.as_ref());
         let points = fans.map_or_else(Vec::new, |run| {
-            points(run, |frame| (run.asked[frame] + run.changes[frame], run.follow_secs[frame]))
+            points(run, |frame| (run.evaluated[frame] + run.changes[frame], run.follow_secs[frame]))
         });
         line(&path.title(), binned(points))
     });
     let orbits = || report.paths.iter().filter(|path| path.name == "orbit");
-    // A level that is the same everywhere takes no time to be chosen.
+    // A uniform level takes no time to be chosen.
     let by_active = NAMES[..UNIFORM].iter().enumerate().map(|(i, name)| {
         let runs = orbits().filter_map(|path| path.contenders.get(i)?.run.as_ref());
         let all = runs.flat_map(|run| points(run, |frame| (run.triangles[frame], run.follow_secs[frame])));
         line(name, binned(all.collect()))
     });
-    let by_changes = log_log("steps asked for and changed", "criterion and update, ms", by_changes.collect());
+    let by_changes = log_log("steps evaluated and changed", "criterion and update, ms", by_changes.collect());
     let by_active = log_log("triangles shown", "criterion and update, ms", by_active.collect());
     Ok(Section {
         title: "What a frame depends on".to_owned(),
-        intro: "Frames put together by how much they have to do, means of each group. On the left fans on all paths, by the \
-                steps that they ask for and change; on the right all models on the orbits, by what they show."
+        intro: "Frames grouped by how much work they have, with the mean of each group. On the left, \
+                fans on all paths, by the steps that they evaluate and change; on the right, all models \
+                on the orbits, by the triangles shown."
             .to_owned(),
         blocks: vec![
-            Block::chart(&by_changes, "Time by steps asked for and changed")?,
+            Block::chart(&by_changes, "Time by steps evaluated and changed")?,
             Block::chart(&by_active, "Time by triangles shown")?,
         ],
     })
@@ -131,9 +134,10 @@ fn refinement_section(report: &ViewsReport) -> Result<Section, Failure> {
     let emission = log_log("triangles shown", "emission, ms", emission.collect());
     Ok(Section {
         title: "Refinement from the base".to_owned(),
-        intro: "One view, errors of 32 pixels down to a quarter of one: what it takes to come there from the base mesh, as \
-                figure 6 of [Cor01] has it. Uniform is a level that is the same everywhere, with as many triangles as fans: \
-                progressive refinement, which is nothing but emission."
+        intro: "One view, with errors from 32 pixels down to a quarter of one: the time to get there \
+                from the base mesh, as in figure 6 of [Cor01]. Uniform is one level for the whole mesh, \
+                with as many triangles as fans: progressive refinement, which consists of emission \
+                only."
             .to_owned(),
         blocks: vec![
             Block::chart(&whole, "Time of refinement and emission by triangles")?,
@@ -143,10 +147,10 @@ fn refinement_section(report: &ViewsReport) -> Result<Section, Failure> {
     })
 }
 
-/// Time of a frame against the size of the mesh, over several meshes; `None` where there are fewer than two.
+/// Chart of frame time against mesh size over several meshes, or `None` for fewer than two.
 ///
 /// # Errors
-/// Where the chart cannot be drawn.
+/// If the chart cannot be drawn.
 pub(in super::super) fn by_size(reports: &[&ViewsReport]) -> Result<Option<MeshPart>, Failure> {
     if reports.len() < 2 {
         return Ok(None);
@@ -170,8 +174,9 @@ pub(in super::super) fn by_size(reports: &[&ViewsReport]) -> Result<Option<MeshP
     let section = Section {
         title: "Views by the size of the mesh".to_owned(),
         intro: format!(
-            "Means over the same path around each mesh ({title}). What follows a view should cost what the picture shows \
-             and what changes in it, and not grow with the mesh; compare the triangles that are shown."
+            "Means over the same path around each mesh ({title}). Following a view should cost time in \
+             proportion to what is shown and what changes, regardless of the size of the mesh; compare \
+             the triangles shown."
         ),
         blocks: vec![
             Block::chart(&times, "Time by the size of the mesh")?,
@@ -195,12 +200,12 @@ fn log_log(x_title: &'static str, y_title: &'static str, series: Vec<Series>) ->
     Chart { x_title, y_title, x, y, series }
 }
 
-/// Frames of a run after the first, with milliseconds.
+/// Points of all frames except the first: a count, and the time in milliseconds.
 fn points(run: &Run, of: impl Fn(usize) -> (usize, f64)) -> Vec<(f64, f64)> {
     run.later_frames().map(of).map(|(count, secs)| (count as f64, 1e3 * secs)).collect()
 }
 
-/// Means of groups of points that are neighbors on a logarithmic axis.
+/// Averages groups of points that are close to each other on a logarithmic axis.
 fn binned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = points.into_iter().filter(|&(x, _)| x > 0.0).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -220,7 +225,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn groups_of_points_keep_their_order_and_their_mean() {
+    fn binned_points_keep_their_order_and_mean() {
         let points: Vec<(f64, f64)> = (0..1000).map(|i| (f64::from(i), 3.0 * f64::from(i))).collect();
         let few = binned(points);
         assert!(few.len() <= BIN_COUNT && few.len() > BIN_COUNT / 2, "{few:?}");

@@ -1,4 +1,5 @@
-//! What it costs to refine a mesh from its base, everywhere or for one view, by how fine: figure 6 of \[Cor01\].
+//! Cost of refining a mesh from its base, uniformly or for one view, by the allowed error: figure 6 of
+//! \[Cor01\].
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -6,46 +7,46 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::view::ScreenError;
 
-use super::followers::{FANS, KEPT, Models, NAMES, RIVAL, STATELESS, View};
+use super::followers::{FANS, KEPT, Models, NAMES, STATELESS, VDPM, View};
 use super::paths::Path;
 use striata_command::failure::Failure;
 use striata_command::output::grouped;
 
-/// Pixels allowed, coarse ones last.
+/// Allowed screen errors in pixels, finest first.
 const PIXELS: [f32; 8] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
 
-/// The frame of the orbit that is looked at: half a turn on, between near and far.
+/// The frame of the orbit that is rendered: half a turn on, between near and far.
 const FRAME: usize = 180;
 
-/// Repetitions of which the quickest counts.
+/// Number of repetitions; the fastest one counts.
 const REPETITIONS: usize = 7;
 
-/// Refinements of all followers to one number of pixels.
+/// Refinements of all followers to one screen error.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct CostRow {
-    /// Allowed on the screen.
+    /// Allowed error on the screen, in pixels.
     pixels: f32,
-    /// Those that can be built.
+    /// The followers that can be built.
     pub(super) contenders: Vec<Cost>,
 }
 
 /// A refinement from the base.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Cost {
-    /// Who refines.
+    /// Name of the follower.
     pub(super) name: &'static str,
-    /// Shown then.
+    /// Number of triangles shown afterwards.
     pub(super) triangles: usize,
-    /// Questions and changes.
+    /// Time to evaluate the criterion and apply changes.
     pub(super) follow_ms: f64,
-    /// Making the indices.
+    /// Time to write the indices.
     pub(super) emission_ms: f64,
 }
 
-/// Refines from the base for one view; the level that is the same everywhere has as many triangles as fans.
+/// Refines from the base for one view; the uniform level gets as many triangles as fans.
 ///
 /// # Errors
-/// Where the camera makes no picture, which is our fault.
+/// If the camera is invalid, which would be a bug.
 pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
     let frames = Path::Orbit.frames(&models.refinable.mesh);
     let camera = frames[FRAME].camera().map_err(|error| Failure::internal(error.to_string()))?;
@@ -83,11 +84,11 @@ pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
     Ok(rows)
 }
 
-/// Head and rows.
+/// Header and rows of the table.
 pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
-    const SHOWN: [usize; 2] = [FANS, RIVAL];
-    const REFINED: [usize; 3] = [FANS, STATELESS, RIVAL];
-    const EMITTED: [usize; 3] = [FANS, KEPT, RIVAL];
+    const SHOWN: [usize; 2] = [FANS, VDPM];
+    const REFINED: [usize; 3] = [FANS, STATELESS, VDPM];
+    const EMITTED: [usize; 3] = [FANS, KEPT, VDPM];
     let mut head = vec!["pixels".to_owned()];
     head.extend(SHOWN.map(|i| format!("triangles, {}", NAMES[i])));
     head.extend(REFINED.map(|i| format!("{}, ms", NAMES[i])));

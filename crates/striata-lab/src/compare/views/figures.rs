@@ -1,81 +1,82 @@
-//! What is told of a run: means, the worst frame, and a series for charts.
+//! Figures computed from a run: means, the worst frame, and a series for charts.
 
 use serde::Serialize;
 
 use super::super::walks::{mean, thinned};
-use super::course::Run;
+use super::scenario::Run;
 
-/// A follower on a course.
+/// Figures of one follower in one scenario.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Figures {
-    /// Of a frame: questions, the mean.
+    /// Mean time per frame to evaluate the criterion.
     pub(super) criterion_ms: f64,
-    /// Of a frame: changes, the mean.
+    /// Mean time per frame to apply changes.
     pub(super) update_ms: f64,
-    /// Criterion and update together, the mean per frame.
+    /// Mean time per frame of criterion and update together.
     pub(super) follow_ms: f64,
-    /// Of a frame: making the indices, the mean.
+    /// Mean time per frame to write the indices.
     pub(super) emission_ms: f64,
-    /// All of these, the mean.
+    /// Mean total time per frame.
     pub(super) frame_ms: f64,
-    /// All of these in the slowest frame after the first.
+    /// Total time of the slowest frame after the first.
     pub(super) worst_ms: f64,
-    /// Questions and changes of the first frame, which begins at the base.
+    /// Criterion and update time of the first frame, which begins at the base.
     pub(super) first_ms: f64,
-    /// Mean of questions and changes, and of all, as multiples of those of fans.
+    /// Mean criterion and update time, and mean total time, as multiples of those of fans.
     pub(super) ratio_to_fans: f64,
     pub(super) frame_ratio_to_fans: f64,
-    /// Shown, the mean.
+    /// Mean number of triangles shown.
     pub(super) triangles: f64,
-    /// Steps whose weight was asked for, the mean.
+    /// Mean number of steps evaluated.
     pub(super) asked_per_frame: f64,
-    /// Splits and collapses, the mean after the first frame.
+    /// Mean number of splits and collapses after the first frame.
     pub(super) changes_per_frame: f64,
-    /// Of the time of questions and changes; null where that is next to nothing.
+    /// Splits and collapses per second of criterion and update time; null if that time is negligible.
     pub(super) changes_per_sec: Option<f64>,
-    /// The largest distance to where a point should be, in pixels; null where none is in the picture.
+    /// The largest distance of a point from where it should be, in pixels; null if no point is visible.
     pub(super) max_error_px: Option<f64>,
-    /// What 99 of 100 points do not exceed.
+    /// The 99th percentile of these distances, in pixels.
     pub(super) p99_error_px: Option<f64>,
-    /// Of what is built once, without positions and normals.
+    /// Static bytes per vertex, without positions and normals.
     bytes_per_vertex: f64,
-    /// With positions, and normals of 4 bytes.
+    /// Including positions, and normals of 4 bytes.
     bytes_per_vertex_packed: f64,
-    /// With positions, and normals of 12 bytes.
+    /// Including positions, and normals of 12 bytes.
     bytes_per_vertex_plain: f64,
-    /// The most that the instance owned on the way.
+    /// Maximum bytes owned by the instance.
     pub(super) bytes_per_instance: usize,
-    /// The largest size of the instance, per vertex of the full mesh.
+    /// Maximum bytes owned by the instance, per vertex of the full mesh.
     pub(super) instance_bytes_per_vertex: f64,
-    /// Frame by frame.
+    /// Values by frame.
     pub(super) series: Series,
 }
 
-/// Some frames of a run, evenly spread.
+/// Values of some frames of a run, evenly spaced.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Series {
-    /// Which frames these are.
+    /// Indices of these frames.
     pub(super) frame: Vec<usize>,
-    /// Shown.
+    /// Number of triangles shown.
     pub(super) triangles: Vec<usize>,
     asked: Vec<usize>,
     changes: Vec<usize>,
-    /// Questions and changes.
+    /// Time of criterion and update.
     pub(super) follow_ms: Vec<f64>,
-    /// Making the indices.
+    /// Time to write the indices.
     pub(super) emission_ms: Vec<f64>,
 }
 
-/// What takes no longer may as well be looking at the clock.
-const LEAST_MS: f64 = 2e-4;
+/// Shorter times may be due to reading the clock alone.
+const MIN_MS: f64 = 2e-4;
 
-/// Bytes of a position, and of a normal packed and plain.
+/// Bytes of a position, of a packed normal, and of a plain normal.
 pub(super) const POSITION_BYTES: f64 = 12.0;
 pub(super) const PACKED_NORMAL_BYTES: f64 = size_of::<[i16; 2]>() as f64;
 pub(super) const NORMAL_BYTES: f64 = 12.0;
 
 impl Figures {
-    /// The figures of a run next to those of fans, for a model of `static_bytes` and a mesh of `vertex_count`.
+    /// Computes the figures of a run, relative to those of fans, for a model of `static_bytes` and a mesh
+    /// of `vertex_count`.
     pub(super) fn new(run: &Run, fans: &Run, static_bytes: usize, vertex_count: usize) -> Self {
         let bytes_per_vertex = static_bytes as f64 / vertex_count as f64;
         let frames = run.later_frames();
@@ -87,7 +88,7 @@ impl Figures {
         let fans_follow_ms = 1e3 * mean(fans.later_frames().map(|frame| fans.follow_secs[frame]));
         let fans_frame_ms = 1e3 * mean(fans.later_frames().map(|frame| fans.whole(frame)));
         let count = |counts: &[usize]| mean(frames.clone().map(|frame| counts[frame] as f64));
-        let (asked_per_frame, changes_per_frame) = (count(&run.asked), count(&run.changes));
+        let (asked_per_frame, changes_per_frame) = (count(&run.evaluated), count(&run.changes));
         let ratio = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
         Self {
             criterion_ms,
@@ -102,8 +103,8 @@ impl Figures {
             triangles: count(&run.triangles),
             asked_per_frame,
             changes_per_frame,
-            // Who asks nothing sets a level at once, and changes nothing step by step.
-            changes_per_sec: (asked_per_frame > 0.0 && follow_ms > LEAST_MS)
+            // A follower that evaluates nothing jumps to a level and has no step-by-step changes.
+            changes_per_sec: (asked_per_frame > 0.0 && follow_ms > MIN_MS)
                 .then(|| 1e3 * changes_per_frame / follow_ms),
             max_error_px: run.errors.max(),
             p99_error_px: run.errors.p99(),
@@ -124,7 +125,7 @@ impl Series {
         let ms = |all: &[f64]| frame.iter().map(|&frame| 1e3 * all[frame]).collect();
         Self {
             triangles: counts(&run.triangles),
-            asked: counts(&run.asked),
+            asked: counts(&run.evaluated),
             changes: counts(&run.changes),
             follow_ms: ms(&run.follow_secs),
             emission_ms: ms(&run.emission_secs),

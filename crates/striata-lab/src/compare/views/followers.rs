@@ -1,89 +1,90 @@
-//! Those who follow an eye: progressive fans with and without a memory, their rival, and a level that is the same everywhere.
+//! Followers of a camera: progressive fans with and without memory, view-dependent progressive meshes, and
+//! a uniform level.
 
 use striata::mesh::RefinableMesh;
 use striata::model::{FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
 use striata::view::ScreenError;
 use striata_lab::baseline::{ViewDependentMeshes, ViewDependentState};
 
-use super::asker::{Asker, Log};
+use super::logged_criterion::{LoggedCriterion, QueryLog};
 
-/// What is shown to a follower in a frame.
+/// The input of a follower in one frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View<'s> {
-    /// The criterion.
+    /// The camera's criterion.
     pub(super) screen: &'s ScreenError,
-    /// The level that is fine enough everywhere.
+    /// The uniform level that is fine enough everywhere.
     pub(super) split_count: usize,
 }
 
-/// Splits and collapses, those that had to be among them.
+/// Numbers of splits and collapses, including forced ones.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Changes {
-    /// Splits.
+    /// Number of splits.
     pub(super) split_count: usize,
-    /// Collapses.
+    /// Number of collapses.
     pub(super) collapse_count: usize,
 }
 
-/// A model with one instance that follows an eye.
+/// A model with one instance that follows a camera.
 pub(super) trait Follower<'a> {
-    /// Goes back to the base, as if nothing had been seen yet.
+    /// Resets to the base, as before the first frame.
     fn restart(&mut self);
 
-    /// Goes to what a view wants.
-    fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes;
+    /// Adapts to a view.
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes;
 
-    /// Appends what it shows.
+    /// Appends the indices of the triangles shown.
     fn emit_into(&mut self, out: &mut Vec<u32>);
 
-    /// Bytes that the instance owns now.
+    /// Bytes that the instance currently owns.
     fn instance_bytes(&self) -> usize;
 }
 
-/// What followers stand on: built once for all.
+/// The static halves of the models, shared by all followers.
 #[derive(Debug)]
 pub(super) struct Models<'r> {
     /// The mesh with its sequence.
     pub(super) refinable: &'r RefinableMesh,
-    /// The table with the bounds of its steps.
+    /// The fans with the bounds of their steps.
     pub(super) fans: Fans,
-    /// The rival, or why there is none.
-    pub(super) rival: Result<ViewDependentMeshes, String>,
+    /// The view-dependent progressive mesh, or why it cannot be built.
+    pub(super) vdpm: Result<ViewDependentMeshes, String>,
 }
 
-/// The names of followers; the colors of charts follow this order.
+/// Names of the followers; chart colors follow this order.
 pub(super) const NAMES: [&str; 5] = ["fans", "fans-kept", "fans-stateless", "vdpm", "uniform"];
 
-/// Their places among [`NAMES`].
+/// Indices into [`NAMES`].
 pub(super) const FANS: usize = 0;
 pub(super) const KEPT: usize = 1;
 pub(super) const STATELESS: usize = 2;
-pub(super) const RIVAL: usize = 3;
+pub(super) const VDPM: usize = 3;
 pub(super) const UNIFORM: usize = 4;
 
 impl<'r> Models<'r> {
-    /// Builds all that can be built.
+    /// Builds all models that can be built.
     pub(super) fn build(refinable: &'r RefinableMesh) -> Self {
         let fans = Fans::build(refinable);
-        let rival = ViewDependentMeshes::build(refinable).map_err(|error| error.to_string());
-        Self { refinable, fans, rival }
+        let vdpm = ViewDependentMeshes::build(refinable).map_err(|error| error.to_string());
+        Self { refinable, fans, vdpm }
     }
 
-    /// The table with what it takes to ask for its steps.
+    /// The fans with the data needed to evaluate criteria.
     pub(super) fn scene(&self) -> FanScene<'_> {
         FanScene::new(&self.fans, self.refinable)
     }
 
-    /// A follower for each of [`NAMES`], or why there is none.
+    /// A follower for each of [`NAMES`], or why it cannot be built.
     pub(super) fn followers<'a>(&'a self) -> Vec<Result<Box<dyn Follower<'a> + 'a>, String>> {
         let scene = self.scene();
-        let rival = self.rival.as_ref().map_err(Clone::clone);
+        let vdpm = self.vdpm.as_ref().map_err(Clone::clone);
         vec![
             Ok(Box::new(Incremental { scene, front: FanFront::new(&scene) })),
             Ok(Box::new(Kept::new(scene, self.refinable))),
             Ok(Box::new(Stateless { scene, instance: FanInstance::uniform(&self.fans, 0) })),
-            rival.map(|model| {
-                let follower = Rival { model, state: model.base_state() };
+            vdpm.map(|model| {
+                let follower = Vdpm { model, state: model.base_state() };
                 Box::new(follower) as Box<dyn Follower<'a> + 'a>
             }),
             Ok(Box::new(Uniform { fans: &self.fans, level: self.fans.new_state() })),
@@ -91,10 +92,10 @@ impl<'r> Models<'r> {
     }
 }
 
-/// Fans that go on from what the last view showed.
+/// Fans that continue from the previous view.
 struct Incremental<'a> {
     scene: FanScene<'a>,
-    front: FanFront<Asker<'a>>,
+    front: FanFront<LoggedCriterion<'a>>,
 }
 
 impl<'a> Follower<'a> for Incremental<'a> {
@@ -102,8 +103,9 @@ impl<'a> Follower<'a> for Incremental<'a> {
         self.front = FanFront::new(&self.scene);
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
-        let update = self.front.update(&self.scene, &Asker { screen: view.screen, log }, usize::MAX);
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+        let update =
+            self.front.update(&self.scene, &LoggedCriterion { screen: view.screen, log }, usize::MAX);
         Changes { split_count: update.split_count, collapse_count: update.collapse_count }
     }
 
@@ -116,32 +118,33 @@ impl<'a> Follower<'a> for Incremental<'a> {
     }
 }
 
-/// The same with all triangles kept from frame to frame, so that emission writes only those that change.
+/// Incremental fans that keep all triangles from frame to frame, so that emission rewrites only those that
+/// change.
 struct Kept<'a> {
-    followed: Incremental<'a>,
+    incremental: Incremental<'a>,
     triangles: FanTriangles,
     refinable: &'a RefinableMesh,
 }
 
 impl<'a> Kept<'a> {
     fn new(scene: FanScene<'a>, refinable: &'a RefinableMesh) -> Self {
-        let followed = Incremental { scene, front: FanFront::new(&scene) };
-        let triangles = FanTriangles::new(scene.fans(), followed.front.instance());
-        Self { followed, triangles, refinable }
+        let incremental = Incremental { scene, front: FanFront::new(&scene) };
+        let triangles = FanTriangles::new(scene.fans(), incremental.front.instance());
+        Self { incremental, triangles, refinable }
     }
 }
 
 impl<'a> Follower<'a> for Kept<'a> {
     fn restart(&mut self) {
-        *self = Self::new(self.followed.scene, self.refinable);
+        *self = Self::new(self.incremental.scene, self.refinable);
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
-        self.followed.follow(view, log)
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+        self.incremental.follow(view, log)
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
-        let (fans, shown) = (self.followed.scene.fans(), self.followed.front.instance());
+        let (fans, shown) = (self.incremental.scene.fans(), self.incremental.front.instance());
         self.triangles.follow(fans, &self.refinable.sequence, shown);
         for group in 0..fans.group_count() {
             out.extend_from_slice(self.triangles.triangles(group).as_flattened());
@@ -149,11 +152,11 @@ impl<'a> Follower<'a> for Kept<'a> {
     }
 
     fn instance_bytes(&self) -> usize {
-        self.followed.instance_bytes() + self.triangles.bytes()
+        self.incremental.instance_bytes() + self.triangles.bytes()
     }
 }
 
-/// Fans that know nothing but their bits, and begin at the base in each frame.
+/// Fans that store only one bit per step and begin at the base in each frame.
 struct Stateless<'a> {
     scene: FanScene<'a>,
     instance: FanInstance,
@@ -164,8 +167,8 @@ impl<'a> Follower<'a> for Stateless<'a> {
         self.instance = FanInstance::uniform(self.scene.fans(), 0);
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
-        let split_count = self.instance.refine(&self.scene, &Asker { screen: view.screen, log });
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+        let split_count = self.instance.refine(&self.scene, &LoggedCriterion { screen: view.screen, log });
         Changes { split_count, collapse_count: 0 }
     }
 
@@ -179,18 +182,18 @@ impl<'a> Follower<'a> for Stateless<'a> {
 }
 
 /// View-dependent progressive meshes.
-struct Rival<'a> {
+struct Vdpm<'a> {
     model: &'a ViewDependentMeshes,
     state: ViewDependentState,
 }
 
-impl<'a> Follower<'a> for Rival<'a> {
+impl<'a> Follower<'a> for Vdpm<'a> {
     fn restart(&mut self) {
         self.state = self.model.base_state();
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
-        let adapted = self.model.adapt(&mut self.state, &Asker { screen: view.screen, log });
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+        let adapted = self.model.adapt(&mut self.state, &LoggedCriterion { screen: view.screen, log });
         Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count }
     }
 
@@ -203,7 +206,7 @@ impl<'a> Follower<'a> for Rival<'a> {
     }
 }
 
-/// The same table at one level everywhere.
+/// Fans at one level for the whole mesh.
 struct Uniform<'a> {
     fans: &'a Fans,
     level: FansLevel,
@@ -214,7 +217,7 @@ impl<'a> Follower<'a> for Uniform<'a> {
         self.fans.move_to(&mut self.level, 0);
     }
 
-    fn follow(&mut self, view: View<'a>, _log: Option<&'a Log>) -> Changes {
+    fn follow(&mut self, view: View<'a>, _log: Option<&'a QueryLog>) -> Changes {
         let before = self.fans.split_count(&self.level);
         self.fans.move_to(&mut self.level, view.split_count);
         Changes {

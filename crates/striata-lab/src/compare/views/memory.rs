@@ -1,4 +1,4 @@
-//! What models of a view take, as figure 5 of \[Cor01\] has it: what is built once, and what each instance owns.
+//! Memory of view-dependent models, as in figure 5 of \[Cor01\]: static data, and what each instance owns.
 
 use serde::Serialize;
 use striata::model::LodModel;
@@ -7,44 +7,44 @@ use striata_lab::{Accounting, PaperBytes};
 
 use super::super::bars::{BarChart, Bars};
 use super::super::papers::{COR01_BYTES_PER_VERTEX, cor01_megabytes};
-use super::course::Run;
 use super::figures::{NORMAL_BYTES, PACKED_NORMAL_BYTES, POSITION_BYTES};
-use super::followers::{FANS, KEPT, Models, NAMES, RIVAL, STATELESS, UNIFORM};
+use super::followers::{FANS, KEPT, Models, NAMES, STATELESS, UNIFORM, VDPM};
+use super::scenario::Run;
 
-/// A model's memory in bytes a vertex of the full mesh.
+/// Memory of a model in bytes per vertex of the full mesh.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct MemoryRow {
     name: &'static str,
-    /// Of what is built once, without positions and normals.
+    /// Static data without positions and normals.
     bytes_per_vertex: f64,
-    /// With positions, and normals of 4 bytes.
+    /// Including positions, and normals of 4 bytes.
     bytes_per_vertex_packed: f64,
-    /// With positions, and normals of 12 bytes.
+    /// Including positions, and normals of 12 bytes.
     bytes_per_vertex_plain: f64,
-    /// The same as the model's paper counts; null where it has none.
+    /// Static data as the model's paper counts it; null if there is no paper.
     paper_bytes_per_vertex: Option<f64>,
-    /// The most that an instance owned on the orbit at the fewest pixels.
+    /// Maximum owned by an instance on the orbit at the smallest screen error.
     instance_bytes_per_vertex: f64,
-    /// The same as papers count; null where they do not say.
+    /// Instance memory as papers count it; null if they do not specify it.
     paper_instance_bytes_per_vertex: Option<f64>,
-    /// Published for this mesh, 10^6 bytes; null where it is not.
+    /// Published value for this mesh in 10^6 bytes; null if there is none.
     published_megabytes: Option<f64>,
 }
 
-/// Static bytes of the models that followers stand on, in the order of their names.
+/// Static bytes of the models used by the followers, in the order of their names.
 pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
     let fans = bytes_of(&models.fans);
-    // Uniform levels ask for no bounds.
+    // Uniform levels need no bounds.
     let bounds = models.fans.bytes().into_iter().find(|part| part.name == "bounds");
     let table = fans - bounds.map_or(0, |part| part.bytes);
-    [fans, fans, fans, models.rival.as_ref().map_or(0, bytes_of), table]
+    [fans, fans, fans, models.vdpm.as_ref().map_or(0, bytes_of), table]
 }
 
 fn bytes_of(model: &impl LodModel) -> usize {
     model.bytes().iter().map(|part| part.bytes).sum()
 }
 
-/// Rows of all models; `runs` are those of the orbit, one for each follower.
+/// Measures all models; `runs` are the followers' runs on the orbit.
 pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRow> {
     let mesh = &models.refinable.mesh;
     let per_vertex = |bytes: usize| bytes as f64 / mesh.vertex_count().max(1) as f64;
@@ -59,17 +59,17 @@ pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRo
         published_megabytes: None,
     };
     let paper = |bytes: usize| Some(per_vertex(bytes) + POSITION_BYTES + NORMAL_BYTES);
-    let most = |follower: usize| {
+    let max_of = |follower: usize| {
         let run = runs[follower].as_ref()?;
         Some((run.instance_bytes, run.triangles.iter().copied().max().unwrap_or(0)))
     };
-    let most_uniform = most(UNIFORM).map_or(0, |(_, triangles)| triangles);
+    let most_uniform = max_of(UNIFORM).map_or(0, |(_, triangles)| triangles);
     let progressive = ProgressiveMeshes::build(models.refinable);
     let mut state = progressive.new_state();
     progressive.move_to(&mut state, models.refinable.sequence.split_count_for_triangles(most_uniform));
     let ordered = OrderedMeshes::build(models.refinable);
     let [fans, ..] = static_bytes(models);
-    let bits = most(STATELESS).map_or(0, |(bytes, _)| bytes);
+    let bits = max_of(STATELESS).map_or(0, |(bytes, _)| bytes);
     let mut rows = vec![
         row("plain mesh", 12 * mesh.triangle_count(), None, 0),
         row(
@@ -89,29 +89,29 @@ pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRo
             paper_instance_bytes_per_vertex: Some(1.0 / 8.0),
             ..row("fans", fans, Some(COR01_BYTES_PER_VERTEX), bits)
         },
-        row("fans, a front", fans, None, most(FANS).map_or(0, |(bytes, _)| bytes)),
-        row("fans, all kept", fans, None, most(KEPT).map_or(0, |(bytes, _)| bytes)),
+        row("fans, a front", fans, None, max_of(FANS).map_or(0, |(bytes, _)| bytes)),
+        row("fans, all kept", fans, None, max_of(KEPT).map_or(0, |(bytes, _)| bytes)),
     ];
-    if let (Ok(rival), Some((bytes, triangles))) = (&models.rival, most(RIVAL)) {
+    if let (Ok(vdpm), Some((bytes, triangles))) = (&models.vdpm, max_of(VDPM)) {
         rows.push(MemoryRow {
-            // Of closed surfaces vertices are half as many as triangles.
+            // A closed surface has half as many vertices as triangles.
             paper_instance_bytes_per_vertex: Some(per_vertex(112 * triangles / 2)),
-            ..row("vdpm", bytes_of(rival), paper(rival.paper_bytes(Accounting::Words)), bytes)
+            ..row("vdpm", bytes_of(vdpm), paper(vdpm.paper_bytes(Accounting::Words)), bytes)
         });
     }
     rows
 }
 
-/// Head and rows.
+/// Header and rows of the table.
 pub(super) fn table(rows: &[MemoryRow]) -> Vec<Vec<String>> {
     let head = [
         "model",
-        "bytes a vertex",
-        "with positions, normals of 4",
-        "normals of 12",
+        "bytes per vertex",
+        "with positions, 4-byte normals",
+        "12-byte normals",
         "as its paper counts",
         "published, MB",
-        "an instance",
+        "instance",
         "as papers count",
     ];
     let mut table = vec![head.map(str::to_owned).to_vec()];
@@ -131,7 +131,7 @@ pub(super) fn table(rows: &[MemoryRow]) -> Vec<Vec<String>> {
     table
 }
 
-/// The same as bars.
+/// Bar chart of the same data.
 pub(super) fn chart(rows: &[MemoryRow]) -> BarChart {
     let bars = |row: &MemoryRow| Bars {
         name: row.name.to_owned(),
@@ -145,8 +145,8 @@ pub(super) fn chart(rows: &[MemoryRow]) -> BarChart {
         .collect(),
     };
     BarChart {
-        title: "bytes a vertex, positions and normals of 12 bytes included",
-        kinds: vec!["built once", "an instance", "built once, paper"],
+        title: "bytes per vertex, including positions and 12-byte normals",
+        kinds: vec!["static", "instance", "static, paper"],
         bars: rows.iter().map(bars).collect(),
     }
 }

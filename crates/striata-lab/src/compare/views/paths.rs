@@ -1,49 +1,50 @@
-//! The ways that an eye goes around, towards and through a mesh: the same cameras on every machine.
+//! Camera paths around, towards and through a mesh, with identical cameras on every machine.
 //!
-//! All lengths are in diagonals of the mesh's bounds, so that a path shows the same of a mesh of any size. Sines and cosines
-//! come from one tangent, which is a continued fraction.
+//! All lengths are in diagonals of the mesh's bounds, so a path shows meshes of all sizes in the same way.
+//! Sines and cosines are derived from a tangent computed as a continued fraction, which rounds the same on
+//! every platform.
 
 use striata::mesh::{Bounds, IndexedMesh};
 use striata::view::{Camera, CameraError};
 
 use striata_command::args::tan;
 
-/// Pixels of the screen each way.
+/// Width and height of the screen in pixels.
 pub(super) const SCREEN_PX: u32 = 1000;
 
-/// Tangent of half the angle of view, 60 degrees.
+/// Tangent of half the field of view of 60 degrees.
 const TAN_HALF_FOV: f64 = 0.577_350_269_189_625_8;
 
-/// How near to the middle an orbit comes, and how far from it, diagonals.
+/// Minimum and maximum distance of an orbit from the center, in diagonals.
 const ORBIT: [f64; 2] = [0.4, 1.8];
 
-/// How far from the surface a dive begins and ends, diagonals.
+/// First and last distance of a dive from the surface, in diagonals.
 const DIVE: [f64; 2] = [2.0, 0.02];
 
-/// Where a dive goes down.
+/// Direction from the ground to the camera during a dive.
 const DIVE_DIRECTION: [f64; 3] = [0.36, 0.48, 0.8];
 
-/// How much of the bounds, each way from the middle, a walk through the inside goes over.
+/// Part of the bounds, in each direction from the center, that a walk inside covers.
 const INSIDE: [f64; 3] = [0.7, 0.2, 0.7];
 
-/// How far ahead a walk looks, degrees of its round.
+/// How far ahead a walk looks, in degrees of its loop.
 const AHEAD: f64 = 10.0;
 
-/// A way to go.
+/// A camera path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Path {
-    /// Around the middle, a degree a frame, while the distance grows and falls.
+    /// Around the center at one degree per frame, while the distance grows and shrinks.
     Orbit,
-    /// The same, a quarter of a turn a frame: nothing of a view is left in the next one.
+    /// Like the orbit, but with a quarter turn per frame, so that consecutive views share nothing.
     Jumps,
     /// Straight down to the surface.
     Dive,
-    /// Through the inside of the bounds in the shape of an eight, looking ahead.
+    /// Through the inside of the bounds in a figure eight, looking ahead.
     Inside,
 }
 
 impl Path {
-    /// Its name.
+    /// Name of the path.
     pub(super) const fn as_str(self) -> &'static str {
         match self {
             Self::Orbit => "orbit",
@@ -53,15 +54,15 @@ impl Path {
         }
     }
 
-    /// What it is, for people.
+    /// Description printed in the report.
     pub(super) const fn about(self) -> &'static str {
         match self {
             Self::Orbit => {
-                "around the middle, 1 degree a frame, 0.4 to 1.8 diagonals of the bounds away and back"
+                "around the center, 1 degree per frame, 0.4 to 1.8 diagonals of the bounds away and back"
             }
-            Self::Jumps => "the same around, 90 degrees a frame",
+            Self::Jumps => "as orbit, but 90 degrees per frame",
             Self::Dive => "straight down to the surface, from 2 diagonals to 0.02",
-            Self::Inside => "through the inside of the bounds in the shape of an eight, looking ahead",
+            Self::Inside => "through the inside of the bounds in a figure eight, looking ahead",
         }
     }
 
@@ -73,59 +74,60 @@ impl Path {
         }
     }
 
-    /// The frames of this way around a mesh.
+    /// The frames of the path around a mesh.
     pub(super) fn frames(self, mesh: &IndexedMesh) -> Vec<Frame> {
-        let place = Place::of(mesh);
+        let extent = MeshExtent::of(mesh);
         let count = self.frame_count();
-        (0..count).map(|frame| self.frame(&place, frame as f64, count as f64)).collect()
+        (0..count).map(|frame| self.frame(&extent, frame as f64, count as f64)).collect()
     }
 
-    fn frame(self, place: &Place, frame: f64, count: f64) -> Frame {
+    fn frame(self, extent: &MeshExtent, frame: f64, count: f64) -> Frame {
         match self {
-            Self::Orbit => place.around(frame, frame / count),
-            Self::Jumps => place.around(90.0 * frame, frame / count),
-            Self::Dive => place.above(frame / (count - 1.0)),
-            Self::Inside => place.inside(360.0 * frame / count),
+            Self::Orbit => extent.around(frame, frame / count),
+            Self::Jumps => extent.around(90.0 * frame, frame / count),
+            Self::Dive => extent.above(frame / (count - 1.0)),
+            Self::Inside => extent.inside(360.0 * frame / count),
         }
     }
 }
 
-/// Where a mesh is.
+/// Center, extent and ground of a mesh, relative to which paths are defined.
 #[derive(Clone, Copy, Debug)]
-struct Place {
-    middle: [f64; 3],
-    /// Of the bounds; those of a flat mesh have some width all the same.
+struct MeshExtent {
+    center: [f64; 3],
+    /// Half the extent of the bounds; at least a small one even for flat meshes.
     half: [f64; 3],
     diagonal: f64,
-    /// The vertex that a dive goes to.
+    /// The vertex that a dive ends at.
     ground: [f64; 3],
 }
 
-impl Place {
+impl MeshExtent {
     fn of(mesh: &IndexedMesh) -> Self {
         let Bounds { min, max } = mesh.bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
-        // Without an extent there is nothing to go around, but a view all the same.
+        // A mesh without extent still gets valid views.
         let diagonal = Some(mesh.diagonal()).filter(|&diagonal| diagonal > 0.0).unwrap_or(1.0);
         let (min, max) = (min.map(f64::from), max.map(f64::from));
-        let middle = [0, 1, 2].map(|i| (min[i] + max[i]) / 2.0);
+        let center = [0, 1, 2].map(|i| (min[i] + max[i]) / 2.0);
         let half = [0, 1, 2].map(|i| ((max[i] - min[i]) / 2.0).max(0.05 * diagonal));
-        // Nothing of the mesh lies farther in that direction, so the way down is free.
+        // No part of the mesh is farther in that direction, so the way down is free.
         let height = |point: &[f32; 3]| dot(point.map(f64::from), DIVE_DIRECTION);
         let highest = mesh.positions.iter().max_by(|a, b| height(a).total_cmp(&height(b)));
-        let ground = highest.map_or(middle, |point| point.map(f64::from));
-        Self { middle, half, diagonal, ground }
+        let ground = highest.map_or(center, |point| point.map(f64::from));
+        Self { center, half, diagonal, ground }
     }
 
-    /// An eye at some degrees around the middle, `share` of the way from near to far and back.
+    /// A view of the center from an angle in degrees, at `share` of the cycle from near to far and back.
     fn around(&self, degrees: f64, share: f64) -> Frame {
         let (sin, cos) = sin_cos(degrees);
         let [near, far] = ORBIT;
         let distance = self.diagonal * (near + (far - near) * 0.5 * (1.0 - sin_cos(360.0 * share).1));
-        let eye = plus(self.middle, [sin, 0.0, cos], distance);
-        Frame::new(eye, self.middle)
+        let eye = plus(self.center, [sin, 0.0, cos], distance);
+        Frame::new(eye, self.center)
     }
 
-    /// An eye over the ground, `share` of the way down: each frame is nearer than the one before by a like factor.
+    /// A view of the ground at `share` of the way down; the distance is the reciprocal of a linear
+    /// function.
     fn above(&self, share: f64) -> Frame {
         let [far, near] = DIVE;
         let distance = self.diagonal * far / (1.0 + (far / near - 1.0) * share);
@@ -136,19 +138,19 @@ impl Place {
         Frame::new(self.on_eight(degrees), self.on_eight(degrees + AHEAD))
     }
 
-    /// A place of the walk through the inside.
+    /// A point on the walk through the inside.
     fn on_eight(&self, degrees: f64) -> [f64; 3] {
         let across = [sin_cos(degrees).0, sin_cos(3.0 * degrees).0, sin_cos(2.0 * degrees).0];
-        [0, 1, 2].map(|i| self.middle[i] + INSIDE[i] * self.half[i] * across[i])
+        [0, 1, 2].map(|i| self.center[i] + INSIDE[i] * self.half[i] * across[i])
     }
 }
 
-/// An eye and what it looks at.
+/// A camera position and the point it looks at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
     eye: [f32; 3],
     target: [f32; 3],
-    /// To the right, upwards and into the picture.
+    /// Directions to the right, upwards and into the picture.
     axes: [[f64; 3]; 3],
 }
 
@@ -162,21 +164,21 @@ impl Frame {
         Self { eye, target, axes: [right, cross(right, forward), forward] }
     }
 
-    /// The library's camera there.
+    /// Converts the frame to the library's camera.
     ///
     /// # Errors
-    /// Where it makes no picture.
+    /// If the camera is degenerate.
     pub(super) fn camera(&self) -> Result<Camera, CameraError> {
         Camera::new(self.eye, self.target, [0.0, 1.0, 0.0], TAN_HALF_FOV, [SCREEN_PX, SCREEN_PX])
     }
 
-    /// Where the eye is.
+    /// Position of the camera.
     pub(super) fn eye(&self) -> [f64; 3] {
         self.eye.map(f64::from)
     }
 
-    /// Pixels that a small length takes at a point, whichever way it lies: a flat screen stretches what is aside. `None`
-    /// where the point is not in the picture.
+    /// Pixels per unit length at a point, in the direction of greatest magnification; a flat screen
+    /// stretches what is off-center. `None` if the point is outside the picture.
     pub(super) fn pixels_at(&self, point: [f64; 3]) -> Option<f64> {
         let to = minus(point, self.eye());
         let [x, y, depth] = self.axes.map(|axis| dot(axis, to));
@@ -186,10 +188,10 @@ impl Frame {
     }
 }
 
-/// Sine and cosine of an angle of 0 degrees or more.
+/// Sine and cosine of a nonnegative angle.
 fn sin_cos(degrees: f64) -> (f64, f64) {
     let quarters = (degrees / 90.0).floor();
-    // The tangent of half the rest is below 0.42, where nothing is lost.
+    // The tangent of half the remainder is below 0.42, where no precision is lost.
     let t = tan((degrees - 90.0 * quarters).to_radians() / 2.0);
     let (sin, cos) = (2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t));
     match quarters as u64 % 4 {
@@ -210,12 +212,12 @@ pub(super) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| a[i] - b[i])
 }
 
-/// The scalar product.
+/// The dot product.
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The vector product.
+/// The cross product.
 pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
@@ -240,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_are_those_of_the_platform() {
+    fn sin_cos_agrees_with_the_platform() {
         for degrees in 0..1080 {
             let angle = f64::from(degrees) * 0.7;
             let (sin, cos) = sin_cos(angle);
@@ -250,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn paths_are_the_same_bits_everywhere() {
+    fn paths_are_bit_identical_everywhere() {
         let mesh = shapes::icosphere(2, 3.0);
         let sums = ALL.map(|path| {
             let bits = path.frames(&mesh).into_iter().flat_map(|frame| [frame.eye, frame.target]).flatten();
@@ -263,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn orbits_turn_by_what_they_say_at_the_distances_that_they_say() {
+    fn orbits_have_the_documented_angles_and_distances() {
         let mesh = shapes::torus(24, 12, 1.0, 0.4);
         let diagonal = mesh.diagonal();
         for (path, degrees) in [(Path::Orbit, 1.0f64), (Path::Jumps, 90.0)] {
@@ -281,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dive_ends_just_above_the_surface_and_loses_the_rest_of_it() {
+    fn dive_ends_just_above_the_surface_and_sees_little_of_it() {
         let mesh = shapes::icosphere(4, 1.0);
         let frames = Path::Dive.frames(&mesh);
         let above: Vec<f64> =
@@ -300,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn a_walk_inside_stays_inside_and_turns_all_around() {
+    fn walk_inside_stays_inside_and_looks_in_all_directions() {
         let mesh = shapes::icosphere(1, 1.0);
         let bounds = mesh.bounds().unwrap();
         let frames = Path::Inside.frames(&mesh);
@@ -317,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn pixels_are_those_of_the_camera() {
+    fn pixels_per_unit_agree_with_the_camera() {
         let mesh = shapes::icosphere(3, 1.0);
         for path in ALL {
             let frames = path.frames(&mesh);
@@ -326,8 +328,8 @@ mod tests {
             let mut seen = 0;
             for &point in &mesh.positions {
                 let Some(pixels) = frame.pixels_at(point.map(f64::from)) else { continue };
-                let told = f64::from(camera.error_px(1.0, &Sphere::point(point)));
-                assert!((pixels / told - 1.0).abs() < 1e-4, "{point:?}: {pixels} and {told}");
+                let expected = f64::from(camera.error_px(1.0, &Sphere::point(point)));
+                assert!((pixels / expected - 1.0).abs() < 1e-4, "{point:?}: {pixels} and {expected}");
                 seen += 1;
             }
             assert!(seen > 10, "{path:?}: {seen} points seen");
@@ -335,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn meshes_without_extent_are_looked_at_too() {
+    fn meshes_without_extent_have_valid_cameras() {
         let point = IndexedMesh::new(vec![[5.0, 6.0, 7.0]], Vec::new());
         for mesh in [IndexedMesh::default(), point, shapes::grid(3, 3)] {
             for path in ALL {

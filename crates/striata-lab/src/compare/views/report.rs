@@ -1,50 +1,50 @@
-//! What was measured of views.
+//! Report of the view-dependent comparison.
 
 use serde::Serialize;
 
 use super::costs::CostRow;
-use super::course::{Course, Run};
 use super::figures::Figures;
 use super::followers::{FANS, Models, NAMES};
 use super::memory::{self, MemoryRow};
 use super::paths::Path;
+use super::scenario::{Run, Scenario};
 use striata_command::output::grouped;
 
-/// What was measured of one mesh.
+/// The report of one mesh.
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::compare) struct ViewsReport {
-    /// Of the welded mesh.
+    /// Number of triangles of the welded mesh.
     pub(super) triangle_count: usize,
-    /// Of the screen, each way.
+    /// Width and height of the screen in pixels.
     pub(super) screen_px: u32,
-    /// Course by course.
+    /// One entry per scenario.
     pub(super) paths: Vec<PathReport>,
     pub(super) memory: Vec<MemoryRow>,
     pub(super) refinement: Vec<CostRow>,
 }
 
-/// One course.
+/// The report of one scenario.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct PathReport {
     pub(super) name: &'static str,
     #[serde(skip)]
     pub(super) path: Path,
-    /// Allowed on the screen.
+    /// Allowed error on the screen, in pixels.
     pub(super) pixels: f32,
     pub(super) frame_count: usize,
     pub(super) rounds: usize,
     pub(super) contenders: Vec<FollowerReport>,
 }
 
-/// A follower on one course.
+/// The report of one follower in one scenario.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct FollowerReport {
     pub(super) name: &'static str,
-    /// Why there is nothing to tell; null where there is.
+    /// Why the follower cannot be built; null if it can.
     pub(super) cannot_be_built: Option<String>,
     #[serde(flatten)]
     pub(super) figures: Option<Figures>,
-    /// Every frame.
+    /// Measurements of every frame.
     #[serde(skip)]
     pub(super) run: Option<Run>,
 }
@@ -54,20 +54,25 @@ pub(super) fn pixels_word(pixels: f32) -> &'static str {
 }
 
 impl PathReport {
-    pub(super) fn new(course: Course, models: &Models<'_>, runs: Vec<Option<Run>>, rounds: usize) -> Self {
+    pub(super) fn new(
+        scenario: Scenario,
+        models: &Models<'_>,
+        runs: Vec<Option<Run>>,
+        rounds: usize,
+    ) -> Self {
         let vertex_count = models.refinable.mesh.vertex_count().max(1);
         let bytes = memory::static_bytes(models);
         let fans = runs[FANS].clone().unwrap_or_default();
         let contenders = NAMES.into_iter().zip(runs).zip(bytes).map(|((name, run), bytes)| FollowerReport {
             name,
-            cannot_be_built: run.is_none().then(|| models.rival.as_ref().err().cloned()).flatten(),
+            cannot_be_built: run.is_none().then(|| models.vdpm.as_ref().err().cloned()).flatten(),
             figures: run.as_ref().map(|run| Figures::new(run, &fans, bytes, vertex_count)),
             run,
         });
         Self {
-            name: course.path.as_str(),
-            path: course.path,
-            pixels: course.pixels,
+            name: scenario.path.as_str(),
+            path: scenario.path,
+            pixels: scenario.pixels,
             frame_count: fans.triangles.len(),
             rounds,
             contenders: contenders.collect(),
@@ -78,7 +83,7 @@ impl PathReport {
         format!("{}, {} {}", self.name, self.pixels, pixels_word(self.pixels))
     }
 
-    /// Head and rows.
+    /// Header and rows of the table.
     pub(super) fn table(&self) -> Vec<Vec<String>> {
         let head = [
             "model",
@@ -94,11 +99,11 @@ impl PathReport {
             "triangles",
             "asked",
             "changes",
-            "M a second",
+            "M per second",
             "error, px",
             "99 %",
             "instance, kB",
-            "bytes a vertex",
+            "bytes per vertex",
         ];
         let mut table = vec![head.map(str::to_owned).to_vec()];
         table.extend(self.contenders.iter().map(FollowerReport::row));
@@ -137,7 +142,7 @@ impl FollowerReport {
 }
 
 impl ViewsReport {
-    /// Which followers cannot be built, and why; nothing where all can.
+    /// Names the followers that cannot be built, with the reason; empty if there are none.
     pub(super) fn missing(&self) -> String {
         let missing =
             self.paths.first().into_iter().flat_map(|path| &path.contenders).filter_map(|contender| {
@@ -148,8 +153,10 @@ impl ViewsReport {
     }
 }
 
-/// How to read the tables of courses.
-pub(super) const READING: &str = "Means of a frame in ms, the first left out, which begins at the base. The criterion is asked, the \
-    update is what else it takes to change the mesh, emission writes the indices. Steps are asked for; changes are splits and collapses of a frame, and millions of \
-    them in a second of criterion and update. Errors are distances on the screen between the full mesh and what is shown, \
-    the largest and what 99 of 100 points do not exceed. An instance is the most that one owned, in kB and in bytes a vertex of the full mesh.";
+/// Explanation of the tables of scenarios.
+pub(super) const READING: &str = "Means per frame in ms, without the first frame, which begins at the \
+    base. Criterion is the time to evaluate steps, update the rest of the time to change the mesh, and \
+    emission writes the indices. Asked is the number of steps evaluated; changes are splits and \
+    collapses per frame, and millions of them per second of criterion and update. Errors are distances \
+    on the screen between the full mesh and the triangles shown, the largest and the 99th percentile. \
+    Instance is the maximum memory owned, in kB and in bytes per vertex of the full mesh.";

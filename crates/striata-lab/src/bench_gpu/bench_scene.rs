@@ -1,4 +1,5 @@
-//! What all ways share: the mesh with its steps and strips, its vertices on the GPU, and the picture that is drawn.
+//! The scene that all ways draw: the mesh with its steps and strips, its vertices on the GPU, and the
+//! canvas.
 
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::simplify::{SequenceOptions, build_welded_sequence_with_progress};
@@ -10,12 +11,12 @@ use striata_command::failure::Failure;
 use striata_command::output::Bar;
 use striata_command::strip_chain::StripPlan;
 
-/// A mesh before the camera.
-pub(super) struct Stage<'a> {
+/// A mesh on the GPU with everything needed to draw it.
+pub(super) struct BenchScene<'a> {
     pub(super) gpu: &'a Gpu,
     pub(super) refinable: RefinableMesh,
     pub(super) strips: StripSet,
-    /// How levels with strips of their own get them.
+    /// Strip options for levels that get their own strips.
     pub(super) level_strips: StripOptions,
     pub(super) vertices: GpuVertices,
     pub(super) painter: Painter,
@@ -24,11 +25,11 @@ pub(super) struct Stage<'a> {
     pub(super) look: Look,
 }
 
-impl<'a> Stage<'a> {
-    /// Builds steps and strips, uploads the vertices.
+impl<'a> BenchScene<'a> {
+    /// Builds steps and strips, and uploads the vertices.
     ///
     /// # Errors
-    /// Where the mesh does not hang together, or does not fit onto the GPU.
+    /// If the mesh is inconsistent or does not fit onto the GPU.
     pub(super) fn new(
         gpu: &'a Gpu,
         (name, mesh): (&str, &IndexedMesh),
@@ -55,7 +56,7 @@ impl<'a> Stage<'a> {
         Ok(Self { gpu, refinable, strips, level_strips, vertices, painter, canvas, scene, look })
     }
 
-    /// Steps from the base mesh to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     pub(super) fn step_count(&self) -> usize {
         self.refinable.sequence.step_count()
     }

@@ -1,4 +1,4 @@
-//! One row for each way to make strips of a mesh: ours, meshoptimizer's, and those that `peers/` has left.
+//! Table rows for each stripifier: ours, meshoptimizer's, and those whose output `peers/` has written.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -10,12 +10,12 @@ use striata_strip::{StripOptions, stripify};
 use crate::table::Table;
 use crate::{Fallible, RUN_COUNT};
 
-/// Entries of the caches that misses are counted for.
+/// Cache size in vertices for counting misses.
 const CACHE_SIZE: usize = 16;
-/// No more runs are made once this much time has gone.
+/// No further run starts after this many seconds.
 const MAX_SECS: f64 = 3.0;
 
-/// Ours: spelling, effort, what a miss weighs.
+/// Our stripifiers: specification, effort, and weight of a cache miss.
 const OURS: &[(&str, f64, f64)] = &[
     ("greedy", 1.0, 0.0),
     ("stripe", 1.0, 0.0),
@@ -34,27 +34,35 @@ const OURS: &[(&str, f64, f64)] = &[
     ("cheapest", 1.0, 3.0),
 ];
 
-/// The head of the table that [`add_rows`] fills.
-pub(crate) const HEAD: [&str; 8] =
-    ["mesh", "tool", "strips", "indices a triangle", "ACMR, FIFO 16", "ATVR, FIFO 16", "ACMR, LRU 16", "ms"];
+/// Header of the table that [`add_rows`] fills.
+pub(crate) const HEAD: [&str; 8] = [
+    "mesh",
+    "tool",
+    "strips",
+    "indices per triangle",
+    "ACMR, FIFO 16",
+    "ATVR, FIFO 16",
+    "ACMR, LRU 16",
+    "ms",
+];
 
-/// Which rows a table has.
+/// Selection of table rows.
 #[derive(Default)]
 pub(crate) struct Choice {
-    /// Leaves out efforts other than 1 and weights other than 0 and 1.
+    /// Whether to omit efforts other than 1 and weights other than 0 and 1.
     pub(crate) is_quick: bool,
-    /// Where the strips of peers lie.
+    /// Folder with the strips of other tools.
     pub(crate) peers: Option<PathBuf>,
 }
 
-/// Adds the rows for a mesh.
+/// Adds the rows of a mesh.
 pub(crate) fn add_rows(name: &str, mesh: &IndexedMesh, choice: &Choice, table: &mut Table) -> Fallible<()> {
-    let contest = Contest { name, expected: sorted_triangles(mesh.triangles.clone()) };
+    let expected_mesh = ExpectedMesh { name, expected: sorted_triangles(mesh.triangles.clone()) };
     for &(spelling, effort, weight) in OURS {
         if choice.is_quick && (effort != 1.0 || (weight != 0.0 && weight != 1.0)) {
             continue;
         }
-        // What this build cannot spell has no row.
+        // Stripifiers that this build does not include have no row.
         let Ok(stripifier) = spelling.parse() else { continue };
         let options = StripOptions::default()
             .with_stripifier(stripifier)
@@ -65,27 +73,27 @@ pub(crate) fn add_rows(name: &str, mesh: &IndexedMesh, choice: &Choice, table: &
         let effort = if effort == 1.0 { String::new() } else { format!(", effort {effort}") };
         let weight = if weight == 0.0 { String::new() } else { format!(", a miss weighs {weight}") };
         let tool = format!("striata, {spelling}{effort}{weight}");
-        contest.add(&tool, &strips?.to_restart_indices().indices, secs, table);
+        expected_mesh.add(&tool, &strips?.to_restart_indices().indices, secs, table);
     }
     let list: &[u32] = mesh.triangles.as_flattened();
     let (secs, strips) = best(|| {
         let ordered = meshopt::optimize_vertex_cache_strip(list, mesh.vertex_count());
         meshopt::stripify(&ordered, mesh.vertex_count(), RESTART)
     });
-    contest.add("meshoptimizer, strip order", &strips?, secs, table);
+    expected_mesh.add("meshoptimizer, strip order", &strips?, secs, table);
     if let Some(folder) = &choice.peers {
-        contest.add_peers(folder, table)?;
+        expected_mesh.add_peers(folder, table)?;
     }
     Ok(())
 }
 
-/// A mesh, and the triangles that every tool has to draw.
-struct Contest<'a> {
+/// A mesh and the triangles that every tool has to draw.
+struct ExpectedMesh<'a> {
     name: &'a str,
     expected: Vec<[u32; 3]>,
 }
 
-impl Contest<'_> {
+impl ExpectedMesh<'_> {
     fn add(&self, tool: &str, indices: &[u32], secs: f64, table: &mut Table) {
         let mut triangles = Vec::new();
         restart_triangles_into(indices, &mut triangles);
@@ -94,14 +102,14 @@ impl Contest<'_> {
         let lru = lru_cache_cost(indices, triangle_count, CACHE_SIZE);
         let strip_count = indices.split(|&i| i == RESTART).filter(|strip| !strip.is_empty()).count();
         let (missing, extra) = differences(&self.expected, &sorted_triangles(triangles));
-        let told = if missing + extra == 0 {
+        let note = if missing + extra == 0 {
             String::new()
         } else {
             format!(" ({missing} triangles missing, {extra} not the mesh's)")
         };
         table.push(vec![
             self.name.to_owned(),
-            format!("{tool}{told}"),
+            format!("{tool}{note}"),
             strip_count.to_string(),
             format!("{:.3}", indices.len() as f64 / triangle_count as f64),
             format!("{:.3}", fifo.acmr),
@@ -111,7 +119,7 @@ impl Contest<'_> {
         ]);
     }
 
-    /// Adds what lies in a folder as `NAME.TOOL.strips`: f64 milliseconds, u32 count, u32 indices.
+    /// Adds the files `NAME.TOOL.strips` of a folder: f64 milliseconds, u32 count, u32 indices.
     fn add_peers(&self, folder: &Path, table: &mut Table) -> Fallible<()> {
         let mut paths: Vec<_> =
             std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Fallible<_>>()?;
@@ -135,7 +143,7 @@ impl Contest<'_> {
     }
 }
 
-/// Writes a mesh as the plain list that peers read: two counts, positions, corners, little-endian.
+/// Writes a mesh in the plain format that other tools read: two counts, positions, corners, little-endian.
 pub(crate) fn write_list(name: &str, mesh: &IndexedMesh, folder: &Path) -> Fallible<()> {
     let counts = [mesh.vertex_count() as u32, mesh.triangle_count() as u32];
     let mut bytes: Vec<u8> = counts.iter().flat_map(|count| count.to_le_bytes()).collect();
@@ -144,19 +152,19 @@ pub(crate) fn write_list(name: &str, mesh: &IndexedMesh, folder: &Path) -> Falli
     Ok(std::fs::write(folder.join(format!("{name}.triangles")), bytes)?)
 }
 
-/// Best time of several runs, in seconds, and what the last one made.
+/// Fastest of several runs in seconds, and the result of the last one.
 fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
     let begin = Instant::now();
-    let (mut least, mut made) = (f64::INFINITY, None);
+    let (mut best_secs, mut result) = (f64::INFINITY, None);
     for _ in 0..RUN_COUNT {
         let start = Instant::now();
-        made = Some(std::hint::black_box(work()));
-        least = least.min(start.elapsed().as_secs_f64());
+        result = Some(std::hint::black_box(work()));
+        best_secs = best_secs.min(start.elapsed().as_secs_f64());
         if begin.elapsed().as_secs_f64() > MAX_SECS {
             break;
         }
     }
-    (least, made.expect("there is at least one run"))
+    (best_secs, result.expect("there is at best_secs one run"))
 }
 
 fn sorted_triangles(mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
@@ -164,7 +172,7 @@ fn sorted_triangles(mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
     canonical_triangles(&triangles)
 }
 
-/// How many of the expected triangles are missing, and how many are there that are not expected.
+/// Numbers of missing triangles and of extra ones.
 fn differences(expected: &[[u32; 3]], found: &[[u32; 3]]) -> (usize, usize) {
     let (mut e, mut f, mut common) = (0, 0, 0);
     while e < expected.len() && f < found.len() {

@@ -1,19 +1,19 @@
-//! Which places of a strip show the same vertex, while its vertices collapse one by one.
+//! Groups the slots of a strip that show the same vertex, while its vertices collapse one by one.
 //!
-//! Groups are united by relabeling the smaller one, so all unions of a strip of `n` places take `n log n` steps,
-//! and each looks at the triangles that it may take away.
+//! Groups are merged by relabeling the smaller one, so all merges of a strip with `n` slots take `n log n`
+//! steps. Each step checks the triangles that it may remove.
 
-/// The end of a list of places.
+/// End of a list of slots.
 const NONE: u32 = u32::MAX;
 
-/// The places of one strip in groups, and which of its triangles are left.
+/// The slots of one strip in groups, and the triangles that remain.
 #[derive(Debug, Default)]
-pub(super) struct PlaceGroups {
+pub(super) struct SlotGroups {
     group_of: Vec<u32>,
-    /// The next place of the same group.
+    /// The next slot of the same group.
     next: Vec<u32>,
     groups: Vec<Group>,
-    /// Whether the triangle that begins at a place has three corners.
+    /// Whether the triangle that begins at each slot has three distinct corners.
     is_shown: Vec<bool>,
     shown_count: usize,
 }
@@ -25,8 +25,8 @@ struct Group {
     size: u32,
 }
 
-impl PlaceGroups {
-    /// Begins with a strip whose places show the groups `shown`, numbered from 0 without gaps.
+impl SlotGroups {
+    /// Starts with a strip whose slots show the groups `shown`, numbered consecutively from 0.
     pub(super) fn begin(&mut self, shown: &[u32], group_count: usize) {
         self.group_of.clear();
         self.group_of.extend_from_slice(shown);
@@ -34,14 +34,14 @@ impl PlaceGroups {
         self.next.resize(shown.len(), NONE);
         self.groups.clear();
         self.groups.resize(group_count, Group { first: NONE, last: NONE, size: 0 });
-        for (place, &g) in (0..).zip(shown) {
+        for (slot, &g) in (0..).zip(shown) {
             let group = &mut self.groups[g as usize];
             if group.size == 0 {
-                group.first = place;
+                group.first = slot;
             } else {
-                self.next[group.last as usize] = place;
+                self.next[group.last as usize] = slot;
             }
-            group.last = place;
+            group.last = slot;
             group.size += 1;
         }
         self.is_shown.clear();
@@ -49,21 +49,21 @@ impl PlaceGroups {
         self.shown_count = self.is_shown.iter().filter(|&&is_shown| is_shown).count();
     }
 
-    /// Whether the strip has a triangle left.
+    /// Whether the strip has any triangle left.
     pub(super) fn has_triangles(&self) -> bool {
         self.shown_count > 0
     }
 
-    /// Makes one group of two; returns its number, which is that of one of them.
-    pub(super) fn unite(&mut self, a: u32, b: u32) -> u32 {
+    /// Merges two groups and returns the index of the result, which is one of the two.
+    pub(super) fn merge(&mut self, a: u32, b: u32) -> u32 {
         let size = |group: u32| self.groups[group as usize].size;
         let (large, small) = if size(a) >= size(b) { (a, b) } else { (b, a) };
         let members = self.groups[small as usize];
-        let mut place = members.first;
-        while place != NONE {
-            self.take_triangles(place as usize, large);
-            self.group_of[place as usize] = large;
-            place = self.next[place as usize];
+        let mut slot = members.first;
+        while slot != NONE {
+            self.remove_triangles(slot as usize, large);
+            self.group_of[slot as usize] = large;
+            slot = self.next[slot as usize];
         }
         let group = &mut self.groups[large as usize];
         self.next[group.last as usize] = members.first;
@@ -72,10 +72,10 @@ impl PlaceGroups {
         large
     }
 
-    /// Takes away the triangles that have a corner at `place` and one in the other group.
-    fn take_triangles(&mut self, place: usize, other: u32) {
-        let end = (place + 1).min(self.is_shown.len());
-        for start in place.saturating_sub(2)..end {
+    /// Removes the triangles that have a corner at `slot` and another in the group `other`.
+    fn remove_triangles(&mut self, slot: usize, other: u32) {
+        let end = (slot + 1).min(self.is_shown.len());
+        for start in slot.saturating_sub(2)..end {
             if self.is_shown[start] && self.group_of[start..start + 3].contains(&other) {
                 self.is_shown[start] = false;
                 self.shown_count -= 1;
@@ -89,30 +89,30 @@ mod tests {
     use super::*;
 
     #[test]
-    fn triangles_go_when_two_of_their_corners_meet() {
+    fn triangles_vanish_when_two_corners_merge() {
         // Triangles 0 1 2, 1 2 3, 2 3 1 and 3 1 4.
-        let mut groups = PlaceGroups::default();
+        let mut groups = SlotGroups::default();
         groups.begin(&[0, 1, 2, 3, 1, 4], 5);
         assert_eq!(groups.is_shown, [true; 4]);
-        let kept = groups.unite(4, 1);
+        let kept = groups.merge(4, 1);
         assert_eq!(kept, 1, "the larger one stays");
         assert_eq!(groups.is_shown, [true, true, true, false]);
-        groups.unite(0, 3);
+        groups.merge(0, 3);
         assert_eq!(groups.is_shown, [true, true, true, false]);
-        let kept = groups.unite(2, 1);
+        let kept = groups.merge(2, 1);
         assert_eq!(groups.is_shown, [false; 4]);
         assert!(!groups.has_triangles());
         assert_eq!((kept, groups.groups[1].size), (1, 4));
     }
 
     #[test]
-    fn a_strip_may_be_too_short_for_a_triangle() {
-        let mut groups = PlaceGroups::default();
+    fn strip_may_be_too_short_for_a_triangle() {
+        let mut groups = SlotGroups::default();
         for shown in [&[][..], &[0], &[0, 1]] {
             groups.begin(shown, shown.len());
             assert!(!groups.has_triangles());
         }
-        groups.unite(0, 1);
+        groups.merge(0, 1);
         assert!(!groups.has_triangles());
     }
 }

@@ -1,30 +1,30 @@
-//! How near to a mesh something comes.
+//! Measures the distance of other meshes to a reference mesh.
 
 use serde::Serialize;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance};
 
-/// Samples of each surface.
+/// Number of samples on each surface.
 const SAMPLES: usize = 100_000;
 
-/// What is shown after some bytes.
+/// The distance of what is shown after a number of bytes.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct RateRow {
-    /// The way; its rows belong together.
+    /// Name of the coder; rows with the same name form a series.
     pub(super) name: String,
     pub(super) bytes: usize,
     pub(super) triangle_count: usize,
-    /// Percent of the diagonal.
+    /// Maximum and RMS distance in percent of the diagonal.
     pub(super) max: f64,
     pub(super) rms: f64,
 }
 
 /// Measures distances to one mesh.
-pub(super) struct Ruler<'m> {
+pub(super) struct DistanceMeter<'m> {
     pub(super) reference: &'m IndexedMesh,
 }
 
-impl Ruler<'_> {
-    /// None where what is shown has no surface.
+impl DistanceMeter<'_> {
+    /// Measures one mesh; returns `None` if it has no surface.
     pub(super) fn row(&self, name: &str, bytes: usize, shown: &IndexedMesh) -> Option<RateRow> {
         let options = DistanceOptions::default().with_sample_count(SAMPLES);
         let distance = surface_distance(self.reference, shown, &options).ok()?;

@@ -1,73 +1,74 @@
-//! The walk that every way is timed on, in turns.
+//! Times every way on the same walk through the levels, taking turns.
 //!
-//! In each round every way goes the whole walk, each round beginning with another one; of all rounds each frame keeps its
-//! quickest. A frame is finished before the next one begins: what is told is how long it takes, not how many fit into a second.
+//! Each round runs the whole walk once with every way, and each round starts with a different way. Per
+//! frame, the fastest time of all rounds is kept. A frame finishes before the next one begins, so this
+//! measures the latency of a frame, not the throughput.
 
 use std::time::Instant;
 
 use serde::Serialize;
 use striata_gpu::FrameClock;
 
-use super::stage::Stage;
+use super::bench_scene::BenchScene;
 use super::ways::{Entry, Way};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 
-/// Rounds, where time allows.
+/// Maximum number of rounds.
 const ROUND_COUNT: usize = 3;
 
-/// Seconds after which no further round begins.
-const COURSE_SECS: f64 = 20.0;
+/// No further round starts after this many seconds.
+const MAX_SECS: f64 = 20.0;
 
-/// Frames that a way draws before it is timed: pipelines are then compiled and buffers have grown.
+/// Frames drawn before timing starts, so that pipelines are compiled and buffers have grown.
 const WARM_UP_FRAMES: usize = 8;
 
-/// How one frame went.
+/// Times of one frame, in seconds.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
-    /// From one level to the next, on the processor: indices made and handed over.
+    /// CPU time to move to the next level: making the indices and handing them over.
     update: f64,
-    /// By the time stamps of the GPU.
+    /// GPU time from time stamps, or `None` if the adapter has no time stamps.
     gpu: Option<f64>,
-    /// All, from the wish for a level to the finished picture.
+    /// From requesting the level to the finished picture.
     whole: f64,
 }
 
-/// The middle of all frames, and what all but a twentieth stay below.
+/// Median and 95th percentile over all frames.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Spread {
-    /// Of all frames.
+    /// Median, in seconds.
     pub(super) median: f64,
-    /// The 95th of a hundred.
+    /// 95th percentile, in seconds.
     pub(super) p95: f64,
 }
 
-/// What a way costs.
+/// Measured cost of one way.
 #[derive(Debug, Serialize)]
 pub(super) struct Cost {
     pub(super) name: &'static str,
-    /// Whether levels stay on the GPU, so that none is made or sent.
+    /// Whether all levels stay on the GPU, so that nothing is computed or uploaded.
     pub(super) is_resident: bool,
     pub(super) update_secs: Spread,
-    /// None where the adapter has no time stamps.
+    /// `None` if the adapter has no time stamps.
     pub(super) gpu_secs: Option<Spread>,
     pub(super) frame_secs: Spread,
-    /// Of a frame, the mean.
+    /// Mean per frame.
     pub(super) uploaded_bytes: f64,
-    /// Of a frame, the mean.
+    /// Mean per frame.
     pub(super) index_count: f64,
-    /// Bytes of indices, draws and tables that it keeps on the GPU.
+    /// Bytes of indices, draw commands and tables kept on the GPU.
     pub(super) gpu_bytes: usize,
 }
 
-/// All that was timed.
-pub(super) struct Course {
+/// Result of timing all ways.
+pub(super) struct Timings {
     pub(super) costs: Vec<Cost>,
     pub(super) rounds: usize,
 }
 
-/// A way and how its frames went.
-struct Runner<'s> {
+/// A way and the times of its frames.
+struct TimedWay<'s> {
     entry: &'static Entry,
     way: Box<dyn Way + 's>,
     frames: Vec<Frame>,
@@ -75,74 +76,79 @@ struct Runner<'s> {
     index_count: f64,
 }
 
-/// Split counts from the full mesh to the base mesh and back, none at the turn twice.
+/// Split counts from the full mesh to the base mesh and back; the base mesh appears once.
 fn walk(step_count: usize, frames: usize) -> Vec<usize> {
     let at = |frame: usize| (frames - frame) * step_count / frames;
     (1..=frames).chain((0..frames).rev()).map(at).collect()
 }
 
-impl Course {
-    /// Builds all ways and lets them take turns.
+impl Timings {
+    /// Builds all ways and times them in turns.
     ///
     /// # Errors
-    /// Where one does not fit onto the GPU, or the GPU fails.
+    /// If a way does not fit onto the GPU, or the GPU fails.
     pub(super) fn run(
-        stage: &Stage<'_>,
+        bench: &BenchScene<'_>,
         entries: &[&'static Entry],
         frames: usize,
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
-        let clock = FrameClock::new(stage.gpu)?;
-        let levels = walk(stage.step_count(), frames);
-        let mut runners = Vec::new();
+        let clock = FrameClock::new(bench.gpu)?;
+        let levels = walk(bench.step_count(), frames);
+        let mut timed_ways = Vec::new();
         for (at, entry) in entries.iter().enumerate() {
             bar.share("models", at as f64 / entries.len() as f64);
-            runners.push(Runner::new(entry, stage, &levels)?);
+            timed_ways.push(TimedWay::new(entry, bench, &levels)?);
         }
-        for runner in &mut runners {
-            runner.warm_up(stage, clock.as_ref(), &levels)?;
+        for timed_way in &mut timed_ways {
+            timed_way.warm_up(bench, clock.as_ref(), &levels)?;
         }
-        let (started, count) = (Instant::now(), runners.len());
+        let (started, count) = (Instant::now(), timed_ways.len());
         let mut rounds = 0;
-        while rounds < ROUND_COUNT && (rounds == 0 || started.elapsed().as_secs_f64() < COURSE_SECS) {
+        while rounds < ROUND_COUNT && (rounds == 0 || started.elapsed().as_secs_f64() < MAX_SECS) {
             for turn in 0..count {
-                runners[(rounds + turn) % count].go(stage, clock.as_ref(), &levels)?;
+                timed_ways[(rounds + turn) % count].go(bench, clock.as_ref(), &levels)?;
                 bar.share("frames", (rounds * count + turn + 1) as f64 / (ROUND_COUNT * count) as f64);
             }
             rounds += 1;
         }
-        Ok(Self { costs: runners.iter().map(Runner::cost).collect(), rounds })
+        Ok(Self { costs: timed_ways.iter().map(TimedWay::cost).collect(), rounds })
     }
 }
 
-impl<'s> Runner<'s> {
-    fn new(entry: &'static Entry, stage: &'s Stage<'_>, levels: &[usize]) -> Result<Self, Failure> {
-        let way = entry.build(stage, levels)?;
-        let unknown = Frame { update: f64::INFINITY, gpu: None, whole: f64::INFINITY };
-        let frames = vec![unknown; levels.len()];
+impl<'s> TimedWay<'s> {
+    fn new(entry: &'static Entry, bench: &'s BenchScene<'_>, levels: &[usize]) -> Result<Self, Failure> {
+        let way = entry.build(bench, levels)?;
+        let unmeasured = Frame { update: f64::INFINITY, gpu: None, whole: f64::INFINITY };
+        let frames = vec![unmeasured; levels.len()];
         Ok(Self { entry, way, frames, uploaded_bytes: 0.0, index_count: 0.0 })
     }
 
     fn warm_up(
         &mut self,
-        stage: &Stage<'_>,
+        bench: &BenchScene<'_>,
         clock: Option<&FrameClock>,
         levels: &[usize],
     ) -> Result<(), Failure> {
         let ahead = levels.iter().take(WARM_UP_FRAMES);
         for &split_count in ahead.chain(levels.last()) {
-            self.frame(stage, clock, split_count)?;
+            self.frame(bench, clock, split_count)?;
         }
         Ok(())
     }
 
-    /// Goes the walk once; it ends where it began.
-    fn go(&mut self, stage: &Stage<'_>, clock: Option<&FrameClock>, levels: &[usize]) -> Result<(), Failure> {
+    /// Runs the walk once; it ends at the level where it started.
+    fn go(
+        &mut self,
+        bench: &BenchScene<'_>,
+        clock: Option<&FrameClock>,
+        levels: &[usize],
+    ) -> Result<(), Failure> {
         let sent_before = self.way.uploaded_bytes();
         let mut index_count = 0;
         for (at, &split_count) in levels.iter().enumerate() {
-            let frame = self.frame(stage, clock, split_count)?;
-            self.frames[at].keep_quicker(frame);
+            let frame = self.frame(bench, clock, split_count)?;
+            self.frames[at].keep_fastest(frame);
             index_count += self.way.index_count();
         }
         let per_frame = |total: f64| total / levels.len() as f64;
@@ -153,11 +159,11 @@ impl<'s> Runner<'s> {
 
     fn frame(
         &mut self,
-        stage: &Stage<'_>,
+        bench: &BenchScene<'_>,
         clock: Option<&FrameClock>,
         split_count: usize,
     ) -> Result<Frame, Failure> {
-        let Stage { gpu, canvas, painter, scene, vertices, look, .. } = stage;
+        let BenchScene { gpu, canvas, painter, scene, vertices, look, .. } = bench;
         let started = Instant::now();
         self.way.move_to(gpu, split_count)?;
         let update = started.elapsed().as_secs_f64();
@@ -175,7 +181,7 @@ impl<'s> Runner<'s> {
     }
 
     fn cost(&self) -> Cost {
-        let spread = |number: fn(&Frame) -> f64| Spread::of(self.frames.iter().map(number));
+        let spread = |value: fn(&Frame) -> f64| Spread::of(self.frames.iter().map(value));
         let gpu_secs = self.frames.iter().map(|frame| frame.gpu).collect::<Option<Vec<f64>>>();
         Cost {
             name: self.entry.name,
@@ -191,7 +197,7 @@ impl<'s> Runner<'s> {
 }
 
 impl Frame {
-    fn keep_quicker(&mut self, other: Self) {
+    fn keep_fastest(&mut self, other: Self) {
         self.update = self.update.min(other.update);
         self.whole = self.whole.min(other.whole);
         self.gpu = match (self.gpu, other.gpu) {
@@ -202,12 +208,12 @@ impl Frame {
 }
 
 impl Spread {
-    fn of(numbers: impl Iterator<Item = f64>) -> Self {
-        let mut numbers: Vec<f64> = numbers.collect();
-        numbers.sort_by(f64::total_cmp);
+    fn of(values: impl Iterator<Item = f64>) -> Self {
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
         let at = |share: f64| {
-            let place = (share * numbers.len() as f64).ceil() as usize;
-            numbers.get(place.clamp(1, numbers.len().max(1)) - 1).copied().unwrap_or(0.0)
+            let rank = (share * values.len() as f64).ceil() as usize;
+            values.get(rank.clamp(1, values.len().max(1)) - 1).copied().unwrap_or(0.0)
         };
         Self { median: at(0.5), p95: at(0.95) }
     }
@@ -218,7 +224,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_walk_goes_by_even_steps_to_the_base_and_back() {
+    fn walk_reaches_the_base_and_returns_in_even_steps() {
         assert_eq!(walk(100, 4), [75, 50, 25, 0, 25, 50, 75, 100]);
         assert_eq!(walk(7, 1), [0, 7]);
         assert_eq!(walk(0, 2), [0; 4]);
@@ -227,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn spreads_are_numbers_of_the_list() {
+    fn spread_values_come_from_the_list() {
         let spread = Spread::of((1..=100).rev().map(f64::from));
         assert_eq!((spread.median, spread.p95), (50.0, 95.0));
         let one = Spread::of(std::iter::once(3.0));

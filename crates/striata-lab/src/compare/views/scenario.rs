@@ -1,7 +1,8 @@
-//! One path, gone by all followers: first a rehearsal that looks at what they do, then rounds against the clock.
+//! Runs all followers along one path: first a rehearsal that inspects what they show, then timed rounds.
 //!
-//! In each round every follower goes the whole way, one after the other, each round beginning with another one; of each frame
-//! the quickest of all rounds counts. What the criterion takes is told by the rehearsal; the rest of the time is the update.
+//! In each round every follower runs the whole path, one after the other, and each round starts with a
+//! different follower; per frame, the fastest time of all rounds counts. The rehearsal measures the time
+//! of the criterion; the rest of the follow time is the update.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -9,71 +10,71 @@ use std::time::Instant;
 use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::view::ScreenError;
 
-use super::asker::Log;
 use super::followers::{FANS, Follower, KEPT, Models, NAMES, STATELESS, View};
+use super::logged_criterion::QueryLog;
 use super::paths::{Frame, Path};
-use super::seen::{SeenErrors, Watched};
+use super::screen_errors::{ScreenErrors, VisiblePoints};
 use striata_command::failure::Failure;
 
-/// Rounds, where time allows.
+/// Maximum number of rounds.
 const ROUND_COUNT: usize = 4;
 
-/// Seconds after which no further round of a path begins.
-const COURSE_SECS: f64 = 4.5;
+/// No further round of a path starts after this many seconds.
+const MAX_SECS: f64 = 4.5;
 
-/// Frames of a path in which errors are looked at.
-const WATCHED_FRAMES: usize = 8;
+/// Number of frames of a path in which errors are measured.
+const INSPECTED_FRAMES: usize = 8;
 
-/// A path and the pixels that an error may take.
+/// A path and the allowed screen error.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Course {
-    /// The way.
+pub(super) struct Scenario {
+    /// The path of the camera.
     pub(super) path: Path,
-    /// Pixels allowed.
+    /// Allowed screen error in pixels.
     pub(super) pixels: f32,
 }
 
-/// What a follower did on a course, frame by frame.
+/// Measurements of one follower in one scenario, by frame.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Run {
-    /// Seconds of questions and changes, the quickest.
+    /// Seconds to evaluate the criterion and apply changes, fastest round.
     pub(super) follow_secs: Vec<f64>,
-    /// Seconds of questions, as far as they are told apart.
+    /// Seconds to evaluate the criterion, measured separately.
     pub(super) criterion_secs: Vec<f64>,
-    /// Seconds of making the indices.
+    /// Seconds to write the indices.
     pub(super) emission_secs: Vec<f64>,
-    /// Steps asked for.
-    pub(super) asked: Vec<usize>,
-    /// Splits and collapses.
+    /// Number of steps evaluated.
+    pub(super) evaluated: Vec<usize>,
+    /// Number of splits and collapses.
     pub(super) changes: Vec<usize>,
-    /// Triangles shown.
+    /// Number of triangles shown.
     pub(super) triangles: Vec<usize>,
-    /// The most that the instance owned.
+    /// Maximum bytes owned by the instance.
     pub(super) instance_bytes: usize,
-    /// What is wrong on the screen.
-    pub(super) errors: SeenErrors,
+    /// Errors on the screen.
+    pub(super) errors: ScreenErrors,
 }
 
-/// The frames of a course with what followers are shown.
-struct Stage {
+/// The frames of a scenario with the criterion and uniform level of each.
+struct ScenarioFrames {
     frames: Vec<Frame>,
     screens: Vec<ScreenError>,
     split_counts: Vec<usize>,
 }
 
-impl Stage {
-    fn new(course: Course, models: &Models<'_>) -> Result<Self, Failure> {
+impl ScenarioFrames {
+    fn new(scenario: Scenario, models: &Models<'_>) -> Result<Self, Failure> {
         let mesh = &models.refinable.mesh;
-        let frames = course.path.frames(mesh);
+        let frames = scenario.path.frames(mesh);
         let model = models.scene().sphere();
         let screen = |frame: &Frame| {
             let camera = frame.camera().map_err(|error| Failure::internal(error.to_string()))?;
-            Ok::<_, Failure>(ScreenError::new(camera, course.pixels).of_model(model))
+            Ok::<_, Failure>(ScreenError::new(camera, scenario.pixels).of_model(model))
         };
         let screens = frames.iter().map(screen).collect::<Result<_, _>>()?;
         let sequence = &models.refinable.sequence;
-        let split_count = |frame: &Frame| match most_pixels(mesh, frame) {
-            Some(pixels) => sequence.split_count_for_error(f64::from(course.pixels) / pixels),
+        let split_count = |frame: &Frame| match max_pixels_per_unit(mesh, frame) {
+            Some(pixels) => sequence.split_count_for_error(f64::from(scenario.pixels) / pixels),
             None => 0,
         };
         let split_counts = frames.iter().map(split_count).collect();
@@ -84,44 +85,45 @@ impl Stage {
         View { screen: &self.screens[frame], split_count: self.split_counts[frame] }
     }
 
-    fn is_watched(&self, frame: usize) -> bool {
-        let every = self.frames.len().div_ceil(WATCHED_FRAMES).max(1);
-        // Not the very first one, where all begin at the base.
+    fn is_inspected(&self, frame: usize) -> bool {
+        let every = self.frames.len().div_ceil(INSPECTED_FRAMES).max(1);
+        // Avoids the first frame, in which all followers begin at the base.
         frame % every == every / 2
     }
 }
 
-/// The most pixels that a unit takes at a vertex in the picture: there the surface is nearest, as the screen sees it.
-fn most_pixels(mesh: &IndexedMesh, frame: &Frame) -> Option<f64> {
+/// The largest number of pixels per unit length at any visible vertex, which is where the surface is
+/// nearest.
+fn max_pixels_per_unit(mesh: &IndexedMesh, frame: &Frame) -> Option<f64> {
     mesh.positions.iter().filter_map(|point| frame.pixels_at(point.map(f64::from))).reduce(f64::max)
 }
 
-impl Course {
-    /// Lets all followers go. A run for each of [`NAMES`], and how many rounds there were.
+impl Scenario {
+    /// Runs all followers. Returns a run for each of [`NAMES`], and the number of rounds.
     ///
     /// # Errors
-    /// Where a follower shows something else than it should, which is our fault.
-    pub(super) fn go(
+    /// If a follower shows wrong triangles, which would be a bug.
+    pub(super) fn run(
         self,
         models: &Models<'_>,
         show: &mut dyn FnMut(f64),
     ) -> Result<(Vec<Option<Run>>, usize), Failure> {
-        let stage = Stage::new(self, models)?;
-        let log = Log::default();
+        let scenario_frames = ScenarioFrames::new(self, models)?;
+        let log = QueryLog::default();
         let mut followers: Vec<Option<Box<dyn Follower<'_> + '_>>> =
             models.followers().into_iter().map(Result::ok).collect();
-        let mut runs = rehearse(&stage, models, &mut followers, &log)?;
+        let mut runs = rehearse(&scenario_frames, models, &mut followers, &log)?;
         let started = Instant::now();
         let (mut buffer, count) = (Vec::new(), followers.len());
         for round in 0..ROUND_COUNT {
             for i in 0..count {
                 let at = (round + i) % count;
                 if let (Some(follower), Some(run)) = (&mut followers[at], &mut runs[at]) {
-                    run.time(&stage, &mut **follower, &mut buffer);
+                    run.time(&scenario_frames, &mut **follower, &mut buffer);
                 }
                 show((round * count + i + 1) as f64 / (ROUND_COUNT * count) as f64);
             }
-            if started.elapsed().as_secs_f64() > COURSE_SECS {
+            if started.elapsed().as_secs_f64() > MAX_SECS {
                 return Ok((runs, round + 1));
             }
         }
@@ -129,45 +131,45 @@ impl Course {
     }
 }
 
-/// Goes the way once, all followers frame by frame, and looks at what they show. Fans have to show the same whatever they
-/// remember.
+/// Runs the path once, with all followers frame by frame, and inspects what they show. All variants of
+/// fans have to show the same triangles.
 fn rehearse<'a>(
-    stage: &'a Stage,
+    scenario_frames: &'a ScenarioFrames,
     models: &Models<'_>,
     followers: &mut [Option<Box<dyn Follower<'a> + 'a>>],
-    log: &'a Log,
+    log: &'a QueryLog,
 ) -> Result<Vec<Option<Run>>, Failure> {
     let mesh = &models.refinable.mesh;
     let mut runs: Vec<Option<Run>> =
-        followers.iter().map(|follower| follower.as_ref().map(|_| Run::of(stage))).collect();
-    for (frame, seen_from) in stage.frames.iter().enumerate() {
-        let watched = stage.is_watched(frame).then(|| Watched::new(mesh, seen_from));
-        let mut shown: Vec<(Vec<[u32; 3]>, SeenErrors)> = Vec::new();
+        followers.iter().map(|follower| follower.as_ref().map(|_| Run::of(scenario_frames))).collect();
+    for (frame, camera_frame) in scenario_frames.frames.iter().enumerate() {
+        let points = scenario_frames.is_inspected(frame).then(|| VisiblePoints::new(mesh, camera_frame));
+        let mut shown: Vec<(Vec<[u32; 3]>, ScreenErrors)> = Vec::new();
         for (i, (follower, run)) in followers.iter_mut().zip(&mut runs).enumerate() {
             let (Some(follower), Some(run)) = (follower, run) else { continue };
             log.clear();
-            let changes = follower.follow(stage.view(frame), Some(log));
-            run.asked.push(log.asked_count());
+            let changes = follower.follow(scenario_frames.view(frame), Some(log));
+            run.evaluated.push(log.evaluated_count());
             run.changes.push(changes.split_count + changes.collapse_count);
-            run.criterion_secs.push(log.weighing_secs(&stage.screens[frame]));
+            run.criterion_secs.push(log.evaluation_secs(&scenario_frames.screens[frame]));
             run.instance_bytes = run.instance_bytes.max(follower.instance_bytes());
             let mut indices = Vec::new();
             follower.emit_into(&mut indices);
             run.triangles.push(indices.len() / 3);
-            let Some(watched) = &watched else { continue };
+            let Some(points) = &points else { continue };
             let triangles = canonical_triangles(indices.as_chunks().0);
             let fans = shown.get(FANS).map(|(fans, _)| fans);
             if matches!(i, KEPT | STATELESS) && fans != Some(&triangles) {
                 let name = NAMES[i];
                 return Err(Failure::internal(format!(
-                    "{name} and fans show different things in frame {frame}"
+                    "{name} and fans show different triangles in frame {frame}"
                 )));
             }
             let errors = match shown.iter().find(|(other, _)| *other == triangles) {
                 Some((_, errors)) => errors.clone(),
-                None => watched.errors(mesh, &triangles)?,
+                None => points.errors(mesh, &triangles)?,
             };
-            run.errors.join(&errors);
+            run.errors.merge(&errors);
             shown.push((triangles, errors));
         }
     }
@@ -175,17 +177,22 @@ fn rehearse<'a>(
 }
 
 impl Run {
-    fn of(stage: &Stage) -> Self {
-        let unknown = vec![f64::INFINITY; stage.frames.len()];
-        Self { follow_secs: unknown.clone(), emission_secs: unknown, ..Self::default() }
+    fn of(scenario_frames: &ScenarioFrames) -> Self {
+        let unmeasured = vec![f64::INFINITY; scenario_frames.frames.len()];
+        Self { follow_secs: unmeasured.clone(), emission_secs: unmeasured, ..Self::default() }
     }
 
-    /// Goes the way against the clock.
-    fn time<'a>(&mut self, stage: &'a Stage, follower: &mut (dyn Follower<'a> + 'a), buffer: &mut Vec<u32>) {
+    /// Runs the path under the clock.
+    fn time<'a>(
+        &mut self,
+        scenario_frames: &'a ScenarioFrames,
+        follower: &mut (dyn Follower<'a> + 'a),
+        buffer: &mut Vec<u32>,
+    ) {
         follower.restart();
-        for frame in 0..stage.frames.len() {
+        for frame in 0..scenario_frames.frames.len() {
             let started = Instant::now();
-            follower.follow(stage.view(frame), None);
+            follower.follow(scenario_frames.view(frame), None);
             let followed = started.elapsed().as_secs_f64();
             buffer.clear();
             follower.emit_into(buffer);
@@ -196,7 +203,7 @@ impl Run {
         }
     }
 
-    /// Seconds of the criterion in a frame: no more than the whole took.
+    /// Seconds of the criterion in a frame, limited to the whole follow time.
     pub(super) fn criterion(&self, frame: usize) -> f64 {
         self.criterion_secs[frame].min(self.follow_secs[frame])
     }
@@ -206,12 +213,12 @@ impl Run {
         self.follow_secs[frame] - self.criterion(frame)
     }
 
-    /// Frames that have one before them.
+    /// All frames except the first.
     pub(super) fn later_frames(&self) -> std::ops::Range<usize> {
         1..self.triangles.len()
     }
 
-    /// Seconds of a frame in all.
+    /// Total seconds of a frame.
     pub(super) fn whole(&self, frame: usize) -> f64 {
         self.follow_secs[frame] + self.emission_secs[frame]
     }

@@ -1,4 +1,4 @@
-//! Errors of sequences against distances that are measured in the plainest way: every sample against every triangle.
+//! Errors of sequences against brute-force distances: every sample against every triangle.
 
 use striata_testing::meshes;
 
@@ -11,7 +11,7 @@ use striata::simplify::{
     certify_collapses_in_any_state,
 };
 
-fn place(mesh: &IndexedMesh, v: u32) -> DVec3 {
+fn position(mesh: &IndexedMesh, v: u32) -> DVec3 {
     DVec3::from_array(mesh.positions[v as usize].map(f64::from))
 }
 
@@ -34,43 +34,43 @@ fn distance_to_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
 
 /// The largest distance from samples of one mesh to all triangles of another.
 fn brute_distance(from: &IndexedMesh, to: &IndexedMesh, samples: usize) -> f64 {
-    let triangles: Vec<[DVec3; 3]> = to.triangles.iter().map(|t| t.map(|v| place(to, v))).collect();
+    let triangles: Vec<[DVec3; 3]> = to.triangles.iter().map(|t| t.map(|v| position(to, v))).collect();
     let mut random = Random::new(11);
     let mut worst: f64 = 0.0;
-    let mut look = |point: DVec3| {
+    let mut visit = |point: DVec3| {
         let distances = triangles.iter().map(|&t| distance_to_triangle(point, t));
         worst = worst.max(distances.fold(f64::INFINITY, f64::min));
     };
     for t in &from.triangles {
-        let [a, b, c] = t.map(|v| place(from, v));
-        [a, b, c].into_iter().for_each(&mut look);
+        let [a, b, c] = t.map(|v| position(from, v));
+        [a, b, c].into_iter().for_each(&mut visit);
         for _ in 0..samples.div_ceil(from.triangle_count()) {
             let [mut x, mut y] = [(); 2].map(|()| f64::from(random.between(0.0, 1.0)));
             if x + y > 1.0 {
                 (x, y) = (1.0 - x, 1.0 - y);
             }
-            look(a + (b - a) * x + (c - a) * y);
+            visit(a + (b - a) * x + (c - a) * y);
         }
     }
     worst
 }
 
-/// Looks at about this many levels.
+/// About `count` evenly spaced levels.
 fn some_levels(step_count: usize, count: usize) -> impl Iterator<Item = usize> {
     (0..step_count).step_by(step_count.div_ceil(count).max(1))
 }
 
-/// Certified errors are never exceeded. Gives the reported errors as shares of the measured ones.
+/// Checks that certified errors are never exceeded. Returns the ratios of reported to measured errors.
 fn errors_hold(name: &str, refinable: &RefinableMesh, levels: usize) -> Vec<f64> {
     let (full, sequence) = (&refinable.mesh, &refinable.sequence);
-    let certain = certify_collapses(refinable);
+    let at_levels = certify_collapses(refinable);
     let in_any_state = certify_collapses_in_any_state(refinable);
     let mut shares = Vec::new();
     for split_count in some_levels(sequence.step_count(), levels) {
         let level = replay(refinable, split_count);
         let found = brute_distance(full, &level, 300);
-        for promise in [&certain, &in_any_state] {
-            let limit = f64::from(promise.sequence.error_at(split_count)) + 1e-12 * full.diagonal();
+        for certified in [&at_levels, &in_any_state] {
+            let limit = f64::from(certified.sequence.error_at(split_count)) + 1e-12 * full.diagonal();
             assert!(found <= limit, "{name} at {split_count}: {found}, certified {limit}");
         }
         if found > 1e-6 * full.diagonal() {
@@ -80,8 +80,8 @@ fn errors_hold(name: &str, refinable: &RefinableMesh, levels: usize) -> Vec<f64>
     shares
 }
 
-/// Estimates follow some vertices only, so a few may be low.
-fn are_honest(mut shares: Vec<f64>, name: &str) {
+/// Estimates track only some vertices, so a few may be too low.
+fn are_accurate(mut shares: Vec<f64>, name: &str) {
     shares.sort_by(f64::total_cmp);
     let quantile = |percent: usize| shares[shares.len() * percent / 100];
     assert!(quantile(15) >= 0.77 && quantile(50) >= 0.95, "{name}: {} {}", quantile(15), quantile(50));
@@ -102,7 +102,7 @@ fn moved(mut mesh: IndexedMesh, scale: f32, by: [f32; 3]) -> IndexedMesh {
     mesh
 }
 
-/// What relaxed collapses are about: parts that vanish, decals, fins, folds.
+/// Meshes for relaxed collapses: vanishing parts, decals, fins and folds.
 fn special() -> Vec<(&'static str, IndexedMesh)> {
     let terrain = shapes::terrain(9, 4);
     let decals = (0..6).map(|i| moved(shapes::grid(2, 2), 0.3, [i as f32, 2.0, 0.01 * i as f32]));
@@ -138,7 +138,7 @@ fn special() -> Vec<(&'static str, IndexedMesh)> {
 }
 
 #[test]
-fn errors_hold_where_parts_vanish_and_fold() {
+fn errors_hold_when_parts_vanish_and_fold() {
     let mut shares = Vec::new();
     for (name, mesh) in special() {
         for cost in COSTS {
@@ -147,11 +147,11 @@ fn errors_hold_where_parts_vanish_and_fold() {
             shares.extend(errors_hold(name, &built.refinable, 12));
         }
     }
-    are_honest(shares, "special meshes");
+    are_accurate(shares, "special meshes");
 }
 
 #[test]
-fn estimates_on_assets_are_honest() {
+fn estimates_on_assets_are_accurate() {
     let mut shares = Vec::new();
     for seed in 0..60 {
         let mesh = asset(1 + seed as usize % 6, seed);
@@ -159,7 +159,7 @@ fn estimates_on_assets_are_honest() {
         let built = build_sequence(&mesh, &options).expect("assets are sound");
         shares.extend(errors_hold("asset", &built.refinable, 6));
     }
-    are_honest(shares, "assets");
+    are_accurate(shares, "assets");
 }
 
 proptest! {
@@ -180,9 +180,9 @@ proptest! {
         let options = random_options(&mesh, seed, 0);
         let built = build_sequence(&mesh, &options).expect("assets are sound");
         prop_assume!(!built.refinable.mesh.triangles.is_empty());
-        let certain = certify_collapses(&built.refinable);
-        let within = certain.sequence.split_count_for_error(limit);
-        let cut = certain.without_levels_below(within);
+        let certified_sequence = certify_collapses(&built.refinable);
+        let within = certified_sequence.sequence.split_count_for_error(limit);
+        let cut = certified_sequence.without_levels_below(within);
         prop_assert!(f64::from(cut.sequence.error_at(0)) <= limit);
         let found = brute_distance(&cut.mesh, &replay(&cut, 0), 1000);
         prop_assert!(found <= limit * (1.0 + 1e-9), "{found} for {limit}");

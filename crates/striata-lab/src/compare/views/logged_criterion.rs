@@ -1,7 +1,8 @@
-//! The criterion that followers are given: that of a camera, which can note what it is asked.
+//! The criterion passed to followers: that of a camera, which can also log the parts it evaluates.
 //!
-//! A clock around each question would take longer than the question. So a rehearsal notes the parts that a frame is asked
-//! for, as many at once as they came, and they are weighed again by themselves under the clock.
+//! Timing each evaluation would take longer than the evaluation itself. A rehearsal therefore logs the
+//! parts evaluated in a frame, in the batches in which they arrived, and these are evaluated once more,
+//! separately, under the clock.
 
 use std::cell::RefCell;
 use std::hint::black_box;
@@ -9,28 +10,28 @@ use std::time::Instant;
 
 use striata::view::{Criterion, Part, ScreenError, Verdict};
 
-/// What was asked for in a frame.
+/// The parts evaluated in one frame.
 #[derive(Debug, Default)]
-pub(super) struct Log {
+pub(super) struct QueryLog {
     parts: RefCell<Vec<Part>>,
-    /// The end of each question among the parts.
+    /// End of each batch in `parts`.
     ends: RefCell<Vec<usize>>,
 }
 
-/// The criterion of a camera, noting or not.
+/// The criterion of a camera, with or without a log.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Asker<'a> {
-    /// The criterion.
+pub(super) struct LoggedCriterion<'a> {
+    /// The camera's criterion.
     pub(super) screen: &'a ScreenError,
-    /// Where questions are noted.
-    pub(super) log: Option<&'a Log>,
+    /// QueryLog of the evaluated parts, if any.
+    pub(super) log: Option<&'a QueryLog>,
 }
 
-impl Criterion for Asker<'_> {
+impl Criterion for LoggedCriterion<'_> {
     #[inline]
     fn weigh(&self, part: &Part) -> Verdict {
         if let Some(log) = self.log {
-            log.note(std::slice::from_ref(part));
+            log.record(std::slice::from_ref(part));
         }
         self.screen.weigh(part)
     }
@@ -38,7 +39,7 @@ impl Criterion for Asker<'_> {
     #[inline]
     fn weigh_all(&self, parts: &[Part], verdicts: &mut Vec<Verdict>) {
         if let Some(log) = self.log {
-            log.note(parts);
+            log.record(parts);
         }
         self.screen.weigh_all(parts, verdicts);
     }
@@ -48,29 +49,29 @@ impl Criterion for Asker<'_> {
     }
 }
 
-impl Log {
-    /// Repetitions of which the quickest counts.
+impl QueryLog {
+    /// Number of repetitions; the fastest one counts.
     const REPETITIONS: usize = 3;
 
-    fn note(&self, parts: &[Part]) {
+    fn record(&self, parts: &[Part]) {
         let mut all = self.parts.borrow_mut();
         all.extend_from_slice(parts);
         self.ends.borrow_mut().push(all.len());
     }
 
-    /// Forgets what was noted.
+    /// Empties the log.
     pub(super) fn clear(&self) {
         self.parts.borrow_mut().clear();
         self.ends.borrow_mut().clear();
     }
 
-    /// Parts that were asked for.
-    pub(super) fn asked_count(&self) -> usize {
+    /// Number of evaluated parts.
+    pub(super) fn evaluated_count(&self) -> usize {
         self.parts.borrow().len()
     }
 
-    /// Seconds that it takes to weigh them again, each question as it came.
-    pub(super) fn weighing_secs(&self, screen: &ScreenError) -> f64 {
+    /// Seconds needed to evaluate the logged parts again, in the same batches.
+    pub(super) fn evaluation_secs(&self, screen: &ScreenError) -> f64 {
         let (parts, ends) = (self.parts.borrow(), self.ends.borrow());
         let mut verdicts = Vec::new();
         let mut once = || {
@@ -104,21 +105,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn questions_are_noted_and_answered_as_without_a_log() {
+    fn logging_does_not_change_verdicts() {
         let frames = Path::Orbit.frames(&shapes::icosphere(1, 1.0));
         let screen = ScreenError::new(frames[0].camera().unwrap(), 1.0);
         let part = |error| Part { sphere: Sphere::point([0.0; 3]), cone: NormalCone::ALL, error };
-        let log = Log::default();
-        let (noting, silent) =
-            (Asker { screen: &screen, log: Some(&log) }, Asker { screen: &screen, log: None });
-        assert_eq!(noting.weigh(&part(0.5)), silent.weigh(&part(0.5)));
+        let log = QueryLog::default();
+        let (logging, silent) = (
+            LoggedCriterion { screen: &screen, log: Some(&log) },
+            LoggedCriterion { screen: &screen, log: None },
+        );
+        assert_eq!(logging.weigh(&part(0.5)), silent.weigh(&part(0.5)));
         let mut verdicts = [Vec::new(), Vec::new()];
-        noting.weigh_all(&[part(1e-9), part(1.0)], &mut verdicts[0]);
+        logging.weigh_all(&[part(1e-9), part(1.0)], &mut verdicts[0]);
         silent.weigh_all(&[part(1e-9), part(1.0)], &mut verdicts[1]);
         assert!(verdicts[0] == verdicts[1] && verdicts[0].len() == 2);
-        assert_eq!((log.asked_count(), log.ends.borrow().clone()), (3, vec![1, 3]));
-        assert!(log.weighing_secs(&screen) >= 0.0);
+        assert_eq!((log.evaluated_count(), log.ends.borrow().clone()), (3, vec![1, 3]));
+        assert!(log.evaluation_secs(&screen) >= 0.0);
         log.clear();
-        assert_eq!(log.asked_count(), 0);
+        assert_eq!(log.evaluated_count(), 0);
     }
 }

@@ -1,32 +1,33 @@
-//! How far off a mesh is on the screen, measured: how many pixels lie between what should be seen and what is shown.
+//! Measures the error of a mesh on the screen: the distance in pixels between what should be visible and
+//! what is shown.
 //!
-//! Looked at are points of the full mesh that are in the picture, on triangles that face the eye: their vertices, and the
-//! middles of the triangles. The distance of each to the nearest point that is shown is told in the pixels that it takes
-//! there, across the sight. What hides behind other parts is looked at too, which only makes it stricter; what turns its
-//! back may be as coarse as it likes.
+//! It samples points of the full mesh that are in the picture, on triangles that face the camera: the
+//! vertices and the centers of these triangles. For each point, the distance to the nearest point shown is
+//! converted to pixels at that depth, as if it were perpendicular to the line of sight. Occluded points
+//! are included, which only makes the measure stricter; back faces may be arbitrarily coarse.
 
 use striata::mesh::{IndexedMesh, MeshError, TriangleTree};
 
 use super::paths::{Frame, cross, dot, minus};
 
-/// Points looked at in a frame, at most: then every second, every third, and so on.
+/// Maximum number of points per frame; if there are more, every second or third is used, and so on.
 const MAX_POINTS: usize = 40_000;
 
-/// Pixels of points of one view.
+/// Errors of the sampled points, in pixels.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct SeenErrors {
+pub(super) struct ScreenErrors {
     pixels: Vec<f64>,
 }
 
-/// The points of a view that are looked at.
+/// The sampled points of a view.
 #[derive(Clone, Debug)]
-pub(super) struct Watched {
-    /// Points, and how many pixels a unit takes there.
+pub(super) struct VisiblePoints {
+    /// Points, each with the number of pixels per unit length there.
     points: Vec<([f64; 3], f64)>,
 }
 
-impl Watched {
-    /// Those of a frame.
+impl VisiblePoints {
+    /// Samples the points of a frame.
     pub(super) fn new(mesh: &IndexedMesh, frame: &Frame) -> Self {
         let mut is_seen = vec![false; mesh.vertex_count()];
         let mut points = Vec::new();
@@ -51,30 +52,34 @@ impl Watched {
         Self { points: points.into_iter().step_by(every).collect() }
     }
 
-    /// How far these points are from what is shown.
+    /// Measures the distance of these points from the triangles shown.
     ///
     /// # Errors
-    /// Where what is shown names vertices that are not there.
-    pub(super) fn errors(&self, mesh: &IndexedMesh, triangles: &[[u32; 3]]) -> Result<SeenErrors, MeshError> {
+    /// If the triangles refer to missing vertices.
+    pub(super) fn errors(
+        &self,
+        mesh: &IndexedMesh,
+        triangles: &[[u32; 3]],
+    ) -> Result<ScreenErrors, MeshError> {
         let shown = IndexedMesh::new(mesh.positions.clone(), triangles.to_vec());
         let tree = TriangleTree::new(&shown)?;
         let pixels = self.points.iter().map(|&(point, pixels)| pixels * tree.distance_to(point));
-        Ok(SeenErrors { pixels: pixels.collect() })
+        Ok(ScreenErrors { pixels: pixels.collect() })
     }
 }
 
-impl SeenErrors {
-    /// Takes those of another view in.
-    pub(super) fn join(&mut self, other: &Self) {
+impl ScreenErrors {
+    /// Adds the errors of another view.
+    pub(super) fn merge(&mut self, other: &Self) {
         self.pixels.extend_from_slice(&other.pixels);
     }
 
-    /// The largest; `None` where nothing was looked at.
+    /// The largest error, or `None` if there are no points.
     pub(super) fn max(&self) -> Option<f64> {
         self.pixels.iter().copied().reduce(f64::max)
     }
 
-    /// What 99 of 100 points do not exceed.
+    /// The 99th percentile.
     pub(super) fn p99(&self) -> Option<f64> {
         let mut sorted = self.pixels.clone();
         sorted.sort_unstable_by(f64::total_cmp);
@@ -90,36 +95,37 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_distances_in_pixels_of_what_faces_the_eye() {
+    fn errors_are_pixel_distances_of_front_facing_points() {
         let mesh = shapes::icosphere(3, 1.0);
-        // Half a turn on, far enough away for all of the sphere to be in the picture.
+        // Half a turn on, far enough away for the whole sphere to be in the picture.
         let frame = Path::Orbit.frames(&mesh)[180];
-        let watched = Watched::new(&mesh, &frame);
-        // From 3.8 radii away 37 of 100 parts of a sphere are seen, of 642 vertices and 1,280 triangles.
-        assert!((620..=800).contains(&watched.points.len()), "{}", watched.points.len());
-        for (point, _) in &watched.points {
+        let visible = VisiblePoints::new(&mesh, &frame);
+        // From 3.8 radii away, 37 % of a sphere's surface is visible, here of 642 vertices and 1,280
+        // triangles.
+        assert!((620..=800).contains(&visible.points.len()), "{}", visible.points.len());
+        for (point, _) in &visible.points {
             assert!(dot(*point, frame.eye()) > 0.5, "{point:?} is behind");
         }
-        let none = watched.errors(&mesh, &mesh.triangles).unwrap();
+        let none = visible.errors(&mesh, &mesh.triangles).unwrap();
         assert!(none.max().unwrap() < 1e-3, "{:?}", none.max());
-        // One octant of the sphere alone: the rest is up to a diameter away.
+        // Only one octant of the sphere: the rest is up to a diameter away.
         let part: Vec<[u32; 3]> = mesh
             .triangles
             .iter()
             .filter(|t| t.iter().all(|&v| mesh.positions[v as usize].iter().all(|&x| x >= 0.0)))
             .copied()
             .collect();
-        let some = watched.errors(&mesh, &part).unwrap();
-        let farthest = watched.points.iter().map(|(_, pixels)| 2.0 * pixels).fold(0.0, f64::max);
+        let some = visible.errors(&mesh, &part).unwrap();
+        let farthest = visible.points.iter().map(|(_, pixels)| 2.0 * pixels).fold(0.0, f64::max);
         assert!(some.max().unwrap() > 100.0 && some.max().unwrap() <= farthest);
         assert!(some.p99().unwrap() <= some.max().unwrap());
     }
 
     #[test]
-    fn shares_are_counted_from_below() {
-        let errors = SeenErrors { pixels: (1..=200).rev().map(f64::from).collect() };
+    fn percentiles_are_counted_from_the_smallest_error() {
+        let errors = ScreenErrors { pixels: (1..=200).rev().map(f64::from).collect() };
         assert_eq!((errors.max(), errors.p99()), (Some(200.0), Some(198.0)));
-        assert_eq!(SeenErrors { pixels: vec![3.0] }.p99(), Some(3.0));
-        assert_eq!((SeenErrors::default().max(), SeenErrors::default().p99()), (None, None));
+        assert_eq!(ScreenErrors { pixels: vec![3.0] }.p99(), Some(3.0));
+        assert_eq!((ScreenErrors::default().max(), ScreenErrors::default().p99()), (None, None));
     }
 }
