@@ -164,7 +164,7 @@ fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
             break;
         }
     }
-    (best_secs, result.expect("there is at best_secs one run"))
+    (best_secs, result.expect("there is at least one run"))
 }
 
 fn sorted_triangles(mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
