@@ -45,7 +45,7 @@ window.load = async (pixelError) => {
     mesh.pixelError = pixelError;
     let isFinished = false;
     mesh.finished.finally(() => { isFinished = true; });
-    // A camera that keeps moving sends the next request as soon as it has an response.
+    // A camera that keeps moving sends the next request as soon as it has a response.
     for (let at = 0; !isFinished; at += 1) {
       const requested = performance.now();
       const answered = new Promise((give) => mesh.addEventListener('change', give, { once: true }));
