@@ -1,10 +1,9 @@
 //! Chooses an adapter that can really draw: each one is opened and tried before it is accepted.
 //!
-//! Drivers report features that they do not have and lack features that every picture needs, so an
-//! adapter is accepted only
-//! after [`Gpu::probe`] (or the caller's own trial) has succeeded on it. Vulkan, Metal and DirectX come
-//! first, then OpenGL; within
-//! each, discrete GPUs come first, then integrated ones, and CPU adapters last.
+//! Drivers report features that they do not have and lack features that every picture needs, so an adapter
+//! is accepted only after [`Gpu::probe`] (or the caller's own trial) has succeeded on it. Vulkan, Metal and
+//! DirectX come first, then OpenGL; within each, discrete GPUs come first, then integrated ones, and CPU
+//! adapters last.
 
 use wgpu::{Adapter, Backends, DeviceType, Instance};
 
@@ -39,8 +38,7 @@ impl Gpu {
 ///
 /// # Errors
 /// [`GpuError::NoAdapter`] if none was found, [`GpuError::NoSuchAdapter`] if none has the requested name,
-/// and
-/// [`GpuError::NoUsableAdapter`] if every candidate failed its trial.
+/// and [`GpuError::NoUsableAdapter`] if every candidate failed its trial.
 pub fn choose_adapter<T>(
     options: &GpuOptions,
     mut trial: impl FnMut(&Gpu) -> Result<T, GpuError>,
@@ -55,9 +53,8 @@ pub fn choose_adapter<T>(
     choose_from(stages.into_iter().map(find), options, |gpu, _| trial(gpu))
 }
 
-/// Like [`choose_adapter`], but among adapters that the caller has found, for example those compatible
-/// with a window's surface.
-/// `found` yields lists in order of preference.
+/// Like [`choose_adapter`], but among adapters that the caller has found, for example those compatible with
+/// a window's surface. `found` yields lists in order of preference.
 ///
 /// # Errors
 /// Fails like [`choose_adapter`].

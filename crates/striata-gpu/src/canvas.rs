@@ -143,9 +143,8 @@ impl Canvas {
 }
 
 impl Picture {
-    /// Reads back a texture that was created with `COPY_SRC`. Its format must have 8 bits for each of
-    /// red, green, blue and opacity;
-    /// other formats yield scrambled pixels.
+    /// Reads back a texture that was created with `COPY_SRC`. Its format must have 8 bits for each of red,
+    /// green, blue and opacity; other formats yield scrambled pixels.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the picture does not fit into

@@ -7,8 +7,7 @@ use wgpu::Buffer;
 use crate::indices::{GpuIndices, GpuMultiDraw};
 
 /// Indices and how to draw them. Groups (materials) are consecutive ranges of the indices; the n-th group
-/// gets the n-th
-/// palette color if the [`Look`](crate::Look) shows groups.
+/// gets the n-th palette color if the [`Look`](crate::Look) shows groups.
 #[derive(Clone, Copy, Debug)]
 pub enum Drawing<'a> {
     /// Triangle list: three indices per triangle.

@@ -12,8 +12,7 @@ const PASSES: [(&str, &[u32]); 3] =
     [("count", &[0, 1, 2, 3, 5, 6, 7]), ("allocate", &[0, 4, 7, 9]), ("write", &[0, 1, 2, 3, 6, 8, 10])];
 
 /// Extracts the triangles of [`GpuFanInstance`](crate::GpuFanInstance)s in compute shaders. One extractor
-/// serves all tables of a
-/// device.
+/// serves all tables of a device.
 #[derive(Debug)]
 pub struct FanExtractor {
     pipelines: [ComputePipeline; 3],

@@ -6,8 +6,7 @@
 pub(crate) fn enable(device: &wgpu::Device) {
     use glow::HasContext;
     // SAFETY: the device is alive, its context is locked and current while it is used, and wgpu never
-    // sets or reads this
-    // switch, so none of the state that wgpu tracks becomes wrong.
+    // sets or reads this switch, so none of the state that wgpu tracks becomes wrong.
     unsafe {
         if let Some(device) = device.as_hal::<wgpu::hal::api::Gles>() {
             device.context().lock().enable(glow::PRIMITIVE_RESTART_FIXED_INDEX);

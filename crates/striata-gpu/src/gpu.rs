@@ -23,8 +23,8 @@ pub struct Gpu {
 
 impl Gpu {
     /// Opens an adapter with the [`optional features`](Self::optional_features) that it supports. Errors
-    /// that its device reports
-    /// asynchronously, out of memory above all, are returned by the next [`wait`](Self::wait).
+    /// that its device reports asynchronously, out of memory above all, are returned by the next
+    /// [`wait`](Self::wait).
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].

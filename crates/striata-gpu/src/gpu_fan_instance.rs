@@ -14,9 +14,8 @@ use crate::gpu_error::GpuError;
 use crate::gpu_fans::GpuFans;
 use crate::indices::COMMAND_BYTES;
 
-/// Runs of changed words with fewer unchanged words than this between them are uploaded as one range,
-/// since a write has a fixed
-/// cost of about this many words.
+/// Runs of changed words with fewer unchanged words than this between them are uploaded as one range, since
+/// a write has a fixed cost of about this many words.
 const JOIN_GAP: usize = 4096;
 
 /// GPU buffers of one fan instance: the bits of its steps, the extracted indices, and the draw commands.
@@ -83,9 +82,8 @@ impl GpuFanInstance {
         }
     }
 
-    /// Draw call for the extracted triangles. The shader learns their groups only if the device supports
-    /// a first instance in
-    /// indirect draws ([`Gpu::optional_features`]).
+    /// Draw call for the extracted triangles. The shader learns their groups only if the device supports a
+    /// first instance in indirect draws ([`Gpu::optional_features`]).
     pub fn drawing(&self) -> Drawing<'_> {
         Drawing::Extracted {
             indices: &self.indices,

@@ -1,8 +1,7 @@
 //! Packs the table of fans into 32-bit words, as the shaders read it.
 //!
 //! Each fan has four header words, which all threads read coalesced, and a run of words that is read only
-//! for fans that may be
-//! active. The makers of a fan are the steps that create some of its arcs:
+//! for fans that may be active. The makers of a fan are the steps that create some of its arcs:
 //!
 //! ```text
 //! header  vertex | index of its first word | flags | 1 + its own step, 0 in the base
@@ -13,8 +12,8 @@
 //! ```
 //!
 //! Makers are narrow (one word) if the fan has at most 8 arcs and they are fewer than 2^24 steps later,
-//! which is true of almost
-//! every fan. The byte-coded table in [`Fans`] is half as large, but has to be read sequentially by a CPU.
+//! which is true of almost every fan. The byte-coded table in [`Fans`] is half as large, but has to be read
+//! sequentially by a CPU.
 //!
 //! Fans are sorted by group, in table order within a group. A block is up to 256 fans of one group, the
 //! work of one workgroup.

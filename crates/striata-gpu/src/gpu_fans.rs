@@ -1,10 +1,8 @@
 //! Progressive fans on the GPU: one shared table, and one bit per step for each instance.
 //!
-//! The table and an instance's bits determine what the instance shows, and the active triangles of each
-//! fan can be found
-//! independently. So a frame uploads only the bits that have changed, and three small compute passes
-//! build the index buffer and
-//! its draw commands; nothing is read back:
+//! The table and an instance's bits determine what the instance shows, and the active triangles of each fan
+//! can be found independently. So a frame uploads only the bits that have changed, and three small compute
+//! passes build the index buffer and its draw commands; nothing is read back:
 //!
 //! ```text
 //! bits --upload--> count:    active arcs of each fan, and their number in each block of 256 fans
@@ -13,14 +11,14 @@
 //! ```
 //!
 //! Slots come from prefix sums over all fans, so every device produces the same indices in the same order
-//! as
-//! [`FanInstance::indices_into`](striata::model::FanInstance::indices_into). No level has more triangles
-//! than the full mesh, so a
-//! buffer of that size is enough.
+//! as [`FanInstance::indices_into`](striata::model::FanInstance::indices_into). No level has more triangles
+//! than the full mesh, so a buffer of that size is enough.
 //!
-//! Cost: the table takes [`GpuFans::bytes_per_vertex`]. Besides its bits, an instance takes 4 bytes per
-//! fan and the index buffer
-//! of the full mesh. A frame reads 16 bytes of every fan, and all words of the fans that may be active.
+//! Cost: the table takes [`GpuFans::bytes_per_vertex`]. Besides its bits, an instance takes 4 bytes per fan
+//! and the index buffer of the full mesh. A frame reads 16 bytes of every fan, and all words of the fans
+//! that may be active.
+
+use bytemuck::cast_slice;
 use striata::model::{Fans, LodModel};
 use wgpu::{Buffer, BufferUsages};
 

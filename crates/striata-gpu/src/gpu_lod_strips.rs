@@ -10,19 +10,18 @@ use crate::gpu_error::GpuError;
 use crate::indices::GpuIndices;
 
 /// Changed ranges with fewer unchanged indices than this between them are uploaded as one, since a write
-/// has a fixed cost of
-/// about this many indices: 4.2 µs on the CPU and 2.5 µs on the queue, compared with 0.7 ns per index.
+/// has a fixed cost of about this many indices: 4.2 µs on the CPU and 2.5 µs on the queue, compared with
+/// 0.7 ns per index.
 ///
 /// Tried: one staging buffer from which the queue copies each range. That costs 1.1 µs per range plus 40
-/// µs, which pays off
-/// from 8 widely spaced ranges on; but with many ranges, uploading all indices is as fast for most meshes.
+/// µs, which pays off from 8 widely spaced ranges on; but with many ranges, uploading all indices is as
+/// fast for most meshes.
 const JOIN_GAP: u32 = 8192;
 
 /// Index buffer on the GPU that follows one [`LodStripsState`].
 ///
 /// A move to another level changes a few indices in each of many strips. Ranges that are close to each
-/// other are uploaded
-/// together with the indices between them, since every write has a fixed cost.
+/// other are uploaded together with the indices between them, since every write has a fixed cost.
 #[derive(Debug)]
 pub struct GpuLodStrips {
     buffer: StripBuffer,

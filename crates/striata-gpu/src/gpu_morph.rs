@@ -1,12 +1,10 @@
 //! Geomorphs in the vertex shader: vertices slide from one level to another.
 //!
-//! The GPU stores for each vertex which vertex it moves from or to and how far it is, 8 bytes. Only
-//! changes are uploaded: for a
-//! [`Geomorph`] between two levels, the list of moving vertices once and then one number per frame; for
-//! [`FanMorphs`], which
-//! follow a view, a list per frame. The shader blends positions, normals and colors. If a target is
-//! moving too, the shader follows
-//! the chain of targets, so that chains stay connected exactly as they do on the CPU.
+//! The GPU stores for each vertex which vertex it moves from or to and how far it is, 8 bytes. Only changes
+//! are uploaded: for a [`Geomorph`] between two levels, the list of moving vertices once and then one
+//! number per frame; for [`FanMorphs`], which follow a view, a list per frame. The shader blends positions,
+//! normals and colors. If a target is moving too, the shader follows the chain of targets, so that chains
+//! stay connected exactly as they do on the CPU.
 //!
 //! Cost: 8 bytes per vertex, and 12 bytes uploaded for each vertex that starts moving, moves
 //! independently, or comes to rest_entry.

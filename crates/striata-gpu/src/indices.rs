@@ -12,8 +12,7 @@ use crate::gpu_error::GpuError;
 /// Buffer of 32-bit indices that can be rewritten.
 ///
 /// If a write does not fit, the buffer grows to 1.5 times the needed size; it never shrinks. Each write
-/// adds to
-/// [`uploaded_bytes`](Self::uploaded_bytes).
+/// adds to [`uploaded_bytes`](Self::uploaded_bytes).
 #[derive(Debug)]
 pub struct GpuIndices {
     pub(crate) buffer: Buffer,

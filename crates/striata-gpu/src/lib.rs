@@ -1,24 +1,19 @@
 //! Draws striata's levels of detail with wgpu, in a window or into an offscreen picture.
 //!
 //! A mesh's vertices are uploaded once ([`GpuVertices`]). Each level is only another set of indices over
-//! them, drawn as a triangle
-//! list, as strips with primitive restart, or by many indirect draws ([`Drawing`]). [`Painter`] owns the
-//! pipelines, [`Canvas`] is
-//! an offscreen render target, and [`Viewpoint`] is the camera. [`Inspection`] draws individual
-//! triangles, colored by strip or fan,
-//! with their edges.
+//! them, drawn as a triangle list, as strips with primitive restart, or by many indirect draws
+//! ([`Drawing`]). [`Painter`] owns the pipelines, [`Canvas`] is an offscreen render target, and
+//! [`Viewpoint`] is the camera. [`Inspection`] draws individual triangles, colored by strip or fan, with
+//! their edges.
 //!
-//! Every wgpu backend works, including OpenGL and CPU adapters. [`Gpu::new`] draws a small test triangle
-//! on each adapter before it
-//! accepts one, and reports why each other adapter was rejected.
+//! Every wgpu backend works, including OpenGL and CPU adapters. [`Gpu::new`] draws a small test triangle on
+//! each adapter before it accepts one, and reports why each other adapter was rejected.
 //!
 //! In reading order: `gpu_error`, `gpu_options`, `gpu` and `adapters` find the device; `copy_back`,
-//! `vertices`, `indices`,
-//! `drawing` and `gpu_lod_strips` contain what is drawn; `viewpoint`, `look`, `painter`, `inspection` and
-//! `gpu_morph` draw it;
-//! `canvas`, `screen_copy` and `frame_clock` are the targets and the timing; `gpu_fan_words`, `gpu_fans`,
-//! `fan_extractor` and
-//! `gpu_fan_instance` extract triangles from fans; `probe` tries all of it on an adapter.
+//! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `viewpoint`, `look`,
+//! `painter`, `inspection` and `gpu_morph` draw it; `canvas`, `screen_copy` and `frame_clock` are the
+//! targets and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and `gpu_fan_instance` extract
+//! triangles from fans; `probe` tries all of it on an adapter.
 //!
 //! ```no_run
 //! use striata::model::{FanInstance, Fans};

@@ -116,8 +116,7 @@ impl Look {
 }
 
 /// Returns a color for the n-th strip, fan or group, as opaque linear light in bytes. Consecutive colors
-/// differ clearly: hues
-/// advance by the golden ratio, in two alternating shades.
+/// differ clearly: hues advance by the golden ratio, in two alternating shades.
 pub fn palette_color(index: u32) -> [u8; 4] {
     let hue = (f64::from(index) * 0.618_033_988_749_895).fract() as f32 * 6.0;
     let shade = if index.is_multiple_of(2) { 0.85 } else { 0.60 };

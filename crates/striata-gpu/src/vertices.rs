@@ -9,11 +9,9 @@ use crate::gpu_error::GpuError;
 
 /// Positions, normals and colors of a mesh on the GPU.
 ///
-/// Positions are stored relative to the center of the bounds ([`origin`](Self::origin)), so that a mesh
-/// far from zero keeps its
-/// shape in 32 bits. Normals come from the mesh or are computed from its triangles, weighted by area;
-/// they serve every level,
-/// since vertices never move. Takes 28 bytes per vertex.
+/// Positions are stored relative to the center of the bounds ([`origin`](Self::origin)), so that a mesh far
+/// from zero keeps its shape in 32 bits. Normals come from the mesh or are computed from its triangles,
+/// weighted by area; they serve every level, since vertices never move. Takes 28 bytes per vertex.
 #[derive(Debug)]
 pub struct GpuVertices {
     pub(crate) positions: Buffer,

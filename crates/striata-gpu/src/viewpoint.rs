@@ -40,9 +40,8 @@ impl Viewpoint {
     /// Matrix from coordinates relative to `origin` to wgpu's clip space, with reversed depth: near is 1,
     /// infinitely far is 0.
     ///
-    /// `radius` is the size of the mesh. The near plane is a thousandth of it in front of the eye, or
-    /// just in front of the mesh if
-    /// the eye is outside.
+    /// `radius` is the size of the mesh. The near plane is a thousandth of it in front of the eye, or just
+    /// in front of the mesh if the eye is outside.
     pub fn clip_from_model(&self, origin: [f32; 3], radius: f32, aspect: f32) -> Mat4 {
         let [right, up, back] = self.axes_64();
         let eye = to_f64(self.eye) - to_f64(origin);

@@ -1,8 +1,7 @@
 //! Assigns triangles to strips or fans, for coloring.
 //!
 //! Triangles are reordered by strip or fan, and each gets the number of its strip or fan, so that a
-//! renderer only needs a color for
-//! each number.
+//! renderer only needs a color for each number.
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
 use striata::model::{FanIndices, fan_triangles_into};

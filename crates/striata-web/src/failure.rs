@@ -98,7 +98,7 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match &error {
             ReadError::UnknownFormat { .. } => Self::format(error).with_hint(
-                "supported formats: .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally .gz or .zst",
+                "supported: .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally .gz or .zst",
             ),
             ReadError::FeatureOff { .. }
             | ReadError::UnsupportedExtension { .. }

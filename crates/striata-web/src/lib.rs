@@ -2,27 +2,22 @@
 //! of detail.
 //!
 //! There is one main class, [`Model`]. Push the bytes of a stream into it and show what has arrived after
-//! each push, or pass it a
-//! whole file of any format that striata reads. Levels are requested by detail, triangle count, error or
-//! camera, and returned as
-//! indices over a single vertex buffer that only grows. This crate knows nothing about pages, workers or
-//! three.js; the npm package
-//! (`web/src`) does.
+//! each push, or pass it a whole file of any format that striata reads. Levels are requested by detail,
+//! triangle count, error or camera, and returned as indices over a single vertex buffer that only grows.
+//! This crate knows nothing about pages, workers or three.js; the npm package (`web/src`) does.
 //!
 //! In reading order: `model` is the class; it contains a `streamed_model` or a `built_model` (which
-//! `stored_model` reads from files),
-//! and both return a `shown_level`. `stream_place`, `limits` and `failure` check bytes, `view` and
-//! `coloring` handle requests,
-//! `vertices` and `normals` are the results, and `progress` reports progress.
+//! `stored_model` reads from files), and both return a `shown_level`. `stream_place`, `limits` and
+//! `failure` check bytes, `view` and `coloring` handle requests, `vertices` and `normals` are the results,
+//! and `progress` reports progress.
 //!
 //! Cost: a level of a stream takes one pass over the vertices that have arrived and one over the level's
-//! triangles; a view
-//! also evaluates the steps that it shows. Levels and views of other files take time proportional to what
-//! they show.
+//! triangles; a view also evaluates the steps that it shows. Levels and views of other files take time
+//! proportional to what they show.
 //!
-//! Bytes are untrusted: for any input, a method succeeds or fails with a [`Failure`]. Inputs that would
-//! not fit into a page's memory
-//! are rejected before they are decoded.
+//! Bytes are untrusted: for any input, a method succeeds or fails with a [`Failure`]. Inputs that would not
+//! fit into a page's memory are rejected before they are decoded.
+
 mod built_model;
 mod coloring;
 mod failure;

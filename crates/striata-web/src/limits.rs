@@ -1,10 +1,8 @@
 //! Upper limits on the models that a page loads.
 //!
 //! A page has at most 4 GiB of memory, and a browser terminates a page that exceeds it. The header of a
-//! stream states its final
-//! size, so a stream that cannot fit is rejected as soon as its header has arrived. The decoder itself
-//! never allocates more than the
-//! bytes received so far justify.
+//! stream states its final size, so a stream that cannot fit is rejected as soon as its header has arrived.
+//! The decoder itself never allocates more than the bytes received so far justify.
 
 use striata_stream::StreamFacts;
 

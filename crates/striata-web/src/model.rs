@@ -65,8 +65,7 @@ impl Model {
     }
 
     /// Reads a whole uncompressed file and builds its model. Plain meshes are simplified, which takes a
-    /// second or two per 100,000
-    /// triangles. Shows the full mesh.
+    /// second or two per 100,000 triangles. Shows the full mesh.
     ///
     /// # Errors
     /// If the bytes are damaged, of an unknown format, or the model is too large for a page.
@@ -100,8 +99,7 @@ impl Model {
     }
 
     /// Prepares view-dependent refinement of what has been decoded since the last call.
-    /// [`reveal`](Self::reveal) does this, too; calls
-    /// between pushes spread the work.
+    /// [`reveal`](Self::reveal) does this, too; calls between pushes spread the work.
     pub fn grow(&mut self) {
         if let Stage::Streaming(streaming) = &mut self.stage {
             streaming.grow();
@@ -257,8 +255,7 @@ impl Model {
     }
 
     /// Returns the fan number of each shown triangle, whose order may change. For a stream this is the
-    /// vertex that the triangle pivots
-    /// around.
+    /// vertex that the triangle pivots around.
     pub fn color_fans(&mut self) -> Vec<u32> {
         match &mut self.stage {
             Stage::Streaming(_) => coloring::by_pivots(&self.shown),

@@ -1,12 +1,11 @@
 //! Computes smooth normals for meshes without normals.
 //!
-//! Each triangle adds its normal, weighted by its area, to the positions of its corners. All vertices
-//! that share a position get the
-//! direction of the sum, so seams do not show. Cost: linear time, 12 bytes per position.
+//! Each triangle adds its normal, weighted by its area, to the positions of its corners. All vertices that
+//! share a position get the direction of the sum, so seams do not show. Cost: linear time, 12 bytes per
+//! position.
 
 /// Returns unit normals of all vertices. `first_vertices` contains the first vertex of each position,
-/// followed by the vertex count.
-/// A vertex whose triangles have no area gets the z axis.
+/// followed by the vertex count. A vertex whose triangles have no area gets the z axis.
 pub(crate) fn of_vertices(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],

@@ -1,8 +1,8 @@
 //! Reads models that are stored in the sections of a `.striata` file.
 //!
 //! The library's own function also decodes patterns, which would add a tenth to the wasm that a page
-//! fetches. So triangles are read here
-//! from the models that nearly all files contain; files with patterns only are rejected with a hint.
+//! fetches. So triangles are read here from the models that nearly all files contain; files with patterns
+//! only are rejected with a hint.
 
 use striata::file::StriataFile;
 use striata::mesh::{IndexedMesh, RefinableMesh};

@@ -1,10 +1,9 @@
 //! A model that is decoded from a stream: shows any level and view of what has arrived.
 //!
 //! A uniform level needs no model: it uses the first vertices, and the first triangles with each corner
-//! replaced by the vertex
-//! it has collapsed to. Views use a hierarchy that grows with the stream. Both show only what has been
-//! revealed: more may have been
-//! decoded, but requests are answered without new vertices and normals.
+//! replaced by the vertex it has collapsed to. Views use a hierarchy that grows with the stream. Both show
+//! only what has been revealed: more may have been decoded, but requests are answered without new vertices
+//! and normals.
 
 use striata::mesh::Bounds;
 use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamFacts};

@@ -23,8 +23,7 @@ pub struct View {
 #[wasm_bindgen]
 impl View {
     /// Creates a view from 12 `numbers`: eye, target and up (three each), tangent of half the vertical
-    /// field of view, and width and
-    /// height of the screen in pixels.
+    /// field of view, and width and height of the screen in pixels.
     ///
     /// # Errors
     /// If there are not 12 numbers.

@@ -4,8 +4,8 @@
 @group(1) @binding(0) var<storage, read> positions: array<f32>;
 @group(1) @binding(1) var<storage, read> normals: array<f32>;
 @group(1) @binding(2) var<storage, read> colors: array<u32>;
-// Per vertex: x: the vertex it moves from or to, itself if current rest; y: factor, as float bits, 1 current its
-// stored position.
+// Per vertex: x: the vertex it moves from or to, itself if current rest; y: factor, as float bits, 1
+// current its stored position.
 @group(1) @binding(3) var<storage, read> motions: array<vec2<u32>>;
 // x: blend of a morph between two levels, 0 to 1.
 @group(1) @binding(4) var<uniform> blend: vec4<f32>;
