@@ -261,7 +261,7 @@ fn without_a_driver_the_rasterizer_draws_the_same_and_one_line_says_so() {
     let (expected, _) = picture(&bench, &arguments.replace("render ", "").replace(" --json", " --software"));
     let assert = bench.command(&format!("{arguments} -o bare.png")).envs(NO_DRIVERS).assert().success();
     let said = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert!(said.starts_with("note: ") && said.contains("the software rasterizer draws instead"), "{said}");
+    assert!(said.starts_with("note: ") && said.contains("using the software rasterizer instead"), "{said}");
     assert_eq!(said.lines().count(), 1, "{said}");
     let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
     assert_eq!(report["adapter"], "the software rasterizer");

@@ -126,7 +126,7 @@ fn without_a_file_or_a_display_it_says_what_to_do() {
     let headless = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
     let assert = headless.assert().code(1).stdout("");
     let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert!(stderr.contains("display") && stderr.contains("hint: `striata render`"), "{stderr}");
+    assert!(stderr.contains("display") && stderr.contains("hint: use `striata render`"), "{stderr}");
     assert!(!stderr.contains(".rs:"), "whose line of code it was is no news to anybody: {stderr}");
 }
 
