@@ -4,8 +4,10 @@ import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3, type Camera, t
 
 /** A camera relative to a mesh. */
 export type MeshView =
-  /** Eye, target, up, tangent of half the vertical field of view, width and height in pixels; and the ratio of the mesh's largest
-   * to smallest scale. */
+  /**
+   * Eye, target, up, tangent of half the vertical field of view, width and height in pixels; and the ratio of the mesh's
+   * largest to smallest scale.
+   */
   | { kind: 'perspective'; numbers: number[]; stretch: number }
   /** Size of a pixel in mesh units, the same at every depth. */
   | { kind: 'orthographic'; unitsPerPixel: number };

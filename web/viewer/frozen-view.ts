@@ -4,8 +4,7 @@ import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments
 import type { CameraPose, Framing } from './framing.ts';
 import type { Stage } from './stage.ts';
 
-/** Where the camera goes: this many times farther away, at least this many model radii, and sideways and up by these angles
- * (radians). */
+/** Where the camera goes: a factor on its distance, a minimum distance in model radii, and angles sideways and up in radians. */
 const OUTSIDE = { distanceFactor: 2.3, minRadii: 4.4, sideways: 0.95, up: 0.22 };
 
 export class FrozenView {

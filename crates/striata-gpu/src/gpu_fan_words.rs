@@ -5,10 +5,10 @@
 //!
 //! ```text
 //! header  vertex | index of its first word | flags | 1 + its own step, 0 in the base
-//! flags   bits 0..6 node count, bit 6 closed, bit 7 wide makers, bit 8 has permanent arcs, bits 9..
-//! maker count
-//! words   the nodes; the permanent arcs, if any; then per maker: (step - own) << 8 | arcs, or if wide:
-//! step, arcs
+//! flags   bits 0..6 node count, bit 6 closed, bit 7 wide makers, bit 8 has permanent arcs,
+//!         bits 9.. maker count
+//! words   the nodes; the permanent arcs, if any; then per maker: (step - own) << 8 | arcs,
+//!         or if wide: step, arcs
 //! ```
 //!
 //! Makers are narrow (one word) if the fan has at most 8 arcs and they are fewer than 2^24 steps later,

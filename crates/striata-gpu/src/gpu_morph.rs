@@ -7,7 +7,7 @@
 //! stay connected exactly as they do on the CPU.
 //!
 //! Cost: 8 bytes per vertex, and 12 bytes uploaded for each vertex that starts moving, moves
-//! independently, or comes to rest_entry.
+//! independently, or comes to rest.
 
 use bytemuck::cast_slice;
 use striata::mesh::CollapseSequence;
@@ -37,7 +37,7 @@ pub struct GpuMorph {
     scatter: ComputePipeline,
     /// Buffer for the uploaded list of moves, its bindings, and its capacity in moves.
     moves: Option<(Buffer, BindGroup, usize)>,
-    /// Vertices that are not at rest_entry on the GPU, ascending.
+    /// Vertices that are not at rest on the GPU, ascending.
     moved: Vec<u32>,
     uploaded_bytes: u64,
 }
@@ -46,7 +46,7 @@ pub struct GpuMorph {
 type Move = [u32; 3];
 
 impl GpuMorph {
-    /// Creates a morph in which all vertices are at rest_entry.
+    /// Creates a morph in which all vertices are at rest.
     ///
     /// # Errors
     /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
@@ -69,7 +69,7 @@ impl GpuMorph {
         Ok(Self { motions, blend, bindings, scatter, moves: None, moved: Vec::new(), uploaded_bytes: 0 })
     }
 
-    /// Starts a morph between two levels at blend 0; vertices of an earlier morph come to rest_entry.
+    /// Starts a morph between two levels at blend 0; vertices of an earlier morph come to rest.
     ///
     /// # Panics
     /// If the morph belongs to another mesh.
@@ -112,7 +112,7 @@ impl GpuMorph {
         self.replace(gpu, moving.map(|m| [m.vertex, m.target, m.factor.to_bits()]).collect())
     }
 
-    /// Bytes uploaded so far, not counting the initial rest_entry state.
+    /// Bytes uploaded so far, not counting the initial rest state.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
     }
@@ -181,7 +181,7 @@ impl Painter {
     }
 }
 
-/// Entry of a vertex at rest_entry: its own target, at factor 1.
+/// Entry of a vertex at rest: its own target, at factor 1.
 fn rest_entry(vertex: u32) -> (u32, [u32; 2]) {
     (vertex, [vertex, 1f32.to_bits()])
 }

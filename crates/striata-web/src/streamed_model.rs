@@ -247,7 +247,7 @@ fn by_group(numbered: &[(u32, [u32; 3])], groups: &[u32], group_count: usize) ->
     for &(triangle, corners) in numbered {
         let slot = &mut next[group_of(triangle)];
         ordered[*slot] = corners;
-        *place += 1;
+        *slot += 1;
     }
     (ordered, counts)
 }

@@ -4,8 +4,8 @@
 @group(1) @binding(0) var<storage, read> positions: array<f32>;
 @group(1) @binding(1) var<storage, read> normals: array<f32>;
 @group(1) @binding(2) var<storage, read> colors: array<u32>;
-// Per vertex: x: the vertex it moves from or to, itself if current rest; y: factor, as float bits, 1
-// current its stored position.
+// Per vertex: x: the vertex it moves from or to, itself if at rest; y: factor, as float bits, 1 at its own
+// position.
 @group(1) @binding(3) var<storage, read> motions: array<vec2<u32>>;
 // x: blend of a morph between two levels, 0 to 1.
 @group(1) @binding(4) var<uniform> blend: vec4<f32>;
@@ -49,10 +49,10 @@ fn blended(v: u32) -> VertexState {
     }
     let factor = bitcast<f32>(motion.y);
     if factor > 1.0 {
-        // Between two levels, the target counts current its stored position.
+        // Between two levels, the target counts at its stored position.
         return mixed(stored(motion.x), stored(v), select(1.0 - blend.x, blend.x, factor == APPEARS));
     }
-    // The target may be moving too: start from the first target current rest and blend towards each vertex of
+    // The target may be moving too: start from the first target at rest and blend towards each vertex of
     // the chain in turn.
     var root = v;
     while motions[root].x != root {

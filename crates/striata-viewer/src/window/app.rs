@@ -62,11 +62,11 @@ impl App {
     /// Creates an application whose window is not open yet.
     pub(super) fn new(viewer: Viewer, options: WindowOptions, output: Output) -> Self {
         let ctx = egui::Context::default();
-        ctx.options_mut(|options| {
+        ctx.options_mut(|settings| {
             // A second pass would process every key press twice.
-            options.max_passes = std::num::NonZeroUsize::MIN;
+            settings.max_passes = std::num::NonZeroUsize::MIN;
             if let Some(theme) = options.theme {
-                options.theme_preference = theme.into();
+                settings.theme_preference = theme.into();
             }
         });
         Self { viewer, options, output, ctx, window: None, idle_frames: 0, failure: None }

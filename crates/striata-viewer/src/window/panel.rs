@@ -281,7 +281,7 @@ fn look(viewer: &mut Viewer, ui: &mut Ui) {
     let state = &mut viewer.state;
     let primitive_name = state.model.primitive_name();
     ui.horizontal_wrapped(|ui| {
-        let shown = state.colors_shown();
+        let shown = state.effective_colors();
         let mut choice = |ui: &mut Ui, colors, name: &str, is_enabled| {
             let button = egui::Button::selectable(shown == colors, name);
             if ui.add_enabled(is_enabled, button).clicked() {

@@ -240,7 +240,7 @@ fn config_for(
     let is_plain = |format: &wgpu::TextureFormat| {
         matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm)
     };
-    config.format = formats.iter().copied().set_up_graphics(is_plain).unwrap_or(config.format);
+    config.format = formats.iter().copied().find(is_plain).unwrap_or(config.format);
     config.present_mode = wgpu::PresentMode::AutoVsync;
     Ok(config)
 }
