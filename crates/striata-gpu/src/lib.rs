@@ -18,7 +18,8 @@
 //! ```no_run
 //! use striata::model::{FanInstance, Fans};
 //! use striata::simplify::build_sequence;
-//! use striata_gpu::{Canvas, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuVertices, Look, Painter, Viewpoint};
+//! use striata_gpu::{Canvas, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuVertices};
+//! use striata_gpu::{Look, Painter, Viewpoint};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let mesh = striata::mesh::shapes::icosphere(6, 1.0);
@@ -33,7 +34,8 @@
 //!
 //! let view = Viewpoint::portrait(&mesh.bounds().ok_or("no vertices")?, 0.5, 0.3, 0.6);
 //! let scene = painter.scene(&gpu, &vertices, (&view, [800, 600]), &Look::default())?;
-//! instance.write(&gpu, &FanInstance::uniform(&fans, refinable.sequence.step_count() / 10)); // one bit per step
+//! let split_count = refinable.sequence.step_count() / 10;
+//! instance.write(&gpu, &FanInstance::uniform(&fans, split_count)); // one bit per step
 //! let mut encoder = gpu.device().create_command_encoder(&Default::default());
 //! extractor.extract(&mut encoder, &instance); // makes its triangles on the GPU
 //! gpu.queue().submit([encoder.finish()]);

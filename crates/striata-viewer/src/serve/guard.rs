@@ -20,9 +20,10 @@ use tower_http::cors::{Any, CorsLayer};
 use tower_http::set_header::SetResponseHeaderLayer;
 
 /// Allows our own scripts, wasm, and workers made from them; nothing from other origins.
-const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src 'self' blob:; \
-                      style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; \
-                      connect-src 'self' data: blob:; object-src 'none'; base-uri 'none'; form-action 'none'; \
+const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' blob:; \
+                      worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; \
+                      font-src 'self' data:; connect-src 'self' data: blob:; object-src 'none'; \
+                      base-uri 'none'; form-action 'none'; \
                       frame-ancestors 'self'";
 
 /// Wraps the routes in all checks and headers.

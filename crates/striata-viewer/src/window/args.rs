@@ -46,13 +46,19 @@ pub struct FirstArgs {
     #[arg(long, value_name = "NAME")]
     pub model: Option<ShownModel>,
     /// Set the detail from 0 (base mesh) to 1 (full mesh)
-    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, group = "first_level")]
+    #[arg(
+        long, value_name = "F", allow_negative_numbers = true,
+        value_parser = parse_detail, group = "first_level"
+    )]
     pub detail: Option<f64>,
     /// Limit the triangle count, with uniform detail
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
     pub triangles: Option<Count>,
     /// Refine for the view until the screen error is at most this many pixels
-    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = parse_pixels, group = "first_level")]
+    #[arg(
+        long, value_name = "P", allow_negative_numbers = true,
+        value_parser = parse_pixels, group = "first_level"
+    )]
     pub pixels: Option<f64>,
     /// Limit the triangle count, with detail optimized for the view
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]

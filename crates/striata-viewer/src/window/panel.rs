@@ -266,9 +266,7 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
     let can_morph = viewer.state.model.can_morph();
     ui.add_enabled(can_morph, egui::Checkbox::new(&mut viewer.state.morphs, "Geomorphs"))
         .on_disabled_hover_text("Only available for fans")
-        .on_hover_text(
-            "Vertices move smoothly instead of jumping; needs the surface without wireframe or triangle colors",
-        );
+        .on_hover_text("Vertices move smoothly instead of jumping; not with wireframe or triangle colors");
     let mut is_frozen = viewer.state.frozen.is_some();
     let hover = "Keep the level of this view while the camera moves";
     if ui.checkbox(&mut is_frozen, "Freeze level").on_hover_text(hover).clicked() {
