@@ -1,4 +1,4 @@
-// The library: web/src -> web/dist. three stays outside; the worker goes inside, as text.
+// Builds the library, web/src -> web/dist. three stays external; the worker is inlined as text.
 import { defineConfig } from 'vite';
 
 export default defineConfig({
@@ -6,7 +6,7 @@ export default defineConfig({
   worker: { format: 'iife' },
   build: {
     outDir: 'dist',
-    // striata.wasm lies there already.
+    // dist already contains striata.wasm.
     emptyOutDir: false,
     target: 'es2022',
     minify: 'esbuild',

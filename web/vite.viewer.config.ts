@@ -1,14 +1,14 @@
-// The viewer page: web/viewer -> crates/striata-viewer/viewer, which the command embeds. One script, plain names.
+// Builds the viewer page, web/viewer -> crates/striata-viewer/viewer, which the command embeds: one script with plain file names.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 
 const wasm = fileURLToPath(new URL('dist/striata.wasm', import.meta.url));
 
-/** Puts striata.wasm beside the script, as the built page has it, also while developing. */
-function wasmBesideScript(): Plugin {
+/** Serves striata.wasm next to the script during development, and copies it there for the build. */
+function wasmNextToScript(): Plugin {
   return {
-    name: 'wasm-beside-script',
+    name: 'wasm-next-to-script',
     configureServer(server) {
       server.middlewares.use((request, response, next) => {
         if (!request.url?.split('?')[0]?.endsWith('/striata.wasm')) return next();
@@ -26,10 +26,10 @@ export default defineConfig({
   root: 'viewer',
   base: './',
   publicDir: false,
-  plugins: [wasmBesideScript()],
+  plugins: [wasmNextToScript()],
   worker: { format: 'iife' },
   build: {
-    // The check builds apart from what is committed.
+    // The check builds into another folder than the committed one.
     outDir: process.env['STRIATA_WEB_VIEWER'] ?? '../../crates/striata-viewer/viewer',
     emptyOutDir: true,
     target: 'es2022',

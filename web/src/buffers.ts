@@ -1,20 +1,20 @@
-/** Vertex and index buffers that grow: rewritten in part as long as there is room, by doubling where there is none. */
+/** Vertex and index buffers that grow: updated in part while there is room, and doubled when they are full. */
 
 import { Box3, BufferAttribute, BufferGeometry, Sphere, Vector3, type TypedArray } from 'three';
 import type { Update } from './protocol.ts';
 
-/** Room that is made at first, vertices or triangles. */
-const LEAST_ROOM = 1024;
+/** Initial capacity in vertices or triangles. */
+const MIN_CAPACITY = 1024;
 
-/** A geometry whose buffers have more room than there are vertices: its bounds are told, not looked for. */
+/** A geometry whose buffers are larger than their contents; its bounds are passed in rather than computed from them. */
 export class GrowingGeometry extends BufferGeometry {
-  /** Smallest and largest coordinates. */
+  /** Minimum and maximum coordinates. */
   bounds: ArrayLike<number> = [];
-  #vertexRoom = 0;
-  #hasRoomChanged = false;
+  #vertexCapacity = 0;
+  #hasCapacityChanged = false;
 
   override computeBoundingBox(): void {
-    // Nobody told a copy, or one without vertices.
+    // Copies, and geometries without vertices, have no bounds passed in.
     if (this.bounds.length !== 6) return super.computeBoundingBox();
     const [min, max] = [0, 3].map((at) => new Vector3().fromArray(Array.from(this.bounds), at));
     this.boundingBox = new Box3(min, max);
@@ -25,10 +25,10 @@ export class GrowingGeometry extends BufferGeometry {
     this.boundingSphere = this.boundingBox!.getBoundingSphere(new Sphere());
   }
 
-  /** Takes what an update brings. */
-  take({ state, vertices, smoothNormals, indices, groupCounts }: Update): void {
+  /** Applies an update. */
+  apply({ state, vertices, smoothNormals, indices, groupCounts }: Update): void {
     this.bounds = state.bounds;
-    this.#makeRoom(state.vertexCount, state.fullVertexCount);
+    this.#reserveVertices(state.vertexCount, state.fullVertexCount);
     if (vertices) {
       const { first, positions, normals, colors, uvs } = vertices;
       this.#write('position', positions, 3, first);
@@ -39,36 +39,36 @@ export class GrowingGeometry extends BufferGeometry {
     if (smoothNormals) this.#write('normal', smoothNormals, 3, 0);
     this.#writeIndices(indices, 3 * state.fullTriangleCount);
     this.clearGroups();
-    // They count only for meshes with several materials, which a mesh can be given at any time.
+    // Groups matter only for meshes with several materials, which can be assigned at any time.
     let start = 0;
     groupCounts.forEach((count, group) => {
       this.addGroup(start, 3 * count, group);
       start += 3 * count;
     });
     this.computeBoundingSphere();
-    this.#hasRoomChanged = false;
+    this.#hasCapacityChanged = false;
   }
 
-  #makeRoom(count: number, full: number): void {
-    if (count <= this.#vertexRoom) return;
-    this.#vertexRoom = room(this.#vertexRoom, count, full);
-    this.#hasRoomChanged = true;
-    // Frees what the graphics card has of the old buffers.
+  #reserveVertices(count: number, full: number): void {
+    if (count <= this.#vertexCapacity) return;
+    this.#vertexCapacity = grownCapacity(this.#vertexCapacity, count, full);
+    this.#hasCapacityChanged = true;
+    // Frees the old buffers on the GPU.
     this.dispose();
   }
 
-  /** Writes numbers of vertices from one on. */
-  #write(name: string, numbers: Float32Array | Uint8Array, width: number, first: number): void {
+  /** Writes attribute values of vertices, starting at vertex `first`. */
+  #write(name: string, values: Float32Array | Uint8Array, width: number, first: number): void {
     let attribute = this.getAttribute(name) as BufferAttribute | undefined;
-    if (!attribute || (this.#hasRoomChanged && attribute.count !== this.#vertexRoom)) {
-      const array = numbers instanceof Uint8Array ? new Uint8Array(this.#vertexRoom * width) : new Float32Array(this.#vertexRoom * width);
+    if (!attribute || (this.#hasCapacityChanged && attribute.count !== this.#vertexCapacity)) {
+      const array = values instanceof Uint8Array ? new Uint8Array(this.#vertexCapacity * width) : new Float32Array(this.#vertexCapacity * width);
       if (attribute) array.set((attribute.array as TypedArray).subarray(0, first * width));
-      attribute = new BufferAttribute(array, width, numbers instanceof Uint8Array);
+      attribute = new BufferAttribute(array, width, values instanceof Uint8Array);
       this.setAttribute(name, attribute);
     } else {
-      attribute.addUpdateRange(first * width, numbers.length);
+      attribute.addUpdateRange(first * width, values.length);
     }
-    attribute.array.set(numbers, first * width);
+    attribute.array.set(values, first * width);
     attribute.needsUpdate = true;
   }
 
@@ -76,7 +76,7 @@ export class GrowingGeometry extends BufferGeometry {
     let attribute = this.index;
     if (!attribute || attribute.count < indices.length) {
       if (attribute) this.dispose();
-      const array = new Uint32Array(room(attribute?.count ?? 0, indices.length, full));
+      const array = new Uint32Array(grownCapacity(attribute?.count ?? 0, indices.length, full));
       attribute = new BufferAttribute(array, 1);
       this.setIndex(attribute);
     } else {
@@ -88,8 +88,8 @@ export class GrowingGeometry extends BufferGeometry {
   }
 }
 
-/** Twice as much as before, and never more than there will be. */
-function room(before: number, needed: number, full: number): number {
-  const doubled = Math.max(LEAST_ROOM, 2 * before, needed);
+/** Twice the previous capacity, but no more than the full mesh needs. */
+function grownCapacity(before: number, needed: number, full: number): number {
+  const doubled = Math.max(MIN_CAPACITY, 2 * before, needed);
   return full >= needed ? Math.min(doubled, full) : doubled;
 }

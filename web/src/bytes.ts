@@ -1,77 +1,77 @@
-/** Bytes from anywhere: the web, a file, memory. Where a source can be read from any place, only what is needed is read. */
+/** Byte sources: the web, a file, memory. If a source supports random access, only the needed parts are read. */
 
 import { StriataError } from './error.ts';
 import type { Source } from './types.ts';
 
-/** Bytes that come one piece after the other. */
-export type Pieces = AsyncIterator<Uint8Array, void, undefined>;
+/** Bytes that arrive in chunks. */
+export type ByteChunks = AsyncIterator<Uint8Array, void, undefined>;
 
 /** A source that has been opened at its beginning. */
-export interface Opened {
-  /** Its file name, as far as it has one. */
+export interface OpenedSource {
+  /** File name; empty if the source has none. */
   name: string;
-  /** Its length; null where nobody tells. */
+  /** Length in bytes; null if unknown. */
   length: number | null;
-  /** The first bytes, maybe not all. */
-  pieces: Pieces;
-  /** Bytes from one place to another instead; null where the source cannot do that. */
-  range: ((from: number, to: number) => Promise<Pieces>) | null;
+  /** The bytes from the beginning; may end before the source does. */
+  chunks: ByteChunks;
+  /** Reads the bytes from one offset to another instead; null if the source does not support that. */
+  range: ((from: number, to: number) => Promise<ByteChunks>) | null;
 }
 
-/** As much of a `.striata` file as is asked for first: more than its head, in one packet or two. */
+/** How much of a `.striata` file is requested first: more than its header, one or two network packets. */
 const HEAD_BYTES = 1 << 16;
 
-export async function open(source: Source, name: string | undefined, signal: AbortSignal): Promise<Opened> {
+export async function open(source: Source, name: string | undefined, signal: AbortSignal): Promise<OpenedSource> {
   if (typeof source === 'string' || source instanceof URL) return openUrl(source, name, signal);
   if (source instanceof Blob) {
-    const part = (from: number, to: number) => pieces(source.slice(from, to).stream(), signal);
+    const part = (from: number, to: number) => chunks(source.slice(from, to).stream(), signal);
     return {
       name: name ?? (source instanceof File ? source.name : ''),
       length: source.size,
-      pieces: part(0, source.size),
+      chunks: part(0, source.size),
       range: (from, to) => Promise.resolve(part(from, to)),
     };
   }
   if (source instanceof ArrayBuffer) {
-    const part = (from: number, to: number) => whole(new Uint8Array(source.slice(from, to)));
+    const part = (from: number, to: number) => singleChunk(new Uint8Array(source.slice(from, to)));
     return {
       name: name ?? '',
       length: source.byteLength,
-      pieces: part(0, source.byteLength),
+      chunks: part(0, source.byteLength),
       range: (from, to) => Promise.resolve(part(from, to)),
     };
   }
   if (source instanceof ReadableStream) {
-    return { name: name ?? '', length: null, pieces: pieces(source, signal), range: null };
+    return { name: name ?? '', length: null, chunks: chunks(source, signal), range: null };
   }
-  throw new StriataError('unsupported', 'a model is loaded from a URL, a File, a Blob, an ArrayBuffer or a ReadableStream');
+  throw new StriataError('unsupported', 'the source must be a URL, File, Blob, ArrayBuffer or ReadableStream');
 }
 
-async function openUrl(source: string | URL, name: string | undefined, signal: AbortSignal): Promise<Opened> {
+async function openUrl(source: string | URL, name: string | undefined, signal: AbortSignal): Promise<OpenedSource> {
   const url = urlOf(source);
   const isContainer = /\.striata$/i.test(url.pathname);
-  // Of a container mostly the stream at its end is needed.
+  // Usually only the stream at the end of a container is needed.
   const headers: HeadersInit = isContainer ? { Range: `bytes=0-${HEAD_BYTES - 1}` } : {};
   let response = await get(url, headers, signal);
   const total = /\/(\d+)$/.exec(response.headers.get('Content-Range') ?? '')?.[1];
   if (response.status === 206 && total === undefined) {
-    // Servers elsewhere may send parts without letting this page see of how much: then all is asked for.
+    // A cross-origin server may send a part without exposing the total length to this page; then the whole file is requested.
     await response.body?.cancel();
     response = await get(url, {}, signal);
   }
-  // The length of what is packed says nothing of what comes out.
-  const isPacked = response.headers.has('Content-Encoding');
-  const length = total ?? (isPacked ? null : response.headers.get('Content-Length'));
+  // The length of a compressed response does not tell the length of its contents.
+  const isCompressed = response.headers.has('Content-Encoding');
+  const length = total ?? (isCompressed ? null : response.headers.get('Content-Length'));
   const isPart = response.status === 206;
   const range = async (from: number, to: number) => {
     const part = await get(url, { Range: `bytes=${from}-${to - 1}` }, signal);
     const all = body(part, signal);
-    return part.status === 206 ? all : skipped(all, from);
+    return part.status === 206 ? all : skipBytes(all, from);
   };
   return {
     name: name ?? fileName(url),
     length: length === null ? null : Number(length),
-    pieces: isPart && Number(total) > HEAD_BYTES ? joined(body(response, signal), () => range(HEAD_BYTES, Number(total))) : body(response, signal),
+    chunks: isPart && Number(total) > HEAD_BYTES ? chain(body(response, signal), () => range(HEAD_BYTES, Number(total))) : body(response, signal),
     range: isPart ? range : null,
   };
 }
@@ -80,11 +80,11 @@ function urlOf(source: string | URL): URL {
   try {
     return new URL(source, typeof document === 'undefined' ? undefined : document.baseURI);
   } catch {
-    throw new StriataError('unsupported', `${String(source)} is no URL`);
+    throw new StriataError('unsupported', `${String(source)} is not a valid URL`);
   }
 }
 
-/** The last part of a path; as it is where its escapes are none. */
+/** Last segment of a path, decoded if its escapes are valid. */
 function fileName(url: URL): string {
   const last = url.pathname.split('/').pop() ?? '';
   try {
@@ -100,29 +100,29 @@ async function get(url: URL, headers: HeadersInit, signal: AbortSignal): Promise
     response = await fetch(url, { headers, signal });
   } catch (error) {
     if (signal.aborted) throw error;
-    throw new StriataError('network', `${url.href} could not be fetched: ${error instanceof Error ? error.message : String(error)}`,
-      'is the server reachable, and does it allow this page to read (CORS)?');
+    throw new StriataError('network', `cannot fetch ${url.href}: ${error instanceof Error ? error.message : String(error)}`,
+      'check that the server is reachable and allows requests from this page (CORS)');
   }
   if (response.ok) return response;
   await response.body?.cancel();
-  if (response.status === 416) throw new StriataError('format', `${url.href} is shorter than it should be: the file may be empty`);
+  if (response.status === 416) throw new StriataError('format', `${url.href} is too short; the file may be empty`);
   const code = response.status === 404 || response.status === 410 ? 'not-found' : 'network';
-  throw new StriataError(code, `${url.href}: the server says ${response.status} ${response.statusText}`.trim());
+  throw new StriataError(code, `${url.href}: the server responded with ${response.status} ${response.statusText}`.trim());
 }
 
-function body(response: Response, signal: AbortSignal): Pieces {
-  return response.body ? pieces(response.body, signal) : whole(new Uint8Array());
+function body(response: Response, signal: AbortSignal): ByteChunks {
+  return response.body ? chunks(response.body, signal) : singleChunk(new Uint8Array());
 }
 
-async function* whole(bytes: Uint8Array): AsyncGenerator<Uint8Array, void, undefined> {
+async function* singleChunk(bytes: Uint8Array): AsyncGenerator<Uint8Array, void, undefined> {
   yield bytes;
 }
 
-async function* pieces(stream: ReadableStream<Uint8Array>, signal: AbortSignal): AsyncGenerator<Uint8Array, void, undefined> {
+async function* chunks(stream: ReadableStream<Uint8Array>, signal: AbortSignal): AsyncGenerator<Uint8Array, void, undefined> {
   const reader = stream.getReader();
   const stop = () => void reader.cancel(signal.reason).catch(() => undefined);
   signal.addEventListener('abort', stop, { once: true });
-  let isOver = false;
+  let isFinished = false;
   try {
     for (;;) {
       signal.throwIfAborted();
@@ -131,23 +131,23 @@ async function* pieces(stream: ReadableStream<Uint8Array>, signal: AbortSignal):
       if (done) break;
       yield value;
     }
-    isOver = true;
+    isFinished = true;
   } catch (error) {
     if (signal.aborted || error instanceof StriataError) throw error;
-    throw new StriataError('network', `the connection broke: ${error instanceof Error ? error.message : String(error)}`);
+    throw new StriataError('network', `the connection was interrupted: ${error instanceof Error ? error.message : String(error)}`);
   } finally {
     signal.removeEventListener('abort', stop);
-    // Who stops reading early wants no more bytes.
-    if (!isOver) await reader.cancel().catch(() => undefined);
+    // A consumer that stops early needs no more bytes.
+    if (!isFinished) await reader.cancel().catch(() => undefined);
   }
 }
 
-/** Pieces from so many bytes on. */
-async function* skipped(from: Pieces, count: number): AsyncGenerator<Uint8Array, void, undefined> {
+/** Skips the first `count` bytes. */
+async function* skipBytes(from: ByteChunks, count: number): AsyncGenerator<Uint8Array, void, undefined> {
   try {
-    for (let piece = await from.next(); !piece.done; piece = await from.next()) {
-      const bytes = piece.value.subarray(count);
-      count = Math.max(0, count - piece.value.length);
+    for (let chunk = await from.next(); !chunk.done; chunk = await from.next()) {
+      const bytes = chunk.value.subarray(count);
+      count = Math.max(0, count - chunk.value.length);
       if (bytes.length > 0) yield bytes;
     }
   } finally {
@@ -155,35 +155,35 @@ async function* skipped(from: Pieces, count: number): AsyncGenerator<Uint8Array,
   }
 }
 
-/** Pieces, and those that are only asked for once these are used up. */
-async function* joined(first: Pieces, then: () => Promise<Pieces>): AsyncGenerator<Uint8Array, void, undefined> {
-  for (let piece = await first.next(); !piece.done; piece = await first.next()) yield piece.value;
+/** Chunks of one source, followed by those of another that is requested only when the first is used up. */
+async function* chain(first: ByteChunks, then: () => Promise<ByteChunks>): AsyncGenerator<Uint8Array, void, undefined> {
+  for (let chunk = await first.next(); !chunk.done; chunk = await first.next()) yield chunk.value;
   yield* iterable(await then());
 }
 
-/** Bytes that are there already, and then the rest of some pieces. */
-export async function* preceded(bytes: Uint8Array, rest: Pieces): AsyncGenerator<Uint8Array, void, undefined> {
+/** Bytes that were already read, followed by the remaining chunks. */
+export async function* prepend(bytes: Uint8Array, rest: ByteChunks): AsyncGenerator<Uint8Array, void, undefined> {
   if (bytes.length > 0) yield bytes;
   yield* iterable(rest);
 }
 
-/** At most so many bytes. */
-export async function* limited(from: Pieces, count: number): AsyncGenerator<Uint8Array, void, undefined> {
-  for await (const piece of iterable(from)) {
-    yield piece.subarray(0, count);
-    count -= piece.length;
+/** Passes on at most `count` bytes. */
+export async function* takeBytes(from: ByteChunks, count: number): AsyncGenerator<Uint8Array, void, undefined> {
+  for await (const chunk of iterable(from)) {
+    yield chunk.subarray(0, count);
+    count -= chunk.length;
     if (count <= 0) return;
   }
 }
 
-export { skipped };
+export { skipBytes };
 
-export function iterable(from: Pieces): AsyncIterable<Uint8Array> {
+export function iterable(from: ByteChunks): AsyncIterable<Uint8Array> {
   return { [Symbol.asyncIterator]: () => from };
 }
 
-/** Several pieces as one. */
-export function concatenated(parts: Uint8Array[]): Uint8Array {
+/** Concatenates several chunks. */
+export function concat(parts: Uint8Array[]): Uint8Array {
   if (parts.length === 1) return parts[0]!;
   const all = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
   let at = 0;

@@ -1,59 +1,59 @@
-/** What a source holds, told by its first bytes: a stream that can be shown as it comes, or a file that has to be whole. */
+/** Detects from its first bytes whether a source is a stream, which can be shown as it loads, or a file that must be complete. */
 
-import { concatenated, limited, preceded, skipped, type Opened, type Pieces } from './bytes.ts';
+import { concat, prepend, skipBytes, takeBytes, type ByteChunks, type OpenedSource } from './bytes.ts';
 import { StreamPlace } from './wasm/striata_web.js';
 
-/** A stream as it comes, or pieces of a whole file. */
+/** The bytes of a stream, or of a whole file. */
 export interface Content {
   isStream: boolean;
-  /** Whether the stream is a part of a `.striata` file. */
+  /** Whether the stream is part of a `.striata` file. */
   isInContainer: boolean;
-  pieces: Pieces;
-  /** Bytes that will come; null where nobody tells. */
+  chunks: ByteChunks;
+  /** Number of bytes to expect; null if unknown. */
   byteCount: number | null;
 }
 
 const STREAM_MAGIC = [0x89, 0x53, 0x54, 0x52];
 const CONTAINER_MAGIC = [...'STRIATA\0'].map((character) => character.charCodeAt(0));
 
-/** Rather than to ask once more, so many bytes are read and dropped. */
-const WORTH_A_REQUEST = 1 << 16;
+/** Gaps up to this many bytes are read and dropped rather than skipped by another request. */
+const MAX_SKIPPED_BYTES = 1 << 16;
 
-/** Looks at the beginning of a source; wasm has to be started. */
-export async function contentOf(opened: Opened): Promise<Content> {
-  const head = new Head(opened.pieces);
+/** Detects the content of a source; the wasm module must be initialized. */
+export async function contentOf(opened: OpenedSource): Promise<Content> {
+  const head = new Head(opened.chunks);
   await head.grow(CONTAINER_MAGIC.length);
   if (head.startsWith(STREAM_MAGIC)) {
-    return { isStream: true, isInContainer: false, pieces: head.all(), byteCount: opened.length };
+    return { isStream: true, isInContainer: false, chunks: head.all(), byteCount: opened.length };
   }
   if (head.startsWith(CONTAINER_MAGIC)) {
-    const place = await streamPlace(head);
-    if (place) return contentOfStream(opened, head, place);
+    const streamRange = await findStream(head);
+    if (streamRange) return contentOfStream(opened, head, streamRange);
   }
-  return { isStream: false, isInContainer: false, pieces: head.all(), byteCount: opened.length };
+  return { isStream: false, isInContainer: false, chunks: head.all(), byteCount: opened.length };
 }
 
-async function contentOfStream(opened: Opened, head: Head, { offset, length }: Place): Promise<Content> {
-  const there = head.bytes.length;
-  if (there < offset && opened.range && offset - there > WORTH_A_REQUEST) {
+async function contentOfStream(opened: OpenedSource, head: Head, { offset, length }: ByteRange): Promise<Content> {
+  const available = head.bytes.length;
+  if (available < offset && opened.range && offset - available > MAX_SKIPPED_BYTES) {
     await head.drop();
-    const pieces = await opened.range(offset, offset + length);
-    return { isStream: true, isInContainer: true, pieces, byteCount: length };
+    const chunks = await opened.range(offset, offset + length);
+    return { isStream: true, isInContainer: true, chunks, byteCount: length };
   }
-  return { isStream: true, isInContainer: true, pieces: limited(skipped(head.all(), offset), length), byteCount: length };
+  return { isStream: true, isInContainer: true, chunks: takeBytes(skipBytes(head.all(), offset), length), byteCount: length };
 }
 
-interface Place {
+interface ByteRange {
   offset: number;
   length: number;
 }
 
-/** Where the stream of a container is; undefined if it has none, or ends before that is told. */
-async function streamPlace(head: Head): Promise<Place | undefined> {
+/** Location of the stream in a container; undefined if it has none, or ends before its location is known. */
+async function findStream(head: Head): Promise<ByteRange | undefined> {
   for (;;) {
-    const place = StreamPlace.find(head.bytes);
-    const { needed, offset, length } = place;
-    place.free();
+    const streamRange = StreamPlace.find(head.bytes);
+    const { needed, offset, length } = streamRange;
+    streamRange.free();
     if (needed > head.bytes.length) {
       if (!(await head.grow(needed))) return undefined;
       continue;
@@ -62,21 +62,21 @@ async function streamPlace(head: Head): Promise<Place | undefined> {
   }
 }
 
-/** The first bytes of some pieces, which the pieces can be read with nevertheless. */
+/** Buffers the first bytes of a source for inspection, without consuming them. */
 class Head {
   bytes: Uint8Array = new Uint8Array();
-  readonly #rest: Pieces;
+  readonly #rest: ByteChunks;
 
-  constructor(pieces: Pieces) {
-    this.#rest = pieces;
+  constructor(chunks: ByteChunks) {
+    this.#rest = chunks;
   }
 
-  /** Reads until so many bytes are there; false if there are no more. */
+  /** Reads until at least `count` bytes are buffered; false if the source ends before. */
   async grow(count: number): Promise<boolean> {
     while (this.bytes.length < count) {
-      const piece = await this.#rest.next();
-      if (piece.done) return false;
-      this.bytes = concatenated([this.bytes, piece.value]);
+      const chunk = await this.#rest.next();
+      if (chunk.done) return false;
+      this.bytes = concat([this.bytes, chunk.value]);
     }
     return true;
   }
@@ -85,8 +85,8 @@ class Head {
     return magic.every((byte, at) => this.bytes[at] === byte);
   }
 
-  all(): Pieces {
-    return preceded(this.bytes, this.#rest);
+  all(): ByteChunks {
+    return prepend(this.bytes, this.#rest);
   }
 
   async drop(): Promise<void> {

@@ -1,25 +1,26 @@
 /**
- * What decodes, builds and answers: the same code in a worker and in the page.
+ * Decodes and builds models and answers requests for levels; runs in a worker or on the page.
  *
- * Bytes wait in a queue and are decoded in slices of a few milliseconds, so that requests are answered between them.
- * What has come is told now and then, the more seldom the longer telling takes.
+ * Received bytes are queued and decoded in slices of a few milliseconds, so that requests are answered in between. Progress is
+ * reported in intervals that grow with the time a report takes.
  */
 
 import { Failure, Model, View } from './wasm/striata_web.js';
 import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
-import type { NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
+import { requestOf, type LevelRequest, type NewVertices, type Order, type Report, type State, type Update } from './protocol.ts';
 import type { Coloring, Kind, Phase } from './types.ts';
-import { unpacked } from './unpack.ts';
+import { decompressed } from './unpack.ts';
 
-/** Bytes that are decoded between two looks at the clock. */
-const PIECE_BYTES = 1 << 13;
+/** Bytes decoded between two checks of the clock. */
+const CHUNK_BYTES = 1 << 13;
 
-/** Between two updates, at least so many milliseconds, and so many times what the last one took. */
-const UPDATE_MS = 60;
-const UPDATE_SHARE = 4;
+/** Minimum time between two updates. */
+const MIN_UPDATE_INTERVAL_MS = 60;
+/** Minimum time between two updates, as a multiple of the time the last one took. */
+const UPDATE_INTERVAL_FACTOR = 4;
 
-/** Lets everything else have its turn. */
-function turn(): Promise<void> {
+/** Yields to the event loop. */
+function yieldToEventLoop(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {
@@ -30,26 +31,27 @@ function turn(): Promise<void> {
   });
 }
 
+/** Decodes one model. Pass orders to `take`; reports are delivered to the callback. */
 export class Engine {
   readonly #report: (report: Report) => void;
-  /** Milliseconds of decoding at a stretch. */
+  /** Longest uninterrupted decoding, milliseconds. */
   readonly #sliceMs: number;
   #model = new Model();
   #queue: Uint8Array[] = [];
   #end: { error?: PlainError } | undefined;
   #isPumping = false;
-  #isOver = false;
+  #isClosed = false;
   #isDisposed = false;
-  /** The stream is complete, or broken off: bytes that were still on their way are dropped. */
+  /** Whether the stream is complete or has failed; bytes that arrive later are dropped. */
   #hasEnded = false;
-  #wish: Wish = { by: 'detail', value: 1, limit: 0 };
+  #request: LevelRequest = { by: 'detail', value: 1, limit: 0 };
   #coloring: Coloring = 'surface';
   #phase: Phase = 'download';
-  /** Vertices that the page has. */
-  #toldCount = 0;
+  /** Number of vertices already sent to the page. */
+  #sentVertexCount = 0;
   #hasNormals = false;
-  /** Vertices that the page's computed normals are of; normals of a coarser level are other normals. */
-  #smoothOf = -1;
+  /** Vertex count for which smooth normals were last computed; each vertex count has different normals. */
+  #smoothNormalsVertexCount = -1;
   #decodeMs = 0;
   #buildMs = 0;
   #updateMs = 0;
@@ -61,9 +63,9 @@ export class Engine {
     this.#sliceMs = sliceMs;
   }
 
-  /** Does what the page orders. */
+  /** Executes an order. */
   take(order: Order): void {
-    if (this.#isOver) return;
+    if (this.#isClosed) return;
     switch (order.type) {
       case 'bytes':
         if (this.#hasEnded) break;
@@ -79,9 +81,9 @@ export class Engine {
         void this.#read(order.bytes, order.name);
         break;
       case 'show':
-        this.#wish = order.wish;
+        this.#request = requestOf(order);
         this.#coloring = order.coloring;
-        if (this.#model.is_ready) this.#attempt(() => this.#tell(order.ticket));
+        if (this.#model.is_ready) this.#reportErrors(() => this.#postUpdate(order.ticket));
         break;
     }
   }
@@ -89,51 +91,51 @@ export class Engine {
   dispose(): void {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
-    this.#isOver = true;
+    this.#isClosed = true;
     clearTimeout(this.#timer);
     this.#queue = [];
     this.#model.free();
   }
 
-  /** Decodes what waits, then ends if nothing more comes. */
+  /** Decodes the queued bytes, then finishes if no more are coming. */
   async #pump(): Promise<void> {
     if (this.#isPumping) return;
     this.#isPumping = true;
-    while (this.#queue.length > 0 && !this.#isOver) {
+    while (this.#queue.length > 0 && !this.#isClosed) {
       this.#phase = 'decode';
-      const error = this.#slice();
+      const error = this.#decodeSlice();
       if (error) {
-        // What came before the damage stays.
+        // The part before the damage is kept.
         this.#queue = [];
         this.#end = { error: asPlain(error) };
         break;
       }
-      if (performance.now() >= this.#nextUpdate) this.#attempt(() => this.#update());
-      await turn();
+      if (performance.now() >= this.#nextUpdate) this.#reportErrors(() => this.#update());
+      await yieldToEventLoop();
     }
     this.#isPumping = false;
-    if (this.#isOver) return;
+    if (this.#isClosed) return;
     if (this.#end) this.#finish(this.#end.error);
-    else this.#updateLater();
+    else this.#scheduleUpdate();
   }
 
-  /** Tells what has been decoded even if the line stalls. */
-  #updateLater(): void {
+  /** Schedules an update, so that decoded data is shown even if the connection stalls. */
+  #scheduleUpdate(): void {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
-      if (!this.#isPumping && !this.#isOver && !this.#hasEnded) this.#attempt(() => this.#update());
+      if (!this.#isPumping && !this.#isClosed && !this.#hasEnded) this.#reportErrors(() => this.#update());
     }, this.#nextUpdate - performance.now());
   }
 
-  /** Decodes for a few milliseconds, and prepares views of what came; returns what is wrong with the bytes. */
-  #slice(): StriataError | undefined {
+  /** Decodes for a few milliseconds and prepares view-dependent refinement; returns an error if the bytes are invalid. */
+  #decodeSlice(): StriataError | undefined {
     const start = performance.now();
     try {
       while (performance.now() - start < this.#sliceMs) {
         const bytes = this.#queue.shift();
         if (!bytes) break;
-        this.#model.push(bytes.subarray(0, PIECE_BYTES));
-        if (bytes.length > PIECE_BYTES) this.#queue.unshift(bytes.subarray(PIECE_BYTES));
+        this.#model.push(bytes.subarray(0, CHUNK_BYTES));
+        if (bytes.length > CHUNK_BYTES) this.#queue.unshift(bytes.subarray(CHUNK_BYTES));
       }
       return undefined;
     } catch (thrown) {
@@ -152,14 +154,14 @@ export class Engine {
     clearTimeout(this.#timer);
     try {
       if (!failure && !this.#model.is_complete) {
-        failure = { code: 'corrupt', message: 'the stream ends before the mesh does', hint: 'was the file copied whole?' };
+        failure = { code: 'corrupt', message: 'the stream is incomplete', hint: 'check that the whole file was copied' };
       }
-      // Of damaged bytes nothing more is read; of bytes that are missing, what the last ones tell.
+      // Damaged bytes are not decoded further; if bytes are missing, the last ones received are still used.
       if (failure?.code !== 'corrupt' || !error) this.#finishDecoding();
       this.#model.reveal();
-      if (!this.#model.is_ready) throw new StriataError('corrupt', 'the stream ends before there is anything to draw');
+      if (!this.#model.is_ready) throw new StriataError('corrupt', 'the stream ends before anything can be drawn');
       this.#phase = 'done';
-      this.#tell(0);
+      this.#postUpdate(0);
     } catch (thrown) {
       failure ??= asPlain(asStriataError(thrown));
     }
@@ -184,53 +186,53 @@ export class Engine {
     let file: { bytes: Uint8Array; name: string } | undefined;
     let failure: unknown;
     try {
-      file = await unpacked(bytes, name);
+      file = await decompressed(bytes, name);
     } catch (thrown) {
       failure = thrown;
     }
-    if (this.#isOver) return;
-    this.#attempt(() => {
+    if (this.#isClosed) return;
+    this.#reportErrors(() => {
       if (!file) throw failure;
       const model = Model.from_file(file.bytes, file.name, sink);
       this.#model.free();
       this.#model = model;
       this.#buildMs = performance.now() - start;
       this.#phase = 'done';
-      this.#tell(0);
+      this.#postUpdate(0);
       this.#report({ type: 'finished' });
     });
   }
 
-  /** Reports what goes wrong; the engine then takes no more orders. */
-  #attempt(work: () => void): void {
+  /** Runs `work` and reports an error if it throws; the engine then accepts no more orders. */
+  #reportErrors(work: () => void): void {
     try {
       work();
     } catch (thrown) {
-      this.#isOver = true;
+      this.#isClosed = true;
       this.#report({ type: 'failed', error: asPlain(asStriataError(thrown)) });
     }
   }
 
   /**
-   * Tells what has been decoded since the last update. Only updates bring new vertices and normals: answers to requests
-   * in between are of what the page has already, so that many of them do not hold decoding up.
-   */
+     * Sends what has been decoded since the last update. Only updates contain new vertices and normals; answers to requests refer to
+     * vertices the page already has, so that many requests do not slow down decoding.
+     */
   #update(): void {
     this.#model.reveal();
-    if (this.#model.is_ready) this.#tell(0);
+    if (this.#model.is_ready) this.#postUpdate(0);
   }
 
-  /** Shows what is wished for, and tells it with what is new. */
-  #tell(ticket: number): void {
+  /** Switches to the requested level and sends it with any new vertices. */
+  #postUpdate(ticket: number): void {
     const start = performance.now();
     const settled = this.#show();
-    const numbers = this.#numbers();
+    const numbers = this.#triangleNumbers();
     const vertices = this.#newVertices();
     const smoothNormals = this.#smoothNormals();
     const model = this.#model;
     const [indices, groupCounts] = [model.indices(), model.group_counts()];
     this.#updateMs = performance.now() - start;
-    this.#nextUpdate = performance.now() + Math.max(UPDATE_MS, UPDATE_SHARE * this.#updateMs);
+    this.#nextUpdate = performance.now() + Math.max(MIN_UPDATE_INTERVAL_MS, UPDATE_INTERVAL_FACTOR * this.#updateMs);
     const state = this.#state();
     const update: Update = {
       type: 'update', state, vertices, smoothNormals, indices, groupCounts, numbers, settled, ticket,
@@ -238,9 +240,9 @@ export class Engine {
     this.#report(update);
   }
 
-  /** Goes to the level that is wished for; whether asking again would show the same. */
+  /** Switches to the requested level; returns whether repeating the request would give the same result. */
   #show(): boolean {
-    const { by, value, limit, camera } = this.#wish;
+    const { by, value, limit, camera } = this.#request;
     const model = this.#model;
     if (by === 'view' && camera) return this.#showView(camera, value, limit);
     if (by === 'triangles') model.show_triangles(value);
@@ -251,7 +253,7 @@ export class Engine {
     return true;
   }
 
-  /** A camera that sees nothing leaves what is shown: another may see more. */
+  /** Refines for a camera. A camera that sees nothing changes nothing. */
   #showView(camera: number[], pixels: number, limit: number): boolean {
     const view = new View(Float64Array.from(camera), pixels, limit);
     try {
@@ -265,7 +267,7 @@ export class Engine {
     }
   }
 
-  #numbers(): Uint32Array | undefined {
+  #triangleNumbers(): Uint32Array | undefined {
     if (this.#coloring === 'strips') return this.#model.color_strips();
     if (this.#coloring === 'fans') return this.#model.color_fans();
     if (this.#coloring === 'surface') return undefined;
@@ -274,13 +276,13 @@ export class Engine {
   }
 
   #newVertices(): NewVertices | undefined {
-    const first = this.#toldCount;
+    const first = this.#sentVertexCount;
     if (this.#model.vertex_count === first) return undefined;
     const vertices = this.#model.vertices(first);
     try {
       const normals = vertices.take_normals();
       this.#hasNormals = normals !== undefined;
-      this.#toldCount = this.#model.vertex_count;
+      this.#sentVertexCount = this.#model.vertex_count;
       return { first, positions: vertices.take_positions(), normals, colors: vertices.take_colors(), uvs: vertices.take_uvs() };
     } finally {
       vertices.free();
@@ -288,8 +290,8 @@ export class Engine {
   }
 
   #smoothNormals(): Float32Array | undefined {
-    if (this.#hasNormals || this.#smoothOf === this.#model.vertex_count) return undefined;
-    this.#smoothOf = this.#model.vertex_count;
+    if (this.#hasNormals || this.#smoothNormalsVertexCount === this.#model.vertex_count) return undefined;
+    this.#smoothNormalsVertexCount = this.#model.vertex_count;
     return this.#model.smooth_normals();
   }
 

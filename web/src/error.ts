@@ -1,11 +1,13 @@
-/** Errors with a code for programs, a sentence for people, and the cure where it is known. */
+/** Errors with a code for programs, a message for people, and a hint if a remedy is known. */
 
 import { Failure } from './wasm/striata_web.js';
 import type { ErrorCode } from './types.ts';
 
-/** What `load` and `finished` reject with. */
+/** The error that `load` and `finished` reject with. */
 export class StriataError extends Error {
+  /** Kind of error. */
   readonly code: ErrorCode;
+  /** How to fix the problem, if known. */
   readonly hint: string | undefined;
 
   constructor(code: ErrorCode, message: string, hint?: string) {
@@ -16,14 +18,14 @@ export class StriataError extends Error {
   }
 }
 
-/** An error as it crosses from the worker to the page. */
+/** Serializable form of an error, for messages between the worker and the page. */
 export interface PlainError {
   code: ErrorCode;
   message: string;
   hint: string | undefined;
 }
 
-/** Makes an error of ours of whatever was thrown. */
+/** Converts anything that was thrown to a `StriataError`. */
 export function asStriataError(thrown: unknown): StriataError {
   if (thrown instanceof StriataError) return thrown;
   if (thrown instanceof Failure) {
@@ -34,8 +36,8 @@ export function asStriataError(thrown: unknown): StriataError {
   if (thrown instanceof WebAssembly.RuntimeError || thrown instanceof RangeError) {
     return new StriataError(
       'too-large',
-      'the model took more memory than the page has',
-      'close other pages, or load a stream with fewer triangles',
+      'the model needs more memory than is available',
+      'close other tabs, or load a model with fewer triangles',
     );
   }
   if (thrown instanceof DOMException && thrown.name === 'AbortError') return aborted();

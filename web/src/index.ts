@@ -1,4 +1,4 @@
-/** Models that stream in coarse to fine, for three.js. */
+/** Streaming, continuous level-of-detail meshes for three.js. */
 
 export { StriataError } from './error.ts';
 export { StriataLoader, type StriataLoaderConstructor, type StriataLoaderInstance } from './loader.ts';

@@ -1,47 +1,47 @@
-/** Loads models: bytes to the engine as they come, a mesh as soon as there is something to draw. */
+/** Loads models: passes bytes to the engine as they arrive, and creates a mesh as soon as there is something to draw. */
 
-import { concatenated, iterable, open } from './bytes.ts';
+import { concat, iterable, open } from './bytes.ts';
 import { contentOf } from './content.ts';
 import { aborted, asPlain, asStriataError, fromPlain, StriataError } from './error.ts';
-import { link, type Link } from './link.ts';
-import { StriataMesh } from './mesh.ts';
+import { connectEngine, type EngineConnection } from './connection.ts';
+import { StriataMesh, type LoaderHandle } from './mesh.ts';
 import type { Report } from './protocol.ts';
 import type { Loader, LoaderOptions, LoadOptions, Source } from './types.ts';
 import { start, wasmModule } from './wasm.ts';
 
-/** Makes loaders: `await StriataLoader().load(url)`; with `new` it is the same. */
+/** Creates a loader, with or without `new`: `await StriataLoader().load(url)`. */
 export interface StriataLoaderConstructor {
   (options?: LoaderOptions): StriataLoaderInstance;
   new (options?: LoaderOptions): StriataLoaderInstance;
 }
 
-/** A loader whose meshes are known to be `StriataMesh`. */
+/** A loader that creates `StriataMesh` objects. */
 export interface StriataLoaderInstance extends Loader {
   load(source: Source, options?: LoadOptions): Promise<StriataMesh>;
 }
 
-function makeLoader(options: LoaderOptions = {}): StriataLoaderInstance {
+function createLoader(options: LoaderOptions = {}): StriataLoaderInstance {
   return {
-    load: (source, loadOptions = {}) => new Loading(options, loadOptions).run(source),
+    load: (source, loadOptions = {}) => new LoadTask(options, loadOptions).run(source),
   };
 }
 
-// A plain function can be called in both ways, where a class cannot.
+// A plain function can be called with or without `new`; a class cannot.
 export const StriataLoader = function (options?: LoaderOptions) {
-  return makeLoader(options);
+  return createLoader(options);
 } as unknown as StriataLoaderConstructor;
 
-/** One model that is being loaded. */
-class Loading {
+/** Loads one model. */
+class LoadTask {
   readonly #loader: LoaderOptions;
   readonly #options: LoadOptions;
-  /** Ends everything. */
+  /** Cancels loading altogether. */
   readonly #stop = new AbortController();
-  /** Ends the download alone. */
+  /** Cancels only the download. */
   readonly #download = new AbortController();
-  #link: Link | undefined;
+  #engine: EngineConnection | undefined;
   #mesh: StriataMesh | undefined;
-  /** Whether the engine only sees the stream of a larger file. */
+  /** Whether the engine receives only the stream inside a larger file. */
   #isInContainer = false;
   #received = 0;
   #total: number | null = null;
@@ -62,9 +62,9 @@ class Loading {
     });
     const abort = () => this.#fail(aborted());
     signal?.addEventListener('abort', abort, { once: true });
-    // What has been loaded lives on, whatever becomes of the signal.
+    // Aborting the signal after loading has finished has no effect.
     this.#download.signal.addEventListener('abort', () => signal?.removeEventListener('abort', abort));
-    this.#fetch(source).catch((thrown: unknown) => this.#breakOff(asStriataError(thrown)));
+    this.#fetch(source).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
     return loaded;
   }
 
@@ -74,37 +74,37 @@ class Loading {
       open(source, this.#options.name, this.#download.signal),
     ]);
     if (this.#stop.signal.aborted) return;
-    // The page itself looks into heads of containers.
+    // The page itself parses the headers of containers.
     start(module);
     this.#total = opened.length;
     const content = await contentOf(opened);
     if (this.#stop.signal.aborted) return;
     this.#total = content.byteCount;
     this.#isInContainer = content.isInContainer;
-    this.#link = link(module, this.#loader.worker ?? true, (report) => this.#hear(report));
+    this.#engine = connectEngine(module, this.#loader.worker ?? true, (report) => this.#onMessage(report));
     const parts: Uint8Array[] = [];
-    for await (const bytes of iterable(content.pieces)) {
+    for await (const bytes of iterable(content.chunks)) {
       if (this.#download.signal.aborted) return;
       this.#received += bytes.length;
-      if (content.isStream) this.#link.order({ type: 'bytes', bytes });
+      if (content.isStream) this.#engine.send({ type: 'bytes', bytes });
       else parts.push(bytes);
       this.#progress();
     }
     if (this.#download.signal.aborted) return;
     this.#total = this.#received;
-    if (content.isStream) this.#link.order({ type: 'end' });
-    else this.#link.order({ type: 'file', bytes: concatenated(parts), name: opened.name || 'the file' });
+    if (content.isStream) this.#engine.send({ type: 'end' });
+    else this.#engine.send({ type: 'file', bytes: concat(parts), name: opened.name || 'file' });
     this.#progress();
   }
 
-  /** The source failed: what has come of it may be something nevertheless. */
-  #breakOff(error: StriataError): void {
+  /** The source failed; the part that has arrived may still be usable. */
+  #onSourceError(error: StriataError): void {
     if (this.#download.signal.aborted) return;
-    if (this.#link && error.code !== 'aborted') this.#link.order({ type: 'end', error: asPlain(error) });
+    if (this.#engine && error.code !== 'aborted') this.#engine.send({ type: 'end', error: asPlain(error) });
     else this.#fail(error);
   }
 
-  #hear(report: Report): void {
+  #onMessage(report: Report): void {
     if (this.#stop.signal.aborted) return;
     switch (report.type) {
       case 'update':
@@ -112,7 +112,7 @@ class Loading {
         if (this.#mesh) {
           this.#mesh.update(report);
         } else if (report.indices.length > 0 || report.state.complete) {
-          this.#mesh = new StriataMesh(report, this.#options.material, this.#mind());
+          this.#mesh = new StriataMesh(report, this.#options.material, this.#handle());
           this.#mesh.name = this.#options.name ?? '';
           this.#resolve(this.#mesh);
         }
@@ -132,10 +132,10 @@ class Loading {
     }
   }
 
-  /** What the mesh needs of us. */
-  #mind() {
+  /** The interface through which the mesh controls loading. */
+  #handle(): LoaderHandle {
     return {
-      order: (order: Parameters<Link['order']>[0]) => this.#link?.order(order),
+      send: (order) => this.#engine?.send(order),
       bytes: () => ({ received: this.#received, total: this.#total }),
       dispose: () => this.#close(),
     };
@@ -154,7 +154,7 @@ class Loading {
     try {
       this.#options.onProgress?.(progress);
     } catch (thrown) {
-      // The caller's fault, to be told as one; the model comes in all the same.
+      // An error in the caller's callback is reported as uncaught; loading continues.
       queueMicrotask(() => {
         throw thrown;
       });
@@ -162,7 +162,7 @@ class Loading {
     this.#mesh?.dispatchEvent({ type: 'progress', progress });
   }
 
-  /** Ends loading; a mesh that is there stays, with what it has. */
+  /** Ends loading with an error. If there is a mesh, it keeps what has loaded. */
   #fail(error: StriataError): void {
     if (this.#stop.signal.aborted) return;
     if (this.#mesh && error.code !== 'aborted') {
@@ -178,6 +178,6 @@ class Loading {
   #close(): void {
     this.#stop.abort(aborted());
     this.#download.abort(aborted());
-    this.#link?.dispose();
+    this.#engine?.dispose();
   }
 }

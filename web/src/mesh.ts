@@ -1,4 +1,4 @@
-/** A three.js mesh that goes to any level of its model. */
+/** A three.js mesh that can switch to any level of detail of its model. */
 
 import {
   DoubleSide, Mesh, MeshStandardMaterial, Vector2,
@@ -6,34 +6,35 @@ import {
 } from 'three';
 import { GrowingGeometry } from './buffers.ts';
 import { StriataError } from './error.ts';
-import { painted } from './painted.ts';
-import type { Order, State, Update, Wish } from './protocol.ts';
+import { coloredTriangles } from './colored-triangles.ts';
+import type { LevelRequest, Order, State, Update } from './protocol.ts';
 import type { Coloring, Kind, StriataEvents, StriataMeshLike, Timings } from './types.ts';
-import { look } from './view.ts';
+import { viewOf } from './view.ts';
 
-/** What a mesh needs of whoever loads it. */
-export interface Mind {
-  order(order: Order): void;
+/** The interface through which a mesh controls its loader. */
+export interface LoaderHandle {
+  /** Sends an order to the engine. */
+  send(order: Order): void;
   bytes(): { received: number; total: number | null };
   dispose(): void;
 }
 
 const size = new Vector2();
 
-/** Numbers of triangles as the engine takes them. */
-const MOST_TRIANGLES = 0xffffffff;
+/** Largest triangle count the engine accepts, a 32-bit integer. */
+const MAX_TRIANGLE_COUNT = 0xffffffff;
 
-/** Made by a `StriataLoader`. */
+/** A mesh with continuous level of detail, created by a `StriataLoader`. */
 export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], StriataEvents> implements StriataMeshLike {
   readonly isStriataMesh = true;
   readonly finished: Promise<void>;
   state: State;
-  readonly #mind: Mind;
+  readonly #loader: LoaderHandle;
   readonly #surface: GrowingGeometry;
-  /** Made here, and freed here. */
+  /** The default material, which this mesh disposes of itself; undefined if the caller passed one. */
   readonly #ownMaterial: MeshStandardMaterial | undefined;
   #surfaceMaterial: Material | Material[];
-  #paintMaterial: MeshStandardMaterial | undefined;
+  #coloringMaterial: MeshStandardMaterial | undefined;
   #last: Update;
   #detail: number | null = 1;
   #triangleBudget: number | null = null;
@@ -42,33 +43,33 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   #isFrozen = false;
   #coloring: Coloring = 'surface';
   #isWireframe = false;
-  /** The request that has not been answered yet, and whether another has to follow it. */
+  /** Number of the last request, whether its answer is pending, and whether another request must follow. */
   #ticket = 0;
   #isWaiting = false;
   #hasChanged = false;
-  #sent: Wish = { by: 'detail', value: 1, limit: 0 };
-  /** The last camera, as a wish; for views a wish is made when the mesh is drawn. */
-  #viewWish: Wish | undefined;
+  #sent: LevelRequest = { by: 'detail', value: 1, limit: 0 };
+  /** Request for the last camera; view requests are created when the mesh is drawn. */
+  #viewRequest: LevelRequest | undefined;
   #isSettled = true;
   #isDisposed = false;
   #resolve!: () => void;
   #reject!: (error: StriataError) => void;
 
-  constructor(first: Update, material: Material | Material[] | undefined, mind: Mind) {
+  constructor(first: Update, material: Material | Material[] | undefined, loader: LoaderHandle) {
     const geometry = new GrowingGeometry();
     const own = material ? undefined : defaultMaterial(first);
     super(geometry, material ?? own!);
     this.#surface = geometry;
     this.#surfaceMaterial = this.material;
     this.#ownMaterial = own;
-    this.#mind = mind;
+    this.#loader = loader;
     this.state = first.state;
     this.#last = first;
     this.finished = new Promise((resolve, reject) => {
       this.#resolve = resolve;
       this.#reject = reject;
     });
-    // Who does not wait for it hears of it by the event.
+    // Without a handler, the rejection would be unhandled; the `error` event reports it, too.
     this.finished.catch(() => undefined);
     this.onBeforeRender = (renderer, _scene, camera) => this.#beforeRender(renderer as WebGLRenderer, _scene, camera);
     this.update(first);
@@ -81,7 +82,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   set detail(detail: number) {
     this.#detail = Math.min(1, Math.max(0, number(detail, 'detail')));
     [this.#triangleBudget, this.#maxError, this.#pixelError] = [null, null, null];
-    this.#ask();
+    this.#requestUpdate();
   }
 
   get triangleBudget(): number | null {
@@ -90,8 +91,8 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
 
   set triangleBudget(budget: number | null) {
     this.#triangleBudget = budget === null ? null : Math.max(1, Math.floor(number(budget, 'triangleBudget')));
-    this.#leaveDetail();
-    this.#ask();
+    this.#updateDetailMode();
+    this.#requestUpdate();
   }
 
   get error(): number {
@@ -105,8 +106,8 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   set maxError(error: number | null) {
     this.#maxError = error === null ? null : Math.max(0, number(error, 'maxError'));
     if (error !== null) this.#pixelError = null;
-    this.#leaveDetail();
-    this.#ask();
+    this.#updateDetailMode();
+    this.#requestUpdate();
   }
 
   get pixelError(): number | null {
@@ -116,9 +117,9 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   set pixelError(pixels: number | null) {
     this.#pixelError = pixels === null ? null : Math.max(0, number(pixels, 'pixelError'));
     if (pixels !== null) this.#maxError = null;
-    this.#leaveDetail();
-    this.#ask();
-    // Nobody may be drawing until something changes.
+    this.#updateDetailMode();
+    this.#requestUpdate();
+    // The application may draw only when something changes, and the request is sent when the mesh is drawn.
     this.dispatchEvent({ type: 'change' });
   }
 
@@ -187,11 +188,11 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   }
 
   get bytesReceived(): number {
-    return this.#mind.bytes().received;
+    return this.#loader.bytes().received;
   }
 
   get bytesTotal(): number | null {
-    return this.#mind.bytes().total ?? (this.state.streamBytes || null);
+    return this.#loader.bytes().total ?? (this.state.streamBytes || null);
   }
 
   get diagonal(): number {
@@ -207,7 +208,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     return { decodeMs, buildMs, updateMs };
   }
 
-  /** A plain mesh that shows what this one shows: geometry and material are shared, levels are chosen here alone. */
+  /** Returns a plain `THREE.Mesh` that shares geometry and material; only the original can change the level. */
   override clone(recursive?: boolean): this {
     return new Mesh(this.geometry, this.material).copy(this, recursive) as unknown as this;
   }
@@ -215,21 +216,21 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   override dispose(): void {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
-    this.#mind.dispose();
+    this.#loader.dispose();
     this.#surface.dispose();
     if (this.geometry !== this.#surface) this.geometry.dispose();
     this.#ownMaterial?.dispose();
-    this.#paintMaterial?.dispose();
-    this.#reject(new StriataError('aborted', 'the mesh was disposed of'));
+    this.#coloringMaterial?.dispose();
+    this.#reject(new StriataError('aborted', 'the mesh has been disposed of'));
   }
 
-  /** Takes another level; called by the loader. */
+  /** Shows another level; called by the loader. */
   update(update: Update): void {
     if (this.#isDisposed) return;
     this.state = update.state;
     this.#last = update;
-    this.#surface.take(update);
-    this.#paint(update);
+    this.#surface.apply(update);
+    this.#updateColoring(update);
     if (update.ticket === this.#ticket) {
       this.#isWaiting = false;
       this.#isSettled = update.settled;
@@ -238,7 +239,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     this.dispatchEvent({ type: 'change' });
   }
 
-  /** Nothing more comes; called by the loader. */
+  /** Ends loading; called by the loader. */
   end(error?: StriataError): void {
     if (!error) {
       this.#resolve();
@@ -248,16 +249,16 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     this.dispatchEvent({ type: 'error', error });
   }
 
-  /** Shows the surface, or triangles in the colors of what draws them. */
-  #paint({ numbers, indices }: Update): void {
+  /** Shows the surface, or triangles colored by strip, fan or number. */
+  #updateColoring({ numbers, indices }: Update): void {
     const old = this.geometry;
     if (numbers && this.#coloring !== 'surface') {
-      this.#paintMaterial ??= new MeshStandardMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, roughness: 0.9 });
-      setWireframe(this.#paintMaterial, this.#isWireframe);
-      this.geometry = painted(this.#surface.getAttribute('position')?.array ?? [], indices, numbers);
+      this.#coloringMaterial ??= new MeshStandardMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, roughness: 0.9 });
+      setWireframe(this.#coloringMaterial, this.#isWireframe);
+      this.geometry = coloredTriangles(this.#surface.getAttribute('position')?.array ?? [], indices, numbers);
       this.geometry.boundingSphere = this.#surface.boundingSphere;
       this.geometry.boundingBox = this.#surface.boundingBox;
-      this.material = this.#paintMaterial;
+      this.material = this.#coloringMaterial;
     } else if (this.geometry !== this.#surface && this.#coloring === 'surface') {
       this.geometry = this.#surface;
       this.material = this.#surfaceMaterial;
@@ -266,13 +267,13 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     if (old !== this.geometry && old !== this.#surface) old.dispose();
   }
 
-  #leaveDetail(): void {
+  #updateDetailMode(): void {
     const modes = [this.#triangleBudget, this.#maxError, this.#pixelError];
     this.#detail = modes.every((mode) => mode === null) ? 1 : null;
   }
 
-  /** Sends a wish, at once or when the last one is answered. */
-  #ask(): void {
+  /** Requests an update now, or as soon as the pending request is answered. */
+  #requestUpdate(): void {
     this.#hasChanged = true;
     this.#send();
   }
@@ -281,48 +282,48 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     if (this.#isWaiting || this.#isDisposed) return;
     this.#hasChanged = false;
     this.#isWaiting = true;
-    this.#sent = this.#wish();
-    this.#mind.order({ type: 'show', wish: this.#sent, coloring: this.#coloring, ticket: ++this.#ticket });
+    this.#sent = this.#levelRequest();
+    this.#loader.send({ type: 'show', request: this.#sent, coloring: this.#coloring, ticket: ++this.#ticket });
   }
 
-  #wish(): Wish {
+  #levelRequest(): LevelRequest {
     const limit = this.#limit();
-    // Before the first frame nobody knows from where the mesh is seen.
-    if (this.#pixelError !== null) return this.#viewWish ?? { by: 'detail', value: limit > 0 ? 1 : 0, limit };
+    // Before the first frame the camera is unknown.
+    if (this.#pixelError !== null) return this.#viewRequest ?? { by: 'detail', value: limit > 0 ? 1 : 0, limit };
     if (this.#maxError !== null) return { by: 'error', value: this.#maxError, limit };
     if (this.#triangleBudget !== null) return { by: 'triangles', value: limit, limit };
     return { by: 'detail', value: this.#detail ?? 1, limit: 0 };
   }
 
-  /** The budget for the engine; 0 is none. */
+  /** Triangle budget for the engine; 0 means none. */
   #limit(): number {
-    return Math.min(this.#triangleBudget ?? 0, MOST_TRIANGLES);
+    return Math.min(this.#triangleBudget ?? 0, MAX_TRIANGLE_COUNT);
   }
 
-  /** Follows the camera that the mesh is about to be drawn for. */
+  /** Requests the level for the camera that is about to draw the mesh. */
   #beforeRender(renderer: WebGLRenderer, _scene: Scene, camera: Camera): void {
     if (this.#pixelError === null || this.#isFrozen) return;
     const target = renderer.getRenderTarget();
     if (target) size.set(target.width, target.height);
     else renderer.getDrawingBufferSize(size);
-    const seen = look(this, camera, size.x, size.y);
-    if (!seen) return;
+    const view = viewOf(this, camera, size.x, size.y);
+    if (!view) return;
     const limit = this.#limit();
-    this.#viewWish =
-      seen.kind === 'perspective'
-        ? { by: 'view', value: this.#pixelError / seen.stretch, limit, camera: seen.numbers }
-        : { by: 'error', value: this.#pixelError * seen.unitsPerPixel, limit };
-    if (this.#isSettled && isSame(this.#viewWish, this.#sent)) return;
+    this.#viewRequest =
+      view.kind === 'perspective'
+        ? { by: 'view', value: this.#pixelError / view.stretch, limit, camera: view.numbers }
+        : { by: 'error', value: this.#pixelError * view.unitsPerPixel, limit };
+    if (this.#isSettled && isSame(this.#viewRequest, this.#sent)) return;
     this.#send();
   }
 }
 
 function number(value: number, name: string): number {
-  if (Number.isNaN(Number(value))) throw new TypeError(`${name} has to be a number, not ${String(value)}`);
+  if (Number.isNaN(Number(value))) throw new TypeError(`${name} must be a number, not ${String(value)}`);
   return Number(value);
 }
 
-function isSame(a: Wish, b: Wish): boolean {
+function isSame(a: LevelRequest, b: LevelRequest): boolean {
   const isSameCamera = a.camera?.length === b.camera?.length && (a.camera ?? []).every((x, i) => x === b.camera?.[i]);
   return a.by === b.by && a.value === b.value && a.limit === b.limit && isSameCamera;
 }

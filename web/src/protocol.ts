@@ -1,29 +1,39 @@
-/** What page and engine tell each other; all of it can be posted to a worker. */
+/** Messages between the page and the engine; all of them can be posted to a worker. */
 
 import type { PlainError } from './error.ts';
 import type { Coloring, Kind, Phase } from './types.ts';
 
-/** Which level is wanted. */
-export interface Wish {
+/** A request for a level of detail. */
+export interface LevelRequest {
   by: 'detail' | 'triangles' | 'error' | 'view';
-  /** The detail, the number of triangles, the error in mesh units, or the pixels. */
+  /** Depending on `by`: the detail (0 to 1), the triangle count, the error in mesh units, or the screen error in pixels. */
   value: number;
-  /** Triangles at most, whatever is wanted; 0 is no limit. */
+  /** Maximum triangle count; 0 means no limit. */
   limit: number;
-  /** For views: eye, target and up in the mesh's space, tangent of half the field of view, width and height in pixels. */
+  /** For views: eye, target and up in mesh space, tangent of half the vertical field of view, width and height in pixels. */
   camera?: number[];
 }
 
-/** From the page to the engine. */
+/** @deprecated Use `LevelRequest`. */
+export type Wish = LevelRequest;
+
+/** Messages from the page to the engine. */
 export type Order =
   | { type: 'bytes'; bytes: Uint8Array }
-  /** No more bytes; with an error where not all have come. */
+  /** The end of the bytes; with an error if some are missing. */
   | { type: 'end'; error?: PlainError }
-  /** A whole file. */
+  /** A complete file. */
   | { type: 'file'; bytes: Uint8Array; name: string }
-  | { type: 'show'; wish: Wish; coloring: Coloring; ticket: number };
+  /** A request to show a level. `wish` is the deprecated name of `request`. */
+  | { type: 'show'; request: LevelRequest; coloring: Coloring; ticket: number }
+  | { type: 'show'; wish: LevelRequest; coloring: Coloring; ticket: number };
 
-/** Vertices that are new, from one on. */
+/** The level that an order requests. */
+export function requestOf(order: Extract<Order, { type: 'show' }>): LevelRequest {
+  return 'request' in order ? order.request : order.wish;
+}
+
+/** New vertices, starting at index `first`. */
 export interface NewVertices {
   first: number;
   positions: Float32Array;
@@ -32,19 +42,19 @@ export interface NewVertices {
   uvs: Float32Array | undefined;
 }
 
-/** How far a model has come, and what is shown of it. */
+/** Loading progress of a model, and the level that is shown. */
 export interface State {
   kind: Kind;
   phase: Phase;
   complete: boolean;
   vertexCount: number;
-  /** Triangles of the finest level that is there. */
+  /** Triangle count of the finest level available so far. */
   triangleCount: number;
   fullVertexCount: number;
   fullTriangleCount: number;
   stepCount: number;
   streamBytes: number;
-  /** Smallest and largest coordinates; empty before anything is there. */
+  /** Minimum and maximum coordinates; empty before any vertices have loaded. */
   bounds: Float32Array;
   diagonal: number;
   shownSplitCount: number;
@@ -54,32 +64,32 @@ export interface State {
   updateMs: number;
 }
 
-/** Another level, and the vertices that have come since the last. */
+/** A level to show, and the vertices that have loaded since the last update. */
 export interface Update {
   type: 'update';
   state: State;
   vertices: NewVertices | undefined;
-  /** Normals of all vertices, where the mesh brings none of its own. */
+  /** Normals of all vertices, if the mesh has none of its own. */
   smoothNormals: Float32Array | undefined;
   indices: Uint32Array;
   groupCounts: Uint32Array;
-  /** For each triangle the number of its strip or fan, unless the surface is shown as it is. */
+  /** Strip, fan or triangle number of each triangle, unless the coloring is `surface`. */
   numbers: Uint32Array | undefined;
-  /** Whether asking again would show the same. */
+  /** Whether repeating the request would give the same result. */
   settled: boolean;
-  /** The request that this answers; 0 for what comes by itself. */
+  /** The request that this answers; 0 for updates sent without a request. */
   ticket: number;
 }
 
-/** From the engine to the page. */
+/** Messages from the engine to the page. */
 export type Report =
   | Update
   | { type: 'building'; share: number }
-  /** Nothing more comes; where nothing has come there is no mesh either. */
+  /** Loading has failed. If no update was sent before, there is no mesh either. */
   | { type: 'failed'; error: PlainError }
   | { type: 'finished' };
 
-/** Memory of a report that can be given away. */
+/** Buffers of a report that can be transferred instead of copied. */
 export function transferable(report: Report): ArrayBuffer[] {
   if (report.type !== 'update') return [];
   const { vertices, indices, groupCounts, numbers, smoothNormals } = report;

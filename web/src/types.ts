@@ -1,28 +1,28 @@
-/** What the package takes and gives: options, progress, errors, and the mesh that one draws. */
+/** Public types: options, progress, errors, and the mesh. */
 
 import type { BufferGeometry, Material, Mesh, Object3DEventMap } from 'three';
 
-/** Where the bytes of a model come from. */
+/** A source of a model's bytes; a string is a URL. */
 export type Source = string | URL | File | Blob | ArrayBuffer | ReadableStream<Uint8Array>;
 
-/** What was read: a bare stream, a `.striata` file, or a plain mesh that was simplified here. */
+/** What was loaded: a bare stream, a `.striata` file, or a plain mesh that was simplified in the browser. */
 export type Kind = 'stream' | 'striata' | 'mesh';
 
-/** How triangles are colored: as the material has it, or by what draws them. */
+/** How triangles are colored: by the material, or by the strip, fan or triangle they belong to. */
 export type Coloring = 'surface' | 'strips' | 'fans' | 'triangles';
 
-/** What a model is waiting for. */
+/** Current phase of loading. */
 export type Phase = 'download' | 'decode' | 'build' | 'done';
 
-/** How far loading has come. */
+/** Progress of loading. */
 export interface Progress {
   bytesReceived: number;
-  /** `null` where the source does not tell. */
+  /** Total number of bytes; `null` if unknown. */
   bytesTotal: number | null;
-  /** Triangles and vertices that have come. */
+  /** Number of triangles and vertices loaded so far. */
   triangleCount: number;
   vertexCount: number;
-  /** Whether all of the mesh is there. */
+  /** Whether the whole mesh has loaded. */
   complete: boolean;
   phase: Phase;
 }
@@ -30,95 +30,97 @@ export interface Progress {
 /** Why a model could not be loaded. */
 export type ErrorCode = 'network' | 'not-found' | 'format' | 'corrupt' | 'too-large' | 'aborted' | 'unsupported';
 
-/** Options of one `load`. */
+/** Options of a single call of `load`. */
 export interface LoadOptions {
-  /** Ends the download and the work; `load` then rejects with code `aborted`. A mesh that is `finished` stays as it is. */
+  /** Aborts loading; `load` then rejects with code `aborted`. Has no effect on a mesh that is `finished`. */
   signal?: AbortSignal;
+  /** Called whenever more of the model has loaded. */
   onProgress?: (progress: Progress) => void;
-  /** Default: a standard material that takes vertex colors where the mesh has any. */
+  /** Material, or one for each group of triangles. Default: a standard material that uses the mesh's vertex colors, if any. */
   material?: Material | Material[];
-  /** A file name, where the source has none. Kinds are told by content, then by extension. */
+  /** File name, for sources without one. The format is detected by content first, then by extension. */
   name?: string;
 }
 
 /** Options of a loader. */
 export interface LoaderOptions {
-  /** Decode and build in a worker; default true. */
+  /** Whether to decode and build in a worker. Default: true. */
   worker?: boolean;
   /**
-   * Where striata.wasm is. Default: a `<script type="text/plain" id="striata-wasm">` with it in base64, else the file
-   * beside this script.
-   */
+     * URL, bytes or compiled module of striata.wasm. Default: the contents of `<script type="text/plain" id="striata-wasm">` in base64
+     * if present, else the file next to this script.
+     */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
 }
 
 /** Loads models; see `StriataLoader`. */
 export interface Loader {
   /**
-   * Resolves as soon as there is something to draw; the rest goes on coming in.
-   *
-   * Rejects with a `StriataError`.
-   */
+     * Loads a model. Resolves as soon as there is something to draw; the rest continues to stream in.
+     *
+     * Rejects with a `StriataError`.
+     */
   load(source: Source, options?: LoadOptions): Promise<StriataMeshLike>;
 }
 
-/** How long things took, milliseconds. */
+/** Durations in milliseconds. */
 export interface Timings {
-  /** Decoding the stream, without waiting for bytes. */
+  /** Decoding the stream, not counting the wait for bytes. */
   decodeMs: number;
-  /** Making what views are taken from: while the stream arrives, or of a whole file. */
+  /** Preparing view-dependent refinement while a stream loads, or building the model of a plain mesh. */
   buildMs: number;
   /** The last change of level. */
   updateMs: number;
 }
 
-/** Events of a mesh, beside those of all objects. */
+/** Events of the mesh, in addition to those of every `Object3D`. */
 export interface StriataEvents extends Object3DEventMap {
-  /** Other triangles are shown. */
+  /** The mesh has changed and should be drawn again. */
   change: object;
+  /** More of the model has loaded. */
   progress: { progress: Progress };
-  /** The rest could not be loaded; the mesh keeps what has come. */
+  /** The rest of the model could not be loaded; the mesh keeps the part that has. */
   error: { error: Error & { code: ErrorCode; hint?: string | undefined } };
 }
 
-/** What a model can do beside being a three.js mesh; `StriataMesh` is the class. */
+/** The mesh of a model: what it adds to a three.js mesh. `StriataMesh` implements it. */
 export interface StriataMeshLike extends Mesh<BufferGeometry, Material | Material[], StriataEvents> {
-  /** 0 is the base mesh, 1 all of it. Setting it leaves the other modes. */
+  /** Level of detail from 0 (base mesh) to 1 (full mesh). Setting it turns off the other modes. */
   detail: number;
-  /** At most so many triangles; in view-dependent mode too. `null` is no limit. */
+  /** Maximum number of triangles, also in view-dependent mode; `null` means no limit. */
   triangleBudget: number | null;
-  /** How far what is shown is from the full mesh, mesh units; the largest place where it differs by view. */
+  /** Error of the shown level relative to the full mesh, mesh units; with view-dependent detail, the largest error anywhere. */
   readonly error: number;
-  /** The coarsest level that is no farther off, mesh units. `null` leaves the mode. */
+  /** Selects the coarsest level whose error is at most this, mesh units. `null` turns this mode off. */
   maxError: number | null;
-  /** View-dependent: no farther off than so many pixels on the screen. `null` leaves the mode. */
+  /** View-dependent detail: refines until the estimated screen error is at most this, in pixels. `null` turns this mode off. */
   pixelError: number | null;
-  /** Keeps the triangles of the last view, to look at them from elsewhere. */
+  /** Keeps the triangles of the last view, so that they can be viewed from elsewhere. */
   frozen: boolean;
   coloring: Coloring;
   wireframe: boolean;
-  /** Triangles that are shown. */
+  /** Number of triangles shown. */
   readonly triangleCount: number;
   readonly fullTriangleCount: number;
-  /** Vertices that have come. */
+  /** Number of vertices loaded so far. */
   readonly vertexCount: number;
-  /** Vertex splits that are shown. */
+  /** Number of vertex splits of the shown level. */
   readonly splitCount: number;
-  /** Vertex splits of the full mesh. */
+  /** Number of vertex splits of the full mesh. */
   readonly stepCount: number;
-  /** Whether all bytes are in and decoded. */
+  /** Whether the model has been received and decoded completely. */
   readonly complete: boolean;
   readonly bytesReceived: number;
   readonly bytesTotal: number | null;
-  /** Of the bounding box, mesh units: what errors are measured by. */
+  /** Diagonal of the bounding box, mesh units; a scale for errors. */
   readonly diagonal: number;
   readonly kind: Kind;
   readonly timings: Readonly<Timings>;
   /**
-   * All bytes are in and decoded. Rejects with a `StriataError` if the rest is damaged; the mesh then
-   * keeps what has come.
-   */
+     * Resolves when the model has been received and decoded completely. Rejects with a `StriataError` if the rest could not be loaded; the
+     * mesh then keeps the part that has.
+     */
   readonly finished: Promise<void>;
-  /** Frees the worker and the buffers; the material stays, it may be the caller's. */
+  /** Terminates the worker and frees the buffers. A material that you passed to `load` is not disposed of. */
   dispose(): void;
 }

@@ -1,4 +1,4 @@
-/** Finding, compiling and starting the wasm. */
+/** Locates, compiles and initializes the wasm module. */
 
 import { StriataError } from './error.ts';
 import type { LoaderOptions } from './types.ts';
@@ -6,24 +6,24 @@ import { initSync } from './wasm/striata_web.js';
 
 type WasmSource = NonNullable<LoaderOptions['wasm']>;
 
-/** Modules by where they come from: each is compiled once. */
+/** Compiled modules by source, so that each is compiled once. */
 const modules = new Map<unknown, Promise<WebAssembly.Module>>();
 let isStarted = false;
 
-/** The compiled module, from where the options say, from the page itself, or from beside this script. */
+/** Returns the compiled module: from the options, embedded in the page, or next to this script. */
 export function wasmModule(source: WasmSource | undefined): Promise<WebAssembly.Module> {
   const key = source instanceof URL ? source.href : source;
   let module = modules.get(key);
   if (!module) {
     module = compile(source);
-    // What failed once may work later.
+    // A later attempt may succeed.
     module.catch(() => modules.delete(key));
     modules.set(key, module);
   }
   return module;
 }
 
-/** Starts a module in this very thread, once; what comes later finds it started. */
+/** Initializes a module on the current thread; later calls have no effect. */
 export function start(module: WebAssembly.Module): void {
   if (!isStarted) initSync({ module });
   isStarted = true;
@@ -38,16 +38,16 @@ async function compile(source: WasmSource | undefined): Promise<WebAssembly.Modu
   if (embedded) return WebAssembly.compile(embedded);
   const url = source ?? new URL(/* @vite-ignore */ 'striata.wasm', import.meta.url);
   const response = await fetch(url).catch((error: unknown) => {
-    throw new StriataError('network', `striata.wasm could not be fetched: ${String(error)}`);
+    throw new StriataError('network', `cannot fetch striata.wasm: ${String(error)}`);
   });
   if (!response.ok) {
     throw new StriataError(
       response.status === 404 ? 'not-found' : 'network',
-      `striata.wasm could not be fetched from ${String(url)}: the server says ${response.status}`,
-      'it lies beside striata.js in the package; the option `wasm` says where else',
+      `cannot fetch striata.wasm from ${String(url)}: the server responded with ${response.status}`,
+      'the file is next to striata.js in the package; if you moved it, set the option `wasm`',
     );
   }
-  // Not every server knows the type that compiling from a stream asks for.
+  // Streaming compilation requires the MIME type application/wasm, which some servers do not send.
   return WebAssembly.compile(await response.arrayBuffer());
 }
 

@@ -1,19 +1,19 @@
-/** The engine in a worker: the first message brings the module, all others are orders. */
+/** Runs the engine in a worker: the first message contains the wasm module, all others are orders. */
 
 import { Engine } from './engine.ts';
 import { transferable, type Order } from './protocol.ts';
 import { initSync } from './wasm/striata_web.js';
 
-/** Nothing else runs here, but requests shall be answered soon. */
+/** Longest uninterrupted decoding: a worker may decode longer than a page, but requests should be answered quickly. */
 const SLICE_MS = 30;
 
-/** What is used of a worker's own scope: the types of pages know no other. */
-interface Scope {
+/** The part of a worker's global scope that is used here; TypeScript's DOM types describe only pages. */
+interface WorkerScope {
   onmessage: ((event: MessageEvent<WebAssembly.Module | Order>) => void) | null;
   postMessage(message: unknown, transfer: Transferable[]): void;
 }
 
-const scope = self as unknown as Scope;
+const scope = self as unknown as WorkerScope;
 let engine: Engine | undefined;
 
 scope.onmessage = ({ data }) => {

@@ -1,20 +1,20 @@
-// The viewer as one html file that needs nothing else, put together as the command does it.
+// Assembles the viewer and a model into one self-contained HTML file, as the command does.
 //
-// As a program: `node tests/assemble.mjs MODEL OUT.html`.
+// Usage: `node tests/assemble.mjs MODEL OUT.html`.
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { viewerFolder } from './harness.mjs';
 
-/** The page with script, style, wasm and model inside. */
+/** Returns the page with script, style, wasm and model inlined. */
 export function assemble(model, name) {
   const read = (file) => readFileSync(join(viewerFolder, file), 'utf8');
   const wasm = readFileSync(join(viewerFolder, 'striata.wasm')).toString('base64');
-  // A script's end must not be found inside of it.
+  // The code must not contain the end tag of its own element.
   const script = read('viewer.js').replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
   const style = existsSync(join(viewerFolder, 'viewer.css')) ? read('viewer.css') : '';
-  const data = (id, more, text) => `<script type="text/plain" id="${id}"${more}>${text}</script>`;
+  const data = (id, attributes, text) => `<script type="text/plain" id="${id}"${attributes}>${text}</script>`;
   return read('index.html')
     .replace(/<script type="module"[^>]*src="[^"]*viewer\.js"[^>]*><\/script>/, () => `<script type="module">${script}</script>`)
     .replace(/<link rel="stylesheet"[^>]*href="[^"]*viewer\.css"[^>]*>/, () => `<style>${style}</style>`)

@@ -1,14 +1,14 @@
-// Detail by hand: the slider, a typed number of triangles, keys.
+// Tests of the detail controls: the slider, a typed triangle budget, keys.
 
 import assert from 'node:assert/strict';
 import { settled, shot, slide, state } from './harness.mjs';
 import { openModel, pageTest } from './pages.mjs';
 
-/** Digits of a text, as a number. */
+/** Parses the first number in a text. */
 const number = (text) => Number(text.replaceAll(',', '').match(/[\d.]+(e[-+]?\d+)?/)?.[0] ?? Number.NaN);
 
 export default function detail(world) {
-  pageTest(world, 'the slider shows the detail it says', {}, async (page) => {
+  pageTest(world, 'the detail slider selects the level it displays', {}, async (page) => {
     await openModel(world, page, 'icosphere.stri');
     const full = await state(page);
     let last = { triangleCount: -1, error: Number.POSITIVE_INFINITY };
@@ -16,15 +16,15 @@ export default function detail(world) {
       await slide(page, 'detail', position);
       await settled(page);
       const now = await state(page);
-      const asked = (position / 1000) ** 3;
-      assert.ok(Math.abs(now.splitCount - asked * full.stepCount) <= 1, `${now.splitCount} splits at detail ${asked}`);
-      assert.ok(now.triangleCount > last.triangleCount, 'more detail, more triangles');
+      const requested = (position / 1000) ** 3;
+      assert.ok(Math.abs(now.splitCount - requested * full.stepCount) <= 1, `${now.splitCount} splits at detail ${requested}`);
+      assert.ok(now.triangleCount > last.triangleCount, 'more detail gives more triangles');
       assert.ok(now.error <= last.error, `error ${now.error} after ${last.error}`);
       const shown = await page.evaluate(() => {
         const { geometry } = window.striataViewer.mesh;
         return Math.min(geometry.drawRange.count, geometry.index.count) / 3;
       });
-      assert.equal(shown, now.triangleCount, 'what is drawn is what is said');
+      assert.equal(shown, now.triangleCount, 'the displayed count matches the drawn triangles');
       assert.equal(number(await page.locator('#triangles').innerText()), now.triangleCount);
       last = now;
     }
@@ -36,7 +36,7 @@ export default function detail(world) {
     await shot(page, 'wireframe');
   });
 
-  pageTest(world, 'a typed number of triangles is kept as a limit', {}, async (page) => {
+  pageTest(world, 'a typed triangle budget is respected', {}, async (page) => {
     await openModel(world, page, 'icosphere.stri');
     const { fullTriangleCount: full } = await state(page);
     await page.locator('input[name="mode"][value="budget"]').check({ force: true });
@@ -52,41 +52,41 @@ export default function detail(world) {
     await typed.fill('999999999');
     await typed.press('Enter');
     await settled(page);
-    assert.equal((await state(page)).triangleCount, full, 'more than there are is all of them');
+    assert.equal((await state(page)).triangleCount, full, 'a budget above the full count shows all triangles');
     await typed.fill('');
     await typed.press('Enter');
-    assert.equal(await typed.inputValue(), String(full), 'nothing typed is no limit');
+    assert.equal(await typed.inputValue(), String(full), 'an empty budget means no limit');
     await slide(page, 'budget', 500);
     await settled(page);
-    const asked = Number(await typed.inputValue());
-    assert.ok(asked < full && (await state(page)).triangleCount <= asked, 'the slider sets the number');
+    const requested = Number(await typed.inputValue());
+    assert.ok(requested < full && (await state(page)).triangleCount <= requested, 'the slider sets the budget');
   });
 
-  pageTest(world, 'everything is done by keys too', {}, async (page) => {
+  pageTest(world, 'every control has a working shortcut', {}, async (page) => {
     await openModel(world, page, 'icosphere.stri');
     const view = page.locator('#view');
     await view.focus();
     const eye = () => page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
     const distance = (from, to) => Math.hypot(...from.map((x, axis) => x - to[axis]));
-    // The first look frames what had come by then, R frames all of it.
+    // The initial view frames what had loaded by then; R frames the whole model.
     await page.keyboard.press('r');
     await settled(page);
     const start = await eye();
     await page.keyboard.press('ArrowRight');
     const turned = await eye();
-    assert.ok(distance(start, turned) > 0.01, 'an arrow turns');
+    assert.ok(distance(start, turned) > 0.01, 'an arrow key rotates');
     await page.keyboard.press('+');
-    assert.ok(Math.hypot(...(await eye())) < Math.hypot(...turned) * 0.95, '+ goes nearer');
+    assert.ok(Math.hypot(...(await eye())) < Math.hypot(...turned) * 0.95, '+ zooms in');
     await page.keyboard.press('r');
     await settled(page);
-    assert.ok(distance(await eye(), start) < 1e-3, 'R goes back');
+    assert.ok(distance(await eye(), start) < 1e-3, 'R resets the view');
     const full = await state(page);
     await page.keyboard.press('[');
     await settled(page);
-    assert.ok((await state(page)).triangleCount < full.triangleCount, '[ takes detail away');
+    assert.ok((await state(page)).triangleCount < full.triangleCount, '[ reduces detail');
     await page.keyboard.press(']');
     await settled(page);
-    assert.equal((await state(page)).triangleCount, full.triangleCount, '] brings it back');
+    assert.equal((await state(page)).triangleCount, full.triangleCount, '] restores it');
     await page.keyboard.press('w');
     assert.equal(await page.evaluate(() => window.striataViewer.mesh.children.some((child) => child.visible && child.material.wireframe)), true);
     await page.keyboard.press('w');
@@ -94,7 +94,7 @@ export default function detail(world) {
     assert.equal(await page.evaluate(() => window.striataViewer.mesh.coloring), 'strips');
     await page.keyboard.press('v');
     await settled(page);
-    assert.notEqual((await state(page)).pixelError, null, 'V chooses pixels');
+    assert.notEqual((await state(page)).pixelError, null, 'V selects screen error');
     await page.keyboard.press('f');
     assert.equal((await state(page)).frozen, true);
     await page.keyboard.press('f');

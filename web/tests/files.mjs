@@ -1,4 +1,4 @@
-// Files from the reader's own machine: dropped, picked, and carried by the page.
+// Tests of local files: dropped, chosen, and embedded in the page.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -8,7 +8,7 @@ import { assemble } from './assemble.mjs';
 import { drawnPixels, settled, shot, slide, state, untilWhole } from './harness.mjs';
 import { note, openModel, pageTest } from './pages.mjs';
 
-/** Drops a file on the page, as a hand would from a file manager. */
+/** Drops a file on the page, as from a file manager. */
 export async function drop(page, name, content) {
   const transfer = await page.evaluateHandle(([name, base64]) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -24,7 +24,7 @@ export async function drop(page, name, content) {
 }
 
 export default function files(world) {
-  pageTest(world, 'a dropped OBJ is simplified in the page', {}, async (page) => {
+  pageTest(world, 'a dropped OBJ is simplified in the browser', {}, async (page) => {
     await page.goto(world.url);
     await page.locator('#cards a').first().waitFor();
     const obj = readFileSync(join(world.folder, 'torus.obj'));
@@ -33,44 +33,44 @@ export default function files(world) {
     await untilWhole(page);
     const now = await state(page);
     assert.equal(now.kind, 'mesh');
-    assert.equal(now.triangleCount, triangles, 'all its triangles');
+    assert.equal(now.triangleCount, triangles, 'all triangles are shown');
     assert.equal(await page.locator('#title').innerText(), 'torus.obj');
-    assert.ok((await drawnPixels(page)) > 10_000, 'it is seen');
+    assert.ok((await drawnPixels(page)) > 10_000, 'the model is visible');
     await slide(page, 'detail', 500);
     await settled(page);
     const less = await state(page);
-    assert.ok(Math.abs(less.splitCount - less.stepCount / 8) <= 1 && less.triangleCount < triangles / 4, 'its detail can be chosen');
-    note(`built in the page: ${triangles} triangles in ${now.timings.buildMs.toFixed(0)} ms`);
+    assert.ok(Math.abs(less.splitCount - less.stepCount / 8) <= 1 && less.triangleCount < triangles / 4, 'its detail can be changed');
+    note(`built in the browser: ${triangles} triangles in ${now.timings.buildMs.toFixed(0)} ms`);
   });
 
-  pageTest(world, 'a picked file is opened, one after the other', {}, async (page) => {
+  pageTest(world, 'files can be opened one after the other', {}, async (page) => {
     await openModel(world, page, 'icosphere.stri');
     await page.locator('#file').setInputFiles(join(world.folder, 'tetrahedron.obj'));
     await page.waitForFunction(() => window.striataViewer.mesh?.fullTriangleCount === 4);
     await untilWhole(page);
     assert.equal(await page.locator('#title').innerText(), 'tetrahedron.obj');
-    assert.equal(new URL(page.url()).search, '', 'the address is no longer that of a model');
+    assert.equal(new URL(page.url()).search, '', 'the address no longer names a model');
     await page.locator('#file').setInputFiles(join(world.folder, 'spot.striata'));
     await page.waitForFunction(() => window.striataViewer.mesh?.fullTriangleCount > 4);
     await untilWhole(page);
     assert.equal((await state(page)).kind, 'striata');
   });
 
-  pageTest(world, 'one html file holds page and model, and works without a server', {}, async (page) => {
+  pageTest(world, 'a self-contained page works without a server', {}, async (page) => {
     const out = join(world.folder, 'viewer.html');
     writeFileSync(out, assemble(readFileSync(join(world.folder, 'icosphere.stri')), 'icosphere.stri'));
-    const asked = [];
-    page.on('request', (request) => asked.push(request.url()));
+    const requestedUrls = [];
+    page.on('request', (request) => requestedUrls.push(request.url()));
     await page.goto(pathToFileURL(out).href);
     await untilWhole(page);
     assert.equal((await state(page)).triangleCount, 20_480);
-    assert.ok((await drawnPixels(page)) > 10_000, 'it is seen');
+    assert.ok((await drawnPixels(page)) > 10_000, 'the model is visible');
     await page.keyboard.press('v');
     await slide(page, 'pixels', 800);
     await settled(page);
-    assert.ok((await state(page)).triangleCount < 20_480, 'views refine');
-    const outside = asked.filter((url) => !/^(data|blob):/.test(url) && url !== pathToFileURL(out).href);
-    assert.deepEqual(outside, [], 'nothing else is asked for');
+    assert.ok((await state(page)).triangleCount < 20_480, 'view-dependent refinement works');
+    const outside = requestedUrls.filter((url) => !/^(data|blob):/.test(url) && url !== pathToFileURL(out).href);
+    assert.deepEqual(outside, [], 'nothing else is requested');
     await shot(page, 'one-file');
   });
 }

@@ -1,38 +1,38 @@
-// A line to the server that lets through as many bytes of a model as a test says, and can break.
+// A proxy that passes on only as many bytes of a model as a test allows, and can break the connection.
 //
-// A line of so many bytes a second would prove nothing on a machine that is slower than it: all bytes would be there before
-// the page has begun. Here the page gets a tenth of the bytes and no more until it has drawn them.
+// Limiting the rate instead would prove nothing on a slow machine: all bytes would have arrived before the page had started. With this
+// proxy, the page gets a tenth of the bytes, and no more until it has drawn them.
 
 import { once } from 'node:events';
 import { createServer, request } from 'node:http';
 
-/** Stands between page and server; `allow` counts over all models that are asked for. */
+/** Proxy between page and server; `allow` counts the bytes of all requested models together. */
 export class Gate {
   #allowed = 0;
   #passed = 0;
   #waiting = new Set();
-  #answers = new Set();
+  #responses = new Set();
   #server;
 
   static async to(url) {
     const gate = new Gate();
-    gate.#server = createServer((asked, answer) => gate.#pass(new URL(url), asked, answer));
+    gate.#server = createServer((incoming, outgoing) => gate.#forward(new URL(url), incoming, outgoing));
     gate.#server.listen(0, '127.0.0.1');
     await once(gate.#server, 'listening');
     gate.url = `http://127.0.0.1:${gate.#server.address().port}/`;
     return gate;
   }
 
-  /** From now on so many bytes of models in all. */
+  /** Allows this many bytes of models in total. */
   allow(bytes) {
     this.#allowed = bytes;
     for (const wake of this.#waiting) wake();
     this.#waiting.clear();
   }
 
-  /** Breaks the connections of models that are on their way. */
+  /** Breaks the connections of models that are loading. */
   cut() {
-    for (const answer of this.#answers) answer.destroy();
+    for (const outgoing of this.#responses) outgoing.destroy();
   }
 
   close() {
@@ -40,31 +40,31 @@ export class Gate {
     this.#server.closeAllConnections();
   }
 
-  #pass({ hostname, port }, asked, answer) {
-    const { method, url: path } = asked;
-    const onward = request({ hostname, port, method, path, headers: asked.headers }, (response) => {
-      answer.writeHead(response.statusCode, response.headers);
-      if (path.startsWith('/models/')) this.#meter(response, answer).catch(() => answer.destroy());
-      else response.pipe(answer);
+  #forward({ hostname, port }, incoming, outgoing) {
+    const { method, url: path } = incoming;
+    const upstream = request({ hostname, port, method, path, headers: incoming.headers }, (response) => {
+      outgoing.writeHead(response.statusCode, response.headers);
+      if (path.startsWith('/models/')) this.#meter(response, outgoing).catch(() => outgoing.destroy());
+      else response.pipe(outgoing);
     });
-    onward.on('error', () => answer.destroy());
-    answer.on('close', () => onward.destroy());
-    asked.pipe(onward);
+    upstream.on('error', () => outgoing.destroy());
+    outgoing.on('close', () => upstream.destroy());
+    incoming.pipe(upstream);
   }
 
-  async #meter(response, answer) {
-    this.#answers.add(answer);
-    answer.on('close', () => this.#answers.delete(answer));
+  async #meter(response, outgoing) {
+    this.#responses.add(outgoing);
+    outgoing.on('close', () => this.#responses.delete(outgoing));
     for await (const chunk of response) {
       for (let from = 0; from < chunk.length; ) {
-        while (this.#passed >= this.#allowed && !answer.destroyed) await new Promise((wake) => this.#waiting.add(wake));
-        if (answer.destroyed) return;
+        while (this.#passed >= this.#allowed && !outgoing.destroyed) await new Promise((wake) => this.#waiting.add(wake));
+        if (outgoing.destroyed) return;
         const to = Math.min(chunk.length, from + this.#allowed - this.#passed);
         this.#passed += to - from;
-        answer.write(chunk.subarray(from, to));
+        outgoing.write(chunk.subarray(from, to));
         from = to;
       }
     }
-    answer.end();
+    outgoing.end();
   }
 }

@@ -1,4 +1,4 @@
-// What the browser tests share: models made by the command, `striata serve` over them, one Chromium with WebGL 2, pages.
+// Shared by the browser tests: models made by the command, `striata serve`, one Chromium with WebGL 2, pages.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -11,27 +11,27 @@ import { chromium } from 'playwright-core';
 const workspace = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata');
 
-/** Machines under load are slow: what takes longer than this is stuck. */
+/** Timeout that allows for machines under heavy load. */
 export const PATIENCE_MS = 600_000;
 
-/** The viewer as it is built into the command. */
+/** The viewer that is embedded in the command. */
 export const viewerFolder = join(workspace, 'crates/striata-viewer/viewer');
 
-/** Draws WebGL 2 without a graphics card. */
+/** Flags that render WebGL 2 without a graphics card. */
 const CHROMIUM_FLAGS = [
   '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
   '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
 ];
 
-/** Runs the command and gives what it printed. */
+/** Runs the command and returns its output. */
 export function run(...words) {
   const ended = spawnSync(striata, words, { encoding: 'utf8', maxBuffer: 1 << 26 });
   if (ended.error) throw new Error(`cannot start ${striata}: ${ended.error.message}`);
-  if (ended.status !== 0) throw new Error(`striata ${words.join(' ')} ended with ${ended.status}: ${ended.stderr}`);
+  if (ended.status !== 0) throw new Error(`striata ${words.join(' ')} exited with ${ended.status}: ${ended.stderr}`);
   return ended.stdout;
 }
 
-/** Models that the tests look at, all made by the command. */
+/** Makes the models for the tests with the command. */
 export function makeModels(folder) {
   const bust = join(workspace, 'crates/striata-cli/assets/nefertiti.ply.zst');
   const at = (...parts) => join(folder, ...parts);
@@ -49,40 +49,40 @@ export function makeModels(folder) {
   writeFileSync(at('garbage.stri'), Buffer.from('this is no model, whatever its name says\n'.repeat(40)));
 }
 
-/** A temporary folder that goes when the tests end. */
+/** Creates a temporary folder. */
 export function temporaryFolder(name) {
   return mkdtempSync(join(tmpdir(), `striata-${name}-`));
 }
 
-/** `striata serve` on a free port; give it back with `stop`. */
+/** Starts `striata serve` on a free port; call `stop` to end it. */
 export async function serve(folder) {
   const child = spawn(striata, ['serve', folder, '--port', '0', '--json'], { stdio: ['ignore', 'pipe', 'pipe'] });
-  let talk = '';
-  child.stderr.on('data', (text) => (talk += text));
+  let log = '';
+  child.stderr.on('data', (text) => (log += text));
   const ended = new Promise((_, reject) => {
     child.once('error', (error) => reject(new Error(`cannot start ${striata}: ${error.message}`)));
-    child.once('exit', (code) => reject(new Error(`striata serve ended with ${code}: ${talk}`)));
+    child.once('exit', (code) => reject(new Error(`striata serve exited with ${code}: ${log}`)));
   });
   ended.catch(() => {});
   const lines = createInterface({ input: child.stdout });
-  const first = new Promise((give) => lines.once('line', give));
+  const first = new Promise((resolve) => lines.once('line', resolve));
   const { url } = JSON.parse(await Promise.race([first, ended]));
-  return { url: url.endsWith('/') ? url : `${url}/`, stop: () => stopped(child) };
+  return { url: url.endsWith('/') ? url : `${url}/`, stop: () => stop(child) };
 }
 
-async function stopped(child) {
+async function stop(child) {
   if (child.exitCode !== null) return;
-  const gone = new Promise((give) => child.once('exit', give));
+  const gone = new Promise((resolve) => child.once('exit', resolve));
   child.kill('SIGTERM');
   const timer = setTimeout(() => child.kill('SIGKILL'), 5_000);
   await gone;
   clearTimeout(timer);
 }
 
-/** The browser, with a profile that is thrown away. */
+/** Starts the browser with a temporary profile. */
 export async function browser() {
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-  if (!existsSync(executablePath)) throw new Error(`there is no ${executablePath}; apt-get install chromium, or set CHROMIUM`);
+  if (!existsSync(executablePath)) throw new Error(`${executablePath} does not exist; run apt-get install chromium, or set CHROMIUM`);
   const profile = temporaryFolder('chromium');
   const context = await chromium.launchPersistentContext(profile, {
     executablePath, args: CHROMIUM_FLAGS, headless: true, viewport: { width: 1200, height: 760 }, timeout: PATIENCE_MS,
@@ -96,7 +96,7 @@ export async function browser() {
   return { context, close };
 }
 
-/** Everything the tests need: `world.page()` gives a page, `world.url` is the server's. */
+/** Everything the tests share: `world.page()` opens a page, `world.url` is the server's address. */
 export async function world() {
   const folder = temporaryFolder('models');
   const { context, close } = await browser().catch((error) => {
@@ -119,12 +119,12 @@ export async function world() {
   return { folder, url: server.url, context, page: (options) => newPage(context, options), end };
 }
 
-/** A page whose errors fail the test: nothing may be thrown or logged as an error that the test did not expect. */
+/** Opens a page that records uncaught and logged errors, except those that the test expects. */
 async function newPage(context, { expected = [], width = 900, height = 600, scheme = 'light', still = true } = {}) {
   const page = await context.newPage();
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ colorScheme: scheme, reducedMotion: still ? 'reduce' : 'no-preference' });
-  await page.addInitScript(countQuestions);
+  await page.addInitScript(countRequests);
   page.faults = [];
   const fault = (text) => {
     if (!expected.some((pattern) => pattern.test(text))) page.faults.push(text);
@@ -136,22 +136,22 @@ async function newPage(context, { expected = [], width = 900, height = 600, sche
   return page;
 }
 
-/** In the page: `openQuestions()` tells how many workers have been asked for a level and have not answered yet. */
-function countQuestions() {
+/** Runs in the page: `pendingRequests()` returns how many workers have not answered their last request for a level yet. */
+function countRequests() {
   const workers = new Map();
-  window.openQuestions = () => [...workers.values()].filter(({ asked, answered }) => asked > answered).length;
+  window.pendingRequests = () => [...workers.values()].filter(({ requested, answered }) => requested > answered).length;
   const { postMessage, terminate } = Worker.prototype;
   Worker.prototype.postMessage = function (order, ...rest) {
     if (order?.type === 'show') {
-      let known = workers.get(this);
-      if (!known) {
-        workers.set(this, (known = { asked: 0, answered: 0 }));
+      let worker = workers.get(this);
+      if (!worker) {
+        workers.set(this, (worker = { requested: 0, answered: 0 }));
         this.addEventListener('message', ({ data }) => {
-          // What comes by itself, as bytes arrive, answers nothing.
-          if (data.type === 'update') known.answered = Math.max(known.answered, data.ticket);
+          // Updates without a ticket answer no request.
+          if (data.type === 'update') worker.answered = Math.max(worker.answered, data.ticket);
         });
       }
-      known.asked = order.ticket;
+      worker.requested = order.ticket;
     }
     return postMessage.call(this, order, ...rest);
   };
@@ -161,7 +161,7 @@ function countQuestions() {
   };
 }
 
-/** Keeps a picture for people to look at, where STRIATA_SHOTS names a folder. */
+/** Saves a screenshot if STRIATA_SHOTS names a folder. */
 export async function shot(page, name) {
   const folder = process.env.STRIATA_SHOTS;
   if (!folder) return;
@@ -169,36 +169,36 @@ export async function shot(page, name) {
   await page.screenshot({ path: join(folder, `${name}.png`) });
 }
 
-/** Waits until the model that is shown is all there. */
+/** Waits until the shown model has loaded completely. */
 export async function untilWhole(page) {
   await page.waitForFunction(() => window.striataViewer?.mesh?.complete === true);
   await page.evaluate(() => window.striataViewer.mesh.finished);
 }
 
-/** Waits until the worker has answered all that it was asked, and neither triangles nor the eye change from frame to frame. */
+/** Waits until the worker has answered all requests, and neither the triangles nor the camera change between frames. */
 export async function settled(page) {
   await page.evaluate(async (patience) => {
-    const frame = () => new Promise((give) => requestAnimationFrame(() => give()));
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => resolve()));
     const { stage, mesh } = window.striataViewer;
     const started = performance.now();
     let frames = 0;
     const note = () => (frames = 0);
     mesh.addEventListener('change', note);
     let last = '';
-    while (frames < 12 || window.openQuestions() > 0) {
+    while (frames < 12 || window.pendingRequests() > 0) {
       stage.invalidate();
       await frame();
       frames += 1;
       const now = `${mesh.triangleCount} ${stage.camera.position.toArray()}`;
       if (now !== last) note();
       last = now;
-      if (performance.now() - started > patience) throw new Error('the model never comes to rest');
+      if (performance.now() - started > patience) throw new Error('the model keeps changing');
     }
     mesh.removeEventListener('change', note);
   }, PATIENCE_MS);
 }
 
-/** What the mesh says of itself. */
+/** Returns the properties of the mesh. */
 export function state(page) {
   return page.evaluate(() => {
     const { mesh } = window.striataViewer;
@@ -207,7 +207,7 @@ export function state(page) {
   });
 }
 
-/** Pixels of the stage that are not background. */
+/** Counts the pixels of the stage that are not background. */
 export function drawnPixels(page) {
   return page.evaluate(() => {
     const { stage } = window.striataViewer;
@@ -221,7 +221,7 @@ export function drawnPixels(page) {
   });
 }
 
-/** Moves a slider as a hand does. */
+/** Moves a slider as a user does. */
 export async function slide(page, id, value) {
   await page.locator(`#${id}`).evaluate((slider, value) => {
     slider.value = String(value);

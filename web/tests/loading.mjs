@@ -1,7 +1,7 @@
-// How long a stream takes to load in Chromium over a line of a given speed: node tests/loading.mjs STREAM [MB/s] [tries]
+// Measures how long a stream takes to load in Chromium at a given bandwidth: node tests/loading.mjs STREAM [MB/s] [tries]
 //
-// Reports the time from the request to the first picture, to the last triangle, and how long requests for views waited meanwhile.
-// The page is the package as it is shipped; only the first picture is drawn, since here the processor draws.
+// Reports the time from the request to the first picture and to the last triangle, and how long requests for views waited meanwhile.
+// The page uses the package as it is published; only the first picture is drawn, since rendering runs on the CPU here.
 
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -14,8 +14,8 @@ if (!stream) throw new Error('usage: node tests/loading.mjs STREAM [MB/s] [tries
 const web = resolve(fileURLToPath(import.meta.url), '../..');
 const bytesPerSecond = 1e6 * Number(megabytes);
 
-/** Milliseconds between two pieces of the stream. */
-const BEAT_MS = 5;
+/** Interval between two chunks of the stream, milliseconds. */
+const CHUNK_INTERVAL_MS = 5;
 
 const types = { '.js': 'text/javascript', '.wasm': 'application/wasm', '.html': 'text/html' };
 
@@ -43,17 +43,17 @@ window.load = async (pixelError) => {
   mesh.addEventListener('change', () => { seen.updates += 1; });
   if (pixelError) {
     mesh.pixelError = pixelError;
-    let isOver = false;
-    mesh.finished.finally(() => { isOver = true; });
-    // A camera that always moves asks as soon as it has its answer.
-    for (let at = 0; !isOver; at += 1) {
-      const asked = performance.now();
+    let isFinished = false;
+    mesh.finished.finally(() => { isFinished = true; });
+    // A camera that keeps moving sends the next request as soon as it has a response.
+    for (let at = 0; !isFinished; at += 1) {
+      const requested = performance.now();
       const answered = new Promise((give) => mesh.addEventListener('change', give, { once: true }));
       camera.position.x = center.x + 0.2 * radius * Math.sin(at);
       camera.updateMatrixWorld();
       mesh.onBeforeRender(renderer, scene, camera, mesh.geometry, mesh.material, null);
       await Promise.race([answered, mesh.finished]);
-      seen.longest = Math.max(seen.longest, performance.now() - asked);
+      seen.longest = Math.max(seen.longest, performance.now() - requested);
     }
   }
   await mesh.finished;
@@ -64,26 +64,26 @@ window.load = async (pixelError) => {
 };
 </script>`;
 
-const server = createServer((asked, answer) => {
-  const { pathname } = new URL(asked.url, 'http://localhost');
-  if (pathname === '/stream') return void send(answer).catch(() => answer.destroy());
-  answer.setHeader('Content-Type', types[extname(pathname)] ?? 'text/html');
-  if (pathname === '/') return answer.end(PAGE);
-  createReadStream(join(web, pathname)).on('error', () => answer.writeHead(404).end()).pipe(answer);
+const server = createServer((incoming, response) => {
+  const { pathname } = new URL(incoming.url, 'http://localhost');
+  if (pathname === '/stream') return void send(response).catch(() => response.destroy());
+  response.setHeader('Content-Type', types[extname(pathname)] ?? 'text/html');
+  if (pathname === '/') return response.end(PAGE);
+  createReadStream(join(web, pathname)).on('error', () => response.writeHead(404).end()).pipe(response);
 });
 
-async function send(answer) {
-  answer.setHeader('Content-Type', 'application/octet-stream');
-  answer.setHeader('Content-Length', statSync(stream).size);
+async function send(response) {
+  response.setHeader('Content-Type', 'application/octet-stream');
+  response.setHeader('Content-Length', statSync(stream).size);
   const start = performance.now();
   let sent = 0;
-  for await (const piece of createReadStream(stream, { highWaterMark: Math.ceil((bytesPerSecond * BEAT_MS) / 1000) })) {
+  for await (const piece of createReadStream(stream, { highWaterMark: Math.ceil((bytesPerSecond * CHUNK_INTERVAL_MS) / 1000) })) {
     const due = start + (1000 * sent) / bytesPerSecond;
     await new Promise((go) => setTimeout(go, Math.max(0, due - performance.now())));
     sent += piece.length;
-    answer.write(piece);
+    response.write(piece);
   }
-  answer.end();
+  response.end();
 }
 
 await new Promise((go) => server.listen(0, '127.0.0.1', go));
@@ -99,7 +99,7 @@ try {
       const ms = (time) => `${time.toFixed(0)} ms`;
       console.log(
         `${pixelError ? 'view' : 'all'}: first picture ${ms(seen.first)} (${seen.firstTriangles} triangles), all ${ms(seen.all)} (${seen.triangles} of ${seen.full}), ` +
-        `decoding ${ms(seen.decodeMs)}, hierarchy ${ms(seen.buildMs)}, ${seen.updates} updates, longest answer ${ms(seen.longest)}`,
+        `decoding ${ms(seen.decodeMs)}, hierarchy ${ms(seen.buildMs)}, ${seen.updates} updates, longest response ${ms(seen.longest)}`,
       );
     }
   }

@@ -1,4 +1,4 @@
-// How it looks and is held: gallery, dark and light, phones and touch, colors, pictures.
+// Tests of appearance and handling: gallery, themes, phones and touch, colors, images.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -10,21 +10,21 @@ const DESKTOP = { width: 1200, height: 760 };
 /** A narrow phone. */
 const PHONE = { width: 360, height: 720 };
 
-/** No part of the page may stick out sideways. */
+/** Asserts that the page does not scroll sideways. */
 async function assertNoSideScroll(page) {
   const [wide, room] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
-  assert.ok(wide <= room, `the page is ${wide} wide in ${room}`);
+  assert.ok(wide <= room, `the page is ${wide} px wide, but the window only ${room} px`);
 }
 
-/** Fingers that go from one set of places to another. */
+/** Moves fingers from one set of points to another. */
 async function touch(page, from, to) {
   const wire = await page.context().newCDPSession(page);
-  const points = (places) => places.map(([x, y], id) => ({ x, y, id }));
+  const points = (positions) => positions.map(([x, y], id) => ({ x, y, id }));
   await wire.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 2 });
   await wire.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(from) });
   for (let step = 1; step <= 5; step += 1) {
-    const places = from.map(([x, y], at) => [x + ((to[at][0] - x) * step) / 5, y + ((to[at][1] - y) * step) / 5]);
-    await wire.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(places) });
+    const positions = from.map(([x, y], at) => [x + ((to[at][0] - x) * step) / 5, y + ((to[at][1] - y) * step) / 5]);
+    await wire.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(positions) });
   }
   await wire.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
   await wire.detach();
@@ -34,12 +34,12 @@ const eyeOf = (page) => page.evaluate(() => window.striataViewer.stage.camera.po
 const colorOf = (page) => page.evaluate(() => getComputedStyle(document.body).color);
 
 export default function looks(world) {
-  pageTest(world, 'the gallery shows all models with pictures, and goes back to itself', DESKTOP, async (page) => {
+  pageTest(world, 'the gallery shows all models with thumbnails, and navigation returns to it', DESKTOP, async (page) => {
     await page.goto(world.url);
     await page.locator('#cards a').first().waitFor();
     const names = await page.locator('#cards strong').allInnerTexts();
     for (const name of ['nefertiti.stri', 'icosphere.stri', 'spot.striata', 'sub/terrain.stri', 'torus.obj']) {
-      assert.ok(names.includes(name), `${name} among ${names}`);
+      assert.ok(names.includes(name), `${name} is listed: ${names}`);
     }
     const picture = page.locator('#cards a[href*="icosphere"] img');
     await picture.scrollIntoViewIfNeeded();
@@ -58,24 +58,24 @@ export default function looks(world) {
     assert.equal(await page.evaluate(() => window.striataViewer.mesh), null);
   });
 
-  pageTest(world, 'light, dark, and a switch between them', { scheme: 'dark', ...DESKTOP }, async (page) => {
+  pageTest(world, 'the theme follows the system until it is switched', { scheme: 'dark', ...DESKTOP }, async (page) => {
     await openModel(world, page, 'nefertiti.stri');
     await settled(page);
     await shot(page, 'desktop-dark');
     const dark = await colorOf(page);
     await page.emulateMedia({ colorScheme: 'light' });
-    // As the system has it.
+    // The theme follows the system.
     await page.waitForFunction((dark) => getComputedStyle(document.body).color !== dark, dark);
     await settled(page);
     await shot(page, 'desktop-light');
     await page.locator('#theme').click();
-    assert.equal(await colorOf(page), dark, 'or as the reader has it');
+    assert.equal(await colorOf(page), dark, 'the button switches the theme');
     await page.reload();
-    assert.equal(await colorOf(page), dark, 'which is remembered');
+    assert.equal(await colorOf(page), dark, 'the choice is remembered');
     await page.evaluate(() => localStorage.clear());
   });
 
-  pageTest(world, 'colors by strips, fans and triangles', {}, async (page) => {
+  pageTest(world, 'coloring by strip, fan and triangle', {}, async (page) => {
     await openModel(world, page, 'spot.striata');
     await slide(page, 'detail', 700);
     await settled(page);
@@ -92,14 +92,14 @@ export default function looks(world) {
       }));
       await shot(page, `colors-${coloring}`);
     }
-    assert.equal(pictures.size, 4, 'each looks different');
+    assert.equal(pictures.size, 4, 'every coloring looks different');
   });
 
-  pageTest(world, 'a phone: the sheet folds, nothing sticks out, fingers turn and zoom', PHONE, async (page) => {
+  pageTest(world, 'on a phone the sheet folds, the page fits, and touch rotates and zooms', PHONE, async (page) => {
     await openModel(world, page, 'nefertiti.stri');
     await assertNoSideScroll(page);
     await shot(page, 'phone-folded');
-    assert.equal(await page.locator('#controls').isVisible(), false, 'folded at first');
+    assert.equal(await page.locator('#controls').isVisible(), false, 'the controls are hidden at first');
     await page.locator('#handle').click();
     await page.locator('#controls').waitFor();
     await settled(page);
@@ -107,19 +107,19 @@ export default function looks(world) {
     const stage = await page.locator('#stage').boundingBox();
     const panel = await page.locator('#panel').boundingBox();
     assert.ok(stage.y + stage.height <= panel.y + 1, 'the sheet does not cover the model');
-    assert.ok(stage.height > 250 && (await drawnPixels(page)) > 2000, 'the model is seen beside the sheet');
+    assert.ok(stage.height > 250 && (await drawnPixels(page)) > 2000, 'the model is visible next to the sheet');
     await shot(page, 'phone');
     const [x, y] = [stage.x + stage.width / 2, stage.y + stage.height / 2];
     const before = await eyeOf(page);
     await touch(page, [[x - 60, y]], [[x + 60, y]]);
     await settled(page);
     const turned = await eyeOf(page);
-    assert.ok(Math.hypot(...turned.map((value, axis) => value - before[axis])) > 1e-3 * Math.hypot(...before), 'one finger turns');
-    const away = () => page.evaluate(() => window.striataViewer.stage.camera.position.distanceTo(window.striataViewer.stage.controls.target));
-    const far = await away();
+    assert.ok(Math.hypot(...turned.map((value, axis) => value - before[axis])) > 1e-3 * Math.hypot(...before), 'one finger rotates');
+    const distanceToTarget = () => page.evaluate(() => window.striataViewer.stage.camera.position.distanceTo(window.striataViewer.stage.controls.target));
+    const far = await distanceToTarget();
     await touch(page, [[x - 20, y], [x + 20, y]], [[x - 90, y], [x + 90, y]]);
     await settled(page);
-    assert.ok((await away()) < 0.8 * far, 'two fingers zoom');
+    assert.ok((await distanceToTarget()) < 0.8 * far, 'two fingers zoom');
     await page.locator('#handle').click();
     assert.equal(await page.locator('#controls').isVisible(), false);
     await page.goto(world.url);
@@ -128,7 +128,7 @@ export default function looks(world) {
     await shot(page, 'phone-gallery');
   });
 
-  pageTest(world, 'a picture is saved, and z can be up', { width: 900, height: 600 }, async (page) => {
+  pageTest(world, 'an image can be saved, and z can be up', { width: 900, height: 600 }, async (page) => {
     await openModel(world, page, 'sub/terrain.stri');
     const pixels = await drawnPixels(page);
     await page.locator('#view').press('z');
@@ -144,10 +144,10 @@ export default function looks(world) {
       return { width, height };
     });
     assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [width, height]);
-    assert.ok(png.length > 5000, 'with something on it');
+    assert.ok(png.length > 5000, 'the image is not empty');
   });
 
-  pageTest(world, 'every control has a name and can be reached', {}, async (page) => {
+  pageTest(world, 'every control has a name and can be reached with Tab', {}, async (page) => {
     await openModel(world, page, 'icosphere.stri');
     const nameless = await page.evaluate(() => {
       const controls = document.querySelectorAll('button, a[href], select, canvas, input:not([type="file"])');
@@ -160,7 +160,7 @@ export default function looks(world) {
       await page.keyboard.press('Tab');
       reached.add(await page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name') || ''));
     }
-    for (const id of ['view', 'open', 'theme', 'ask', 'fold', 'mode', 'detail', 'coloring', 'wireframe', 'flat', 'background', 'turn', 'z-up', 'reset', 'picture', 'download', 'to-gallery']) {
+    for (const id of ['view', 'open', 'theme', 'show-help', 'fold', 'mode', 'detail', 'coloring', 'wireframe', 'flat', 'background', 'turn', 'z-up', 'reset', 'picture', 'download', 'to-gallery']) {
       assert.ok(reached.has(id), `${id} is reached by Tab: ${[...reached]}`);
     }
   });

@@ -1,9 +1,9 @@
-// Geometry for the tests, written apart from the library: distances to triangles, and pixels at a point.
+// Geometry for the tests, independent of the library: distances to triangles, and pixels at a point.
 
-/** Cells along the longest side of the grid that triangles are sorted into. */
+/** Grid cells along the longest side of the bounds. */
 const CELLS = 48;
 
-/** The distance of each point to the nearest of the triangles. */
+/** Distance of each point to the nearest triangle. */
 export function distancesTo(points, { positions, triangles }) {
   const grid = new Grid(positions, triangles);
   const distances = new Float64Array(points.length / 3);
@@ -13,7 +13,7 @@ export function distancesTo(points, { positions, triangles }) {
   return distances;
 }
 
-/** Pixels that a unit at that point covers across the look; `null` outside the picture. */
+/** Number of pixels that one unit covers at a point, perpendicular to the view direction; `null` outside the picture. */
 export function pixelsAt([x, y, z], { view, fov, aspect, height }) {
   const at = (row) => view[row] * x + view[row + 4] * y + view[row + 8] * z + view[row + 12];
   const depth = -at(2);
@@ -56,7 +56,7 @@ class Grid {
     });
   }
 
-  /** Looks at cells farther and farther off, until none nearer can be left. */
+  /** Searches rings of cells around the point until no nearer triangle is possible. */
   distance(point) {
     const center = this.cell(point);
     let nearest = Infinity;

@@ -1,11 +1,11 @@
-// A page for one test: opened, given to the test, checked for faults and closed, whatever happens.
+// A page for one test: opened, passed to the test, checked for errors, and always closed.
 
 import assert from 'node:assert/strict';
 import { appendFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PATIENCE_MS, settled, shot, untilWhole } from './harness.mjs';
 
-/** A test with a page; a page that threw or logged an error fails it. */
+/** Runs a test with a page; it fails if the page throws or logs an error. */
 export function pageTest(world, name, options, work) {
   test(name, { timeout: 3 * PATIENCE_MS }, async (context) => {
     const page = await world.page(options);
@@ -14,7 +14,7 @@ export function pageTest(world, name, options, work) {
       assert.deepEqual(page.faults, [], 'the page threw or logged errors');
     } catch (error) {
       await shot(page, `failed-${name.replace(/\W+/g, '-')}`).catch(() => {});
-      if (page.faults.length > 0) error.message += `\nthe page also said: ${page.faults.join('\n')}`;
+      if (page.faults.length > 0) error.message += `\nerrors in the page: ${page.faults.join('\n')}`;
       throw error;
     } finally {
       await page.close();
@@ -22,14 +22,14 @@ export function pageTest(world, name, options, work) {
   });
 }
 
-/** Opens a model of the server and waits until it is all there and the camera, which follows its bounds, stands still. */
+/** Opens a model on the server and waits until it has loaded completely and the camera, which follows its bounds, has stopped. */
 export async function openModel(world, page, name) {
   await page.goto(`${world.url}?model=models/${name}`);
   await untilWhole(page);
   await settled(page);
 }
 
-/** A line for the summary of the run. */
+/** Adds a line to the summary of the run. */
 export function note(line) {
   if (process.env.STRIATA_NOTES) appendFileSync(process.env.STRIATA_NOTES, `  ${line}\n`);
 }

@@ -1,8 +1,8 @@
-// Runs the browser tests and closes with their summary: `node tests/run.mjs [NAME]` runs those whose name has NAME in it.
+// Runs the browser tests and prints a summary. `node tests/run.mjs [NAME]` runs only tests whose name contains NAME.
 //
 //   STRIATA_BIN    the command, default target/debug/striata
 //   CHROMIUM       the browser, default /usr/bin/chromium
-//   STRIATA_SHOTS  a folder for pictures of the page; none by default
+//   STRIATA_SHOTS  a folder for screenshots; none by default
 
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync, rmSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// A model that comes in bit by bit: seen early, refined while it comes, whole in the end; and a line that breaks.
+// Tests of streaming: a model appears early, refines while it loads, is complete in the end, and survives a broken connection.
 
 import assert from 'node:assert/strict';
 import { statSync } from 'node:fs';
@@ -7,10 +7,10 @@ import { Gate } from './gate.mjs';
 import { run, shot, state, untilWhole } from './harness.mjs';
 import { note, openModel, pageTest } from './pages.mjs';
 
-/** A small window: a processor draws it, for every picture that is looked at. */
+/** A small window, since pictures are rendered on the CPU. */
 const SMALL = { width: 700, height: 500 };
 
-/** Watches every frame: what has come, and whether anything but background is drawn. */
+/** Records in every frame what has loaded, and whether anything but background is drawn. */
 function watch(page) {
   return page.evaluate(() => {
     const seen = (window.seen = []);
@@ -26,14 +26,14 @@ function watch(page) {
       let drawn = 0;
       for (const pixel of pixels) if (pixel !== pixels[0]) drawn += 1;
       if (drawn === 0) return;
-      const hasLine = !document.getElementById('progress').hidden;
-      seen.push({ triangles: mesh.triangleCount, bytes: mesh.bytesReceived, drawn, hasLine });
+      const hasProgressBar = !document.getElementById('progress').hidden;
+      seen.push({ triangles: mesh.triangleCount, bytes: mesh.bytesReceived, drawn, hasProgressBar });
     };
     look();
   });
 }
 
-/** A test with a line of its own, a page that watches, and a model asked for as by a click in the gallery. */
+/** Runs a test with its own proxy, a page that is watched, and a model opened from the gallery. */
 function gatedTest(world, name, model, options, work) {
   pageTest(world, name, { ...SMALL, ...options }, async (page) => {
     const gate = await Gate.to(world.url);
@@ -50,7 +50,7 @@ function gatedTest(world, name, model, options, work) {
 }
 
 export default function streaming(world) {
-  gatedTest(world, 'a stream is seen before a tenth of its bytes, and refines as they come', 'nefertiti.stri', {}, async (page, gate, total) => {
+  gatedTest(world, 'a stream appears within a tenth of its bytes and refines as it loads', 'nefertiti.stri', {}, async (page, gate, total) => {
     gate.allow(Math.floor(total / 10) - 1);
     await page.waitForFunction(() => window.seen.some(({ drawn, triangles }) => drawn > 500 && triangles > 0));
     for (const tenths of [2, 3, 4, 6, 8]) {
@@ -64,23 +64,23 @@ export default function streaming(world) {
     await untilWhole(page);
     await page.waitForFunction(() => window.seen.at(-1)?.triangles === window.striataViewer.mesh.triangleCount);
     const seen = await page.evaluate(() => window.seen);
-    assert.ok(seen[0].bytes < total / 10, `the first picture came with byte ${seen[0].bytes} of ${total}`);
-    assert.ok(seen.slice(0, -2).every(({ hasLine }) => hasLine), 'a line shows how far loading has come');
+    assert.ok(seen[0].bytes < total / 10, `the first picture was drawn at byte ${seen[0].bytes} of ${total}`);
+    assert.ok(seen.slice(0, -2).every(({ hasProgressBar }) => hasProgressBar), 'a progress bar is shown while loading');
     for (const [index, now] of seen.entries()) {
       if (index > 0) assert.ok(now.triangles > seen[index - 1].triangles, 'each picture has more triangles than the last');
     }
     const file = join(world.folder, 'nefertiti.stri');
     const { triangle_count: expected } = JSON.parse(run('decode', file, '-o', join(world.folder, 'whole.ply'), '--json'));
     const now = await state(page);
-    assert.equal(now.triangleCount, expected, 'all triangles in the end');
+    assert.equal(now.triangleCount, expected, 'all triangles are shown in the end');
     assert.equal(now.fullTriangleCount, expected);
     assert.equal(now.bytesReceived, total);
     await page.locator('#progress').waitFor({ state: 'hidden' });
     const steps = seen.map(({ triangles, bytes }) => `${triangles} (${((100 * bytes) / total).toFixed(0)} %)`);
-    note(`triangles while ${total} bytes come in: ${steps.join(', ')}`);
+    note(`triangles while ${total} bytes load: ${steps.join(', ')}`);
   });
 
-  gatedTest(world, 'a camera that was taken hold of keeps still while the model refines', 'sub/terrain.stri', {}, async (page, gate, total) => {
+  gatedTest(world, 'a camera moved by the user stays while the model refines', 'sub/terrain.stri', {}, async (page, gate, total) => {
     gate.allow(total / 10);
     await page.waitForFunction(() => window.seen.length > 0);
     await page.locator('#view').press('ArrowRight');
@@ -89,28 +89,28 @@ export default function streaming(world) {
     gate.allow(total);
     await untilWhole(page);
     const after = await eye();
-    // The controls work with angles, so a frame may change the last digit.
+    // The controls convert to angles and back, so the last digits may change.
     const moved = Math.hypot(...after.map((x, axis) => x - before[axis]));
     assert.ok(moved < 1e-9 * Math.hypot(...before), `the camera moved by ${moved}`);
   });
 
   const expected = [/Failed to load resource|ERR_/];
-  gatedTest(world, 'a line that breaks leaves what came, and can be tried again', 'nefertiti.stri', { expected }, async (page, gate, total) => {
+  gatedTest(world, 'a broken connection keeps the loaded part and can be retried', 'nefertiti.stri', { expected }, async (page, gate, total) => {
     gate.allow(total / 4);
     await page.waitForFunction(() => window.seen.length > 0);
     gate.cut();
     const notice = page.locator('.notice');
     await notice.waitFor();
-    assert.match(await notice.innerText(), /nefertiti\.stri did not come in whole[^]*What came is kept: [\d,]+ of/);
+    assert.match(await notice.innerText(), /Could not load all of nefertiti\.stri[^]*The loaded part is still shown: [\d,]+ of/);
     const cut = await state(page);
-    assert.ok(cut.triangleCount > 0 && !cut.complete, 'what came is there');
+    assert.ok(cut.triangleCount > 0 && !cut.complete, 'the loaded part is shown');
     assert.ok(cut.triangleCount < cut.fullTriangleCount);
     await shot(page, 'broken-line');
     gate.allow(3 * total);
     await notice.locator('.retry').click();
     await page.waitForFunction(() => window.striataViewer.mesh.complete);
     await untilWhole(page);
-    assert.equal((await state(page)).triangleCount, cut.fullTriangleCount, 'the second try brings all of it');
+    assert.equal((await state(page)).triangleCount, cut.fullTriangleCount, 'the retry loads everything');
     assert.equal(await notice.count(), 0);
   });
 

@@ -1,4 +1,4 @@
-// The viewer in a browser, over a real `striata serve`. `node tests/run.mjs` runs this file.
+// Tests the viewer in a browser, served by a real `striata serve`. Run with `node tests/run.mjs`.
 
 import { after, before, describe } from 'node:test';
 import detail from './detail.mjs';

@@ -1,4 +1,4 @@
-// View-dependent detail: the error it promises is measured here, from the triangles that are drawn and the camera.
+// Tests of view-dependent detail: the promised error is measured from the drawn triangles and the camera.
 
 import assert from 'node:assert/strict';
 import { settled, shot, slide, state } from './harness.mjs';
@@ -6,12 +6,12 @@ import { distancesTo, pixelsAt } from './measure.mjs';
 import { note, openModel, pageTest } from './pages.mjs';
 
 /**
- * The promise is a bound on where vertices lie from the surface that is drawn, seen from the camera; the model's own error is
- * kept as `f32` and checked with margins of its own, so a hair is allowed.
+ * Tolerance on the promised bound on the distance of vertices from the drawn surface, as seen by the camera; the model's errors are
+ * stored as `f32` and compared with margins.
  */
-const HAIR = 1.01;
+const TOLERANCE_FACTOR = 1.01;
 
-/** Positions and triangles that are drawn now, in the world. */
+/** Positions and triangles drawn now, in world space. */
 async function drawn(page) {
   const { positions, triangles } = await page.evaluate(() => {
     const { mesh } = window.striataViewer;
@@ -35,7 +35,7 @@ function camera(page) {
   });
 }
 
-/** The largest distance, in pixels, of the full mesh's vertices in the picture to what is drawn. */
+/** Largest distance in pixels of visible vertices of the full mesh from the drawn surface. */
 function worst(full, level, look) {
   const distances = distancesTo(full.positions, level);
   let largest = 0;
@@ -47,7 +47,7 @@ function worst(full, level, look) {
 }
 
 export default function views(world) {
-  pageTest(world, 'pixels of error hold, and far takes fewer triangles than near', {}, async (page) => {
+  pageTest(world, 'the screen error is respected, and distant views need fewer triangles', {}, async (page) => {
     await openModel(world, page, 'sub/terrain.stri');
     const full = await drawn(page);
     await page.keyboard.press('v');
@@ -56,25 +56,25 @@ export default function views(world) {
       await slide(page, 'pixels', position);
       await settled(page);
       const now = await state(page);
-      const asked = now.pixelError;
+      const requested = now.pixelError;
       const level = await drawn(page);
       assert.equal(level.triangles.length, 3 * now.triangleCount);
       const measured = worst(full, level, await camera(page));
-      assert.ok(measured <= asked * HAIR, `${measured} pixels where ${asked} were asked for`);
-      assert.ok(now.triangleCount < now.fullTriangleCount, 'less than all of it');
+      assert.ok(measured <= requested * TOLERANCE_FACTOR, `${measured} pixels, but ${requested} were requested`);
+      assert.ok(now.triangleCount < now.fullTriangleCount, 'fewer triangles than the full mesh');
       counts.push(now.triangleCount);
-      note(`asked for ${asked.toFixed(2)} px: measured ${measured.toFixed(2)} px, ${now.triangleCount} of ${now.fullTriangleCount} triangles`);
+      note(`requested ${requested.toFixed(2)} px: measured ${measured.toFixed(2)} px, ${now.triangleCount} of ${now.fullTriangleCount} triangles`);
     }
-    assert.ok(counts[1] < counts[0], 'more pixels of error, fewer triangles');
+    assert.ok(counts[1] < counts[0], 'a larger screen error gives fewer triangles');
     await page.evaluate(() => window.striataViewer.framing.zoom(4));
     await settled(page);
     const far = await state(page);
-    assert.ok(far.triangleCount < counts[1], `${far.triangleCount} triangles far away, ${counts[1]} near`);
+    assert.ok(far.triangleCount < counts[1], `${far.triangleCount} triangles from far away, ${counts[1]} from nearby`);
     const measured = worst(full, await drawn(page), await camera(page));
-    assert.ok(measured <= far.pixelError * HAIR, `${measured} pixels far away`);
+    assert.ok(measured <= far.pixelError * TOLERANCE_FACTOR, `${measured} pixels from far away`);
   });
 
-  pageTest(world, 'a frozen view keeps its triangles while one looks from outside', {}, async (page) => {
+  pageTest(world, 'a frozen view keeps its triangles while it is seen from outside', {}, async (page) => {
     await openModel(world, page, 'sub/terrain.stri');
     await page.keyboard.press('z');
     await page.evaluate(() => window.striataViewer.framing.zoom(0.4));
@@ -86,11 +86,11 @@ export default function views(world) {
     await page.locator('#freeze').check();
     await settled(page);
     const outside = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
-    assert.notDeepEqual(outside, eye, 'one is put outside');
-    assert.equal(await page.locator('#outside').isVisible(), true);
-    await page.evaluate(() => window.striataViewer.framing.turn(0.3, 0.1));
+    assert.notDeepEqual(outside, eye, 'the camera moves outside');
+    assert.equal(await page.locator('#frozen-note').isVisible(), true);
+    await page.evaluate(() => window.striataViewer.framing.orbit(0.3, 0.1));
     await settled(page);
-    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), true, 'the same triangles');
+    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), true, 'the triangles are unchanged');
     assert.equal(await page.evaluate(() => window.striataViewer.stage.scene.children.some((child) => child.isLineSegments)), true);
     await page.locator('#wireframe').check();
     await shot(page, 'frozen');
@@ -98,9 +98,9 @@ export default function views(world) {
     await page.locator('#freeze').uncheck();
     await settled(page);
     const back = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
-    assert.deepEqual(back.map((x) => x.toFixed(3)), eye.map((x) => x.toFixed(3)), 'back where the view was frozen');
-    await page.evaluate(() => window.striataViewer.framing.turn(1, 0.1));
+    assert.deepEqual(back.map((x) => x.toFixed(3)), eye.map((x) => x.toFixed(3)), 'the camera returns to the frozen view');
+    await page.evaluate(() => window.striataViewer.framing.orbit(1, 0.1));
     await settled(page);
-    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), false, 'a free view follows the camera');
+    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), false, 'an unfrozen view follows the camera');
   });
 }

@@ -1,26 +1,26 @@
 /**
- * How the model is framed: from the bounds of what has come, once; later bounds move the camera only where it must, gently,
- * and never after someone has taken hold of it.
+ * Frames the model: once, from the bounds of what has loaded first. Later bounds move the camera only if the model outgrows
+ * the picture, smoothly, and never after the user has moved the camera.
  */
 
 import { Box3, type BufferGeometry, MathUtils, type Mesh, Sphere, Spherical, Vector3 } from 'three';
-import { prefersStillness } from './page.ts';
-import { ANGLE, type Stage } from './stage.ts';
+import { prefersReducedMotion } from './dom.ts';
+import { FIELD_OF_VIEW, type Stage } from './stage.ts';
 
-/** From where one looks first: a little from the right and from above. */
-const FIRST_LOOK = new Spherical(1, MathUtils.degToRad(76), MathUtils.degToRad(26));
+/** Initial direction of the camera: a little from the right and from above. */
+const INITIAL_DIRECTION = new Spherical(1, MathUtils.degToRad(76), MathUtils.degToRad(26));
 
-/** Bounds that grow by less leave the camera alone. */
-const GROWTH_SEEN = 1.08;
+/** Bounds that grow by less than this factor do not move the camera. */
+const GROWTH_THRESHOLD = 1.08;
 
-/** How long the camera takes from one place to another. */
+/** Duration of a camera move. */
 const GLIDE_SECONDS = 0.7;
 
-/** Room around the model. */
+/** Margin around the model, as a factor of its radius. */
 const MARGIN = 1.06;
 
-/** Where a camera stands and what it looks at. */
-export interface Look {
+/** Position of a camera and the point it looks at. */
+export interface CameraPose {
   eye: Vector3;
   target: Vector3;
 }
@@ -28,76 +28,76 @@ export interface Look {
 export class Framing {
   readonly #stage: Stage;
   #framed = new Sphere(new Vector3(), 0);
-  #measured = 0;
-  #isHeld = false;
+  #measuredVertexCount = 0;
+  #isUserControlled = false;
   #glide: ((seconds: number) => boolean) | null = null;
 
   constructor(stage: Stage) {
     this.#stage = stage;
-    stage.controls.addEventListener('start', () => this.hold());
+    stage.controls.addEventListener('start', () => this.takeControl());
   }
 
-  /** From now on the camera is the reader's. */
-  hold(): void {
-    this.#isHeld = true;
+  /** Stops automatic framing: from now on the user controls the camera. */
+  takeControl(): void {
+    this.#isUserControlled = true;
     this.#stop();
   }
 
-  /** A new model: the next bounds frame it, unless the camera is to stay (the same model once more). */
+  /** Starts a new model: its first bounds set the camera, unless `keepsCamera` (the same model loaded again). */
   restart(keepsCamera: boolean): void {
-    this.#measured = 0;
-    this.#isHeld = keepsCamera;
+    this.#measuredVertexCount = 0;
+    this.#isUserControlled = keepsCamera;
     if (!keepsCamera) this.#framed.radius = 0;
   }
 
-  /** Looks at the bounds again where the model has grown enough to matter; `true` to look in any case. */
+  /** Follows the bounds of a loading model once it has grown enough to matter. */
   follow(mesh: Mesh<BufferGeometry>, vertexCount: number, isComplete: boolean): void {
-    if (vertexCount < 1.5 * this.#measured && !(isComplete && vertexCount > this.#measured)) return;
+    if (vertexCount < 1.5 * this.#measuredVertexCount && !(isComplete && vertexCount > this.#measuredVertexCount)) return;
     const sphere = boundsOf(mesh, vertexCount);
     if (!sphere) return;
-    this.#measured = vertexCount;
+    this.#measuredVertexCount = vertexCount;
     this.#stage.content.copy(sphere);
     const isFirst = this.#framed.radius === 0;
-    if (!isFirst && (this.#isHeld || !hasOutgrown(sphere, this.#framed))) return;
+    if (!isFirst && (this.#isUserControlled || !hasOutgrown(sphere, this.#framed))) return;
     this.#framed.copy(sphere);
-    // First, since the distances of the last model would hold the camera.
-    this.#setDistances();
-    const look = this.#wholeLook(isFirst ? new Vector3().setFromSpherical(FIRST_LOOK) : this.#direction());
-    if (isFirst) this.#place(look);
-    else this.glideTo(look);
+    // Set first, since the distance limits of the last model would clamp the camera.
+    this.#setDistanceLimits();
+    const pose = this.#wholeModelPose(isFirst ? new Vector3().setFromSpherical(INITIAL_DIRECTION) : this.#direction());
+    if (isFirst) this.#moveTo(pose);
+    else this.glideTo(pose);
   }
 
-  /** The whole model from the first side. */
+  /** Shows the whole model from the initial direction. */
   reset(): void {
-    this.#isHeld = false;
+    this.#isUserControlled = false;
     this.#framed.copy(this.#stage.content);
-    this.#setDistances();
-    this.glideTo(this.#wholeLook(new Vector3().setFromSpherical(FIRST_LOOK)));
+    this.#setDistanceLimits();
+    this.glideTo(this.#wholeModelPose(new Vector3().setFromSpherical(INITIAL_DIRECTION)));
   }
 
-  /** Bounds after the pivot was tilted. */
-  turned(mesh: Mesh<BufferGeometry>, vertexCount: number): void {
-    this.#measured = 0;
+  /** Frames the model again after the pivot was tilted. */
+  onTilted(mesh: Mesh<BufferGeometry>, vertexCount: number): void {
+    this.#measuredVertexCount = 0;
     this.#framed.radius = 0;
     this.follow(mesh, vertexCount, true);
   }
 
-  /** Where the camera stands now. */
-  look(): Look {
+  /** Current camera pose. */
+  pose(): CameraPose {
     return { eye: this.#stage.camera.position.clone(), target: this.#stage.controls.target.clone() };
   }
 
-  /** Moves the camera there, at once where less motion is wanted. */
-  glideTo(look: Look): void {
+  /** Moves the camera smoothly, or immediately if the user prefers reduced motion. */
+  glideTo(pose: CameraPose): void {
     this.#stop();
-    if (prefersStillness()) return this.#place(look);
-    const from = this.look();
-    let passed = 0;
+    if (prefersReducedMotion()) return this.#moveTo(pose);
+    const from = this.pose();
+    let elapsed = 0;
     const step = (seconds: number): boolean => {
-      passed += seconds;
-      const t = MathUtils.smootherstep(passed, 0, GLIDE_SECONDS);
-      this.#stage.controls.target.lerpVectors(from.target, look.target, t);
-      this.#stage.camera.position.copy(between(from, look, t)).add(this.#stage.controls.target);
+      elapsed += seconds;
+      const t = MathUtils.smootherstep(elapsed, 0, GLIDE_SECONDS);
+      this.#stage.controls.target.lerpVectors(from.target, pose.target, t);
+      this.#stage.camera.position.copy(interpolate(from, pose, t)).add(this.#stage.controls.target);
       if (t >= 1) this.#stop();
       return t < 1;
     };
@@ -106,52 +106,52 @@ export class Framing {
     this.#stage.invalidate();
   }
 
-  /** Turns about the target, radians; keys do it. */
-  turn(right: number, up: number): void {
-    this.hold();
+  /** Orbits around the target by angles in radians, for keyboard control. */
+  orbit(right: number, up: number): void {
+    this.takeControl();
     const { camera, controls } = this.#stage;
     const offset = new Spherical().setFromVector3(camera.position.clone().sub(controls.target));
     offset.theta += right;
     offset.phi = MathUtils.clamp(offset.phi - up, 0.02, Math.PI - 0.02);
-    this.#place({ eye: new Vector3().setFromSpherical(offset).add(controls.target), target: controls.target.clone() });
+    this.#moveTo({ eye: new Vector3().setFromSpherical(offset).add(controls.target), target: controls.target.clone() });
   }
 
-  /** Goes nearer (below 1) or farther. */
+  /** Multiplies the distance to the target: below 1 moves closer. */
   zoom(factor: number): void {
-    this.hold();
+    this.takeControl();
     const { camera, controls } = this.#stage;
     const offset = camera.position.clone().sub(controls.target);
     offset.setLength(MathUtils.clamp(offset.length() * factor, controls.minDistance, controls.maxDistance));
-    this.#place({ eye: offset.add(controls.target), target: controls.target.clone() });
+    this.#moveTo({ eye: offset.add(controls.target), target: controls.target.clone() });
   }
 
-  /** Moves sideways and up by shares of the distance. */
+  /** Moves sideways and up by fractions of the distance to the target. */
   pan(right: number, up: number): void {
-    this.hold();
+    this.takeControl();
     const { camera, controls } = this.#stage;
-    const away = camera.position.distanceTo(controls.target);
-    const step = new Vector3(right * away, up * away, 0).applyQuaternion(camera.quaternion);
-    this.#place({ eye: camera.position.clone().add(step), target: controls.target.clone().add(step) });
+    const distance = camera.position.distanceTo(controls.target);
+    const step = new Vector3(right * distance, up * distance, 0).applyQuaternion(camera.quaternion);
+    this.#moveTo({ eye: camera.position.clone().add(step), target: controls.target.clone().add(step) });
   }
 
-  #wholeLook(direction: Vector3): Look {
-    const away = (MARGIN * this.#framed.radius) / Math.sin(MathUtils.degToRad(ANGLE / 2));
+  #wholeModelPose(direction: Vector3): CameraPose {
+    const distance = (MARGIN * this.#framed.radius) / Math.sin(MathUtils.degToRad(FIELD_OF_VIEW / 2));
     const target = this.#framed.center.clone();
-    return { eye: direction.clone().setLength(away).add(target), target };
+    return { eye: direction.clone().setLength(distance).add(target), target };
   }
 
   #direction(): Vector3 {
     return this.#stage.camera.position.clone().sub(this.#stage.controls.target);
   }
 
-  #setDistances(): void {
+  #setDistanceLimits(): void {
     this.#stage.controls.minDistance = 0.02 * this.#framed.radius;
     this.#stage.controls.maxDistance = 60 * this.#framed.radius;
   }
 
-  #place(look: Look): void {
-    this.#stage.camera.position.copy(look.eye);
-    this.#stage.controls.target.copy(look.target);
+  #moveTo(pose: CameraPose): void {
+    this.#stage.camera.position.copy(pose.eye);
+    this.#stage.controls.target.copy(pose.target);
     this.#stage.controls.update();
     this.#stage.invalidate();
   }
@@ -162,8 +162,8 @@ export class Framing {
   }
 }
 
-/** From the target to the eye, on the way between two looks: round the model, not through it. */
-function between(from: Look, to: Look, t: number): Vector3 {
+/** Offset from the target to the eye between two poses: around the model, not through it. */
+function interpolate(from: CameraPose, to: CameraPose, t: number): Vector3 {
   const start = new Spherical().setFromVector3(from.eye.clone().sub(from.target));
   const end = new Spherical().setFromVector3(to.eye.clone().sub(to.target));
   const turn = MathUtils.euclideanModulo(end.theta - start.theta + Math.PI, 2 * Math.PI) - Math.PI;
@@ -172,10 +172,10 @@ function between(from: Look, to: Look, t: number): Vector3 {
 }
 
 function hasOutgrown(sphere: Sphere, framed: Sphere): boolean {
-  return sphere.radius + sphere.center.distanceTo(framed.center) > GROWTH_SEEN * framed.radius;
+  return sphere.radius + sphere.center.distanceTo(framed.center) > GROWTH_THRESHOLD * framed.radius;
 }
 
-/** A sphere about the vertices that have come, in the world. */
+/** Bounding sphere, in world space, of the first `vertexCount` vertices. */
 function boundsOf(mesh: Mesh<BufferGeometry>, vertexCount: number): Sphere | null {
   const positions = mesh.geometry.getAttribute('position');
   if (!positions) return null;

@@ -1,10 +1,10 @@
-/** The models of a server, with their pictures: `models.json`, as `striata serve` gives it. */
+/** The gallery of a server's models, filled from `models.json` as `striata serve` provides it. */
 
-import { element, made } from './page.ts';
-import { bytes, count } from './numbers.ts';
+import { createNode, element } from './dom.ts';
+import { formatBytes, formatCount } from './format.ts';
 
-/** One model that the server has. */
-export interface Listed {
+/** One model on the server. */
+export interface ListedModel {
   name: string;
   path: string;
   url: string;
@@ -18,12 +18,12 @@ export interface Listed {
 
 interface Listing {
   name: string;
-  models: Listed[];
-  /** Whether the server has more than it lists. */
+  models: ListedModel[];
+  /** Whether the server has more models than it lists. */
   is_cut?: boolean;
 }
 
-/** The listing; `null` where the page comes from no such server. */
+/** Fetches the listing; `null` if the page was not served by `striata serve`. */
 export async function fetchListing(): Promise<Listing | null> {
   if (location.protocol === 'file:') return null;
   try {
@@ -36,39 +36,39 @@ export async function fetchListing(): Promise<Listing | null> {
   }
 }
 
-/** Fills the gallery; `open` gets what is chosen, while links keep their address for new tabs. */
-export function fillGallery(listing: Listing, open: (model: Listed) => void): void {
+/** Fills the gallery. `open` is called with the chosen model; the links keep their addresses, so they can be opened in new tabs. */
+export function fillGallery(listing: Listing, open: (model: ListedModel) => void): void {
   element('gallery-title').textContent = listing.name ? `Models in ${listing.name}` : 'Models';
   const cards = listing.models.map((model) => {
-    const item = made('li');
+    const item = createNode('li');
     item.append(card(model, open));
     return item;
   });
-  if (cards.length === 0) cards.push(made('li', '', 'No models here yet. Drop a mesh to look at it.'));
-  if (listing.is_cut) cards.push(made('li', '', `The folder holds more than these ${count(listing.models.length)}; serve a part of it to see the rest.`));
+  if (cards.length === 0) cards.push(createNode('li', '', 'No models yet. Drop a mesh here to view it.'));
+  if (listing.is_cut) cards.push(createNode('li', '', `Only the first ${formatCount(listing.models.length)} models are listed. Serve a subfolder to see the rest.`));
   element('cards').replaceChildren(...cards);
 }
 
-/** Asks for pictures or stops asking: a browser has few connections to a server, and the model that is opened needs one. */
-export function wantPictures(areWanted: boolean): void {
+/** Starts or pauses loading thumbnails: a browser opens few connections to a server, and the model being opened needs one. */
+export function setThumbnailsEnabled(isEnabled: boolean): void {
   for (const image of element('cards').querySelectorAll('img')) {
-    if (areWanted && image.dataset.later) image.src = image.dataset.later;
-    if (areWanted || image.complete) continue;
-    image.dataset.later = image.src;
+    if (isEnabled && image.dataset.pendingSrc) image.src = image.dataset.pendingSrc;
+    if (isEnabled || image.complete) continue;
+    image.dataset.pendingSrc = image.src;
     image.removeAttribute('src');
   }
 }
 
-/** The page's address with that model. */
+/** Address of this page with the given model. */
 export function addressOf(url: string): string {
-  // Slashes may stay as they are in a query, and read better.
+  // Slashes are allowed in a query and are easier to read.
   return `?model=${encodeURIComponent(url).replaceAll('%2F', '/')}`;
 }
 
-function card(model: Listed, open: (model: Listed) => void): HTMLAnchorElement {
-  const link = made('a');
+function card(model: ListedModel, open: (model: ListedModel) => void): HTMLAnchorElement {
+  const link = createNode('a');
   link.href = addressOf(model.url);
-  link.append(picture(model), made('strong', '', model.path || model.name), made('small', '', words(model)));
+  link.append(thumbnail(model), createNode('strong', '', model.path || model.name), createNode('small', '', describe(model)));
   link.addEventListener('click', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey || event.button !== 0) return;
     event.preventDefault();
@@ -77,20 +77,20 @@ function card(model: Listed, open: (model: Listed) => void): HTMLAnchorElement {
   return link;
 }
 
-function picture(model: Listed): HTMLElement {
-  if (!model.picture) return made('span', 'none', model.kind);
-  const image = made('img');
+function thumbnail(model: ListedModel): HTMLElement {
+  if (!model.picture) return createNode('span', 'none', model.kind);
+  const image = createNode('img');
   image.src = model.picture;
   image.alt = '';
   image.loading = 'lazy';
   image.decoding = 'async';
-  image.addEventListener('error', () => image.replaceWith(made('span', 'none', model.kind)));
+  image.addEventListener('error', () => image.replaceWith(createNode('span', 'none', model.kind)));
   return image;
 }
 
-function words(model: Listed): string {
-  const parts = [bytes(model.bytes)];
-  if (model.triangle_count !== null) parts.unshift(`${count(model.triangle_count)} triangles`);
+function describe(model: ListedModel): string {
+  const parts = [formatBytes(model.bytes)];
+  if (model.triangle_count !== null) parts.unshift(`${formatCount(model.triangle_count)} triangles`);
   if (model.streams) parts.push('streams');
   return parts.join(' · ');
 }

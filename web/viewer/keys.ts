@@ -1,37 +1,37 @@
-/** The keyboard: one table of keys, which the help overlay lists. */
+/** Keyboard shortcuts: one table, which the help dialog lists. */
 
-import { element, made } from './page.ts';
+import { createNode, element } from './dom.ts';
 
-/** What a key does. */
-export interface Command {
-  /** As `KeyboardEvent.key` has it; several may do the same. */
+/** A keyboard shortcut. */
+export interface Shortcut {
+  /** Values of `KeyboardEvent.key`; any of them triggers the shortcut. */
   keys: string[];
-  /** As the help shows them. */
+  /** Keys as shown in the help. */
   shown: string;
-  does: string;
+  description: string;
   run: (event: KeyboardEvent) => void;
-  /** Also works while a slider or radio has the focus, which use these keys themselves otherwise. */
+  /** Only works while the stage has the focus, because sliders and radio buttons use these keys themselves. */
   onlyOnStage?: boolean;
 }
 
-/** Listens for the commands and lists them in the help. */
-export function listen(commands: Command[]): void {
+/** Installs the shortcuts and lists them in the help. */
+export function installShortcuts(shortcuts: Shortcut[]): void {
   const list = element('keys');
-  for (const command of commands) {
-    const row = made('div');
-    const keys = made('dd');
-    for (const key of command.shown.split(' ')) keys.append(made('kbd', '', key), ' ');
-    row.append(made('dt', '', command.does), keys);
+  for (const shortcut of shortcuts) {
+    const row = createNode('div');
+    const keys = createNode('dd');
+    for (const key of shortcut.shown.split(' ')) keys.append(createNode('kbd', '', key), ' ');
+    row.append(createNode('dt', '', shortcut.description), keys);
     list.append(row);
   }
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || isTyping(event.target)) return;
     if (document.querySelector('dialog[open]')) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const command = commands.find((command) => command.keys.includes(key));
-    if (!command || (command.onlyOnStage && !isOnStage(event.target))) return;
+    const shortcut = shortcuts.find((shortcut) => shortcut.keys.includes(key));
+    if (!shortcut || (shortcut.onlyOnStage && !isOnStage(event.target))) return;
     event.preventDefault();
-    command.run(event);
+    shortcut.run(event);
   });
 }
 

@@ -1,26 +1,28 @@
 /**
- * The viewer page: what it opens first, and what its keys do.
+ * Entry point of the viewer page: what it opens first, and its keyboard shortcuts.
  *
- * First comes the model that the page carries, else the one its address asks for (`?model=URL`), else the gallery of the
- * server, else a place to drop a file.
+ * The page opens the model embedded in it, if any; else the model in its address (`?model=URL`); else the server's gallery;
+ * else it asks for a file.
  */
 
-import { takeFiles } from './dropping.ts';
-import { addressOf, fetchListing, fillGallery, type Listed, wantPictures } from './gallery.ts';
-import { listen } from './keys.ts';
+import { acceptFiles } from './file-input.ts';
+import { addressOf, fetchListing, fillGallery, type ListedModel, setThumbnailsEnabled } from './gallery.ts';
+import { installShortcuts } from './keys.ts';
 import { dismissNewest, notify } from './notices.ts';
-import { element, say } from './page.ts';
+import { announce, element } from './dom.ts';
 import { Panel } from './panel.ts';
-import { fromFile, fromPage, fromUrl, type Opened } from './sources.ts';
+import { embeddedModel, fromFile, fromUrl, type ModelSource } from './sources.ts';
 import { Stage } from './stage.ts';
 import { followTheme } from './theme.ts';
 import { Viewer } from './viewer.ts';
 
-/** Turning by a key, radians; moving and zooming by shares. */
-const STEP = { turn: Math.PI / 30, pan: 0.06, zoom: 1.12 };
+/** Step of one key press: orbit in radians, pan and zoom as fractions of the distance. */
+const STEP = { orbit: Math.PI / 30, pan: 0.06, zoom: 1.12 };
 
-/** Which way arrows go: right and up. */
+/** Directions of the arrow keys: right and up. */
 const ARROWS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+const MODE_NAMES = { level: 'level', pixels: 'screen error', budget: 'budget' };
 
 declare global {
   interface Window {
@@ -39,72 +41,72 @@ class Page {
     this.#panel = new Panel(this.#viewer);
     window.striataViewer = this.#viewer;
     this.#viewer.onShown = () => {
-      this.#panel.modelShown();
-      this.#name(this.#viewer.name);
+      this.#panel.onModelShown();
+      this.#setTitle(this.#viewer.name);
     };
-    this.#viewer.onNothing = () => this.#showStart();
+    this.#viewer.onEmpty = () => this.#showStart();
     followTheme(() => this.#panel.paintBackground());
-    takeFiles((file) => this.#openFile(file));
-    element('to-gallery').addEventListener('click', () => this.#toGallery());
-    element('ask').addEventListener('click', () => this.#help());
+    acceptFiles((file) => this.#openFile(file));
+    element('to-gallery').addEventListener('click', () => this.#goToGallery());
+    element('show-help').addEventListener('click', () => this.#showHelp());
     addEventListener('popstate', () => this.#openAddress());
-    this.#listen();
+    this.#installShortcuts();
   }
 
-  /** Opens what there is to open first. */
+  /** Opens the first model, or shows the gallery or the welcome screen. */
   async start(): Promise<void> {
-    const carried = fromPage();
-    if (carried) return this.#open(carried);
-    const asked = askedModel();
-    if (asked) this.#open(fromUrl(asked));
+    const embedded = embeddedModel();
+    if (embedded) return this.#open(embedded);
+    const requested = requestedModel();
+    if (requested) this.#open(fromUrl(requested));
     const listing = await fetchListing();
     if (listing) {
       fillGallery(listing, (model) => this.#openListed(model));
       const only = listing.models.length === 1 ? listing.models[0] : undefined;
       this.#hasGallery = !only;
       element('to-gallery').hidden = !this.#hasGallery;
-      if (!asked && only) return this.#open(fromUrl(only.url));
+      if (!requested && only) return this.#open(fromUrl(only.url));
     }
-    // Also where what was asked for has failed by now.
+    // Also if the requested model has already failed to load.
     if (!this.#viewer.isBusy) this.#showStart();
   }
 
-  #open(opened: Opened): void {
-    if (!this.#viewer.mesh) this.#name(opened.name);
+  #open(source: ModelSource): void {
+    if (!this.#viewer.mesh) this.#setTitle(source.name);
     element('welcome').hidden = true;
     this.#showGallery(false);
-    void this.#viewer.open(opened);
+    void this.#viewer.open(source);
   }
 
-  /** A file has no address: the page's is no longer that of a model. */
+  /** Opens a local file and removes the model from the page's address, since a file has none. */
   #openFile(file: File): void {
-    if (askedModel() && location.protocol !== 'file:') history.pushState(null, '', location.pathname);
+    if (requestedModel() && location.protocol !== 'file:') history.pushState(null, '', location.pathname);
     this.#open(fromFile(file));
   }
 
-  #name(name: string): void {
+  #setTitle(name: string): void {
     element('title').textContent = name;
     document.title = `${name} – striata`;
   }
 
-  #openListed(model: Listed): void {
+  #openListed(model: ListedModel): void {
     history.pushState(null, '', addressOf(model.url));
     this.#open(fromUrl(model.url));
   }
 
   #openAddress(): void {
-    const asked = askedModel();
-    if (asked) this.#open(fromUrl(asked));
+    const requested = requestedModel();
+    if (requested) this.#open(fromUrl(requested));
     else this.#showStart();
   }
 
-  #toGallery(): void {
+  #goToGallery(): void {
     history.pushState(null, '', location.pathname);
     this.#showStart();
     element('gallery').focus();
   }
 
-  /** The gallery, or a place to drop files where there is none. */
+  /** Shows the gallery, or the welcome screen if there is no gallery. */
   #showStart(): void {
     this.#viewer.close();
     element('title').textContent = 'striata';
@@ -117,7 +119,7 @@ class Page {
 
   #showGallery(isShown: boolean): void {
     element('gallery').hidden = !isShown;
-    wantPictures(isShown);
+    setThumbnailsEnabled(isShown);
     this.#showControls(!isShown);
   }
 
@@ -125,33 +127,33 @@ class Page {
     for (const id of ['panel', 'fold']) element(id).hidden = !isShown;
   }
 
-  #help(): void {
+  #showHelp(): void {
     element<HTMLDialogElement>('help').showModal();
   }
 
-  #listen(): void {
+  #installShortcuts(): void {
     const { framing, detail } = this.#viewer;
     const panel = this.#panel;
-    listen([
-      { keys: Object.keys(ARROWS), shown: '← → ↑ ↓', does: 'Turn (with Shift: move)', run: (event) => this.#move(event), onlyOnStage: true },
-      { keys: ['+', '='], shown: '+', does: 'Nearer', run: () => framing.zoom(1 / STEP.zoom) },
-      { keys: ['-', '_'], shown: '-', does: 'Farther', run: () => framing.zoom(STEP.zoom) },
-      { keys: [']'], shown: ']', does: 'More detail', run: () => detail.step(1) },
-      { keys: ['['], shown: '[', does: 'Less detail', run: () => detail.step(-1) },
-      { keys: ['v'], shown: 'V', does: 'Detail by pixels of this view', run: () => this.#toggleView() },
-      { keys: ['f'], shown: 'F', does: 'Freeze the view', run: () => this.#toggleFreeze() },
-      { keys: ['w'], shown: 'W', does: 'Wireframe', run: () => panel.toggle('wireframe', 'Wireframe') },
-      { keys: ['s'], shown: 'S', does: 'Colors of strips', run: () => panel.toggleStrips() },
-      { keys: ['c'], shown: 'C', does: 'Next colors', run: () => panel.nextColoring() },
-      { keys: ['l'], shown: 'L', does: 'Flat shading', run: () => panel.toggle('flat', 'Flat shading') },
-      { keys: ['z'], shown: 'Z', does: 'Z is up', run: () => panel.toggle('z-up', 'Z is up') },
-      { keys: ['t'], shown: 'T', does: 'Turn by itself', run: () => panel.toggle('turn', 'Turning') },
-      { keys: ['r'], shown: 'R', does: 'Reset the view', run: () => panel.reset() },
-      { keys: ['p'], shown: 'P', does: 'Save a picture', run: () => void panel.savePicture() },
-      { keys: ['o'], shown: 'O', does: 'Open a file', run: () => element('open').click() },
-      { keys: ['h'], shown: 'H', does: 'Show or hide the controls', run: () => panel.fold() },
-      { keys: ['?'], shown: '?', does: 'These keys', run: () => this.#help() },
-      { keys: ['Escape'], shown: 'Esc', does: 'Dismiss a message', run: () => void dismissNewest() },
+    installShortcuts([
+      { keys: Object.keys(ARROWS), shown: '← → ↑ ↓', description: 'Rotate (with Shift: pan)', run: (event) => this.#move(event), onlyOnStage: true },
+      { keys: ['+', '='], shown: '+', description: 'Zoom in', run: () => framing.zoom(1 / STEP.zoom) },
+      { keys: ['-', '_'], shown: '-', description: 'Zoom out', run: () => framing.zoom(STEP.zoom) },
+      { keys: [']'], shown: ']', description: 'More detail', run: () => detail.step(1) },
+      { keys: ['['], shown: '[', description: 'Less detail', run: () => detail.step(-1) },
+      { keys: ['v'], shown: 'V', description: 'Detail by screen error', run: () => this.#toggleView() },
+      { keys: ['f'], shown: 'F', description: 'Freeze view', run: () => this.#toggleFreeze() },
+      { keys: ['w'], shown: 'W', description: 'Wireframe', run: () => panel.toggle('wireframe', 'Wireframe') },
+      { keys: ['s'], shown: 'S', description: 'Color by strip', run: () => panel.toggleStrips() },
+      { keys: ['c'], shown: 'C', description: 'Next coloring', run: () => panel.nextColoring() },
+      { keys: ['l'], shown: 'L', description: 'Flat shading', run: () => panel.toggle('flat', 'Flat shading') },
+      { keys: ['z'], shown: 'Z', description: 'Z up', run: () => panel.toggle('z-up', 'Z up') },
+      { keys: ['t'], shown: 'T', description: 'Auto-rotate', run: () => panel.toggle('turn', 'Auto-rotate') },
+      { keys: ['r'], shown: 'R', description: 'Reset view', run: () => panel.reset() },
+      { keys: ['p'], shown: 'P', description: 'Save image', run: () => void panel.saveImage() },
+      { keys: ['o'], shown: 'O', description: 'Open file', run: () => element('open').click() },
+      { keys: ['h'], shown: 'H', description: 'Show or hide controls', run: () => panel.fold() },
+      { keys: ['?'], shown: '?', description: 'Show this help', run: () => this.#showHelp() },
+      { keys: ['Escape'], shown: 'Esc', description: 'Dismiss message', run: () => void dismissNewest() },
     ]);
   }
 
@@ -159,42 +161,42 @@ class Page {
     const [right, up] = ARROWS[event.key] ?? [0, 0];
     const { framing } = this.#viewer;
     if (event.shiftKey) framing.pan(-right * STEP.pan, -up * STEP.pan);
-    else framing.turn(right * STEP.turn, up * STEP.turn);
+    else framing.orbit(right * STEP.orbit, up * STEP.orbit);
   }
 
   #toggleView(): void {
     const { detail } = this.#viewer;
-    const isOn = detail.choose(detail.mode === 'pixels' ? 'level' : 'pixels');
-    say(isOn ? `Detail by ${detail.mode}` : 'Pixels can be chosen when all of the model is there');
+    const isAvailable = detail.choose(detail.mode === 'pixels' ? 'level' : 'pixels');
+    announce(isAvailable ? `Detail by ${MODE_NAMES[detail.mode]}` : 'Screen error is available once the model has loaded');
   }
 
   #toggleFreeze(): void {
     const { detail } = this.#viewer;
-    const isDone = detail.freeze(!detail.isFrozen);
-    say(isDone ? `View ${detail.isFrozen ? 'frozen' : 'free'}` : 'A view can be frozen when all of the model is there');
+    const isAvailable = detail.freeze(!detail.isFrozen);
+    announce(isAvailable ? `View ${detail.isFrozen ? 'frozen' : 'unfrozen'}` : 'The view can be frozen once the model has loaded');
   }
 }
 
-/** What the page's address asks for. */
-function askedModel(): string | null {
+/** URL of the model in the page's address, if any. */
+function requestedModel(): string | null {
   return new URLSearchParams(location.search).get('model');
 }
 
-/** The stage; `null`, with a notice, where the browser cannot draw. */
-function raiseStage(): Stage | null {
+/** Creates the stage, or shows a notice and returns `null` if the browser does not support WebGL 2. */
+function createStage(): Stage | null {
   try {
     return new Stage(element<HTMLCanvasElement>('view'));
   } catch {
     notify({
-      title: 'This browser shows no 3D',
-      reason: 'The viewer draws with WebGL 2, which this browser does not give.',
-      hint: 'Turn on hardware acceleration in its settings, or try another browser.',
+      title: 'This browser cannot show 3D graphics',
+      reason: 'The viewer needs WebGL 2, which is not available.',
+      hint: 'Turn on hardware acceleration in the browser settings, or try another browser.',
     });
     followTheme(() => {});
-    for (const id of ['panel', 'fold', 'open', 'ask']) element(id).hidden = true;
+    for (const id of ['panel', 'fold', 'open', 'show-help']) element(id).hidden = true;
     return null;
   }
 }
 
-const stage = raiseStage();
+const stage = createStage();
 if (stage) void new Page(stage).start();

@@ -1,6 +1,6 @@
-/** What went wrong, in words, over the stage: what, why, what to do; each can be dismissed. */
+/** Error notices over the stage: what failed, why, and what to do. Each can be dismissed. */
 
-import { element, made } from './page.ts';
+import { createNode, element } from './dom.ts';
 
 export interface Notice {
   title: string;
@@ -9,21 +9,21 @@ export interface Notice {
   retry?: (() => void) | undefined;
 }
 
-/** More at a time would hide the model. */
-const MOST = 2;
+/** More notices than this would hide the model. */
+const MAX_NOTICES = 2;
 
-/** Shows a notice, above those that are there. */
+/** Shows a notice above earlier ones. */
 export function notify(notice: Notice): void {
-  const box = made('div', 'notice');
+  const box = createNode('div', 'notice');
   box.setAttribute('role', 'alert');
-  const dismiss = made('button', 'dismiss', '×');
+  const dismiss = createNode('button', 'dismiss', '×');
   dismiss.setAttribute('aria-label', 'Dismiss');
   dismiss.addEventListener('click', () => box.remove());
-  box.append(made('strong', '', notice.title), dismiss, made('p', 'reason', notice.reason));
-  if (notice.hint) box.append(made('p', 'hint', notice.hint));
+  box.append(createNode('strong', '', notice.title), dismiss, createNode('p', 'reason', notice.reason));
+  if (notice.hint) box.append(createNode('p', 'hint', notice.hint));
   const { retry } = notice;
   if (retry) {
-    const button = made('button', 'retry strong', 'Try again');
+    const button = createNode('button', 'retry strong', 'Try again');
     button.addEventListener('click', () => {
       box.remove();
       retry();
@@ -32,10 +32,10 @@ export function notify(notice: Notice): void {
   }
   const list = element('notices');
   list.prepend(box);
-  while (list.children.length > MOST) list.lastElementChild?.remove();
+  while (list.children.length > MAX_NOTICES) list.lastElementChild?.remove();
 }
 
-/** Takes the newest away; false where there is none. */
+/** Dismisses the newest notice and returns whether there was one. */
 export function dismissNewest(): boolean {
   const newest = element('notices').firstElementChild;
   newest?.remove();

@@ -1,14 +1,14 @@
-/** The rest of the panel: colors, shading, background, turning, full screen, pictures. */
+/** The other controls of the panel: colors, shading, background, auto-rotation, full screen, images. */
 
 import type { Coloring } from '../src/index.ts';
-import { element, input, prefersStillness, say } from './page.ts';
+import { announce, element, input, prefersReducedMotion } from './dom.ts';
 import { themeColor } from './theme.ts';
 import type { Viewer } from './viewer.ts';
 
 const BACKGROUNDS: Record<string, string> = { white: '#ffffff', gray: '#808080', black: '#000000' };
 
-/** Screens from this width on show the panel at the side. */
-const wide = matchMedia('(min-width: 701px)');
+/** Windows at least this wide show the panel at the side. */
+const isWide = matchMedia('(min-width: 701px)');
 
 export class Panel {
   readonly #viewer: Viewer;
@@ -16,46 +16,47 @@ export class Panel {
   constructor(viewer: Viewer) {
     this.#viewer = viewer;
     element('controls').addEventListener('submit', (event) => event.preventDefault());
-    for (const radio of this.#colorings()) radio.addEventListener('change', () => this.#lookChanged());
-    for (const id of ['wireframe', 'flat']) input(id).addEventListener('change', () => this.#lookChanged());
+    for (const radio of this.#colorings()) radio.addEventListener('change', () => this.#onLookChanged());
+    for (const id of ['wireframe', 'flat']) input(id).addEventListener('change', () => this.#onLookChanged());
     input('z-up').addEventListener('change', () => viewer.setZUp(input('z-up').checked));
-    input('turn').addEventListener('change', () => this.#turnChanged());
+    input('turn').addEventListener('change', () => this.#onAutoRotateChanged());
     element('background').addEventListener('change', () => this.paintBackground());
     element('reset').addEventListener('click', () => this.reset());
     element('full').addEventListener('click', () => void this.#fullScreen());
-    element('picture').addEventListener('click', () => void this.savePicture());
+    element('picture').addEventListener('click', () => void this.saveImage());
     for (const id of ['fold', 'handle']) element(id).addEventListener('click', () => this.fold());
-    this.fold(!wide.matches);
-    wide.addEventListener('change', () => this.fold(!wide.matches));
+    this.fold(!isWide.matches);
+    isWide.addEventListener('change', () => this.fold(!isWide.matches));
     document.addEventListener('fullscreenchange', () => {
-      element('full').textContent = document.fullscreenElement ? 'Leave full screen' : 'Full screen';
+      element('full').textContent = document.fullscreenElement ? 'Exit full screen' : 'Full screen';
     });
     element('full').hidden = !document.fullscreenEnabled;
   }
 
-  /** Presses a switch, as its key does. */
+  /** Toggles a switch, as its key does. */
   toggle(id: string, name: string): void {
     const box = input(id);
     box.click();
-    say(`${name} ${box.checked ? 'on' : 'off'}`);
+    announce(`${name} ${box.checked ? 'on' : 'off'}`);
   }
 
-  color(coloring: Coloring): void {
+  /** Selects a coloring. */
+  setColoring(coloring: Coloring): void {
     const radio = this.#colorings().find((radio) => radio.value === coloring);
     radio?.click();
-    say(`Colors: ${coloring}`);
+    announce(`Color by ${coloring === 'triangles' ? 'triangle' : coloring.replace(/s$/, '')}`);
   }
 
-  /** Colors by strips, or the surface again. */
+  /** Toggles between coloring by strip and the surface's own colors. */
   toggleStrips(): void {
-    this.color(this.#viewer.look.coloring === 'strips' ? 'surface' : 'strips');
+    this.setColoring(this.#viewer.look.coloring === 'strips' ? 'surface' : 'strips');
   }
 
-  /** The next way of coloring. */
+  /** Selects the next coloring. */
   nextColoring(): void {
     const radios = this.#colorings();
     const next = radios[(radios.findIndex((radio) => radio.checked) + 1) % radios.length];
-    if (next) this.color(next.value as Coloring);
+    if (next) this.setColoring(next.value as Coloring);
   }
 
   paintBackground(): void {
@@ -68,15 +69,15 @@ export class Panel {
     this.#viewer.framing.reset();
   }
 
-  /** Folds or unfolds the controls. */
+  /** Shows or hides the controls; toggles them by default. */
   fold(isFolded = !element('app').classList.contains('folded')): void {
     element('app').classList.toggle('folded', isFolded);
     for (const id of ['fold', 'handle']) element(id).setAttribute('aria-expanded', String(!isFolded));
   }
 
-  /** The picture on the stage, as a file. */
-  async savePicture(): Promise<void> {
-    const blob = await this.#viewer.stage.picture();
+  /** Saves the stage as an image file. */
+  async saveImage(): Promise<void> {
+    const blob = await this.#viewer.stage.toPng();
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
     link.download = `${this.#viewer.name.replace(/\.\w+$/, '')}.png`;
@@ -84,14 +85,14 @@ export class Panel {
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   }
 
-  /** What is there for the model that is shown. */
-  modelShown(): void {
+  /** Updates the panel for the model that is shown. */
+  onModelShown(): void {
     const download = element<HTMLAnchorElement>('download');
     download.hidden = this.#viewer.url === null;
     if (this.#viewer.url) download.href = this.#viewer.url;
   }
 
-  #lookChanged(): void {
+  #onLookChanged(): void {
     const { look } = this.#viewer;
     look.coloring = (this.#colorings().find((radio) => radio.checked)?.value ?? 'surface') as Coloring;
     look.wireframe = input('wireframe').checked;
@@ -99,11 +100,11 @@ export class Panel {
     this.#viewer.applyLook();
   }
 
-  #turnChanged(): void {
+  #onAutoRotateChanged(): void {
     const { controls } = this.#viewer.stage;
     controls.autoRotate = input('turn').checked;
-    // Who wants less motion and yet asks for this gets it slowly.
-    controls.autoRotateSpeed = prefersStillness() ? 0.4 : 1.6;
+    // Users who prefer reduced motion but turn this on get a slow rotation.
+    controls.autoRotateSpeed = prefersReducedMotion() ? 0.4 : 1.6;
     this.#viewer.stage.invalidate();
   }
 

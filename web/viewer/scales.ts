@@ -1,34 +1,34 @@
 /**
- * What the sliders mean. All run from 0 to 1000; the eye judges ratios, so detail grows by the cube and pixels and
- * triangles by powers: half of the way is an eighth of the splits.
+ * Maps slider positions, 0 to 1000, to values. People perceive ratios, so detail grows with the cube of the position, and pixels
+ * and triangles grow exponentially: halfway along the detail slider, an eighth of the vertex splits are applied.
  */
 
-const LAST = 1000;
+const MAX_POSITION = 1000;
 
-/** Pixels at the two ends of their slider. */
+/** Screen errors at the two ends of their slider. */
 export const FINEST_PX = 0.25;
 export const COARSEST_PX = 20;
 
-/** A budget's slider starts here, if the mesh has so many. */
+/** Lower end of the budget slider, if the mesh has that many triangles. */
 const SMALLEST_BUDGET = 100;
 
-export const detailAt = (position: number): number => (position / LAST) ** 3;
-export const positionOfDetail = (detail: number): number => Math.round(LAST * Math.cbrt(detail));
+export const detailAt = (position: number): number => (position / MAX_POSITION) ** 3;
+export const positionOfDetail = (detail: number): number => Math.round(MAX_POSITION * Math.cbrt(detail));
 
-/** Two digits are enough, and are what is shown. */
+/** Screen error in pixels, rounded to the two digits that are displayed. */
 export const pixelsAt = (position: number): number =>
-  Number((FINEST_PX * (COARSEST_PX / FINEST_PX) ** (position / LAST)).toPrecision(2));
+  Number((FINEST_PX * (COARSEST_PX / FINEST_PX) ** (position / MAX_POSITION)).toPrecision(2));
 
-/** Triangles at a place of the budget's slider, for a mesh of so many. */
+/** Triangle budget at a slider position, for a mesh of `full` triangles. */
 export function budgetAt(position: number, full: number): number {
   const least = Math.min(SMALLEST_BUDGET, full);
-  return Math.round(least * (full / least) ** (position / LAST));
+  return Math.round(least * (full / least) ** (position / MAX_POSITION));
 }
 
-/** The other way round. */
+/** Inverse of `budgetAt`. */
 export function positionOfBudget(budget: number, full: number): number {
   const least = Math.min(SMALLEST_BUDGET, full);
-  if (full <= least) return LAST;
-  const position = (LAST * Math.log(Math.max(budget, least) / least)) / Math.log(full / least);
-  return Math.round(Math.min(position, LAST));
+  if (full <= least) return MAX_POSITION;
+  const position = (MAX_POSITION * Math.log(Math.max(budget, least) / least)) / Math.log(full / least);
+  return Math.round(Math.min(position, MAX_POSITION));
 }

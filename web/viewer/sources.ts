@@ -1,34 +1,34 @@
-/** Where models come from: an address, a file from the reader, or bytes that the page carries. */
+/** Sources of models: a URL, a local file, or bytes embedded in the page. */
 
 /** A model to open. */
-export interface Opened {
-  source: string | File | ArrayBuffer;
-  /** What to call it. */
+export interface ModelSource {
+  data: string | File | ArrayBuffer;
+  /** Name to display. */
   name: string;
-  /** Where it can be downloaded. */
+  /** Where the model can be downloaded, if anywhere. */
   url: string | null;
 }
 
-export function fromUrl(url: string): Opened {
-  return { source: url, name: nameOf(url), url };
+export function fromUrl(url: string): ModelSource {
+  return { data: url, name: nameOf(url), url };
 }
 
-export function fromFile(file: File): Opened {
-  return { source: file, name: file.name, url: null };
+export function fromFile(file: File): ModelSource {
+  return { data: file, name: file.name, url: null };
 }
 
-/** The model of a page that holds everything, from `<script type="text/plain" id="striata-model">`. */
-export function fromPage(): Opened | null {
+/** The model embedded in a self-contained page as `<script type="text/plain" id="striata-model">`, if any. */
+export function embeddedModel(): ModelSource | null {
   const holder = document.getElementById('striata-model');
   const text = holder?.textContent?.trim();
   if (!holder || !text) return null;
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
   for (let index = 0; index < binary.length; index += 1) bytes[index] = binary.charCodeAt(index);
-  return { source: bytes.buffer, name: holder.dataset.name ?? 'model.stri', url: null };
+  return { data: bytes.buffer, name: holder.dataset.name ?? 'model.stri', url: null };
 }
 
-/** The last part of an address. */
+/** Last path segment of a URL. */
 function nameOf(url: string): string {
   const path = url.split(/[?#]/, 1)[0] ?? url;
   const last = path.split('/').filter(Boolean).at(-1) ?? url;
@@ -39,8 +39,8 @@ function nameOf(url: string): string {
   }
 }
 
-/** Whether that address lies on another server than this page. */
-export function isElsewhere(url: string): boolean {
+/** Whether a URL points to another origin than this page. */
+export function isCrossOrigin(url: string): boolean {
   try {
     return new URL(url, location.href).origin !== location.origin;
   } catch {

@@ -1,49 +1,49 @@
 /**
- * Where the model stands: renderer, lights, camera and the loop that draws.
+ * The 3D stage: renderer, lights, camera and render loop.
  *
- * Nothing is drawn unless something changed: whoever changes what is seen calls `invalidate`. Lights hang on the camera, so
- * a model is well lit from wherever one looks. Model coordinates are y-up; for z-up ones the pivot is tilted.
+ * A frame is drawn only if something has changed: code that changes the picture calls `invalidate`. The lights are attached to
+ * the camera, so a model is well lit from every side. Model coordinates are y-up; for z-up models the pivot is tilted.
  */
 
 import {
   Color, DirectionalLight, Group, HemisphereLight, MathUtils, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { prefersStillness } from './page.ts';
+import { prefersReducedMotion } from './dom.ts';
 
-/** Eyes do not see more, and fill rate is dear. */
-const MOST_PIXEL_RATIO = 2;
+/** Higher pixel ratios are hardly visible but cost fill rate. */
+const MAX_PIXEL_RATIO = 2;
 
-/** What the shorter side of the picture spans, degrees: a model that fits once fits at any shape of the window. */
-export const ANGLE = 35;
+/** Field of view of the shorter side, degrees: a model that fits once fits in windows of any shape. */
+export const FIELD_OF_VIEW = 35;
 
-/** Frames are counted over so long. */
-const COUNTED_MS = 1000;
+/** Window over which frames are counted. */
+const FRAME_COUNT_WINDOW_MS = 1000;
 
 export class Stage {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(ANGLE, 1, 0.01, 100);
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   readonly controls: OrbitControls;
-  /** Holds the model; tilted where z is up. */
+  /** Parent of the model; tilted if z is up. */
   readonly pivot = new Group();
-  /** What the near and far planes must hold, in the world. */
+  /** Bounding sphere, in world space, that the near and far planes must enclose. */
   readonly content = new Sphere(new Vector3(), 1);
-  /** Called before each frame with the seconds since the last; true asks for another frame. */
+  /** Callbacks run before each frame with the seconds since the last one; returning true requests another frame. */
   readonly beforeFrame = new Set<(seconds: number) => boolean>();
 
-  #wanted = 0;
-  #last = 0;
-  #drawn: number[] = [];
+  #frameRequest = 0;
+  #lastFrameTime = 0;
+  #frameTimes: number[] = [];
 
-  /** Throws where the browser gives no WebGL 2. */
+  /** Throws if the browser does not support WebGL 2. */
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.scene.add(this.camera, this.pivot);
     this.#light();
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = !prefersStillness();
+    this.controls.enableDamping = !prefersReducedMotion();
     this.controls.dampingFactor = 0.12;
     this.controls.autoRotateSpeed = 1.6;
     this.controls.addEventListener('change', () => this.invalidate());
@@ -52,16 +52,16 @@ export class Stage {
     document.addEventListener('visibilitychange', () => this.invalidate());
   }
 
-  /** Asks for a frame. */
+  /** Requests a frame. */
   invalidate(): void {
-    if (this.#wanted === 0) this.#wanted = requestAnimationFrame((now) => this.#frame(now));
+    if (this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame((now) => this.#frame(now));
   }
 
-  /** Frames drawn in the last second; 0 at rest. */
+  /** Frames drawn in the last second; 0 when idle. */
   get framesPerSecond(): number {
-    const since = performance.now() - COUNTED_MS;
-    this.#drawn = this.#drawn.filter((time) => time > since);
-    return this.#drawn.length > 2 ? this.#drawn.length : 0;
+    const since = performance.now() - FRAME_COUNT_WINDOW_MS;
+    this.#frameTimes = this.#frameTimes.filter((time) => time > since);
+    return this.#frameTimes.length > 2 ? this.#frameTimes.length : 0;
   }
 
   setBackground(color: string): void {
@@ -69,41 +69,41 @@ export class Stage {
     this.invalidate();
   }
 
-  /** The picture as PNG. */
-  async picture(): Promise<Blob> {
+  /** Renders the stage to a PNG image. */
+  async toPng(): Promise<Blob> {
     this.#fitPlanes();
     this.renderer.render(this.scene, this.camera);
     const blob = await new Promise<Blob | null>((resolve) => this.renderer.domElement.toBlob(resolve, 'image/png'));
-    if (!blob) throw new Error('the browser gave no picture');
+    if (!blob) throw new Error('the browser could not encode the image');
     return blob;
   }
 
   #frame(now: number): void {
-    this.#wanted = 0;
-    const seconds = Math.min((now - this.#last) / 1000, 0.1);
-    this.#last = now;
+    this.#frameRequest = 0;
+    const seconds = Math.min((now - this.#lastFrameTime) / 1000, 0.1);
+    this.#lastFrameTime = now;
     let again = this.controls.autoRotate && !document.hidden;
     for (const step of this.beforeFrame) again = step(seconds) || again;
     this.controls.update(seconds);
     this.#fitPlanes();
     this.renderer.render(this.scene, this.camera);
-    this.#drawn.push(performance.now());
+    this.#frameTimes.push(performance.now());
     if (again) this.invalidate();
   }
 
-  /** Near and far close around what is there, so that depth has all its bits. */
+  /** Fits the near and far planes tightly around the content, to make best use of the depth buffer. */
   #fitPlanes(): void {
     const { center, radius } = this.content;
-    const away = this.camera.position.distanceTo(center);
-    this.camera.far = away + 1.05 * radius;
-    this.camera.near = Math.max(away - 1.05 * radius, this.camera.far * 5e-4);
+    const distance = this.camera.position.distanceTo(center);
+    this.camera.far = distance + 1.05 * radius;
+    this.camera.near = Math.max(distance - 1.05 * radius, this.camera.far * 5e-4);
     this.camera.updateProjectionMatrix();
   }
 
   #resize(): void {
     const { clientWidth, clientHeight } = this.renderer.domElement;
     const [width, height] = [Math.max(clientWidth, 1), Math.max(clientHeight, 1)];
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO));
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.fov = verticalAngle(this.camera.aspect);
@@ -122,6 +122,6 @@ export class Stage {
 }
 
 function verticalAngle(aspect: number): number {
-  const half = Math.tan(MathUtils.degToRad(ANGLE / 2));
-  return aspect >= 1 ? ANGLE : 2 * MathUtils.radToDeg(Math.atan(half / aspect));
+  const half = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
+  return aspect >= 1 ? FIELD_OF_VIEW : 2 * MathUtils.radToDeg(Math.atan(half / aspect));
 }

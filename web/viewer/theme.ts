@@ -1,20 +1,20 @@
-/** Dark or light: as the system has it until the reader says otherwise, which is remembered. */
+/** Dark or light theme: the system's until the user chooses one, which is remembered. */
 
-import { element } from './page.ts';
+import { element } from './dom.ts';
 
 const KEY = 'striata-theme';
 const dark = matchMedia('(prefers-color-scheme: dark)');
 
 type Theme = 'dark' | 'light';
 
-/** Where storage is closed (file://, private windows), the choice lasts as long as the page. */
+/** The user's choice. If storage is unavailable (file://, private windows), it lasts as long as the page. */
 let chosen: Theme | null = stored();
 
-/** Sets the theme, and calls `changed` now and whenever it changes. */
-export function followTheme(changed: () => void): void {
+/** Applies the theme, and calls `onChange` now and whenever it changes. */
+export function followTheme(onChange: () => void): void {
   const apply = (): void => {
     document.documentElement.dataset.theme = theme();
-    changed();
+    onChange();
   };
   dark.addEventListener('change', apply);
   element('theme').addEventListener('click', () => {
@@ -22,14 +22,14 @@ export function followTheme(changed: () => void): void {
     try {
       localStorage.setItem(KEY, chosen);
     } catch {
-      // Kept in `chosen`.
+      // The choice is still kept in `chosen`.
     }
     apply();
   });
   apply();
 }
 
-/** A color of style.css as it is now. */
+/** Current value of a custom property of style.css. */
 export function themeColor(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }

@@ -1,30 +1,30 @@
 /**
- * One model after the other on the stage: opening, following it while it comes in, and saying so when it does not.
+ * Shows one model at a time: opens it, follows it while it loads, and reports errors.
  *
- * A model that fails before anything could be drawn leaves the one that is shown in its place; one that fails on its way
- * keeps what has come. The download of the last ends when another takes its place, not before: the other may fail.
+ * If a model fails before anything could be drawn, the previous one stays. If it fails later, the part that has loaded is kept.
+ * The previous download is canceled only when the new model replaces it, because the new one may fail.
  */
 
 import type { Material } from 'three';
 import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
-import { Detail } from './detail.ts';
-import { Figures, words } from './figures.ts';
+import { DetailControls } from './detail-controls.ts';
+import { describeProgress, Stats } from './stats.ts';
 import { Framing } from './framing.ts';
-import { FrozenView } from './frozen.ts';
+import { FrozenView } from './frozen-view.ts';
 import { dismissAll, notify } from './notices.ts';
-import { count } from './numbers.ts';
-import { element, say } from './page.ts';
-import { isElsewhere, type Opened } from './sources.ts';
+import { formatCount } from './format.ts';
+import { announce, element } from './dom.ts';
+import { isCrossOrigin, type ModelSource } from './sources.ts';
 import type { Stage } from './stage.ts';
 import { themeColor } from './theme.ts';
-import { Wires } from './wires.ts';
+import { Wireframe } from './wireframe.ts';
 
-/** What a plain model is made of, where the file gives it no colors. */
+/** Color of models without colors of their own. */
 const CLAY = 0xcfc4b4;
 
 type SurfaceMaterial = Material & { flatShading?: boolean; color?: unknown };
 
-/** How every model is to look. */
+/** Appearance of the model. */
 export interface Look {
   coloring: Coloring;
   wireframe: boolean;
@@ -35,69 +35,70 @@ export interface Look {
 export class Viewer {
   readonly stage: Stage;
   readonly framing: Framing;
-  readonly detail: Detail;
+  readonly detail: DetailControls;
   readonly look: Look = { coloring: 'surface', wireframe: false, flat: false, zUp: false };
   mesh: StriataMesh | null = null;
-  /** Called when a model is on the stage, and when none could be opened and the stage is empty. */
+  /** Called when a model has appeared on the stage. */
   onShown: () => void = () => {};
-  onNothing: () => void = () => {};
+  /** Called when no model could be opened and the stage is empty. */
+  onEmpty: () => void = () => {};
 
   readonly #loader = StriataLoader();
-  readonly #figures: Figures;
+  readonly #stats: Stats;
   readonly #frozen: FrozenView;
-  readonly #wires = new Wires();
-  #opened: Opened | null = null;
+  readonly #wireframe = new Wireframe();
+  #source: ModelSource | null = null;
   #abort = new AbortController();
   #isOpening = false;
-  /** The rest of the model that is shown does not come. */
-  #isCut = false;
-  /** Of the surface; other colorings have their own. */
+  /** Whether loading the rest of the model has failed. */
+  #isIncomplete = false;
+  /** Materials of the surface; other colorings have their own. */
   #materials: SurfaceMaterial[] = [];
 
   constructor(stage: Stage) {
     this.stage = stage;
     this.framing = new Framing(stage);
     this.#frozen = new FrozenView(stage, this.framing);
-    this.#figures = new Figures(() => stage.framesPerSecond);
-    this.detail = new Detail(() => this.#detailChanged());
+    this.#stats = new Stats(() => stage.framesPerSecond);
+    this.detail = new DetailControls(() => this.#onDetailChanged());
   }
 
-  /** Opens a model; `keepsCamera` where it is the same once more. */
-  async open(opened: Opened, keepsCamera = false): Promise<void> {
+  /** Opens a model; `keepsCamera` if it is the same model again. */
+  async open(source: ModelSource, keepsCamera = false): Promise<void> {
     const before = this.#abort;
     if (this.#isOpening) before.abort();
     const abort = new AbortController();
     this.#abort = abort;
     this.#isOpening = true;
     dismissAll();
-    this.#figures.progress({ bytesReceived: 0, bytesTotal: null, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download' });
-    say(`Opening ${opened.name}`);
+    this.#stats.progress({ bytesReceived: 0, bytesTotal: null, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download' });
+    announce(`Opening ${source.name}`);
     try {
-      const mesh = await this.#loader.load(opened.source, {
-        name: opened.name,
+      const mesh = await this.#loader.load(source.data, {
+        name: source.name,
         signal: abort.signal,
-        onProgress: (progress) => this.#came(abort, progress, opened),
+        onProgress: (progress) => this.#onProgress(abort, progress, source),
       });
       if (abort.signal.aborted) return mesh.dispose();
-      this.#show(mesh, opened, keepsCamera);
+      this.#show(mesh, source, keepsCamera);
     } catch (error) {
       if (abort.signal.aborted) return;
       this.#isOpening = false;
-      // What is shown may still be coming in.
+      // The model that is shown may still be loading.
       this.#abort = before;
-      this.#figures.progress(null);
-      notify(noticeOf(error, `Cannot open ${opened.name}`, opened, () => void this.open(opened, keepsCamera)));
+      this.#stats.progress(null);
+      notify(noticeOf(error, `Cannot open ${source.name}`, source, () => void this.open(source, keepsCamera)));
       if (this.mesh) this.#update(this.mesh);
-      else this.onNothing();
+      else this.onEmpty();
     }
   }
 
-  /** Gives the mesh the look that is asked for. */
+  /** Applies the chosen appearance to the mesh. */
   applyLook(): void {
     const { mesh, look } = this;
     if (!mesh) return;
     mesh.coloring = look.coloring;
-    this.#wires.show(mesh, look.wireframe);
+    this.#wireframe.show(mesh, look.wireframe);
     for (const material of this.#materials) {
       if ('flatShading' in material && material.flatShading !== look.flat) {
         material.flatShading = look.flat;
@@ -107,22 +108,22 @@ export class Viewer {
     this.stage.invalidate();
   }
 
-  /** Tilts the model where z is up. */
+  /** Tilts the model if z is up. */
   setZUp(zUp: boolean): void {
     this.look.zUp = zUp;
     this.stage.pivot.rotation.x = zUp ? -Math.PI / 2 : 0;
-    if (this.mesh) this.framing.turned(this.mesh, this.mesh.vertexCount);
+    if (this.mesh) this.framing.onTilted(this.mesh, this.mesh.vertexCount);
     this.stage.invalidate();
   }
 
-  /** Leaves the model: the stage is empty, the download ends. */
+  /** Removes the model and cancels its download. */
   close(): void {
     this.#abort.abort();
     this.#isOpening = false;
-    this.#figures.progress(null);
-    this.#figures.hide();
+    this.#stats.progress(null);
+    this.#stats.hide();
     this.#remove();
-    this.detail.take(null);
+    this.detail.setMesh(null);
     this.stage.invalidate();
   }
 
@@ -131,35 +132,35 @@ export class Viewer {
     return this.mesh !== null || this.#isOpening;
   }
 
-  /** The address of the model, where it has one. */
+  /** URL of the model, if it has one. */
   get url(): string | null {
-    return this.#opened?.url ?? null;
+    return this.#source?.url ?? null;
   }
 
   get name(): string {
-    return this.#opened?.name ?? 'model';
+    return this.#source?.name ?? 'model';
   }
 
-  #show(mesh: StriataMesh, opened: Opened, keepsCamera: boolean): void {
+  #show(mesh: StriataMesh, source: ModelSource, keepsCamera: boolean): void {
     this.#isOpening = false;
-    this.#isCut = false;
+    this.#isIncomplete = false;
     this.#remove();
     this.mesh = mesh;
-    this.#opened = opened;
+    this.#source = source;
     this.#materials = materialsOf(mesh);
     for (const material of this.#materials) {
       if ('color' in material && !material.vertexColors) (material.color as { setHex(hex: number): void }).setHex(CLAY);
     }
     this.stage.pivot.add(mesh);
     this.framing.restart(keepsCamera);
-    this.#listen(mesh, opened);
+    this.#listen(mesh, source);
     this.applyLook();
-    this.detail.take(mesh);
+    this.detail.setMesh(mesh);
     this.#update(mesh);
     this.onShown();
   }
 
-  #listen(mesh: StriataMesh, opened: Opened): void {
+  #listen(mesh: StriataMesh, source: ModelSource): void {
     const update = (): void => this.#update(mesh);
     mesh.addEventListener('change', update);
     mesh.addEventListener('progress', update);
@@ -167,55 +168,55 @@ export class Viewer {
       () => {
         if (this.mesh !== mesh) return;
         update();
-        if (!this.#isOpening) this.#figures.progress(null);
-        this.detail.allowViews();
-        say(`${opened.name} is there: ${count(mesh.fullTriangleCount)} triangles`);
+        if (!this.#isOpening) this.#stats.progress(null);
+        this.detail.enableViews();
+        announce(`Loaded ${source.name}: ${formatCount(mesh.fullTriangleCount)} triangles`);
       },
       (error: unknown) => {
         if (this.mesh !== mesh || (error instanceof StriataError && error.code === 'aborted')) return;
-        this.#isCut = true;
+        this.#isIncomplete = true;
         update();
-        if (!this.#isOpening) this.#figures.progress(null);
-        this.#sayCut(mesh, opened, error);
+        if (!this.#isOpening) this.#stats.progress(null);
+        this.#reportIncomplete(mesh, source, error);
       },
     );
   }
 
-  /** The rest of the model does not come: what is there stays. */
-  #sayCut(mesh: StriataMesh, opened: Opened, error: unknown): void {
-    const notice = noticeOf(error, `${opened.name} did not come in whole`, opened, () => void this.open(opened, true));
-    notice.reason += ` What came is kept: ${count(mesh.triangleCount)} of ${count(mesh.fullTriangleCount)} triangles.`;
+  /** Reports that the rest of the model could not be loaded; the loaded part stays. */
+  #reportIncomplete(mesh: StriataMesh, source: ModelSource, error: unknown): void {
+    const notice = noticeOf(error, `Could not load all of ${source.name}`, source, () => void this.open(source, true));
+    notice.reason += ` The loaded part is still shown: ${formatCount(mesh.triangleCount)} of ${formatCount(mesh.fullTriangleCount)} triangles.`;
     notify(notice);
   }
 
-  #came(abort: AbortController, progress: Progress, opened: Opened): void {
+  #onProgress(abort: AbortController, progress: Progress, source: ModelSource): void {
     if (abort !== this.#abort) return;
-    this.#figures.progress(progress);
-    const isShown = this.mesh !== null && this.#opened === opened;
-    if (!isShown) element('subtitle').textContent = `opening ${opened.name}: ${words(progress)}`;
+    this.#stats.progress(progress);
+    const isShown = this.mesh !== null && this.#source === source;
+    if (!isShown) element('subtitle').textContent = `Opening ${source.name}: ${describeProgress(progress)}`;
   }
 
   #update(mesh: StriataMesh): void {
     if (this.mesh !== mesh) return;
     if (!this.#frozen.isFrozen) this.framing.follow(mesh, mesh.vertexCount, mesh.complete);
-    this.#wires.show(mesh, this.look.wireframe);
-    this.#figures.show(mesh);
-    const kind = mesh.complete ? kindOf(mesh) : this.#isCut ? 'not all there' : 'coming in';
-    element('subtitle').textContent = `${count(mesh.fullTriangleCount)} triangles, ${kind}`;
+    this.#wireframe.show(mesh, this.look.wireframe);
+    this.#stats.show(mesh);
+    const kind = mesh.complete ? kindOf(mesh) : this.#isIncomplete ? 'incomplete' : 'loading';
+    element('subtitle').textContent = `${formatCount(mesh.fullTriangleCount)} triangles, ${kind}`;
     this.stage.invalidate();
   }
 
-  #detailChanged(): void {
+  #onDetailChanged(): void {
     const { isFrozen } = this.detail;
-    element('outside').hidden = !isFrozen;
+    element('frozen-note').hidden = !isFrozen;
     if (isFrozen) this.#frozen.freeze(themeColor('--accent'));
-    else this.#frozen.thaw();
-    if (this.mesh) this.#figures.show(this.mesh);
+    else this.#frozen.unfreeze();
+    if (this.mesh) this.#stats.show(this.mesh);
     this.stage.invalidate();
   }
 
   #remove(): void {
-    this.#frozen.thaw(false);
+    this.#frozen.unfreeze(false);
     const { mesh } = this;
     if (!mesh) return;
     this.mesh = null;
@@ -224,29 +225,29 @@ export class Viewer {
   }
 }
 
-/** What may help where the library does not say. */
+/** Hints for errors that the library gives none for. */
 const HINTS: Partial<Record<ErrorCode, string>> = {
-  format: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, also with .gz or .zst.',
-  unsupported: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, also with .gz or .zst.',
-  corrupt: 'Copy or download the file once more.',
+  format: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally compressed as .gz or .zst.',
+  unsupported: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally compressed as .gz or .zst.',
+  corrupt: 'Copy or download the file again.',
 };
 
-/** Begins large and ends with a full stop. */
+/** Capitalizes a sentence and ends it with a period. */
 function sentence(text: string): string {
   const whole = /[.!?]$/.test(text) ? text : `${text}.`;
   return whole.charAt(0).toUpperCase() + whole.slice(1);
 }
 
-/** An error as a notice: what the library says, and what this page knows beside it. */
-function noticeOf(error: unknown, title: string, opened: Opened, retry: () => void) {
+/** Turns an error into a notice: the library's message and hint, plus what this page knows. */
+function noticeOf(error: unknown, title: string, source: ModelSource, retry: () => void) {
   const known = error instanceof StriataError ? error : null;
   const reason = sentence(known?.message ?? (error instanceof Error ? error.message : String(error)));
   const isNetwork = known?.code === 'network';
   let hint = known?.hint ?? (known ? HINTS[known.code] : undefined);
-  if (isNetwork && opened.url && isElsewhere(opened.url)) {
-    hint = 'The file lies on another server, which this page may not read unless both allow it; download it and drop it here.';
+  if (isNetwork && source.url && isCrossOrigin(source.url)) {
+    hint = 'The file is on another server, and either that server or this page does not allow loading it. Download it and drop it here.';
   } else if (isNetwork && !navigator.onLine) {
-    hint = 'This machine is offline.';
+    hint = 'You are offline.';
   }
   return { title, reason, hint: hint && sentence(hint), retry: isNetwork || known?.code === 'not-found' ? retry : undefined };
 }
@@ -256,6 +257,6 @@ function materialsOf(mesh: StriataMesh): SurfaceMaterial[] {
 }
 
 function kindOf(mesh: StriataMesh): string {
-  if (mesh.kind === 'mesh') return 'simplified in this page';
-  return mesh.kind === 'stream' ? 'a stream' : 'a .striata file';
+  if (mesh.kind === 'mesh') return 'simplified in the browser';
+  return mesh.kind === 'stream' ? 'stream' : '.striata file';
 }

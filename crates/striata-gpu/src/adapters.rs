@@ -1,8 +1,9 @@
-//! Finding an adapter that can really draw: each one is opened and tried before it is chosen.
+//! Chooses an adapter that can really draw: each one is opened and tried before it is accepted.
 //!
-//! Drivers report features that they do not have, and lack features that every picture needs. So an adapter counts only after
-//! [`Gpu::probe`] (or a trial of the caller's own) has worked on it. Vulkan, Metal and DirectX come first, then OpenGL; within
-//! them discrete GPUs, integrated ones, and at last those that draw on the processor.
+//! Drivers report features that they do not have and lack features that every picture needs, so an adapter
+//! is accepted only after [`Gpu::probe`] (or the caller's own trial) has succeeded on it. Vulkan, Metal and
+//! DirectX come first, then OpenGL; within each, discrete GPUs come first, then integrated ones, and CPU
+//! adapters last.
 
 use wgpu::{Adapter, Backends, DeviceType, Instance};
 
@@ -13,11 +14,11 @@ use crate::gpu_options::GpuOptions;
 /// An adapter that passed its trial.
 #[derive(Clone, Debug)]
 pub struct ChosenAdapter<T> {
-    /// The adapter, opened.
+    /// The opened adapter.
     pub gpu: Gpu,
-    /// What the trial made.
+    /// Value returned by the trial.
     pub made: T,
-    /// The adapters that were tried before it, in order.
+    /// Adapters that were tried before this one and failed, in order.
     pub rejected: Vec<RejectedAdapter>,
 }
 
@@ -25,19 +26,19 @@ impl Gpu {
     /// Opens the best adapter that passes [`probe`](Self::probe); see [`choose_adapter`].
     ///
     /// # Errors
-    /// As [`choose_adapter`].
+    /// Fails like [`choose_adapter`].
     pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
         Ok(choose_adapter(options, Self::probe)?.gpu)
     }
 }
 
-/// Opens adapters in order of preference until a trial works on one of them.
+/// Opens adapters in order of preference until the trial succeeds on one of them.
 ///
-/// The environment may narrow the search: `WGPU_BACKEND`, `WGPU_ADAPTER_NAME`.
+/// The environment variables `WGPU_BACKEND` and `WGPU_ADAPTER_NAME` narrow the search.
 ///
 /// # Errors
-/// [`GpuError::NoAdapter`] if there is none, [`GpuError::NoSuchAdapter`] if none has the name asked for, and
-/// [`GpuError::NoUsableAdapter`] if every one failed its trial.
+/// [`GpuError::NoAdapter`] if none was found, [`GpuError::NoSuchAdapter`] if none has the requested name,
+/// and [`GpuError::NoUsableAdapter`] if every candidate failed its trial.
 pub fn choose_adapter<T>(
     options: &GpuOptions,
     mut trial: impl FnMut(&Gpu) -> Result<T, GpuError>,
@@ -52,28 +53,29 @@ pub fn choose_adapter<T>(
     choose_from(stages.into_iter().map(find), options, |gpu, _| trial(gpu))
 }
 
-/// [`choose_adapter`] among adapters that the caller has found, for a window's surface for example: lists in order of preference.
+/// Like [`choose_adapter`], but among adapters that the caller has found, for example those compatible with
+/// a window's surface. `found` yields lists in order of preference.
 ///
 /// # Errors
-/// As [`choose_adapter`].
+/// Fails like [`choose_adapter`].
 pub fn choose_from<T>(
     found: impl Iterator<Item = Vec<Adapter>>,
     options: &GpuOptions,
     mut trial: impl FnMut(&Gpu, &Adapter) -> Result<T, GpuError>,
 ) -> Result<ChosenAdapter<T>, GpuError> {
-    let wanted = options.wanted_name();
+    let requested = options.requested_name();
     let (mut known, mut rejected) = (Vec::new(), Vec::new());
     for mut adapters in found {
         adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type));
         for adapter in adapters {
             let info = adapter.get_info();
-            let is_wanted = match &wanted {
+            let is_requested = match &requested {
                 Some(name) => info.name.to_lowercase().contains(name),
                 None => !options.is_fallback || info.device_type == DeviceType::Cpu,
             };
             let name = format!("{} ({})", info.name, info.backend);
             known.push(info.name);
-            if !is_wanted {
+            if !is_requested {
                 continue;
             }
             match open_and_try(&adapter, &mut trial) {
@@ -87,7 +89,7 @@ pub fn choose_from<T>(
     }
     known.sort();
     known.dedup();
-    Err(match wanted {
+    Err(match requested {
         Some(name) => GpuError::NoSuchAdapter { name, known },
         None => GpuError::NoAdapter { is_fallback: options.is_fallback },
     })
@@ -99,12 +101,12 @@ fn open_and_try<T>(
 ) -> Result<(Gpu, T), GpuError> {
     let gpu = Gpu::open(adapter)?;
     let made = trial(&gpu, adapter)?;
-    // What the device complained of meanwhile counts, even if the trial did not notice.
+    // Errors that the device reported asynchronously count as a failed trial.
     gpu.wait()?;
     Ok((gpu, made))
 }
 
-/// Quick adapters first.
+/// Sort key of an adapter: faster kinds first.
 fn rank(kind: DeviceType) -> u8 {
     match kind {
         DeviceType::DiscreteGpu => 0,
@@ -124,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn an_adapter_that_fails_its_trial_is_not_chosen_and_says_what_it_lacks() {
+    fn a_failed_trial_rejects_the_adapter_and_names_the_missing_feature() {
         let error = choose_adapter(&GpuOptions::default(), fails::<()>).unwrap_err();
         let GpuError::NoUsableAdapter { rejected } = &error else { panic!("{error}") };
         assert!(!rejected.is_empty());
@@ -146,11 +148,11 @@ mod tests {
         })
         .expect("the last one passes");
         assert_eq!((chosen.made, chosen.rejected.len()), (all, all - 1));
-        chosen.gpu.probe().expect("it can draw");
+        chosen.gpu.probe().expect("the chosen adapter can draw");
     }
 
     #[test]
-    fn what_a_device_reports_during_its_trial_counts_against_it() {
+    fn device_errors_during_the_trial_reject_the_adapter() {
         let writes_past_the_end = |gpu: &Gpu| {
             let buffer = gpu.empty_buffer("small", 16, wgpu::BufferUsages::COPY_DST)?;
             gpu.queue().write_buffer(&buffer, 8, &[0; 16]);

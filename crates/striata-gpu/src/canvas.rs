@@ -1,4 +1,4 @@
-//! Pictures without a window: drawn into a texture, read back.
+//! Offscreen rendering: pictures drawn into a texture and read back.
 
 use wgpu::{
     BufferUsages, CommandEncoder, Extent3d, RenderPass, Texture, TextureFormat, TextureUsages, TextureView,
@@ -9,36 +9,37 @@ use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 use crate::painter::DEPTH_FORMAT;
 
-/// A picture in memory, row by row from the top, 4 bytes a pixel: red, green, blue in sRGB, and opacity.
+/// Image in memory, stored row by row from the top with 4 bytes per pixel: red, green and blue in sRGB,
+/// then opacity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels in a row.
+    /// Width in pixels.
     pub width: u32,
-    /// Rows.
+    /// Height in pixels.
     pub height: u32,
-    /// The pixels.
+    /// Pixel bytes, 4 per pixel.
     pub rgba: Vec<u8>,
 }
 
-/// Where pictures are drawn: color, depth and their samples.
+/// Offscreen render target: color and depth textures, with multisampling if requested.
 #[derive(Debug)]
 pub struct Canvas {
     color: Texture,
     color_view: TextureView,
-    /// What is drawn to, where a pixel has several samples.
+    /// Multisampled color target; none if there is one sample per pixel.
     samples_view: Option<TextureView>,
     depth_view: TextureView,
     samples: u32,
 }
 
 impl Canvas {
-    /// The color format of all canvases.
+    /// Color format of every canvas.
     pub const FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
 
-    /// A canvas of `[width, height]` pixels with 1 or 4 samples a pixel.
+    /// Creates a canvas of `[width, height]` pixels with 1 or 4 samples per pixel.
     ///
     /// # Errors
-    /// [`GpuError::PictureSize`].
+    /// [`GpuError::PictureSize`] if a side is 0 or longer than the device allows.
     pub fn new(gpu: &Gpu, [width, height]: [u32; 2], samples: u32) -> Result<Self, GpuError> {
         let limit = gpu.device.limits().max_texture_dimension_2d;
         if width == 0 || height == 0 || width > limit || height > limit {
@@ -69,22 +70,22 @@ impl Canvas {
         })
     }
 
-    /// Samples a pixel.
+    /// Samples per pixel.
     pub fn samples(&self) -> u32 {
         self.samples
     }
 
-    /// Its pixels, for a shader that reads them.
+    /// View of the resolved color texture, for shaders that read it.
     pub(crate) fn view(&self) -> TextureView {
         self.color_view.clone()
     }
 
-    /// Its size as textures have it.
+    /// Size of the color texture.
     pub(crate) fn extent(&self) -> Extent3d {
         self.color.size()
     }
 
-    /// Begins to draw on a background, linear light and opacity.
+    /// Begins a render pass that clears the canvas to `background`, linear light and opacity.
     pub fn begin<'e>(&self, encoder: &'e mut CommandEncoder, background: [f32; 4]) -> RenderPass<'e> {
         let [r, g, b, a] = background.map(f64::from);
         let (view, resolve_target) = match &self.samples_view {
@@ -114,10 +115,11 @@ impl Canvas {
         })
     }
 
-    /// Draws one picture on a background and waits for it.
+    /// Draws one picture on a background, waits for it, and reads it back.
     ///
     /// # Errors
-    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the picture does not fit into
+    /// a buffer.
     pub fn paint(
         &self,
         gpu: &Gpu,
@@ -130,21 +132,23 @@ impl Canvas {
         self.read(gpu)
     }
 
-    /// What is on the canvas.
+    /// Reads back what was drawn last.
     ///
     /// # Errors
-    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the picture does not fit into
+    /// a buffer.
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
         Picture::read(gpu, &self.color)
     }
 }
 
 impl Picture {
-    /// What is in a texture that may be copied from, of 8 bits for each of red, green, blue and opacity; others come out
-    /// in disorder.
+    /// Reads back a texture that was created with `COPY_SRC`. Its format must have 8 bits for each of red,
+    /// green, blue and opacity; other formats yield scrambled pixels.
     ///
     /// # Errors
-    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the picture does not fit into
+    /// a buffer.
     pub fn read(gpu: &Gpu, texture: &Texture) -> Result<Self, GpuError> {
         let size = texture.size();
         let row_bytes = 4 * size.width;

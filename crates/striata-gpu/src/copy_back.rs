@@ -1,16 +1,16 @@
-//! What is on the GPU, waited for and copied back.
+//! Reads buffers back from the GPU, waiting until it is done.
 
 use wgpu::BufferUsages;
 
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 
-/// The bytes of a buffer that can be mapped for reading.
+/// Maps a buffer created with `MAP_READ` and returns its bytes.
 pub(crate) fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
     let failed = |e: &dyn std::fmt::Display| GpuError::Failed(e.to_string());
     let (sender, receiver) = std::sync::mpsc::channel();
     buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-        // Nobody listens only where the wait below has failed, which is reported there.
+        // The receiver is gone only if the wait below has failed, and that error is reported there.
         let _ = sender.send(result);
     });
     gpu.wait()?;
@@ -20,7 +20,7 @@ pub(crate) fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, G
     Ok(bytes)
 }
 
-/// The words of a buffer on the GPU.
+/// Returns the 32-bit words of a buffer created with `COPY_SRC`.
 pub(crate) fn copy_back(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u32>, GpuError> {
     let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
     let copy = gpu.empty_buffer("copy", buffer.size(), usage)?;

@@ -1,4 +1,4 @@
-//! What is drawn over the vertices: a list, strips, or draws that the GPU reads itself.
+//! Draw calls over a vertex buffer: lists, strips, or indirect draws whose arguments the GPU reads itself.
 
 use std::ops::Range;
 
@@ -6,44 +6,44 @@ use wgpu::Buffer;
 
 use crate::indices::{GpuIndices, GpuMultiDraw};
 
-/// Indices and how they are drawn. Groups (materials) are ranges one after the other; the n-th gets the n-th color where
-/// a [`Look`](crate::Look) asks for colors of groups.
+/// Indices and how to draw them. Groups (materials) are consecutive ranges of the indices; the n-th group
+/// gets the n-th palette color if the [`Look`](crate::Look) shows groups.
 #[derive(Clone, Copy, Debug)]
 pub enum Drawing<'a> {
-    /// Three indices a triangle.
+    /// Triangle list: three indices per triangle.
     List {
         /// The indices.
         indices: &'a GpuIndices,
-        /// A range for each group.
+        /// Index range of each group.
         groups: &'a [Range<u32>],
     },
-    /// Strips with a restart index (`u32::MAX`) between them.
+    /// Strips separated by the restart index (`u32::MAX`).
     Strips {
         /// The indices.
         indices: &'a GpuIndices,
-        /// A range for each group.
+        /// Index range of each group.
         groups: &'a [Range<u32>],
     },
-    /// Strips, each by a draw of its own that the GPU reads from a buffer; all in the color of the first group.
+    /// Strips without restart indices, one indirect draw each; all in the color of the first group.
     MultiStrips {
         /// The indices.
         indices: &'a GpuIndices,
         /// The draws.
         draws: &'a GpuMultiDraw,
     },
-    /// Triangle lists whose lengths only the GPU knows.
+    /// Triangle lists whose lengths are known only to the GPU.
     Extracted {
         /// The indices.
         indices: &'a Buffer,
-        /// Indirect indexed draws, one for each group, from the buffer's first byte on.
+        /// Indirect indexed draws, one per group, starting at byte 0 of the buffer.
         commands: &'a Buffer,
-        /// How many.
+        /// Number of draws.
         command_count: u32,
     },
 }
 
 impl Drawing<'_> {
-    /// Whether strips are drawn.
+    /// Whether the topology is a triangle strip.
     pub(crate) fn is_strips(&self) -> bool {
         matches!(self, Drawing::Strips { .. } | Drawing::MultiStrips { .. })
     }
@@ -57,13 +57,13 @@ impl Drawing<'_> {
         }
     }
 
-    /// Issues the draws; pipeline, bindings and buffers are set.
+    /// Issues the draw calls; the pipeline, bind groups and buffers are already set.
     pub(crate) fn issue(&self, pass: &mut wgpu::RenderPass<'_>) {
         match self {
             Drawing::List { groups, .. } | Drawing::Strips { groups, .. } => {
                 for (group, range) in groups.iter().enumerate().filter(|(_, r)| !r.is_empty()) {
                     let group = group as u32;
-                    // The instance tells the shader its group.
+                    // The shader reads the group from the instance index.
                     pass.draw_indexed(range.clone(), 0, group..group + 1);
                 }
             }

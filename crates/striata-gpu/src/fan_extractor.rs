@@ -1,4 +1,4 @@
-//! The shaders that extract progressive fans, and what they bind.
+//! Compute pipelines that extract the triangles of progressive fans, and their bindings.
 
 use bytemuck::{Pod, Zeroable, bytes_of};
 use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, ComputePipeline, Features};
@@ -7,19 +7,20 @@ use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 use crate::gpu_fans::GpuFans;
 
-/// The three passes of an extraction, in order, each with the bindings of `fans.wgsl` that it names.
+/// The three passes of an extraction, in order, each with the bindings of `fans.wgsl` that it uses.
 const PASSES: [(&str, &[u32]); 3] =
-    [("count", &[0, 1, 2, 3, 5, 6, 7]), ("place", &[0, 4, 7, 9]), ("write", &[0, 1, 2, 3, 6, 8, 10])];
+    [("count", &[0, 1, 2, 3, 5, 6, 7]), ("allocate", &[0, 4, 7, 9]), ("write", &[0, 1, 2, 3, 6, 8, 10])];
 
-/// Makes the triangles of [`GpuFanInstance`](crate::GpuFanInstance)s in compute shaders; one serves all tables of a device.
+/// Extracts the triangles of [`GpuFanInstance`](crate::GpuFanInstance)s in compute shaders. One extractor
+/// serves all tables of a device.
 #[derive(Debug)]
 pub struct FanExtractor {
     pipelines: [ComputePipeline; 3],
-    /// Workgroups in a row of a dispatch, at most.
+    /// Maximum number of workgroups along one dimension of a dispatch.
     pub(crate) row: u32,
 }
 
-/// The buffers of an instance that the passes work on.
+/// Buffers of one instance that the passes read and write.
 pub(crate) struct Bindings<'a> {
     pub(crate) bits: &'a Buffer,
     pub(crate) arcs: &'a Buffer,
@@ -28,18 +29,18 @@ pub(crate) struct Bindings<'a> {
     pub(crate) commands: &'a Buffer,
 }
 
-/// See `fans.wgsl`.
+/// Uniform parameters of an extraction, laid out as in `fans.wgsl`.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Terms {
+struct ExtractionParameters {
     block_count: u32,
     group_count: u32,
     capacity: u32,
-    tells_group: u32,
+    passes_group: u32,
 }
 
 impl FanExtractor {
-    /// Makes the pipelines.
+    /// Compiles the shaders and creates the pipelines.
     pub fn new(gpu: &Gpu) -> Self {
         let module = gpu.device.create_shader_module(wgpu::include_wgsl!("shaders/fans.wgsl"));
         let pipelines = PASSES.map(|(entry_point, _)| {
@@ -55,54 +56,55 @@ impl FanExtractor {
         Self { pipelines, row: gpu.device.limits().max_compute_workgroups_per_dimension }
     }
 
-    /// Runs all passes with an instance's bindings, for this number of blocks.
+    /// Records all passes over `block_count` blocks with an instance's bindings.
     pub(crate) fn run(&self, encoder: &mut CommandEncoder, passes: &[BindGroup; 3], block_count: u32) {
         if block_count == 0 {
             return;
         }
         let mut pass = encoder.begin_compute_pass(&Default::default());
-        for (pass_number, (pipeline, bindings)) in self.pipelines.iter().zip(passes).enumerate() {
+        for (pass_index, (pipeline, bindings)) in self.pipelines.iter().zip(passes).enumerate() {
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, bindings, &[]);
-            // The second adds up all blocks in one workgroup.
-            let [x, y] = if pass_number == 1 { [1, 1] } else { rows(block_count, self.row) };
+            // The second pass scans the sums of all blocks in a single workgroup.
+            let [x, y] = if pass_index == 1 { [1, 1] } else { rows(block_count, self.row) };
             pass.dispatch_workgroups(x, y, 1);
         }
     }
 
-    /// Binds an instance to all passes.
+    /// Creates an instance's bind groups, one per pass.
     pub(crate) fn bind(
         &self,
         gpu: &Gpu,
         table: &GpuFans,
-        own: &Bindings<'_>,
+        buffers: &Bindings<'_>,
         capacity: u32,
     ) -> Result<[BindGroup; 3], GpuError> {
-        let tells_group = gpu.device.features().contains(Features::INDIRECT_FIRST_INSTANCE);
-        let terms = Terms {
+        let passes_group = gpu.device.features().contains(Features::INDIRECT_FIRST_INSTANCE);
+        let parameters = ExtractionParameters {
             block_count: table.block_count,
             group_count: table.group_count,
             capacity,
-            tells_group: u32::from(tells_group),
+            passes_group: u32::from(passes_group),
         };
-        let terms = gpu.buffer_of("terms of fans", bytes_of(&terms), BufferUsages::UNIFORM)?;
-        let buffers = [
-            &terms,
+        let parameters =
+            gpu.buffer_of("fan extraction parameters", bytes_of(&parameters), BufferUsages::UNIFORM)?;
+        let bound = [
+            &parameters,
             &table.fans,
             &table.words,
             &table.blocks,
             &table.group_blocks,
-            own.bits,
-            own.arcs,
-            own.sums,
-            own.indices,
-            own.commands,
-            own.sums,
+            buffers.bits,
+            buffers.arcs,
+            buffers.sums,
+            buffers.indices,
+            buffers.commands,
+            buffers.sums,
         ];
         Ok(std::array::from_fn(|pass| {
             let entry = |&binding: &u32| wgpu::BindGroupEntry {
                 binding,
-                resource: buffers[binding as usize].as_entire_binding(),
+                resource: bound[binding as usize].as_entire_binding(),
             };
             let entries: Vec<wgpu::BindGroupEntry<'_>> = PASSES[pass].1.iter().map(entry).collect();
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -114,7 +116,7 @@ impl FanExtractor {
     }
 }
 
-/// Workgroups of a row, and rows, for so many blocks.
+/// Dispatch size `[x, y]` that covers this number of blocks with at most `row` workgroups along x.
 fn rows(block_count: u32, row: u32) -> [u32; 2] {
     [block_count.min(row), block_count.div_ceil(row)]
 }
@@ -125,7 +127,7 @@ mod tests {
     use crate::gpu_fan_words::BLOCK;
 
     #[test]
-    fn rows_hold_all_blocks_of_the_largest_tables() {
+    fn dispatches_cover_all_blocks_of_the_largest_tables() {
         for block_count in [1, 2, 65_535, 65_536, 65_537, u32::MAX / BLOCK as u32] {
             let [x, y] = rows(block_count, 65_535);
             assert!(x <= 65_535 && y <= 65_535 && u64::from(x) * u64::from(y) >= u64::from(block_count));

@@ -1,4 +1,4 @@
-//! How long the GPU itself was at work on what an encoder recorded.
+//! Measures how long the GPU spends on the commands of one encoder.
 
 use wgpu::{Buffer, BufferUsages, CommandEncoder, Features, QuerySet};
 
@@ -6,10 +6,10 @@ use crate::copy_back::copy_back;
 use crate::gpu::{Gpu, TIME_STAMPS};
 use crate::gpu_error::GpuError;
 
-/// Two time stamps around the commands of an encoder.
+/// Two timestamps around the commands of an encoder.
 ///
-/// Transfers that the queue makes before an encoder's commands, of [`Queue::write_buffer`](wgpu::Queue::write_buffer), are not
-/// between them.
+/// Uploads by [`Queue::write_buffer`](wgpu::Queue::write_buffer) run before an encoder's commands and are
+/// not included.
 #[derive(Debug)]
 pub struct FrameClock {
     stamps: QuerySet,
@@ -18,13 +18,13 @@ pub struct FrameClock {
 }
 
 impl FrameClock {
-    /// What the device must have.
+    /// Features that the device must have.
     pub const FEATURES: Features = TIME_STAMPS;
 
-    /// A clock; none where the device has no time stamps.
+    /// Creates a clock, or returns none if the device does not support timestamps.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`]; never, on any real device.
+    /// [`GpuError::TooLarge`], which does not happen on real devices.
     pub fn new(gpu: &Gpu) -> Result<Option<Self>, GpuError> {
         if !gpu.device.features().contains(Self::FEATURES) {
             return Ok(None);
@@ -40,28 +40,28 @@ impl FrameClock {
         Ok(Some(Self { stamps, ticks, secs_per_tick }))
     }
 
-    /// Before the first command.
+    /// Records the first timestamp, before the commands to measure.
     pub fn start(&self, encoder: &mut CommandEncoder) {
         encoder.write_timestamp(&self.stamps, 0);
     }
 
-    /// After the last command.
+    /// Records the second timestamp, after the commands to measure.
     pub fn stop(&self, encoder: &mut CommandEncoder) {
         encoder.write_timestamp(&self.stamps, 1);
     }
 
-    /// Seconds between the two, once what was recorded is submitted; waits for it.
+    /// Seconds between the two timestamps. Call it after submitting the encoder; it waits for the GPU.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] where the device is lost.
+    /// [`GpuError::Failed`] if the device is lost.
     pub fn secs(&self, gpu: &Gpu) -> Result<f64, GpuError> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         encoder.resolve_query_set(&self.stamps, 0..2, &self.ticks, 0);
         gpu.queue.submit([encoder.finish()]);
         let words = copy_back(gpu, &self.ticks)?;
-        let (words, _) = words.as_chunks::<2>();
+        let (pairs, _) = words.as_chunks::<2>();
         let ticks =
-            |at: usize| words.get(at).map_or(0, |&[low, high]| u64::from(high) << 32 | u64::from(low));
+            |at: usize| pairs.get(at).map_or(0, |&[low, high]| u64::from(high) << 32 | u64::from(low));
         Ok(ticks(1).saturating_sub(ticks(0)) as f64 * self.secs_per_tick)
     }
 }

@@ -1,4 +1,4 @@
-//! The device: found once, shared by all that is drawn.
+//! The GPU device and its queue, opened once and shared by everything that is drawn.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -7,23 +7,24 @@ use wgpu::{Adapter, AdapterInfo, Device, Features, Queue};
 use crate::gl_restart;
 use crate::gpu_error::GpuError;
 
-/// What a device must have for a [`FrameClock`](crate::FrameClock).
+/// Features that a device needs for a [`FrameClock`](crate::FrameClock).
 pub(crate) const TIME_STAMPS: Features =
     Features::TIMESTAMP_QUERY.union(Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
-/// A device and the queue that feeds it.
+/// A wgpu device and its queue.
 #[derive(Clone, Debug)]
 pub struct Gpu {
     pub(crate) device: Device,
     pub(crate) queue: Queue,
     info: AdapterInfo,
-    /// What the device reported beside results, the first of it.
+    /// First error that the device has reported asynchronously since the last wait.
     reported: Arc<Mutex<Option<String>>>,
 }
 
 impl Gpu {
-    /// Opens an adapter, with those of the [`optional features`](Self::optional_features) that it has. What its device reports
-    /// apart from results, no memory above all, is reported by the next [`wait`](Self::wait).
+    /// Opens an adapter with the [`optional features`](Self::optional_features) that it supports. Errors
+    /// that its device reports asynchronously, out of memory above all, are returned by the next
+    /// [`wait`](Self::wait).
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].
@@ -34,7 +35,7 @@ impl Gpu {
             .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
         let gpu = Self::from_device(info, device, queue);
         let reported = Arc::clone(&gpu.reported);
-        // Unheard, it would be a panic in the middle of whatever is done next.
+        // Without a handler, wgpu panics in the middle of whatever runs next.
         gpu.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             let mut first = reported.lock().unwrap_or_else(PoisonError::into_inner);
             first.get_or_insert_with(|| one_line(&error));
@@ -42,13 +43,15 @@ impl Gpu {
         Ok(gpu)
     }
 
-    /// A device that a window has opened already, best by [`device_descriptor`](Self::device_descriptor).
+    /// Wraps a device that a window has already opened, preferably with
+    /// [`device_descriptor`](Self::device_descriptor).
     pub fn from_device(info: AdapterInfo, device: Device, queue: Queue) -> Self {
         gl_restart::enable(&device);
         Self { device, queue, info, reported: Arc::default() }
     }
 
-    /// What to ask an adapter for: its own limits, so that large models fit, and the optional features that it has.
+    /// Descriptor that requests the adapter's own limits, so that large models fit, and the optional
+    /// features that it supports.
     pub fn device_descriptor(adapter: &Adapter) -> wgpu::DeviceDescriptor<'static> {
         wgpu::DeviceDescriptor {
             label: Some("striata"),
@@ -58,7 +61,7 @@ impl Gpu {
         }
     }
 
-    /// Features that are used where they are there.
+    /// Features that are used if the adapter supports them.
     pub fn optional_features() -> Features {
         Features::INDIRECT_FIRST_INSTANCE | TIME_STAMPS
     }
@@ -68,49 +71,50 @@ impl Gpu {
         &self.device
     }
 
-    /// Its queue.
+    /// The device's queue.
     pub fn queue(&self) -> &Queue {
         &self.queue
     }
 
-    /// The adapter: its name, backend and kind.
+    /// The adapter's name, backend and device type.
     pub fn info(&self) -> &AdapterInfo {
         &self.info
     }
 
-    /// The adapter in one line: its name and its backend.
+    /// The adapter's name and backend in one line.
     pub fn name(&self) -> String {
         format!("{} ({})", self.info.name, self.info.backend)
     }
 
-    /// Waits until all that was submitted is done.
+    /// Waits until all submitted work is done.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] where the device is lost, or has reported an error since the last time.
+    /// [`GpuError::Failed`] if the device is lost or has reported an error since the last call.
     pub fn wait(&self) -> Result<(), GpuError> {
         self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| GpuError::Failed(e.to_string()))?;
         let reported = self.reported.lock().unwrap_or_else(PoisonError::into_inner).take();
         reported.map_or(Ok(()), |report| Err(GpuError::Failed(report)))
     }
 
-    /// A buffer that holds a slice; an empty one holds four unused bytes, since a GPU knows no empty buffers.
+    /// Creates a buffer that contains `data`, or four unused bytes if `data` is empty, since GPU buffers
+    /// cannot be empty.
     pub(crate) fn buffer_of(
         &self,
-        what: &'static str,
+        label: &'static str,
         data: &[u8],
         usage: wgpu::BufferUsages,
     ) -> Result<wgpu::Buffer, GpuError> {
-        let buffer = self.empty_buffer(what, data.len() as u64, usage | wgpu::BufferUsages::COPY_DST)?;
+        let buffer = self.empty_buffer(label, data.len() as u64, usage | wgpu::BufferUsages::COPY_DST)?;
         if !data.is_empty() {
             self.queue.write_buffer(&buffer, 0, data);
         }
         Ok(buffer)
     }
 
-    /// A buffer of zeros.
+    /// Creates a buffer of zeros.
     pub(crate) fn empty_buffer(
         &self,
-        what: &'static str,
+        label: &'static str,
         bytes: u64,
         usage: wgpu::BufferUsages,
     ) -> Result<wgpu::Buffer, GpuError> {
@@ -122,10 +126,10 @@ impl Gpu {
         };
         if bytes > limit_bytes {
             let adapter = self.info.name.clone();
-            return Err(GpuError::TooLarge { what, needed_bytes: bytes, limit_bytes, adapter });
+            return Err(GpuError::TooLarge { what: label, needed_bytes: bytes, limit_bytes, adapter });
         }
         Ok(self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some(what),
+            label: Some(label),
             size: bytes.max(4).next_multiple_of(4),
             usage,
             mapped_at_creation: false,
@@ -133,7 +137,7 @@ impl Gpu {
     }
 }
 
-/// An error and what it comes from, which wgpu tells in several lines.
+/// Joins the lines of a wgpu error and its causes into one line.
 fn one_line(error: &wgpu::Error) -> String {
     let text = error.to_string();
     text.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
@@ -150,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_device_reports_is_an_error_once_and_no_panic() {
+    fn device_errors_are_reported_once_and_do_not_panic() {
         let gpu = on_processor();
         let buffer = gpu.empty_buffer("small", 16, wgpu::BufferUsages::COPY_DST).unwrap();
         gpu.queue.write_buffer(&buffer, 8, &[0; 16]);
@@ -158,11 +162,11 @@ mod tests {
             panic!("a write past the end was not reported")
         };
         assert!(!report.contains('\n') && !report.is_empty(), "{report}");
-        gpu.wait().expect("it was told once, and nothing else is wrong");
+        gpu.wait().expect("the error is reported only once");
     }
 
     #[test]
-    fn a_name_that_no_adapter_has_is_told_with_those_that_there_are() {
+    fn an_unknown_adapter_name_is_reported_with_the_known_names() {
         let name = on_processor().info().name.clone();
         let error = Gpu::new(&GpuOptions::default().with_adapter_name(Some("no such".into()))).unwrap_err();
         let GpuError::NoSuchAdapter { name: asked, known } = &error else { panic!("{error}") };

@@ -1,59 +1,61 @@
-//! What may go wrong on the way to a picture.
+//! Errors of this crate.
 
 use std::fmt;
 
-/// Nothing to draw with.
+/// Why something could not be drawn.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GpuError {
-    /// No adapter that fits.
-    #[error("found no graphics adapter{}", if *.is_fallback { " that draws on the processor" } else { "" })]
+    /// No suitable adapter was found.
+    #[error("found no {}graphics adapter", if *.is_fallback { "CPU " } else { "" })]
     NoAdapter {
-        /// Whether one that draws on the processor was asked for.
+        /// Whether only CPU adapters were considered.
         is_fallback: bool,
     },
-    /// There are adapters, and none of them can draw.
+    /// Adapters were found, but none of them can draw.
     #[error("no graphics adapter can draw: {}", joined(.rejected))]
     NoUsableAdapter {
-        /// Each of them with its reason.
+        /// The adapters, each with the reason.
         rejected: Vec<RejectedAdapter>,
     },
-    /// No adapter whose name holds what was asked for.
-    #[error("found no graphics adapter that is called {name:?}{}", others(.known))]
+    /// No adapter's name contains the requested one.
+    #[error("found no graphics adapter named {name:?}{}", others(.known))]
     NoSuchAdapter {
-        /// What was asked for.
+        /// The requested name.
         name: String,
-        /// The names of those that there are.
+        /// Names of the adapters that were found.
         known: Vec<String>,
     },
-    /// The adapter gave no device.
-    #[error("the adapter {adapter} gave no device: {reason}")]
+    /// The adapter did not open a device.
+    #[error("cannot open a device on the adapter {adapter}: {reason}")]
     NoDevice {
-        /// Its name.
+        /// The adapter's name.
         adapter: String,
-        /// What it reported.
+        /// The error that it reported.
         reason: String,
     },
-    /// More than the device can hold in one piece.
-    #[error("{what} takes {needed_bytes} bytes, and {adapter} has at most {limit_bytes} for one buffer")]
+    /// A buffer would exceed the device's limit.
+    #[error(
+        "{what}: {needed_bytes} bytes are needed, but {adapter} allows at most {limit_bytes} bytes per buffer"
+    )]
     TooLarge {
-        /// What was to be uploaded.
+        /// What was to be stored in the buffer.
         what: &'static str,
-        /// Its size.
+        /// Size of the buffer, bytes.
         needed_bytes: u64,
-        /// The device's limit.
+        /// The device's limit, bytes.
         limit_bytes: u64,
         /// The adapter's name.
         adapter: String,
     },
-    /// A picture of no pixels, or of more in a row than the device draws.
+    /// The picture is empty, or one of its sides exceeds the device's limit.
     #[error("cannot draw {width} x {height} pixels: each side must be 1 to {limit}")]
     PictureSize {
-        /// Asked width.
+        /// Requested width, pixels.
         width: u32,
-        /// Asked height.
+        /// Requested height, pixels.
         height: u32,
-        /// The longest side.
+        /// Longest side that the device supports, pixels.
         limit: u32,
     },
     /// The device was lost, or a result could not be read back.
@@ -61,12 +63,12 @@ pub enum GpuError {
     Failed(String),
 }
 
-/// An adapter that was found and cannot be used.
+/// An adapter that was found but cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RejectedAdapter {
-    /// Its name and its backend.
+    /// The adapter's name and backend.
     pub name: String,
-    /// What it lacks, or what failed, in one line.
+    /// What the adapter lacks, or what failed, in one line.
     pub reason: String,
 }
 
@@ -77,7 +79,8 @@ impl fmt::Display for RejectedAdapter {
 }
 
 impl GpuError {
-    /// Why an adapter cannot be used, without its name, in one line: the feature that it lacks if that is all.
+    /// Why an adapter cannot be used, in one line without its name: just the missing feature if that is
+    /// known.
     pub(crate) fn reason(&self) -> String {
         let text = match self {
             Self::Failed(reason) | Self::NoDevice { reason, .. } => reason.clone(),
@@ -95,11 +98,11 @@ fn joined(rejected: &[RejectedAdapter]) -> String {
     rejected.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// What there is instead of what was asked for.
+/// Lists the adapters that were found, for an error about one that was not.
 fn others(known: &[String]) -> String {
     if known.is_empty() {
-        "; there is none at all".to_owned()
+        "; no adapters were found".to_owned()
     } else {
-        format!("; there are: {}", known.join(", "))
+        format!("; available: {}", known.join(", "))
     }
 }

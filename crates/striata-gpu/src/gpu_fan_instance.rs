@@ -1,4 +1,4 @@
-//! What one instance of progressive fans owns on the GPU.
+//! Buffers that one instance of progressive fans owns on the GPU.
 
 use std::ops::Range;
 
@@ -14,18 +14,19 @@ use crate::gpu_error::GpuError;
 use crate::gpu_fans::GpuFans;
 use crate::indices::COMMAND_BYTES;
 
-/// Changed words of bits with fewer unchanged ones between them are uploaded as one range: a write costs as much as so many.
+/// Runs of changed words with fewer unchanged words than this between them are uploaded as one range, since
+/// a write has a fixed cost of about this many words.
 const JOIN_GAP: usize = 4096;
 
-/// What one instance owns on the GPU: its bits, its indices, its draws.
+/// GPU buffers of one fan instance: the bits of its steps, the extracted indices, and the draw commands.
 #[derive(Debug)]
 pub struct GpuFanInstance {
     bits: Buffer,
     indices: Buffer,
     commands: Buffer,
     passes: [BindGroup; 3],
-    /// The bits that the GPU has.
-    known: Vec<u64>,
+    /// Copy of the bits that are on the GPU.
+    uploaded_words: Vec<u64>,
     block_count: u32,
     group_count: u32,
     bytes: usize,
@@ -33,23 +34,24 @@ pub struct GpuFanInstance {
 }
 
 impl GpuFanInstance {
-    /// An instance that shows the full mesh, once it is [`extracted`](FanExtractor::extract).
+    /// Creates an instance that shows the full mesh once it is [`extracted`](FanExtractor::extract).
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn new(gpu: &Gpu, extractor: &FanExtractor, table: &GpuFans) -> Result<Self, GpuError> {
-        let known = vec![0; table.step_count.div_ceil(64)];
+        let uploaded_words = vec![0; table.step_count.div_ceil(64)];
         let capacity = 3 * table.triangle_count;
         let (storage, read) = (BufferUsages::STORAGE, BufferUsages::COPY_SRC);
         let words = |what, count: usize, usage| gpu.empty_buffer(what, 4 * count as u64, storage | usage);
-        let bits = words("bits of steps", 2 * known.len(), BufferUsages::COPY_DST)?;
-        let arcs = words("arcs of fans", table.fan_count, BufferUsages::empty())?;
-        let sums = words("sums of blocks", table.block_count as usize + 1, BufferUsages::empty())?;
-        let indices = words("indices of fans", capacity, BufferUsages::INDEX | read)?;
+        let bits = words("fan step bits", 2 * uploaded_words.len(), BufferUsages::COPY_DST)?;
+        let arcs = words("fan arcs", table.fan_count, BufferUsages::empty())?;
+        let sums = words("fan block sums", table.block_count as usize + 1, BufferUsages::empty())?;
+        let indices = words("fan indices", capacity, BufferUsages::INDEX | read)?;
         let command_words = COMMAND_BYTES as usize / 4 * table.group_count.max(1) as usize;
-        let commands = words("draws of fans", command_words, BufferUsages::INDIRECT | read)?;
-        let own = Bindings { bits: &bits, arcs: &arcs, sums: &sums, indices: &indices, commands: &commands };
-        let passes = extractor.bind(gpu, table, &own, capacity as u32)?;
+        let commands = words("fan draws", command_words, BufferUsages::INDIRECT | read)?;
+        let bindings =
+            Bindings { bits: &bits, arcs: &arcs, sums: &sums, indices: &indices, commands: &commands };
+        let passes = extractor.bind(gpu, table, &bindings, capacity as u32)?;
         let buffers = [&bits, &arcs, &sums, &indices, &commands];
         let bytes = buffers.map(Buffer::size).iter().sum::<u64>() as usize;
         Ok(Self {
@@ -57,7 +59,7 @@ impl GpuFanInstance {
             bits,
             indices,
             commands,
-            known,
+            uploaded_words,
             block_count: table.block_count,
             group_count: table.group_count,
             bytes,
@@ -65,23 +67,23 @@ impl GpuFanInstance {
         })
     }
 
-    /// Uploads which steps are taken, where that has changed.
+    /// Uploads the bits that have changed: one per step, set if the step is collapsed.
     ///
     /// # Panics
-    /// If the instance is of another table.
+    /// If the instance belongs to another table.
     pub fn write(&mut self, gpu: &Gpu, instance: &FanInstance) {
         let words = instance.words();
-        assert_eq!(words.len(), self.known.len(), "the instance is of another table");
-        for Range { start, end } in changed_ranges(&self.known, words) {
+        assert_eq!(words.len(), self.uploaded_words.len(), "the instance belongs to another table");
+        for Range { start, end } in changed_ranges(&self.uploaded_words, words) {
             let changed = &words[start..end];
             gpu.queue.write_buffer(&self.bits, 8 * start as u64, cast_slice(changed));
-            self.known[start..end].copy_from_slice(changed);
+            self.uploaded_words[start..end].copy_from_slice(changed);
             self.uploaded_bytes += size_of_val(changed) as u64;
         }
     }
 
-    /// What to draw, once it is extracted. Its groups are told to the shader only where the device lets indirect draws do
-    /// that ([`Gpu::optional_features`]).
+    /// Draw call for the extracted triangles. The shader learns their groups only if the device supports a
+    /// first instance in indirect draws ([`Gpu::optional_features`]).
     pub fn drawing(&self) -> Drawing<'_> {
         Drawing::Extracted {
             indices: &self.indices,
@@ -90,20 +92,21 @@ impl GpuFanInstance {
         }
     }
 
-    /// Bytes of bits written so far.
+    /// Bytes uploaded so far.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
     }
 
-    /// Bytes that it owns on the GPU.
+    /// Size of the instance's buffers on the GPU, bytes.
     pub fn bytes(&self) -> usize {
         self.bytes
     }
 
-    /// What was extracted last, waited for and copied back: to look at it, not to draw it.
+    /// Waits for the last extraction and reads its result back, for inspection rather than drawing.
     ///
     /// # Errors
-    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the copy exceeds the device's
+    /// limit.
     pub fn read(&self, gpu: &Gpu) -> Result<FanIndices, GpuError> {
         let mut out = FanIndices::default();
         if self.block_count == 0 {
@@ -120,16 +123,17 @@ impl GpuFanInstance {
 }
 
 impl FanExtractor {
-    /// Makes the triangles of what was last [written](GpuFanInstance::write) to an instance, for draws that come later.
+    /// Records the extraction of the triangles last [written](GpuFanInstance::write) to an instance; draw
+    /// them afterwards.
     pub fn extract(&self, encoder: &mut CommandEncoder, instance: &GpuFanInstance) {
         self.run(encoder, &instance.passes, instance.block_count);
     }
 }
 
-/// Where two lists of the same length differ, with small gaps filled.
-fn changed_ranges(known: &[u64], words: &[u64]) -> Vec<Range<usize>> {
+/// Ranges in which two lists of equal length differ, merged across small gaps.
+fn changed_ranges(uploaded_words: &[u64], words: &[u64]) -> Vec<Range<usize>> {
     let mut out: Vec<Range<usize>> = Vec::new();
-    for (at, _) in known.iter().zip(words).enumerate().filter(|(_, (a, b))| a != b) {
+    for (at, _) in uploaded_words.iter().zip(words).enumerate().filter(|(_, (a, b))| a != b) {
         match out.last_mut() {
             Some(last) if at <= last.end + JOIN_GAP => last.end = at + 1,
             _ => out.push(at..at + 1),
@@ -147,19 +151,20 @@ mod tests {
     use striata::simplify::build_sequence;
 
     #[test]
-    fn near_changes_are_one_range_and_far_ones_are_not() {
-        let known = vec![0u64; 10_000];
-        let mut words = known.clone();
-        assert!(changed_ranges(&known, &words).is_empty());
+    fn near_changes_are_merged_into_one_range_and_far_ones_are_not() {
+        let uploaded_words = vec![0u64; 10_000];
+        let mut words = uploaded_words.clone();
+        assert!(changed_ranges(&uploaded_words, &words).is_empty());
         for at in [0, 3, 3 + JOIN_GAP, 9999] {
             words[at] = 1;
         }
-        assert_eq!(changed_ranges(&known, &words), [0..4 + JOIN_GAP, 9999..10_000]);
+        assert_eq!(changed_ranges(&uploaded_words, &words), [0..4 + JOIN_GAP, 9999..10_000]);
     }
 
-    /// As tables of more than 16 million fans are, on a device of 65,535 workgroups a row.
+    /// Tables of more than 16 million fans need several rows on a device that allows 65,535 workgroups
+    /// per row.
     #[test]
-    fn blocks_in_many_rows_are_extracted_like_those_in_one() {
+    fn dispatches_of_several_rows_extract_the_same_triangles() {
         let on_processor = Gpu::new(&GpuOptions::default().with_fallback(true));
         let gpu = on_processor.or_else(|_| Gpu::new(&GpuOptions::default())).expect("an adapter");
         let mesh = shapes::icosphere(4, 1.0);
@@ -178,7 +183,11 @@ mod tests {
                 gpu.queue.submit([encoder.finish()]);
                 let mut expected = FanIndices::default();
                 level.emit_into(&fans, FanForm::Triangles, &mut expected);
-                assert_eq!(instance.read(&gpu).unwrap(), expected, "{row} a row, level {split_count}");
+                assert_eq!(
+                    instance.read(&gpu).unwrap(),
+                    expected,
+                    "{row} workgroups per row, level {split_count}"
+                );
             }
         }
     }

@@ -1,40 +1,45 @@
-//! The table of fans in words, as a shader reads it.
+//! Packs the table of fans into 32-bit words, as the shaders read it.
 //!
-//! A fan is four words that all threads read side by side, and a run of words that only those read whose fan may be there:
+//! Each fan has four header words, which all threads read coalesced, and a run of words that is read only
+//! for fans that may be active. The makers of a fan are the steps that create some of its arcs:
 //!
 //! ```text
-//! fan     vertex | where its words begin | kinds | 1 + its own step, 0 in the base
-//! kinds   bits 0..6 nodes, bit 6 closed, bit 7 wide makers, bit 8 some arcs last, from bit 9 on makers
-//! words   the nodes; the arcs that last, if any do; of each maker: (step - own) << 8 | arcs, or step and arcs where wide
+//! header  vertex | index of its first word | flags | 1 + its own step, 0 in the base
+//! flags   bits 0..6 node count, bit 6 closed, bit 7 wide makers, bit 8 has permanent arcs,
+//!         bits 9.. maker count
+//! words   the nodes; the permanent arcs, if any; then per maker: (step - own) << 8 | arcs,
+//!         or if wide: step, arcs
 //! ```
 //!
-//! A fan of up to 8 arcs whose makers are fewer than 2^24 steps later has narrow makers: all of most meshes but a few. The
-//! table in bytes is half as large, and made for a processor that reads one byte after the other.
+//! Makers are narrow (one word) if the fan has at most 8 arcs and they are fewer than 2^24 steps later,
+//! which is true of almost every fan. The byte-coded table in [`Fans`] is half as large, but has to be read
+//! sequentially by a CPU.
 //!
-//! Fans stand group by group, in the order of the table; a block is up to 256 of one group, which is what a workgroup takes.
+//! Fans are sorted by group, in table order within a group. A block is up to 256 fans of one group, the
+//! work of one workgroup.
 
 use std::ops::Range;
 
 use striata::model::Fans;
 use striata::model::fans::TableFan;
 
-/// Fans that a workgroup takes.
+/// Maximum number of fans in a block, which one workgroup processes.
 pub(crate) const BLOCK: usize = 256;
 
 const CLOSED: u32 = 1 << 6;
 const WIDE: u32 = 1 << 7;
-const LASTING: u32 = 1 << 8;
+const PERMANENT: u32 = 1 << 8;
 const MAKERS: u32 = 9;
 
-/// The table of fans in words; see the [module](self).
+/// Table of fans as words; see the [module](self) for the layout.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct FanWords {
-    /// Four words a fan.
+    /// Header of each fan.
     pub(crate) fans: Vec<[u32; 4]>,
     pub(crate) words: Vec<u32>,
-    /// First fan and number of fans.
+    /// First fan and fan count of each block.
     pub(crate) blocks: Vec<[u32; 2]>,
-    /// First block of each group, and one more.
+    /// First block of each group, followed by the block count.
     pub(crate) group_blocks: Vec<u32>,
 }
 
@@ -43,23 +48,23 @@ impl FanWords {
         let mut counts = vec![0u32; fans.group_count()];
         fans.table_fans().for_each(|fan| counts[fan.group() as usize] += 1);
         let mut out = Self { group_blocks: vec![0], ..Self::default() };
-        let mut places = Vec::with_capacity(counts.len());
+        let mut next_slots = Vec::with_capacity(counts.len());
         let mut first = 0;
         for &count in &counts {
-            places.push(first);
+            next_slots.push(first);
             out.push_blocks(first..first + count);
             first += count;
         }
         out.fans = vec![[0; 4]; first as usize];
         for fan in fans.table_fans() {
-            let place = &mut places[fan.group() as usize];
-            out.fans[*place as usize] = out.push_words(&fan);
-            *place += 1;
+            let slot = &mut next_slots[fan.group() as usize];
+            out.fans[*slot as usize] = out.push_words(&fan);
+            *slot += 1;
         }
         out
     }
 
-    /// Bytes of all.
+    /// Size of all tables, bytes.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&self.fans[..])
             + size_of_val(&self.words[..])
@@ -73,30 +78,30 @@ impl FanWords {
         self.group_blocks.push(self.blocks.len() as u32);
     }
 
-    /// Appends the words of a fan; what its four words are.
+    /// Appends the words of a fan and returns its header.
     fn push_words(&mut self, fan: &TableFan<'_>) -> [u32; 4] {
         let first = self.words.len() as u32;
         self.words.extend(fan.nodes());
         let node_count = fan.node_count() as u32;
         let own = fan.own_step().map_or(0, |step| step + 1);
-        let mut kinds = node_count;
+        let mut flags = node_count;
         if fan.is_closed() {
-            kinds |= CLOSED;
+            flags |= CLOSED;
         }
         if fan.lasting_arcs() != 0 {
-            kinds |= LASTING;
+            flags |= PERMANENT;
             self.words.push(fan.lasting_arcs());
         }
         let is_wide = fan.makers().any(|m| m.arcs > 0xff || m.step - own >= 1 << 24);
         for maker in fan.makers() {
-            kinds += 1 << MAKERS;
+            flags += 1 << MAKERS;
             if is_wide {
                 self.words.extend([maker.step, maker.arcs]);
             } else {
                 self.words.push((maker.step - own) << 8 | maker.arcs);
             }
         }
-        [fan.vertex(), first, kinds | if is_wide { WIDE } else { 0 }, own]
+        [fan.vertex(), first, flags | if is_wide { WIDE } else { 0 }, own]
     }
 }
 
@@ -107,7 +112,7 @@ mod tests {
     use striata::simplify::build_sequence;
 
     #[test]
-    fn blocks_hold_every_fan_once_and_no_group_shares_one() {
+    fn every_fan_is_in_exactly_one_block_of_its_group() {
         let mesh = shapes::two_material_sphere(24, 40);
         let built = build_sequence(&mesh, &Default::default()).unwrap();
         let fans = Fans::build(&built.refinable);
@@ -122,24 +127,24 @@ mod tests {
     }
 
     #[test]
-    fn words_say_what_the_table_says() {
+    fn words_decode_to_the_table() {
         for mesh in [shapes::uv_cylinder(300, 3), shapes::icosphere(3, 1.0), shapes::terrain(12, 3)] {
             let built = build_sequence(&mesh, &Default::default()).unwrap();
             let fans = Fans::build(&built.refinable);
             let words = FanWords::new(&fans);
             assert_eq!(words.fans.len(), fans.table_fans().count());
-            for (&[vertex, first, kinds, own], fan) in words.fans.iter().zip(fans.table_fans()) {
+            for (&[vertex, first, flags, own], fan) in words.fans.iter().zip(fans.table_fans()) {
                 assert_eq!((vertex, own), (fan.vertex(), fan.own_step().map_or(0, |step| step + 1)));
                 let mut rest = words.words[first as usize..].iter().copied();
-                let nodes: Vec<u32> = rest.by_ref().take((kinds & 63) as usize).collect();
+                let nodes: Vec<u32> = rest.by_ref().take((flags & 63) as usize).collect();
                 assert_eq!(nodes, fan.nodes().collect::<Vec<_>>());
-                assert_eq!(kinds & CLOSED != 0, fan.is_closed());
-                let lasting = if kinds & LASTING != 0 { rest.next().unwrap() } else { 0 };
+                assert_eq!(flags & CLOSED != 0, fan.is_closed());
+                let lasting = if flags & PERMANENT != 0 { rest.next().unwrap() } else { 0 };
                 assert_eq!(lasting, fan.lasting_arcs());
-                assert_eq!((kinds >> MAKERS) as usize, fan.makers().count());
+                assert_eq!((flags >> MAKERS) as usize, fan.makers().count());
                 for maker in fan.makers() {
                     let word = rest.next().unwrap();
-                    if kinds & WIDE != 0 {
+                    if flags & WIDE != 0 {
                         assert_eq!([word, rest.next().unwrap()], [maker.step, maker.arcs]);
                     } else {
                         assert_eq!([(word >> 8) + own, word & 255], [maker.step, maker.arcs]);

@@ -1,21 +1,22 @@
-//! Progressive fans on the GPU: the table once, and a bit a step for each instance.
+//! Progressive fans on the GPU: one shared table, and one bit per step for each instance.
 //!
-//! What an instance shows is told by the table and its bits alone, and each fan can say by itself which of its triangles are
-//! there. So a frame sends the bits that have changed, three small shaders make an index buffer and the draws of it, and
-//! nothing comes back:
+//! The table and an instance's bits determine what the instance shows, and the active triangles of each fan
+//! can be found independently. So a frame uploads only the bits that have changed, and three small compute
+//! passes build the index buffer and its draw commands; nothing is read back:
 //!
 //! ```text
-//! bits --write--> count: arcs that are there, and how many in each block of 256 fans
-//!                 place: what comes before each block; the draw of each group
-//!                 write: triangles, each to its own place
+//! bits --upload--> count:    active arcs of each fan, and their number in each block of 256 fans
+//!                  allocate: prefix sum over the blocks; draw command of each group
+//!                  write:    triangles, each to its own slot
 //! ```
 //!
-//! Places come from sums over all fans before, so the indices are those of
-//! [`FanInstance::indices_into`](striata::model::FanInstance::indices_into), in its order, on every device. No level has more
-//! triangles than the full mesh: a buffer for that many is enough.
+//! Slots come from prefix sums over all fans, so every device produces the same indices in the same order
+//! as [`FanInstance::indices_into`](striata::model::FanInstance::indices_into). No level has more triangles
+//! than the full mesh, so a buffer of that size is enough.
 //!
-//! Cost: table as [`GpuFans::bytes_per_vertex`] says; an instance takes 4 bytes a fan and the index buffer of the full mesh beside its
-//! bits; a frame reads 16 bytes of every fan, and of those that are there all they have.
+//! Cost: the table takes [`GpuFans::bytes_per_vertex`]. Besides its bits, an instance takes 4 bytes per fan
+//! and the index buffer of the full mesh. A frame reads 16 bytes of every fan, and all words of the fans
+//! that may be active.
 
 use bytemuck::cast_slice;
 use striata::model::{Fans, LodModel};
@@ -25,7 +26,7 @@ use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 use crate::gpu_fan_words::FanWords;
 
-/// The static half of the model on the GPU: the table of fans as words that all threads read side by side.
+/// Static half of the model on the GPU: the table of fans, packed so that threads read it coalesced.
 #[derive(Debug)]
 pub struct GpuFans {
     pub(crate) fans: Buffer,
@@ -42,23 +43,23 @@ pub struct GpuFans {
 }
 
 impl GpuFans {
-    /// Uploads a table.
+    /// Uploads a table of fans.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn upload(gpu: &Gpu, fans: &Fans) -> Result<Self, GpuError> {
         let mut table = FanWords::new(fans);
         let (fan_count, bytes) = (table.fans.len(), table.bytes());
         let (block_count, group_count) = (table.blocks.len() as u32, fans.group_count() as u32);
-        // A binding is never empty.
+        // Bindings must not be empty.
         table.fans.resize(fan_count.max(1), [0; 4]);
         table.blocks.resize(table.blocks.len().max(1), [0; 2]);
         let storage = |what, data| gpu.buffer_of(what, data, BufferUsages::STORAGE);
         Ok(Self {
             fans: storage("fans", cast_slice(&table.fans))?,
-            words: storage("words of fans", cast_slice(&table.words))?,
-            blocks: storage("blocks of fans", cast_slice(&table.blocks))?,
-            group_blocks: storage("groups of fans", cast_slice(&table.group_blocks))?,
+            words: storage("fan words", cast_slice(&table.words))?,
+            blocks: storage("fan blocks", cast_slice(&table.blocks))?,
+            group_blocks: storage("fan groups", cast_slice(&table.group_blocks))?,
             block_count,
             group_count,
             fan_count,
@@ -69,12 +70,12 @@ impl GpuFans {
         })
     }
 
-    /// Bytes of the table on the GPU.
+    /// Size of the table on the GPU, bytes.
     pub fn bytes(&self) -> usize {
         self.bytes
     }
 
-    /// The same for each vertex of the full mesh.
+    /// Size of the table divided by the vertex count of the full mesh, bytes.
     pub fn bytes_per_vertex(&self) -> f64 {
         self.bytes as f64 / self.vertex_count.max(1) as f64
     }

@@ -1,4 +1,4 @@
-//! The strips of one instance of LodStrips on the GPU, of which only what changes is sent.
+//! Strips of one LodStrips instance on the GPU; each move uploads only what has changed.
 
 use std::ops::Range;
 
@@ -9,17 +9,19 @@ use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 use crate::indices::GpuIndices;
 
-/// Changed ranges with fewer unchanged indices between them are sent as one: a write costs as much as so many indices, 4.2
-/// µs of the processor and 2.5 of the queue beside 0.7 ns an index.
+/// Changed ranges with fewer unchanged indices than this between them are uploaded as one, since a write
+/// has a fixed cost of about this many indices: 4.2 µs on the CPU and 2.5 µs on the queue, compared with
+/// 0.7 ns per index.
 ///
-/// Tried: all ranges in one buffer, from which the queue copies each. That is 1.1 µs a range and 40 µs once, which pays from 8 ranges
-/// that are far apart on, and where many are, all the indices of most meshes are sent as quickly.
+/// Tried: one staging buffer from which the queue copies each range. That costs 1.1 µs per range plus 40
+/// µs, which pays off from 8 widely spaced ranges on; but with many ranges, uploading all indices is as
+/// fast for most meshes.
 const JOIN_GAP: u32 = 8192;
 
-/// An index buffer on the GPU that follows one [`LodStripsState`].
+/// Index buffer on the GPU that follows one [`LodStripsState`].
 ///
-/// A move to another level changes a few indices in each of many strips. Ranges of them that lie near each other are sent
-/// together with what is between, since each write has a cost of its own.
+/// A move to another level changes a few indices in each of many strips. Ranges that are close to each
+/// other are uploaded together with the indices between them, since every write has a fixed cost.
 #[derive(Debug)]
 pub struct GpuLodStrips {
     buffer: StripBuffer,
@@ -28,13 +30,13 @@ pub struct GpuLodStrips {
 }
 
 impl GpuLodStrips {
-    /// A buffer that shows what the state shows, uploaded whole. A state is followed by one buffer only.
+    /// Uploads the whole strip buffer of a state. A state can be followed by one buffer only.
     ///
     /// # Panics
     /// If the state belongs to another model.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if the buffer exceeds the device's limit.
     pub fn new(gpu: &Gpu, model: &LodStrips<'_>, state: &mut LodStripsState) -> Result<Self, GpuError> {
         let mut buffer = StripBuffer::new(model, state);
         buffer.take_changed_ranges();
@@ -43,7 +45,7 @@ impl GpuLodStrips {
         Ok(Self { buffer, indices, groups })
     }
 
-    /// Follows the state: sends what has changed since the last time.
+    /// Uploads what has changed in the state since the last call.
     ///
     /// # Panics
     /// If the state belongs to another model.
@@ -55,28 +57,28 @@ impl GpuLodStrips {
         self.groups.extend(self.buffer.group_ranges());
     }
 
-    /// What to draw.
+    /// Draw call for the strips.
     pub fn drawing(&self) -> Drawing<'_> {
         Drawing::Strips { indices: &self.indices, groups: &self.groups }
     }
 
-    /// The indices on the GPU.
+    /// The index buffer on the GPU.
     pub fn indices(&self) -> &GpuIndices {
         &self.indices
     }
 
-    /// The same indices on the processor.
+    /// The strip buffer on the CPU, with equal contents.
     pub fn buffer(&self) -> &StripBuffer {
         &self.buffer
     }
 
-    /// Bytes sent so far, those of the first upload among them.
+    /// Bytes uploaded so far, including the first upload.
     pub fn uploaded_bytes(&self) -> u64 {
         self.indices.uploaded_bytes()
     }
 }
 
-/// Rising ranges, those with small gaps between them as one.
+/// Merges ascending ranges whose gaps are at most `gap`.
 fn joined(mut ranges: Vec<Range<u32>>, gap: u32) -> Vec<Range<u32>> {
     ranges.dedup_by(|range, before| {
         let is_near = range.start <= before.end.saturating_add(gap);
@@ -93,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_join_over_small_gaps_only() {
+    fn only_ranges_with_small_gaps_are_joined() {
         assert_eq!(joined(vec![0..3, 5..6, 9..20, 24..25], 3), [0..20, 24..25]);
         assert_eq!(joined(vec![0..9, 2..4, 9..10, 15..16], 0), [0..10, 15..16]);
         assert!(joined(Vec::new(), 5).is_empty());

@@ -1,11 +1,13 @@
-//! Geomorphs in the vertex shader: vertices on their way from one level to another.
+//! Geomorphs in the vertex shader: vertices slide from one level to another.
 //!
-//! For each vertex the GPU knows where it comes from and how far it is, 8 bytes. Only what changes is sent: the list of those
-//! that move once for a [`Geomorph`] between two levels, and then one number a frame; each frame's list for [`FanMorphs`], which follow
-//! a view. The shader blends positions, normals and colors; where a target moves itself, it goes on to that one's target,
-//! so chains stay together as they do on the processor.
+//! The GPU stores for each vertex which vertex it moves from or to and how far it is, 8 bytes. Only changes
+//! are uploaded: for a [`Geomorph`] between two levels, the list of moving vertices once and then one
+//! number per frame; for [`FanMorphs`], which follow a view, a list per frame. The shader blends positions,
+//! normals and colors. If a target is moving too, the shader follows the chain of targets, so that chains
+//! stay connected exactly as they do on the CPU.
 //!
-//! Cost: 8 bytes a vertex, 12 bytes sent for each vertex that begins to move, moves by itself or comes to rest.
+//! Cost: 8 bytes per vertex, and 12 bytes uploaded for each vertex that starts moving, moves
+//! independently, or comes to rest.
 
 use bytemuck::cast_slice;
 use striata::mesh::CollapseSequence;
@@ -18,40 +20,42 @@ use crate::gpu_error::GpuError;
 use crate::painter::{Painter, Scene, bind};
 use crate::vertices::GpuVertices;
 
-/// As far as the blend, and as far as the blend is from its end; see `morphing.wgsl`.
+/// Codes stored instead of a factor: the vertex follows the blend, or one minus the blend; see
+/// `morphing.wgsl`.
 const APPEARS: f32 = 2.0;
 const VANISHES: f32 = 3.0;
 
-/// Threads of a workgroup of `scatter.wgsl`.
-const SCATTERED: u32 = 64;
+/// Workgroup size of `scatter.wgsl`.
+const SCATTER_WORKGROUP_SIZE: u32 = 64;
 
-/// Where the vertices of a mesh are on their way; drawn by [`Painter::draw_morphing`].
+/// Motion of the vertices of a mesh on the GPU; draw it with [`Painter::draw_morphing`].
 #[derive(Debug)]
 pub struct GpuMorph {
-    places: Buffer,
+    motions: Buffer,
     blend: Buffer,
     bindings: BindGroup,
     scatter: ComputePipeline,
-    /// The list of those that move, and room for how many.
+    /// Buffer for the uploaded list of moves, its bindings, and its capacity in moves.
     moves: Option<(Buffer, BindGroup, usize)>,
-    /// Vertices that are not at rest on the GPU, rising.
+    /// Vertices that are not at rest on the GPU, ascending.
     moved: Vec<u32>,
     uploaded_bytes: u64,
 }
 
-/// A vertex and its place, as `scatter.wgsl` reads it.
+/// Vertex, target and factor bits, as `scatter.wgsl` reads them.
 type Move = [u32; 3];
 
 impl GpuMorph {
-    /// All vertices at rest.
+    /// Creates a morph in which all vertices are at rest.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn new(gpu: &Gpu, painter: &Painter, vertices: &GpuVertices) -> Result<Self, GpuError> {
-        let at_rest: Vec<[u32; 2]> = (0..vertices.vertex_count().max(1) as u32).map(|v| rest(v).1).collect();
-        let places = gpu.buffer_of("places", cast_slice(&at_rest), BufferUsages::STORAGE)?;
+        let at_rest: Vec<[u32; 2]> =
+            (0..vertices.vertex_count().max(1) as u32).map(|v| rest_entry(v).1).collect();
+        let motions = gpu.buffer_of("vertex motions", cast_slice(&at_rest), BufferUsages::STORAGE)?;
         let blend = gpu.buffer_of("blend", &[0; 16], BufferUsages::UNIFORM)?;
-        let buffers = [&vertices.positions, &vertices.normals, &vertices.colors, &places, &blend];
+        let buffers = [&vertices.positions, &vertices.normals, &vertices.colors, &motions, &blend];
         let bindings = bind(gpu, &painter.morphing_layout, &buffers);
         let module = gpu.device.create_shader_module(wgpu::include_wgsl!("shaders/scatter.wgsl"));
         let scatter = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -62,16 +66,16 @@ impl GpuMorph {
             compilation_options: Default::default(),
             cache: None,
         });
-        Ok(Self { places, blend, bindings, scatter, moves: None, moved: Vec::new(), uploaded_bytes: 0 })
+        Ok(Self { motions, blend, bindings, scatter, moves: None, moved: Vec::new(), uploaded_bytes: 0 })
     }
 
-    /// Begins the way from one level to another, at a blend of 0; whatever moved before is at rest.
+    /// Starts a morph between two levels at blend 0; vertices of an earlier morph come to rest.
     ///
     /// # Panics
-    /// If the morph is another mesh's.
+    /// If the morph belongs to another mesh.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn begin<S>(&mut self, gpu: &Gpu, morph: &Geomorph<S>) -> Result<(), GpuError> {
         let kinds = [(morph.appearing(), APPEARS), (morph.vanishing(), VANISHES)];
         let moves = kinds.into_iter().flat_map(|(vertices, kind)| {
@@ -83,21 +87,21 @@ impl GpuMorph {
         self.replace(gpu, moves)
     }
 
-    /// How far the way between two levels is: 0 shows the first, 1 the second.
+    /// Sets the blend between the two levels: 0 shows the first, 1 the second.
     pub fn set_blend(&mut self, gpu: &Gpu, blend: f32) {
-        // What is no number blends nothing.
+        // NaN counts as 0.
         let blend = if blend > 0.0 { blend.min(1.0) } else { 0.0 };
         gpu.queue.write_buffer(&self.blend, 0, &blend.to_ne_bytes());
         self.uploaded_bytes += 4;
     }
 
-    /// Shows where vertices are that follow a view, after each [`advance`](FanMorphs::advance).
+    /// Uploads the vertices that follow a view; call it after each [`advance`](FanMorphs::advance).
     ///
     /// # Panics
-    /// If the sequence is another mesh's.
+    /// If the sequence belongs to another mesh.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn follow(
         &mut self,
         gpu: &Gpu,
@@ -108,38 +112,38 @@ impl GpuMorph {
         self.replace(gpu, moving.map(|m| [m.vertex, m.target, m.factor.to_bits()]).collect())
     }
 
-    /// Bytes sent so far, beside the vertices at rest at first.
+    /// Bytes uploaded so far, not counting the initial rest state.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
     }
 
-    /// Makes these, by rising vertices, the only ones that move.
+    /// Makes the vertices of `moves`, ascending, the only ones that move.
     fn replace(&mut self, gpu: &Gpu, mut moves: Vec<Move>) -> Result<(), GpuError> {
         let moved: Vec<u32> = moves.iter().map(|&[vertex, ..]| vertex).collect();
-        let rested = self.moved.iter().filter(|vertex| moved.binary_search(vertex).is_err());
-        moves.extend(rested.map(|&vertex| {
-            let (vertex, [target, factor]) = rest(vertex);
+        let stopped = self.moved.iter().filter(|vertex| moved.binary_search(vertex).is_err());
+        moves.extend(stopped.map(|&vertex| {
+            let (vertex, [target, factor]) = rest_entry(vertex);
             [vertex, target, factor]
         }));
         if !moves.is_empty() {
-            self.send(gpu, &moves)?;
+            self.upload(gpu, &moves)?;
         }
         self.moved = moved;
         Ok(())
     }
 
-    fn send(&mut self, gpu: &Gpu, moves: &[Move]) -> Result<(), GpuError> {
+    fn upload(&mut self, gpu: &Gpu, moves: &[Move]) -> Result<(), GpuError> {
         let largest = moves.iter().map(|&[vertex, ..]| vertex).max();
-        let vertex_count = self.places.size() / 8;
-        assert!(largest.is_none_or(|v| u64::from(v) < vertex_count), "the morph is another mesh's");
+        let vertex_count = self.motions.size() / 8;
+        assert!(largest.is_none_or(|v| u64::from(v) < vertex_count), "the morph belongs to another mesh");
         let (buffer, bindings) = match &mut self.moves {
-            Some((buffer, bindings, room)) if *room >= moves.len() => (&*buffer, &*bindings),
+            Some((buffer, bindings, capacity)) if *capacity >= moves.len() => (&*buffer, &*bindings),
             slot => {
-                let room = moves.len() + moves.len() / 2;
+                let capacity = moves.len() + moves.len() / 2;
                 let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
-                let buffer = gpu.empty_buffer("moves", 4 + 12 * room as u64, usage)?;
-                let bindings = bind(gpu, &self.scatter.get_bind_group_layout(0), &[&buffer, &self.places]);
-                let (buffer, bindings, _) = slot.insert((buffer, bindings, room));
+                let buffer = gpu.empty_buffer("moves", 4 + 12 * capacity as u64, usage)?;
+                let bindings = bind(gpu, &self.scatter.get_bind_group_layout(0), &[&buffer, &self.motions]);
+                let (buffer, bindings, _) = slot.insert((buffer, bindings, capacity));
                 (&*buffer, &*bindings)
             }
         };
@@ -150,18 +154,18 @@ impl GpuMorph {
         let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&self.scatter);
         pass.set_bind_group(0, bindings, &[]);
-        let workgroups = (moves.len() as u32).div_ceil(SCATTERED);
+        let workgroups = (moves.len() as u32).div_ceil(SCATTER_WORKGROUP_SIZE);
         let row = workgroups.min(gpu.device.limits().max_compute_workgroups_per_dimension);
         pass.dispatch_workgroups(row, workgroups.div_ceil(row), 1);
         drop(pass);
-        // At once: the list may be written again before anything is drawn.
+        // Submitted immediately, because the list may be written again before anything is drawn.
         gpu.queue.submit([encoder.finish()]);
         Ok(())
     }
 }
 
 impl Painter {
-    /// Draws vertices by indices, each where a morph has it.
+    /// Draws vertices by indices, each at the position that the morph gives it.
     pub fn draw_morphing(
         &self,
         pass: &mut RenderPass<'_>,
@@ -177,7 +181,7 @@ impl Painter {
     }
 }
 
-/// A vertex at its own place.
-fn rest(vertex: u32) -> (u32, [u32; 2]) {
+/// Entry of a vertex at rest: its own target, at factor 1.
+fn rest_entry(vertex: u32) -> (u32, [u32; 2]) {
     (vertex, [vertex, 1f32.to_bits()])
 }

@@ -1,12 +1,14 @@
-//! Which adapter is to be opened.
+//! Options for choosing an adapter.
 
-/// Which adapter to take.
+/// Constraints on the adapter to open.
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct GpuOptions {
-    /// Only one that draws on the processor (llvmpipe, WARP, SwiftShader). Default: false, the quickest there is.
+    /// Whether to accept only CPU adapters (llvmpipe, WARP, SwiftShader). Default: false, which picks the
+    /// fastest adapter.
     pub is_fallback: bool,
-    /// Only one whose name holds this, in any letters. Default: what `WGPU_ADAPTER_NAME` says, or else any.
+    /// Text that the adapter's name must contain, ignoring case. Default: the value of
+    /// `WGPU_ADAPTER_NAME`, or else any name.
     pub adapter_name: Option<String>,
 }
 
@@ -25,8 +27,8 @@ impl GpuOptions {
         self
     }
 
-    /// The name asked for, in small letters, unless the processor is to draw.
-    pub(crate) fn wanted_name(&self) -> Option<String> {
+    /// The requested name in lower case; none for CPU adapters.
+    pub(crate) fn requested_name(&self) -> Option<String> {
         let named = self.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok())?;
         (!named.is_empty() && !self.is_fallback).then(|| named.to_lowercase())
     }

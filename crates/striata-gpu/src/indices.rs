@@ -1,4 +1,4 @@
-//! Index buffers on the GPU: written whole, or only where they have changed.
+//! Index buffers and indirect draw buffers on the GPU, written whole or by changed ranges.
 
 use std::ops::Range;
 
@@ -9,9 +9,10 @@ use crate::copy_back::copy_back;
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 
-/// An index buffer of 32-bit indices that is written again and again.
+/// Buffer of 32-bit indices that can be rewritten.
 ///
-/// It grows by half where it is too small, and never shrinks. Each write adds to [`uploaded_bytes`](Self::uploaded_bytes).
+/// If a write does not fit, the buffer grows to 1.5 times the needed size; it never shrinks. Each write
+/// adds to [`uploaded_bytes`](Self::uploaded_bytes).
 #[derive(Debug)]
 pub struct GpuIndices {
     pub(crate) buffer: Buffer,
@@ -20,32 +21,32 @@ pub struct GpuIndices {
 }
 
 impl GpuIndices {
-    /// An index buffer with room for so many indices.
+    /// Creates an empty buffer with room for `capacity` indices.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if it exceeds the device's limit.
     pub fn new(gpu: &Gpu, capacity: usize) -> Result<Self, GpuError> {
-        // Storage too: an inspection reads triangles from it, and compute shaders write it.
+        // Storage as well: an inspection reads triangles from it, and compute shaders write it.
         let usage =
             BufferUsages::INDEX | BufferUsages::STORAGE | BufferUsages::COPY_DST | BufferUsages::COPY_SRC;
         let buffer = gpu.empty_buffer("indices", 4 * capacity as u64, usage)?;
         Ok(Self { buffer, capacity, uploaded_bytes: 0 })
     }
 
-    /// An index buffer that holds these.
+    /// Creates a buffer that contains `indices`.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if it exceeds the device's limit.
     pub fn upload(gpu: &Gpu, indices: &[u32]) -> Result<Self, GpuError> {
         let mut buffer = Self::new(gpu, indices.len())?;
         buffer.write(gpu, indices)?;
         Ok(buffer)
     }
 
-    /// Writes all indices, from the first on.
+    /// Replaces the contents of the buffer.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`] where it has to grow and cannot.
+    /// [`GpuError::TooLarge`] if it would have to grow beyond the device's limit.
     pub fn write(&mut self, gpu: &Gpu, indices: &[u32]) -> Result<(), GpuError> {
         if indices.len() > self.capacity {
             let uploaded_bytes = self.uploaded_bytes;
@@ -59,12 +60,18 @@ impl GpuIndices {
         Ok(())
     }
 
-    /// Writes only some ranges of `indices`, each to its own place: those that have changed since the last write.
+    /// Writes only the given ranges of `indices`, each to its position in the buffer: those changed since
+    /// the last write.
     ///
     /// # Panics
-    /// If a range ends behind `indices`, or `indices` do not fit: [`write`](Self::write) them once before.
+    /// If a range ends past `indices`, or `indices` do not fit; call [`write`](Self::write) once before.
     pub fn write_ranges(&mut self, gpu: &Gpu, indices: &[u32], ranges: &[Range<u32>]) {
-        assert!(indices.len() <= self.capacity, "{} indices, room for {}", indices.len(), self.capacity);
+        assert!(
+            indices.len() <= self.capacity,
+            "{} indices do not fit into a buffer of {}",
+            indices.len(),
+            self.capacity
+        );
         for range in ranges.iter().filter(|r| !r.is_empty()) {
             let part = &indices[range.start as usize..range.end as usize];
             gpu.queue.write_buffer(&self.buffer, 4 * u64::from(range.start), cast_slice(part));
@@ -72,33 +79,34 @@ impl GpuIndices {
         }
     }
 
-    /// The indices on the GPU, as many as fit, waited for and copied back: to look at them, not to draw them.
+    /// Reads the buffer back up to its capacity, for inspection rather than drawing; waits for the GPU.
     ///
     /// # Errors
-    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the copy exceeds the device's
+    /// limit.
     pub fn read(&self, gpu: &Gpu) -> Result<Vec<u32>, GpuError> {
         let mut indices = copy_back(gpu, &self.buffer)?;
         indices.truncate(self.capacity);
         Ok(indices)
     }
 
-    /// Indices that fit.
+    /// Number of indices that fit.
     pub fn capacity(&self) -> usize {
         self.capacity
     }
 
-    /// Bytes written so far.
+    /// Bytes uploaded so far.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
     }
 
-    /// The buffer.
+    /// The wgpu buffer.
     pub fn buffer(&self) -> &Buffer {
         &self.buffer
     }
 }
 
-/// Indexed draws that the GPU reads from a buffer: one for each strip, so that no restart index is needed.
+/// Indirect indexed draws, one per strip, so that no restart index is needed.
 #[derive(Debug)]
 pub struct GpuMultiDraw {
     pub(crate) commands: Buffer,
@@ -107,24 +115,24 @@ pub struct GpuMultiDraw {
     uploaded_bytes: u64,
 }
 
-/// Bytes of one indirect indexed draw.
+/// Size of one indirect indexed draw command, bytes.
 pub(crate) const COMMAND_BYTES: u64 = 20;
 
 impl GpuMultiDraw {
-    /// Room for so many draws.
+    /// Creates a buffer with room for `capacity` draws.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if it exceeds the device's limit.
     pub fn new(gpu: &Gpu, capacity: usize) -> Result<Self, GpuError> {
         let usage = BufferUsages::INDIRECT | BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let commands = gpu.empty_buffer("draws", COMMAND_BYTES * capacity as u64, usage)?;
         Ok(Self { commands, capacity, command_count: 0, uploaded_bytes: 0 })
     }
 
-    /// Draws these ranges of an index buffer, each by a draw of its own; empty ones are left out.
+    /// Writes one draw for each non-empty range of an index buffer.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`] where it has to grow and cannot.
+    /// [`GpuError::TooLarge`] if it would have to grow beyond the device's limit.
     pub fn write(&mut self, gpu: &Gpu, ranges: impl Iterator<Item = Range<u32>>) -> Result<(), GpuError> {
         // Index count, instance count, first index, base vertex, first instance.
         let commands: Vec<[u32; 5]> =
@@ -142,12 +150,12 @@ impl GpuMultiDraw {
         Ok(())
     }
 
-    /// Draws that are written.
+    /// Number of draws written last.
     pub fn command_count(&self) -> u32 {
         self.command_count
     }
 
-    /// Bytes written so far.
+    /// Bytes uploaded so far.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
     }

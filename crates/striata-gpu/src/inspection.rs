@@ -1,4 +1,4 @@
-//! Single triangles with colors of their own and visible edges.
+//! Draws individual triangles with their own colors and visible edges.
 
 use bytemuck::cast_slice;
 use wgpu::{BindGroup, BufferUsages, RenderPass};
@@ -9,9 +9,10 @@ use crate::indices::GpuIndices;
 use crate::painter::{Painter, Scene, bind};
 use crate::vertices::GpuVertices;
 
-/// A level as single triangles: what strip or fan each belongs to, and where its edges are.
+/// A level as individual triangles, colored for example by strip or fan, with their edges.
 ///
-/// Shaders read the vertices themselves, so that no vertex has to be copied for each triangle; 16 bytes a triangle.
+/// Shaders fetch the vertices themselves, so vertices are not duplicated per triangle. Takes 16 bytes per
+/// triangle.
 #[derive(Debug)]
 pub struct Inspection {
     bindings: BindGroup,
@@ -19,20 +20,21 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// Uploads the triangles and a color for each, linear light as bytes; where its opacity is 0 the surface's own shows.
+    /// Uploads triangles and a color for each, linear light as bytes; opacity blends it over the
+    /// surface's own color.
     ///
     /// # Panics
-    /// If there are not as many colors as triangles.
+    /// If the numbers of colors and triangles differ.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn new(
         gpu: &Gpu,
         painter: &Painter,
         vertices: &GpuVertices,
         (triangles, colors): (&[[u32; 3]], &[[u8; 4]]),
     ) -> Result<Self, GpuError> {
-        assert_eq!(colors.len(), triangles.len(), "a color for each triangle");
+        assert_eq!(colors.len(), triangles.len(), "one color per triangle is required");
         let indices = GpuIndices::upload(gpu, cast_slice(triangles))?;
         let colors = gpu.buffer_of("triangle colors", cast_slice(colors), BufferUsages::STORAGE)?;
         let buffers = [&vertices.positions, &vertices.normals, &vertices.colors, &indices.buffer, &colors];
@@ -40,14 +42,14 @@ impl Inspection {
         Ok(Self { bindings, triangle_count: triangles.len() as u32 })
     }
 
-    /// Triangles that it draws.
+    /// Number of triangles.
     pub fn triangle_count(&self) -> u32 {
         self.triangle_count
     }
 }
 
 impl Painter {
-    /// Draws single triangles, with their colors and edges.
+    /// Draws individual triangles with their colors and edges.
     pub fn inspect(&self, pass: &mut RenderPass<'_>, scene: &Scene, inspection: &Inspection) {
         if inspection.triangle_count() == 0 {
             return;

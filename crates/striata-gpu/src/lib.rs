@@ -1,22 +1,25 @@
-//! Draws striata's levels of detail with wgpu, in a window or into a picture.
+//! Draws striata's levels of detail with wgpu, in a window or into an offscreen picture.
 //!
-//! A mesh's vertices go to the GPU once ([`GpuVertices`]); every level is then only another set of indices over them, drawn
-//! as a triangle list, as strips with primitive restart or by many indirect draws ([`Drawing`]). [`Painter`] holds the
-//! pipelines, [`Canvas`] is a picture in memory, [`Viewpoint`] where one looks from. [`Inspection`] draws single triangles:
-//! colored by strip or fan, with their edges.
+//! A mesh's vertices are uploaded once ([`GpuVertices`]). Each level is only another set of indices over
+//! them, drawn as a triangle list, as strips with primitive restart, or by many indirect draws
+//! ([`Drawing`]). [`Painter`] owns the pipelines, [`Canvas`] is an offscreen render target, and
+//! [`Viewpoint`] is the camera. [`Inspection`] draws individual triangles, colored by strip or fan, with
+//! their edges.
 //!
-//! Any backend of wgpu does, OpenGL and those that draw on the processor among them. [`Gpu::new`] tries each adapter with a small
-//! triangle before it takes it, and says what each of the others lacks.
+//! Every wgpu backend works, including OpenGL and CPU adapters. [`Gpu::new`] draws a small test triangle on
+//! each adapter before it accepts one, and reports why each other adapter was rejected.
 //!
-//! In reading order: `gpu_error`, `gpu_options`, `gpu` and `adapters` find the device; `copy_back`, `vertices`, `indices`, `drawing` and
-//! `gpu_lod_strips` hold what is drawn; `viewpoint`, `look`, `painter`, `inspection` and `gpu_morph` draw it; `canvas`, `screen_copy`
-//! and `frame_clock` are around a picture; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and `gpu_fan_instance` make triangles of fans;
-//! `probe` tries all of it on an adapter.
+//! In reading order: `gpu_error`, `gpu_options`, `gpu` and `adapters` find the device; `copy_back`,
+//! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `viewpoint`, `look`,
+//! `painter`, `inspection` and `gpu_morph` draw it; `canvas`, `screen_copy` and `frame_clock` are the
+//! targets and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and `gpu_fan_instance` extract
+//! triangles from fans; `probe` tries all of it on an adapter.
 //!
 //! ```no_run
 //! use striata::model::{FanInstance, Fans};
 //! use striata::simplify::build_sequence;
-//! use striata_gpu::{Canvas, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuVertices, Look, Painter, Viewpoint};
+//! use striata_gpu::{Canvas, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuVertices};
+//! use striata_gpu::{Look, Painter, Viewpoint};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let mesh = striata::mesh::shapes::icosphere(6, 1.0);
@@ -31,9 +34,10 @@
 //!
 //! let view = Viewpoint::portrait(&mesh.bounds().ok_or("no vertices")?, 0.5, 0.3, 0.6);
 //! let scene = painter.scene(&gpu, &vertices, (&view, [800, 600]), &Look::default())?;
-//! instance.write(&gpu, &FanInstance::uniform(&fans, refinable.sequence.step_count() / 10)); // a bit a step
+//! let split_count = refinable.sequence.step_count() / 10;
+//! instance.write(&gpu, &FanInstance::uniform(&fans, split_count)); // one bit per step
 //! let mut encoder = gpu.device().create_command_encoder(&Default::default());
-//! extractor.extract(&mut encoder, &instance); // its triangles, made where they are drawn
+//! extractor.extract(&mut encoder, &instance); // makes its triangles on the GPU
 //! gpu.queue().submit([encoder.finish()]);
 //! let picture = canvas.paint(&gpu, Look::default().background, |pass| {
 //!     painter.draw(pass, &scene, &vertices, instance.drawing());
@@ -89,7 +93,7 @@ pub use viewpoint::Viewpoint;
 
 pub use wgpu;
 
-/// The readme's example, compiled with the documentation's tests.
+/// Compiles the readme's example with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

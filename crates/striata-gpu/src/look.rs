@@ -1,36 +1,36 @@
-//! How a surface looks: its light, its colors, its edges.
+//! Appearance of a surface: shading, colors and edges.
 
-/// Where the normals come from that light is reckoned with.
+/// Source of the normals used for lighting.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shading {
-    /// From the vertices, blended over each triangle.
+    /// Vertex normals, interpolated over each triangle.
     #[default]
     Smooth,
-    /// One a triangle.
+    /// One normal per triangle.
     Flat,
 }
 
-/// How a surface is painted. Colors are linear light, 0 to 1 a channel.
+/// Appearance of a surface. Colors are linear light, 0 to 1 per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Look {
-    /// Color of what has no other. Default: warm stone.
+    /// Color of surfaces that have none of their own. Default: warm stone.
     pub base: [f32; 3],
-    /// Color of the background, with its opacity.
+    /// Background color and opacity.
     pub background: [f32; 4],
-    /// Where normals come from. Default: the vertices.
+    /// Source of the normals. Default: the vertices.
     pub shading: Shading,
-    /// Whether the vertices' own colors are shown, where there are some. Default: true.
+    /// Whether to show vertex colors if the mesh has any. Default: true.
     pub shows_vertex_colors: bool,
-    /// Whether groups of triangles are shown in colors of their own. Default: false.
+    /// Whether to color each group of triangles differently. Default: false.
     pub shows_groups: bool,
-    /// Color of edges, with their opacity; 0 draws none. Only an [`Inspection`](crate::Inspection) has edges.
+    /// Edge color and opacity; opacity 0 draws none. Only an [`Inspection`](crate::Inspection) draws edges.
     pub edges: [f32; 4],
-    /// Width of edges, pixels. Default: 1.
+    /// Edge width in pixels. Default: 1.
     pub edge_width_px: f32,
-    /// Whether triangles seen from behind are left out. Default: false.
+    /// Whether to cull back faces. Default: false.
     pub hides_back: bool,
-    /// How much light counts: 0 paints the colors as they are, 1 lights them fully. Default: 1.
+    /// Strength of the lighting: 0 shows unlit colors, 1 lights them fully. Default: 1.
     pub light: f32,
 }
 
@@ -115,12 +115,12 @@ impl Look {
     }
 }
 
-/// A color for the n-th strip, fan or group: neighbors differ much, by hues along the golden ratio in two shades.
-/// Linear light, as bytes, opaque.
-pub fn palette_color(number: u32) -> [u8; 4] {
-    let hue = (f64::from(number) * 0.618_033_988_749_895).fract() as f32 * 6.0;
-    let shade = if number.is_multiple_of(2) { 0.85 } else { 0.60 };
-    // Each channel rises and falls along the circle of hues.
+/// Returns a color for the n-th strip, fan or group, as opaque linear light in bytes. Consecutive colors
+/// differ clearly: hues advance by the golden ratio, in two alternating shades.
+pub fn palette_color(index: u32) -> [u8; 4] {
+    let hue = (f64::from(index) * 0.618_033_988_749_895).fract() as f32 * 6.0;
+    let shade = if index.is_multiple_of(2) { 0.85 } else { 0.60 };
+    // Each channel rises and falls along the hue circle.
     let channel = |shift: f32| {
         let amount = (2.0 - ((hue + shift) % 6.0 - 3.0).abs()).clamp(0.0, 1.0);
         (255.0 * shade * (0.24 + 0.60 * amount) + 0.5) as u8
@@ -128,7 +128,7 @@ pub fn palette_color(number: u32) -> [u8; 4] {
     [channel(3.0), channel(1.0), channel(5.0), 255]
 }
 
-/// Linear light, 0 to 1, as a screen encodes it.
+/// Encodes linear light, 0 to 1, as sRGB, 0 to 1.
 pub fn linear_to_srgb(light: f32) -> f32 {
     let x = light.clamp(0.0, 1.0);
     if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
@@ -140,10 +140,10 @@ mod tests {
 
     #[test]
     fn neighbors_differ_in_color() {
-        for number in (0..50).chain(1_000_000..1_000_050) {
-            let (a, b) = (palette_color(number), palette_color(number + 1));
+        for index in (0..50).chain(1_000_000..1_000_050) {
+            let (a, b) = (palette_color(index), palette_color(index + 1));
             let difference: u32 = a.iter().zip(b).map(|(&x, y)| u32::from(x.abs_diff(y))).sum();
-            assert!(difference > 40, "{number}: {a:?} {b:?}");
+            assert!(difference > 40, "{index}: {a:?} {b:?}");
         }
     }
 }

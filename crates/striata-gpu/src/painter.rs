@@ -1,4 +1,4 @@
-//! Pipelines, and the scene that their shaders read.
+//! Render pipelines, and the uniform scene data that their shaders read.
 
 use bytemuck::{Pod, Zeroable};
 use wgpu::{
@@ -13,16 +13,16 @@ use crate::look::{Look, Shading};
 use crate::vertices::GpuVertices;
 use crate::viewpoint::Viewpoint;
 
-/// The format of depth that all pipelines use; near is 1, infinitely far 0.
+/// Depth format of all pipelines. Depth is reversed: near is 1, infinitely far is 0.
 pub const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 
-/// All pipelines for pictures of one color format and number of samples.
+/// Render pipelines for one color format and sample count.
 #[derive(Debug)]
 pub struct Painter {
     pub(crate) scene_layout: BindGroupLayout,
     pub(crate) triangles_layout: BindGroupLayout,
     pub(crate) morphing_layout: BindGroupLayout,
-    /// By whether strips are drawn, and whether back sides are hidden.
+    /// Indexed by whether strips are drawn, then by whether back faces are culled.
     surface: [[RenderPipeline; 2]; 2],
     pub(crate) morphing: [[RenderPipeline; 2]; 2],
     pub(crate) inspection: [RenderPipeline; 2],
@@ -30,7 +30,7 @@ pub struct Painter {
     samples: u32,
 }
 
-/// What the shaders read about one picture; see `light.wgsl`.
+/// Uniform data of a scene, laid out as in `light.wgsl`.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 struct SceneData {
@@ -42,10 +42,10 @@ struct SceneData {
     base: [f32; 4],
     edges: [f32; 4],
     flags: [u32; 4],
-    numbers: [f32; 4],
+    edge_settings: [f32; 4],
 }
 
-/// A look and a viewpoint on the GPU. Several can be drawn in one pass.
+/// A look and a viewpoint on the GPU. One pass can draw several scenes.
 #[derive(Debug)]
 pub struct Scene {
     buffer: Buffer,
@@ -54,35 +54,39 @@ pub struct Scene {
 }
 
 impl Painter {
-    /// Makes all pipelines.
+    /// Compiles the shaders and creates all pipelines.
     pub fn new(gpu: &Gpu, format: TextureFormat, samples: u32) -> Self {
         let scene_layout = layout(gpu, "scene", &[wgpu::BufferBindingType::Uniform]);
         let storage = wgpu::BufferBindingType::Storage { read_only: true };
         let triangles_layout = layout(gpu, "triangles", &[storage; 5]);
-        let kinds = [storage, storage, storage, storage, wgpu::BufferBindingType::Uniform];
-        let morphing_layout = layout(gpu, "morphing", &kinds);
-        let maker = PipelineMaker { gpu, format, samples };
+        let binding_types = [storage, storage, storage, storage, wgpu::BufferBindingType::Uniform];
+        let morphing_layout = layout(gpu, "morphing", &binding_types);
+        let builder = PipelineBuilder { gpu, format, samples };
         let surface_code = concat!(
             include_str!("shaders/light.wgsl"),
             include_str!("shaders/surface.wgsl"),
             include_str!("shaders/morphing.wgsl")
         );
-        let surface_module = maker.module("surface", surface_code);
+        let surface_module = builder.module("surface", surface_code);
         let code = concat!(include_str!("shaders/light.wgsl"), include_str!("shaders/inspection.wgsl"));
-        let inspection_module = maker.module("inspection", code);
+        let inspection_module = builder.module("inspection", code);
         let sides = [false, true];
-        let by_kind = |entry, buffers, groups: &[&BindGroupLayout]| {
-            sides.map(|strips| {
+        let variants = |entry, buffers, groups: &[&BindGroupLayout]| {
+            sides.map(|is_strips| {
                 sides.map(|hides_back| {
-                    maker.pipeline(&surface_module, groups, &Kind { entry, strips, hides_back, buffers })
+                    builder.pipeline(
+                        &surface_module,
+                        groups,
+                        &PipelineVariant { entry, is_strips, hides_back, buffers },
+                    )
                 })
             })
         };
-        let surface = by_kind("vertex", &VERTEX_BUFFERS, &[&scene_layout]);
-        let morphing = by_kind("morphing", &[], &[&scene_layout, &morphing_layout]);
+        let surface = variants("vertex", &VERTEX_BUFFERS, &[&scene_layout]);
+        let morphing = variants("morphing", &[], &[&scene_layout, &morphing_layout]);
         let inspection = sides.map(|hides_back| {
-            let kind = Kind { entry: "vertex", strips: false, hides_back, buffers: &[] };
-            maker.pipeline(&inspection_module, &[&scene_layout, &triangles_layout], &kind)
+            let variant = PipelineVariant { entry: "vertex", is_strips: false, hides_back, buffers: &[] };
+            builder.pipeline(&inspection_module, &[&scene_layout, &triangles_layout], &variant)
         });
         Self {
             scene_layout,
@@ -96,20 +100,21 @@ impl Painter {
         }
     }
 
-    /// The color format that it draws.
+    /// Color format of the render target.
     pub fn format(&self) -> TextureFormat {
         self.format
     }
 
-    /// Samples a pixel.
+    /// Samples per pixel.
     pub fn samples(&self) -> u32 {
         self.samples
     }
 
-    /// A scene for later passes: what `vertices` look like from `viewpoint` in a picture of `[width, height]` pixels.
+    /// Creates a scene for later passes: `vertices` seen from a viewpoint in a picture of `[width,
+    /// height]` pixels.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`]; never, on any real device.
+    /// [`GpuError::TooLarge`], which does not happen on real devices.
     pub fn scene(
         &self,
         gpu: &Gpu,
@@ -146,7 +151,7 @@ impl Painter {
 }
 
 impl Scene {
-    /// Looks from elsewhere, or otherwise.
+    /// Changes the viewpoint and the look.
     pub fn update(
         &mut self,
         gpu: &Gpu,
@@ -157,7 +162,8 @@ impl Scene {
         let aspect = width.max(1) as f32 / height.max(1) as f32;
         let clip_from_model = viewpoint.clip_from_model(vertices.origin(), vertices.radius(), aspect);
         let [right, up, back] = viewpoint.axes();
-        // Light follows the eye: the key from the upper left, a weak one from the right.
+        // The lights follow the camera: the key light from the upper left, a weak fill light from the
+        // right.
         let towards = |x: f32, y: f32, z: f32| {
             let to: [f32; 3] = std::array::from_fn(|k| x * right[k] + y * up[k] + z * back[k]);
             let length = (x * x + y * y + z * z).sqrt();
@@ -178,7 +184,7 @@ impl Scene {
                 u32::from(look.shows_groups),
                 1,
             ],
-            numbers: [look.edge_width_px, 0.0, 0.0, 0.0],
+            edge_settings: [look.edge_width_px, 0.0, 0.0, 0.0],
         };
         gpu.queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&data));
         self.hides_back = look.hides_back;
@@ -189,31 +195,31 @@ const fn attribute(location: u32, format: wgpu::VertexFormat) -> [VertexAttribut
     [VertexAttribute { format, offset: 0, shader_location: location }]
 }
 
-const fn stepped(stride: u64, attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
+const fn vertex_buffer(stride: u64, attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     VertexBufferLayout { array_stride: stride, step_mode: wgpu::VertexStepMode::Vertex, attributes }
 }
 
 const VERTEX_BUFFERS: [Option<VertexBufferLayout<'static>>; 3] = [
-    Some(stepped(12, &attribute(0, wgpu::VertexFormat::Float32x3))),
-    Some(stepped(12, &attribute(1, wgpu::VertexFormat::Float32x3))),
-    Some(stepped(4, &attribute(2, wgpu::VertexFormat::Unorm8x4))),
+    Some(vertex_buffer(12, &attribute(0, wgpu::VertexFormat::Float32x3))),
+    Some(vertex_buffer(12, &attribute(1, wgpu::VertexFormat::Float32x3))),
+    Some(vertex_buffer(4, &attribute(2, wgpu::VertexFormat::Unorm8x4))),
 ];
 
-struct Kind<'a> {
-    /// The vertex shader's name.
+struct PipelineVariant<'a> {
+    /// Entry point of the vertex shader.
     entry: &'a str,
-    strips: bool,
+    is_strips: bool,
     hides_back: bool,
     buffers: &'a [Option<VertexBufferLayout<'a>>],
 }
 
-struct PipelineMaker<'a> {
+struct PipelineBuilder<'a> {
     gpu: &'a Gpu,
     format: TextureFormat,
     samples: u32,
 }
 
-impl PipelineMaker<'_> {
+impl PipelineBuilder<'_> {
     fn module(&self, label: &str, code: &str) -> wgpu::ShaderModule {
         let source = wgpu::ShaderSource::Wgsl(code.into());
         self.gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
@@ -223,14 +229,14 @@ impl PipelineMaker<'_> {
         &self,
         module: &wgpu::ShaderModule,
         groups: &[&BindGroupLayout],
-        kind: &Kind<'_>,
+        variant: &PipelineVariant<'_>,
     ) -> RenderPipeline {
         let groups: Vec<Option<&BindGroupLayout>> = groups.iter().copied().map(Some).collect();
         let layout = self.gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             bind_group_layouts: &groups,
             ..Default::default()
         });
-        let (topology, strip_index_format) = if kind.strips {
+        let (topology, strip_index_format) = if variant.is_strips {
             (wgpu::PrimitiveTopology::TriangleStrip, Some(wgpu::IndexFormat::Uint32))
         } else {
             (wgpu::PrimitiveTopology::TriangleList, None)
@@ -240,14 +246,14 @@ impl PipelineMaker<'_> {
             layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module,
-                entry_point: Some(kind.entry),
+                entry_point: Some(variant.entry),
                 compilation_options: Default::default(),
-                buffers: kind.buffers,
+                buffers: variant.buffers,
             },
             primitive: wgpu::PrimitiveState {
                 topology,
                 strip_index_format,
-                cull_mode: kind.hides_back.then_some(wgpu::Face::Back),
+                cull_mode: variant.hides_back.then_some(wgpu::Face::Back),
                 ..Default::default()
             },
             depth_stencil: Some(wgpu::DepthStencilState {
@@ -270,7 +276,7 @@ impl PipelineMaker<'_> {
     }
 }
 
-/// A layout of buffers that vertices and fragments may read.
+/// Bind group layout of buffers that vertex and fragment shaders may read.
 fn layout(gpu: &Gpu, label: &str, kinds: &[wgpu::BufferBindingType]) -> BindGroupLayout {
     let entries: Vec<wgpu::BindGroupLayoutEntry> = (0..)
         .zip(kinds)
@@ -285,7 +291,7 @@ fn layout(gpu: &Gpu, label: &str, kinds: &[wgpu::BufferBindingType]) -> BindGrou
     gpu.device.create_bind_group_layout(&descriptor)
 }
 
-/// Whole buffers, bound in order.
+/// Creates a bind group of whole buffers, in order.
 pub(crate) fn bind(gpu: &Gpu, layout: &BindGroupLayout, buffers: &[&Buffer]) -> BindGroup {
     let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
         .zip(buffers)

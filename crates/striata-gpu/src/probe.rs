@@ -1,4 +1,5 @@
-//! The trial of a device: a small triangle, drawn in each way that pictures are drawn and read back.
+//! Tests a device by drawing a small triangle in every way that pictures are drawn, and checking the
+//! pixels.
 
 use striata::mesh::IndexedMesh;
 use wgpu::RenderPass;
@@ -14,13 +15,14 @@ use crate::painter::Painter;
 use crate::vertices::GpuVertices;
 use crate::viewpoint::Viewpoint;
 
-/// Pixels of a side of the trial's picture.
+/// Side of the test picture, pixels.
 const SIDE: u32 = 16;
 
-/// Samples per pixel, as pictures use.
+/// Samples per pixel, the same as for real pictures.
 const SAMPLES: u32 = 4;
 
-/// A triangle that covers the middle of the picture and no corner of it, and two that leave the middle free.
+/// A triangle that covers the middle of the picture but no corner of it, and two that leave the middle
+/// free.
 const CORNERS: [[f32; 3]; 9] = [
     [-0.5, -0.4, 0.0],
     [0.5, -0.4, 0.0],
@@ -33,7 +35,7 @@ const CORNERS: [[f32; 3]; 9] = [
     [0.3, 0.7, 0.0],
 ];
 
-/// Indices of the first, and of the other two as strips, which the device must keep apart.
+/// Indices of the first triangle, and of the other two as strips that the device must keep separate.
 const TRIANGLE: [u32; 3] = [0, 1, 2];
 const TWO_STRIPS: [u32; 7] = [3, 4, 5, u32::MAX, 6, 7, 8];
 
@@ -41,7 +43,7 @@ impl Gpu {
     /// Draws a small triangle as a list, as a strip and with edges, and checks the pixels that come back.
     ///
     /// # Errors
-    /// What the device lacks or does wrong.
+    /// [`GpuError::Failed`] says what the device lacks or draws incorrectly.
     pub fn probe(&self) -> Result<(), GpuError> {
         let canvas = Canvas::new(self, [SIDE, SIDE], SAMPLES)?;
         let painter = Painter::new(self, Canvas::FORMAT, SAMPLES);
@@ -62,39 +64,39 @@ impl Gpu {
         let list = Drawing::List { indices: &triangle, groups: std::slice::from_ref(&whole) };
         let strips = Drawing::Strips { indices: &strips, groups: std::slice::from_ref(&both) };
         let inspection = Inspection::new(self, painter, &vertices, (&[TRIANGLE], &[[255; 4]]))?;
-        let draws: [Trial<'_>; 3] = [
-            Trial {
+        let draws: [ProbeCase<'_>; 3] = [
+            ProbeCase {
                 what: "a triangle list",
                 is_expected: shows_the_triangle,
                 draw: &|pass| painter.draw(pass, &scene, &vertices, list),
             },
-            Trial {
+            ProbeCase {
                 what: "triangle strips",
                 is_expected: shows_the_strips,
                 draw: &|pass| painter.draw(pass, &scene, &vertices, strips),
             },
-            Trial {
+            ProbeCase {
                 what: "a triangle with edges",
                 is_expected: shows_the_triangle,
                 draw: &|pass| painter.inspect(pass, &scene, &inspection),
             },
         ];
-        for Trial { what, is_expected, draw } in draws {
+        for ProbeCase { what, is_expected, draw } in draws {
             let picture = canvas.paint(self, look.background, draw)?;
             self.wait()?;
             if !is_expected(&picture) {
-                return Err(GpuError::Failed(format!("it draws {what} wrongly")));
+                return Err(GpuError::Failed(format!("it draws {what} incorrectly")));
             }
         }
         Ok(())
     }
 }
 
-/// Something that an adapter has to draw.
-struct Trial<'a> {
-    /// What is drawn.
+/// One way to draw that a device has to support.
+struct ProbeCase<'a> {
+    /// Description of what is drawn.
     what: &'static str,
-    /// Whether a picture of it is as it should be.
+    /// Whether the resulting picture is correct.
     is_expected: fn(&Picture) -> bool,
     draw: &'a dyn Fn(&mut RenderPass<'_>),
 }
@@ -106,7 +108,7 @@ fn shows_the_triangle(picture: &Picture) -> bool {
     is_lit(picture, [SIDE / 2, SIDE / 2]) && corners.iter().all(|&corner| is_empty(picture, corner))
 }
 
-/// Whether two triangles are lit, below on the left and above on the right, and all between them is empty.
+/// Whether the lower left and upper right triangles are lit and the space between them is empty.
 fn shows_the_strips(picture: &Picture) -> bool {
     let between =
         (SIDE / 2 - 2..SIDE / 2 + 2).flat_map(|y| (SIDE / 2 - 2..SIDE / 2 + 2).map(move |x| [x, y]));
@@ -141,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn strips_that_run_into_each_other_do_not_pass() {
+    fn connected_strips_fail_the_probe() {
         let mut apart = picture([0; 4], [0; 4]);
         for [x, y] in [[3, 13], [12, 2]] {
             let start = 4 * (y * SIDE + x) as usize;
@@ -150,15 +152,18 @@ mod tests {
         assert!(shows_the_strips(&apart));
         let start = 4 * (SIDE / 2 * SIDE + SIDE / 2) as usize;
         apart.rgba[start + 3] = 255;
-        assert!(!shows_the_strips(&apart), "something is between them");
+        assert!(!shows_the_strips(&apart), "there is something between the strips");
         assert!(!shows_the_strips(&picture([0; 4], [0; 4])), "nothing was drawn");
     }
 
     #[test]
-    fn only_a_lit_triangle_on_nothing_passes() {
+    fn only_a_lit_triangle_on_an_empty_background_passes() {
         assert!(shows_the_triangle(&picture([180, 160, 140, 255], [0; 4])));
         assert!(!shows_the_triangle(&picture([0; 4], [0; 4])), "nothing was drawn");
-        assert!(!shows_the_triangle(&picture([0, 0, 0, 255], [0; 4])), "it is black");
-        assert!(!shows_the_triangle(&picture([180, 160, 140, 255], [9, 9, 9, 255])), "it covers all");
+        assert!(!shows_the_triangle(&picture([0, 0, 0, 255], [0; 4])), "the triangle is black");
+        assert!(
+            !shows_the_triangle(&picture([180, 160, 140, 255], [9, 9, 9, 255])),
+            "the background is covered"
+        );
     }
 }

@@ -1,16 +1,17 @@
-//! A canvas as a window needs it: its colors encoded for the screen, in a texture that is sampled as it stands.
+//! Copies a canvas into an sRGB-encoded texture that a window can sample without conversion.
 //!
-//! A view of the canvas in another format would do the same without a copy, but OpenGL has no such views.
+//! A view of the canvas in another format would do this without a copy, but OpenGL does not support such
+//! views.
 
 use wgpu::{CommandEncoder, TextureFormat, TextureUsages, TextureView};
 
 use crate::canvas::Canvas;
 use crate::gpu::Gpu;
 
-/// The format of the copy: bytes that a screen shows.
+/// Format of the copy: encoded bytes, ready to show.
 const ENCODED: TextureFormat = TextureFormat::Rgba8Unorm;
 
-/// A texture that follows a [`Canvas`], for user interfaces that mix colors as the screen encodes them.
+/// sRGB-encoded copy of a [`Canvas`], for user interfaces that blend encoded colors.
 #[derive(Debug)]
 pub struct ScreenCopy {
     pipeline: wgpu::RenderPipeline,
@@ -19,7 +20,7 @@ pub struct ScreenCopy {
 }
 
 impl ScreenCopy {
-    /// A copy of one canvas. It shows nothing until [`update`](Self::update) has run.
+    /// Creates a copy of a canvas. It is blank until the first [`update`](Self::update).
     pub fn new(gpu: &Gpu, canvas: &Canvas) -> Self {
         let device = gpu.device();
         let module = device.create_shader_module(wgpu::include_wgsl!("shaders/screen_copy.wgsl"));
@@ -74,7 +75,7 @@ impl ScreenCopy {
         &self.view
     }
 
-    /// Copies what is on the canvas by then.
+    /// Records a copy of the canvas as it is at that point of the encoder.
     pub fn update(&self, encoder: &mut CommandEncoder) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("screen copy"),
@@ -102,7 +103,7 @@ mod tests {
     use crate::gpu_options::GpuOptions;
 
     #[test]
-    fn a_copy_has_the_bytes_of_the_canvas() {
+    fn the_copy_has_the_same_bytes_as_the_canvas() {
         let gpu = Gpu::new(&GpuOptions::default()).expect("an adapter");
         let canvas = Canvas::new(&gpu, [8, 4], 4).unwrap();
         let copy = ScreenCopy::new(&gpu, &canvas);

@@ -1,4 +1,4 @@
-//! The vertex buffer: uploaded once, used by every level.
+//! Vertex buffers: uploaded once, used by every level.
 
 use bytemuck::cast_slice;
 use striata::mesh::{IndexedMesh, Semantic};
@@ -9,9 +9,9 @@ use crate::gpu_error::GpuError;
 
 /// Positions, normals and colors of a mesh on the GPU.
 ///
-/// Positions are kept less the middle of the bounds ([`origin`](Self::origin)), so that a mesh far from zero keeps its
-/// shape in 32 bits. Normals come from the mesh, or are made from its triangles by area; they serve every level,
-/// since no vertex is ever moved. 28 bytes a vertex.
+/// Positions are stored relative to the center of the bounds ([`origin`](Self::origin)), so that a mesh far
+/// from zero keeps its shape in 32 bits. Normals come from the mesh or are computed from its triangles,
+/// weighted by area; they serve every level, since vertices never move. Takes 28 bytes per vertex.
 #[derive(Debug)]
 pub struct GpuVertices {
     pub(crate) positions: Buffer,
@@ -27,7 +27,7 @@ impl GpuVertices {
     /// Uploads the vertices of a mesh.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`].
+    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn upload(gpu: &Gpu, mesh: &IndexedMesh) -> Result<Self, GpuError> {
         let bounds = mesh.bounds();
         let origin = bounds.map_or([0.0; 3], |b| std::array::from_fn(|k| (b.min[k] + b.max[k]) / 2.0));
@@ -47,17 +47,18 @@ impl GpuVertices {
         })
     }
 
-    /// Shows other colors, one a vertex, linear light as bytes: an error, say.
+    /// Replaces the vertex colors, one per vertex, linear light as bytes; for example to visualize an
+    /// error.
     ///
     /// # Panics
-    /// If there are not as many colors as vertices.
+    /// If the numbers of colors and vertices differ.
     pub fn set_colors(&mut self, gpu: &Gpu, colors: &[[u8; 4]]) {
-        assert_eq!(colors.len(), self.vertex_count, "a color for each vertex");
+        assert_eq!(colors.len(), self.vertex_count, "one color per vertex is required");
         gpu.queue.write_buffer(&self.colors, 0, cast_slice(colors));
         self.has_colors = true;
     }
 
-    /// What was taken off all positions.
+    /// Offset that was subtracted from all positions.
     pub fn origin(&self) -> [f32; 3] {
         self.origin
     }
@@ -67,18 +68,18 @@ impl GpuVertices {
         self.radius
     }
 
-    /// Vertices of the full mesh.
+    /// Number of vertices.
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
-    /// Whether vertices have colors of their own.
+    /// Whether the vertices have colors.
     pub fn has_colors(&self) -> bool {
         self.has_colors
     }
 }
 
-/// Normals that the mesh has, or the mean of its triangles' weighted by area.
+/// Returns the mesh's normals, or area-weighted means of its triangles' normals if it has none.
 fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
     if let Some(layer) = mesh.layer(&Semantic::Normal).filter(|l| l.component_count >= 3) {
         return (0..mesh.vertex_count()).map(|v| std::array::from_fn(|k| layer.get(v, k))).collect();
@@ -94,7 +95,7 @@ fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
     normals.into_iter().map(|n| n.normalize_or_zero().as_vec3().into()).collect()
 }
 
-/// Colors that the mesh has, as bytes.
+/// Returns the mesh's colors as bytes, if it has any.
 fn vertex_colors(mesh: &IndexedMesh) -> Option<Vec<[u8; 4]>> {
     let layer = mesh.layers.iter().find(|l| matches!(l.semantic, Semantic::Color(_)))?;
     let component_count = usize::from(layer.component_count);

@@ -1,24 +1,25 @@
-//! Where one looks from, and the matrix that follows.
+//! Camera position and its projection matrix.
 
 use glam::{DMat4, DVec3, DVec4, Mat4};
 use striata::mesh::Bounds;
 use striata::view::{Camera, CameraError};
 
-/// An eye that looks at a point.
+/// A perspective camera that looks at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewpoint {
-    /// Where the eye is, mesh units.
+    /// Position of the eye, mesh units.
     pub eye: [f32; 3],
-    /// The point it looks at.
+    /// Point in the middle of the screen, mesh units.
     pub look_at: [f32; 3],
-    /// What is up on the screen.
+    /// Direction that points up on the screen.
     pub up: [f32; 3],
-    /// Angle from the lower to the upper side, radians.
+    /// Vertical field of view, radians.
     pub fov: f32,
 }
 
 impl Viewpoint {
-    /// A portrait: all of a mesh, from the front, turned to a side by `turn` and from above by `rise`, radians.
+    /// Shows all of a mesh from the front, rotated sideways by `turn` and seen from above by `rise`, both
+    /// in radians.
     pub fn portrait(bounds: &Bounds, turn: f32, rise: f32, fov: f32) -> Self {
         let look_at: [f32; 3] = std::array::from_fn(|axis| (bounds.min[axis] + bounds.max[axis]) / 2.0);
         let radius = (bounds.diagonal() as f32 / 2.0).max(f32::MIN_POSITIVE);
@@ -28,49 +29,50 @@ impl Viewpoint {
         Self { eye, look_at, up: [0.0, 1.0, 0.0], fov }
     }
 
-    /// The same view as a criterion of selective refinement takes it, for a screen of `[width, height]` pixels.
+    /// Camera for the criteria of selective refinement, for a screen of `[width, height]` pixels.
     ///
     /// # Errors
-    /// What [`Camera::new`] says.
+    /// Fails like [`Camera::new`].
     pub fn camera(&self, screen: [u32; 2]) -> Result<Camera, CameraError> {
         Camera::new(self.eye, self.look_at, self.up, f64::from(self.fov / 2.0).tan(), screen)
     }
 
-    /// From coordinates less `origin` to the clip space of wgpu, near at depth 1 and infinitely far at 0.
+    /// Matrix from coordinates relative to `origin` to wgpu's clip space, with reversed depth: near is 1,
+    /// infinitely far is 0.
     ///
-    /// `radius` is the size of what is drawn: the near side is a thousandth of it before the eye, or nearer to what is
-    /// drawn where the eye is outside.
+    /// `radius` is the size of the mesh. The near plane is a thousandth of it in front of the eye, or just
+    /// in front of the mesh if the eye is outside.
     pub fn clip_from_model(&self, origin: [f32; 3], radius: f32, aspect: f32) -> Mat4 {
         let [right, up, back] = self.axes_64();
-        let eye = wide(self.eye) - wide(origin);
+        let eye = to_f64(self.eye) - to_f64(origin);
         let radius = f64::from(radius).max(1e-30);
         let near = (eye.length() - 1.001 * radius).max(radius * 1e-3);
         let high = 1.0 / (f64::from(self.fov) / 2.0).tan();
         let across = high / f64::from(aspect);
-        // A row each: x, y, the constant near as z, and the depth as w.
+        // One row each: x, y, the constant near distance as z, and the depth as w.
         let row = |axis: DVec3, scale: f64| (scale * axis).extend(-scale * axis.dot(eye));
         let depth = DVec4::new(0.0, 0.0, 0.0, near);
         DMat4::from_cols(row(right, across), row(up, high), depth, row(back, -1.0)).transpose().as_mat4()
     }
 
-    /// The eye less `origin`.
+    /// Eye position relative to `origin`.
     pub(crate) fn eye_in_model(&self, origin: [f32; 3]) -> [f32; 3] {
         std::array::from_fn(|axis| self.eye[axis] - origin[axis])
     }
 
-    /// The axes of the screen: right, up, and towards the eye.
+    /// Axes of the screen: right, up, and towards the eye.
     pub(crate) fn axes(&self) -> [[f32; 3]; 3] {
         self.axes_64().map(|axis| axis.as_vec3().into())
     }
 
     fn axes_64(&self) -> [DVec3; 3] {
-        let back = (wide(self.eye) - wide(self.look_at)).normalize_or(DVec3::Z);
-        let right = wide(self.up).cross(back).normalize_or(back.any_orthonormal_vector());
+        let back = (to_f64(self.eye) - to_f64(self.look_at)).normalize_or(DVec3::Z);
+        let right = to_f64(self.up).cross(back).normalize_or(back.any_orthonormal_vector());
         [right, back.cross(right), back]
     }
 }
 
-fn wide(point: [f32; 3]) -> DVec3 {
+fn to_f64(point: [f32; 3]) -> DVec3 {
     DVec3::from(point.map(f64::from))
 }
 

@@ -1,4 +1,5 @@
-//! Fans extracted in compute shaders are those that the processor extracts, index by index, and give the same picture.
+//! Fans extracted in compute shaders equal those extracted on the CPU, index by index, and give the same
+//! picture.
 
 mod support;
 
@@ -17,15 +18,15 @@ use striata_gpu::{
 };
 use support::{differing_pixels, drawn_pixels, gpu};
 
-/// A table on both sides, and an instance that is written again and again.
-struct Bench<'a> {
+/// Table on the CPU and the GPU, and one instance that is rewritten again and again.
+struct ExtractionTest<'a> {
     gpu: &'a Gpu,
     extractor: &'a FanExtractor,
     fans: Fans,
     instance: GpuFanInstance,
 }
 
-impl<'a> Bench<'a> {
+impl<'a> ExtractionTest<'a> {
     fn new(gpu: &'a Gpu, extractor: &'a FanExtractor, refinable: &RefinableMesh) -> Self {
         let fans = Fans::build(refinable);
         let table = GpuFans::upload(gpu, &fans).unwrap();
@@ -33,19 +34,19 @@ impl<'a> Bench<'a> {
         Self { gpu, extractor, fans, instance }
     }
 
-    fn extract(&mut self, wanted: &FanInstance) {
-        self.instance.write(self.gpu, wanted);
+    fn extract(&mut self, expected_instance: &FanInstance) {
+        self.instance.write(self.gpu, expected_instance);
         let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
         self.extractor.extract(&mut encoder, &self.instance);
         self.gpu.queue().submit([encoder.finish()]);
     }
 
-    fn check(&mut self, wanted: &FanInstance, what: &str) {
-        self.extract(wanted);
+    fn check(&mut self, expected_instance: &FanInstance, what: &str) {
+        self.extract(expected_instance);
         let found = self.instance.read(self.gpu).unwrap();
         let mut expected = FanIndices::default();
-        wanted.emit_into(&self.fans, FanForm::Triangles, &mut expected);
-        assert_eq!(found, expected, "{what}, {} steps taken", wanted.collapse_count());
+        expected_instance.emit_into(&self.fans, FanForm::Triangles, &mut expected);
+        assert_eq!(found, expected, "{what}, {} steps collapsed", expected_instance.collapse_count());
     }
 
     fn check_levels(&mut self, count: usize, what: &str) {
@@ -61,41 +62,41 @@ impl<'a> Bench<'a> {
         if step_count == 0 {
             return;
         }
-        let mut wanted = FanInstance::uniform(&self.fans, random.below(step_count + 1) as usize);
+        let mut expected_instance = FanInstance::uniform(&self.fans, random.below(step_count + 1) as usize);
         for _ in 0..count {
             for _ in 0..random.below(8) {
                 let step = random.below(step_count);
                 match random.below(2) {
-                    0 => wanted.collapse(&self.fans, step),
-                    _ => wanted.split(&self.fans, step),
+                    0 => expected_instance.collapse(&self.fans, step),
+                    _ => expected_instance.split(&self.fans, step),
                 };
             }
-            self.check(&wanted, what);
+            self.check(&expected_instance, what);
         }
     }
 }
 
-/// Some meshes are no meshes.
+/// Returns none for inputs that are not valid meshes.
 fn refinable(mesh: &IndexedMesh) -> Option<RefinableMesh> {
     Some(build_sequence(mesh, &Default::default()).ok()?.refinable)
 }
 
 #[test]
-fn awful_meshes_are_extracted_exactly() {
+fn degenerate_meshes_are_extracted_exactly() {
     let gpu = gpu();
     let extractor = FanExtractor::new(&gpu);
     let mut mesh_count = 0;
     for (name, mesh) in shapes::nasty() {
         let Some(refinable) = refinable(&mesh) else { continue };
-        let mut bench = Bench::new(&gpu, &extractor, &refinable);
-        bench.check_levels(6, name);
-        bench.check_random_sets(6, &mut Random::new(3), name);
+        let mut test = ExtractionTest::new(&gpu, &extractor, &refinable);
+        test.check_levels(6, name);
+        test.check_random_sets(6, &mut Random::new(3), name);
         mesh_count += 1;
     }
     assert!(mesh_count >= 25, "only {mesh_count} meshes");
 }
 
-/// A wheel whose hub is the first to come, before every other vertex of its rim.
+/// A wheel whose hub is refined first, before every other vertex of its rim.
 fn wheel(spoke_count: u32) -> RefinableMesh {
     let hub = spoke_count;
     let on_rim = |turn: f32| {
@@ -128,11 +129,11 @@ fn rings_longer_than_a_mask_are_extracted_exactly() {
     let extractor = FanExtractor::new(&gpu);
     for spoke_count in [7, 8, 9, 31, 32, 33, 64, 65, 200] {
         let refinable = wheel(spoke_count);
-        let mut bench = Bench::new(&gpu, &extractor, &refinable);
-        let longest = bench.fans.table_fans().map(|fan| fan.makers().count()).max();
+        let mut test = ExtractionTest::new(&gpu, &extractor, &refinable);
+        let longest = test.fans.table_fans().map(|fan| fan.makers().count()).max();
         assert_eq!(longest, Some((spoke_count as usize).min(MAX_ARCS)));
-        bench.check_levels(refinable.sequence.step_count(), "wheel");
-        bench.check_random_sets(30, &mut Random::new(5), "wheel");
+        test.check_levels(refinable.sequence.step_count(), "wheel");
+        test.check_random_sets(30, &mut Random::new(5), "wheel");
     }
 }
 
@@ -148,34 +149,34 @@ fn surfaces_seams_and_groups_are_extracted_exactly() {
         ("moebius", shapes::moebius_strip(300)),
     ];
     for (name, mesh) in meshes {
-        let mut bench = Bench::new(&gpu, &extractor, &refinable(&mesh).unwrap());
-        bench.check_levels(9, name);
-        bench.check_random_sets(12, &mut Random::new(11), name);
+        let mut test = ExtractionTest::new(&gpu, &extractor, &refinable(&mesh).unwrap());
+        test.check_levels(9, name);
+        test.check_random_sets(12, &mut Random::new(11), name);
     }
 }
 
-/// More than 256 blocks: the sums over all blocks take several rounds.
+/// With more than 256 blocks, the prefix sum over the blocks takes several rounds.
 #[test]
 fn a_large_table_is_extracted_exactly_and_small_changes_are_small_uploads() {
     let gpu = gpu();
     let extractor = FanExtractor::new(&gpu);
     let refinable = refinable(&shapes::terrain(300, 1)).unwrap();
-    let mut bench = Bench::new(&gpu, &extractor, &refinable);
-    assert!(bench.fans.table_fans().count() > 256 * 256);
-    bench.check_levels(3, "large terrain");
-    let mut wanted = FanInstance::uniform(&bench.fans, bench.fans.step_count() / 2);
-    bench.check(&wanted, "half");
-    let before = bench.instance.uploaded_bytes();
-    bench.check(&wanted, "the same once more");
-    assert_eq!(bench.instance.uploaded_bytes(), before);
-    wanted.collapse(&bench.fans, bench.fans.step_count() as u32 / 2 - 1);
-    bench.check(&wanted, "one step further");
-    let uploaded = bench.instance.uploaded_bytes() - before;
+    let mut test = ExtractionTest::new(&gpu, &extractor, &refinable);
+    assert!(test.fans.table_fans().count() > 256 * 256);
+    test.check_levels(3, "large terrain");
+    let mut expected_instance = FanInstance::uniform(&test.fans, test.fans.step_count() / 2);
+    test.check(&expected_instance, "half");
+    let before = test.instance.uploaded_bytes();
+    test.check(&expected_instance, "unchanged");
+    assert_eq!(test.instance.uploaded_bytes(), before);
+    expected_instance.collapse(&test.fans, test.fans.step_count() as u32 / 2 - 1);
+    test.check(&expected_instance, "one step further");
+    let uploaded = test.instance.uploaded_bytes() - before;
     assert!(uploaded > 0 && uploaded < 64, "{uploaded} bytes for one step");
 }
 
 #[test]
-fn views_are_extracted_exactly_and_drawn_as_their_lists_are() {
+fn views_are_extracted_exactly_and_drawn_like_their_lists() {
     const SIZE: [u32; 2] = [240, 200];
     let gpu = gpu();
     let extractor = FanExtractor::new(&gpu);
@@ -187,28 +188,31 @@ fn views_are_extracted_exactly_and_drawn_as_their_lists_are() {
         ("two materials", shapes::two_material_sphere(40, 60)),
     ] {
         let refinable = refinable(&mesh).unwrap();
-        let mut bench = Bench::new(&gpu, &extractor, &refinable);
-        let mut wanted = FanInstance::full(&bench.fans);
+        let mut test = ExtractionTest::new(&gpu, &extractor, &refinable);
+        let mut expected_instance = FanInstance::full(&test.fans);
         let vertices = GpuVertices::upload(&gpu, &refinable.mesh).unwrap();
         let look = Look::default().with_groups(true);
         for (turn, pixels) in [(0.4, 1.0), (2.0, 3.0), (4.0, 0.5)] {
             let mut view = Viewpoint::portrait(&refinable.mesh.bounds().unwrap(), turn, 0.5, 0.8);
             view.eye = std::array::from_fn(|k| 0.5 * view.eye[k] + 0.5 * view.look_at[k]);
             let camera: Camera = view.camera(SIZE).unwrap();
-            let scene = FanScene::new(&bench.fans, &refinable);
+            let scene = FanScene::new(&test.fans, &refinable);
             let criterion = ScreenError::new(camera, pixels).of_model(scene.sphere());
-            assert!(wanted.refine(&scene, &criterion) > 20, "{name}: the view asks for nothing");
-            bench.check(&wanted, name);
+            assert!(
+                expected_instance.refine(&scene, &criterion) > 20,
+                "{name}: the view needs no refinement"
+            );
+            test.check(&expected_instance, name);
 
             let scene = painter.scene(&gpu, &vertices, (&view, SIZE), &look).unwrap();
             let mut list = FanIndices::default();
-            wanted.emit_into(&bench.fans, FanForm::Triangles, &mut list);
+            expected_instance.emit_into(&test.fans, FanForm::Triangles, &mut list);
             let indices = GpuIndices::upload(&gpu, cast_slice(&list.indices)).unwrap();
             let by_list = Drawing::List { indices: &indices, groups: &list.group_ranges };
-            let [by_list, extracted] = [by_list, bench.instance.drawing()].map(|drawing| {
+            let [by_list, extracted] = [by_list, test.instance.drawing()].map(|drawing| {
                 canvas.paint(&gpu, look.background, |p| painter.draw(p, &scene, &vertices, drawing)).unwrap()
             });
-            assert!(drawn_pixels(&by_list) > 2000, "{name}: hardly anything is drawn");
+            assert!(drawn_pixels(&by_list) > 2000, "{name}: too little is drawn");
             differing += differing_pixels(&by_list, &extracted, 0);
         }
     }
@@ -223,8 +227,8 @@ proptest! {
         let gpu = gpu();
         let extractor = FanExtractor::new(&gpu);
         let refinable = refinable(&shapes::random_soup(triangle_count, seed)).unwrap();
-        let mut bench = Bench::new(&gpu, &extractor, &refinable);
-        bench.check_levels(3, "soup");
-        bench.check_random_sets(4, &mut Random::new(seed), "soup");
+        let mut test = ExtractionTest::new(&gpu, &extractor, &refinable);
+        test.check_levels(3, "soup");
+        test.check_random_sets(4, &mut Random::new(seed), "soup");
     }
 }

@@ -1,4 +1,5 @@
-//! Vertices that the shader blends are where the processor puts them: one picture, at every blend and frame.
+//! Vertices that the shader blends have the positions computed on the CPU: equal pictures at every blend
+//! and frame.
 
 mod support;
 
@@ -12,12 +13,12 @@ use support::{differing_pixels, drawn_pixels, gpu};
 
 const SIZE: [u32; 2] = [240, 200];
 
-/// A mesh with normals and colors as layers, so that the processor can blend them, too.
+/// Builds a mesh with normals and colors as layers, so that the CPU can blend them, too.
 fn with_layers(mut mesh: IndexedMesh) -> RefinableMesh {
     let bounds = mesh.bounds().unwrap();
     let middle: [f32; 3] = std::array::from_fn(|k| (bounds.min[k] + bounds.max[k]) / 2.0);
     let normals = mesh.positions.iter().enumerate().flat_map(|(v, p)| {
-        // Wild ones, so that a normal left behind shows.
+        // Strongly tilted, so that a wrong normal is visible.
         let tilt = [(v % 7) as f32 / 4.0 - 0.75, (v % 5) as f32 / 3.0 - 0.6, 0.3];
         let out: [f32; 3] =
             std::array::from_fn(|k| p[k] - middle[k] + tilt[k] * bounds.diagonal() as f32 / 4.0);
@@ -35,8 +36,8 @@ fn with_layers(mut mesh: IndexedMesh) -> RefinableMesh {
     build_sequence(&mesh, &Default::default()).unwrap().refinable
 }
 
-/// Blends on both sides, and draws both.
-struct Studio<'a> {
+/// Blends on the CPU and the GPU, and draws both.
+struct MorphTest<'a> {
     gpu: &'a Gpu,
     painter: &'a Painter,
     canvas: Canvas,
@@ -46,7 +47,7 @@ struct Studio<'a> {
     scene: Scene,
     view: Viewpoint,
     morph: GpuMorph,
-    /// What the processor has blended: the full mesh with its vertices on their way.
+    /// The full mesh with its vertices blended on the CPU.
     blended: IndexedMesh,
     normals: Vec<f32>,
     colors: Vec<f32>,
@@ -54,7 +55,7 @@ struct Studio<'a> {
 
 const LOOK: fn() -> Look = || Look::default().with_groups(false);
 
-impl<'a> Studio<'a> {
+impl<'a> MorphTest<'a> {
     fn new(gpu: &'a Gpu, painter: &'a Painter, refinable: &'a RefinableMesh) -> Self {
         let vertices = GpuVertices::upload(gpu, &refinable.mesh).unwrap();
         let view = Viewpoint::portrait(&refinable.mesh.bounds().unwrap(), 0.7, 0.35, 0.6);
@@ -74,7 +75,7 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// Draws an instance with the vertices as the shader has them and as the processor has them.
+    /// Draws an instance with vertices blended by the shader and by the CPU, and compares the pictures.
     fn compare(&mut self, drawn: &FanInstance, what: &str) -> Picture {
         self.blended.layers[0] = AttributeLayer::from_f32(Semantic::Normal, 3, self.normals.clone());
         self.blended.layers[1] = AttributeLayer::from_f32(Semantic::Color(0), 3, self.colors.clone());
@@ -90,11 +91,11 @@ impl<'a> Studio<'a> {
         let vertices = GpuVertices::upload(self.gpu, &self.blended).unwrap();
         let scene = self.painter.scene(self.gpu, &vertices, (&self.view, SIZE), &LOOK()).unwrap();
         let paint = |p: &mut wgpu::RenderPass<'_>| self.painter.draw(p, &scene, &vertices, list);
-        let by_processor = self.canvas.paint(self.gpu, background, paint).unwrap();
-        assert!(drawn_pixels(&by_shader) > 2000, "{what}: hardly anything was drawn");
-        // Colors are bytes before the one blends them and after the other has.
-        let differing = differing_pixels(&by_shader, &by_processor, 6);
-        // Folds of triangles in one plane are shown by the last bit of their depth.
+        let by_cpu = self.canvas.paint(self.gpu, background, paint).unwrap();
+        assert!(drawn_pixels(&by_shader) > 2000, "{what}: too little was drawn");
+        // The GPU rounds colors to bytes before blending, the CPU after.
+        let differing = differing_pixels(&by_shader, &by_cpu, 6);
+        // Overlapping triangles in one plane are ordered by the last bit of their depth.
         assert!(differing <= 20, "{what}: {differing} pixels differ");
         by_shader
     }
@@ -124,7 +125,8 @@ fn plain(mesh: &IndexedMesh, layer: usize) -> Vec<f32> {
     (0..mesh.vertex_count()).flat_map(|v| (0..3).map(move |k| layer.get(v, k))).collect()
 }
 
-/// A cylinder that is bent both ways: where it is straight, triangles on their way lie in one plane and hide each other.
+/// A cylinder curved in both directions: on a straight one, moving triangles lie in one plane and hide
+/// each other.
 fn vase() -> IndexedMesh {
     let mut mesh = shapes::uv_cylinder(40, 12);
     for p in &mut mesh.positions {
@@ -139,69 +141,70 @@ fn meshes() -> [(&'static str, IndexedMesh); 3] {
 }
 
 #[test]
-fn morphs_between_levels_are_where_the_processor_puts_them() {
+fn morphs_between_levels_match_the_cpu() {
     let gpu = gpu();
     let painter = Painter::new(&gpu, Canvas::FORMAT, 1);
     for (name, mesh) in meshes() {
         let refinable = with_layers(mesh);
-        let mut studio = Studio::new(&gpu, &painter, &refinable);
-        let step_count = studio.fans.step_count();
-        let level = |share: usize| FanInstance::uniform(&studio.fans, step_count * share / 100);
+        let mut test = MorphTest::new(&gpu, &painter, &refinable);
+        let step_count = test.fans.step_count();
+        let level = |share: usize| FanInstance::uniform(&test.fans, step_count * share / 100);
         let [coarse, middle, fine] = [level(10), level(40), level(100)];
-        studio.between(&coarse, &fine, name);
-        studio.between(&fine, &middle, name);
-        // Sets of steps of which neither holds the other: some appear and some vanish.
+        test.between(&coarse, &fine, name);
+        test.between(&fine, &middle, name);
+        // Two sets of steps of which neither contains the other, so that some vertices appear and some
+        // vanish.
         let mut random = Random::new(7);
         let mut other = middle.clone();
         for _ in 0..step_count / 6 {
             let step = random.below(step_count as u32);
             match random.below(2) {
-                0 => other.collapse(&studio.fans, step),
-                _ => other.split(&studio.fans, step),
+                0 => other.collapse(&test.fans, step),
+                _ => other.split(&test.fans, step),
             };
         }
         let morph = Geomorph::between(&refinable.sequence, &middle, &other);
         assert!(!morph.appearing().is_empty() && !morph.vanishing().is_empty());
-        studio.between(&middle, &other, name);
-        assert!(studio.morph.uploaded_bytes() < 200 * studio.vertices.vertex_count() as u64);
+        test.between(&middle, &other, name);
+        assert!(test.morph.uploaded_bytes() < 200 * test.vertices.vertex_count() as u64);
     }
 }
 
 #[test]
-fn what_follows_a_view_is_where_the_processor_puts_it() {
+fn morphs_that_follow_a_view_match_the_cpu() {
     let gpu = gpu();
     let painter = Painter::new(&gpu, Canvas::FORMAT, 1);
     for (name, mesh) in meshes() {
         let refinable = with_layers(mesh);
         let (sequence, mesh) = (&refinable.sequence, &refinable.mesh);
-        let mut studio = Studio::new(&gpu, &painter, &refinable);
-        let step_count = studio.fans.step_count();
-        let mut morphs = FanMorphs::new(&FanInstance::uniform(&studio.fans, step_count / 8), 5);
+        let mut test = MorphTest::new(&gpu, &painter, &refinable);
+        let step_count = test.fans.step_count();
+        let mut morphs = FanMorphs::new(&FanInstance::uniform(&test.fans, step_count / 8), 5);
         let mut longest_chain = 0;
         for frame in 0..26usize {
-            // Turns round in the middle of motions; jumps once.
+            // Reverses in the middle of motions; jumps once.
             let share = [60, 100, 20, 45, 5][frame / 3 % 5];
-            let wanted = FanInstance::uniform(&studio.fans, step_count * share / 100);
+            let goal = FanInstance::uniform(&test.fans, step_count * share / 100);
             if frame == 19 {
-                morphs.jump_to(&studio.fans, &wanted);
+                morphs.jump_to(&test.fans, &goal);
             } else {
-                morphs.advance(&studio.fans, &wanted);
+                morphs.advance(&test.fans, &goal);
             }
-            morphs.positions_into(sequence, &mesh.positions, &mut studio.blended.positions);
-            morphs.layer_into(sequence, &mesh.layers[0], &mut studio.normals);
-            morphs.layer_into(sequence, &mesh.layers[1], &mut studio.colors);
-            studio.morph.follow(&gpu, &morphs, sequence).unwrap();
+            morphs.positions_into(sequence, &mesh.positions, &mut test.blended.positions);
+            morphs.layer_into(sequence, &mesh.layers[0], &mut test.normals);
+            morphs.layer_into(sequence, &mesh.layers[1], &mut test.colors);
+            test.morph.follow(&gpu, &morphs, sequence).unwrap();
             let mut chain = std::collections::BTreeMap::new();
             for moving in morphs.moving(sequence) {
                 let length = 1 + chain.get(&moving.target).copied().unwrap_or(0);
                 chain.insert(moving.vertex, length);
                 longest_chain = longest_chain.max(length);
             }
-            studio.compare(morphs.drawn(), &format!("{name}, frame {frame}"));
+            test.compare(morphs.drawn(), &format!("{name}, frame {frame}"));
         }
         assert!(longest_chain >= 4, "{name}: chains of {longest_chain} only");
-        // A morph between levels puts to rest what was on its way.
-        let [a, b] = [30, 70].map(|share| FanInstance::uniform(&studio.fans, step_count * share / 100));
-        studio.between(&a, &b, name);
+        // Starting a morph between levels brings all moving vertices to rest.
+        let [a, b] = [30, 70].map(|share| FanInstance::uniform(&test.fans, step_count * share / 100));
+        test.between(&a, &b, name);
     }
 }

@@ -1,4 +1,5 @@
-//! One level, drawn as a list, as strips with restart, by a draw for each strip and as single triangles: one picture.
+//! One level gives the same picture as a list, as strips with restart, with one draw per strip, and as
+//! single triangles.
 
 mod support;
 
@@ -17,7 +18,7 @@ use support::{differing_pixels, drawn_pixels, gpu};
 
 const SIZE: [u32; 2] = [240, 200];
 
-struct Studio {
+struct PictureTest {
     gpu: Gpu,
     painter: Painter,
     canvas: Canvas,
@@ -26,7 +27,7 @@ struct Studio {
     look: Look,
 }
 
-impl Studio {
+impl PictureTest {
     fn new(mesh: &IndexedMesh, look: Look) -> Self {
         let gpu = gpu();
         let painter = Painter::new(&gpu, Canvas::FORMAT, 1);
@@ -64,23 +65,23 @@ fn levels(step_count: usize) -> impl DoubleEndedIterator<Item = usize> {
     (0..=12).map(move |part| step_count * part / 12)
 }
 
-/// Every way to draw every level; back sides hidden, so that a turned triangle leaves a hole.
+/// Draws every level in every way. Back faces are culled, so that a flipped triangle leaves a hole.
 fn all_ways_agree(mesh: &IndexedMesh, name: &str) {
     let refinable = refinable(mesh);
-    let studio = Studio::new(&refinable.mesh, Look::default().with_back_hidden(true).with_groups(true));
+    let test = PictureTest::new(&refinable.mesh, Look::default().with_back_hidden(true).with_groups(true));
     let (model, fans) = (lod_strips(&refinable), Fans::build(&refinable));
     let (mut state, mut fan_state) = (model.new_state(), fans.new_state());
     let mut buffer = StripBuffer::new(&model, &mut state);
-    let mut strips = GpuIndices::upload(&studio.gpu, buffer.indices()).unwrap();
-    let mut draws = GpuMultiDraw::new(&studio.gpu, 16).unwrap();
+    let mut strips = GpuIndices::upload(&test.gpu, buffer.indices()).unwrap();
+    let mut draws = GpuMultiDraw::new(&test.gpu, 16).unwrap();
     let mut drawn = 0;
     for split_count in levels(refinable.sequence.step_count()).rev() {
         model.move_to(&mut state, split_count);
         buffer.sync(&model, &mut state);
         let changed = buffer.take_changed_ranges();
-        strips.write_ranges(&studio.gpu, buffer.indices(), &changed);
+        strips.write_ranges(&test.gpu, buffer.indices(), &changed);
         let groups: Vec<Range<u32>> = buffer.group_ranges().collect();
-        let by_strips = studio.draw(Drawing::Strips { indices: &strips, groups: &groups });
+        let by_strips = test.draw(Drawing::Strips { indices: &strips, groups: &groups });
 
         let (mut list, mut list_groups) = (Vec::new(), Vec::new());
         for group in 0..model.group_count() {
@@ -91,20 +92,20 @@ fn all_ways_agree(mesh: &IndexedMesh, name: &str) {
             list.extend(triangles.into_iter().flatten());
             list_groups.push(first..list.len() as u32);
         }
-        let indices = GpuIndices::upload(&studio.gpu, &list).unwrap();
-        let by_list = studio.draw(Drawing::List { indices: &indices, groups: &list_groups });
+        let indices = GpuIndices::upload(&test.gpu, &list).unwrap();
+        let by_list = test.draw(Drawing::List { indices: &indices, groups: &list_groups });
         drawn += drawn_pixels(&by_list);
         let differing = differing_pixels(&by_list, &by_strips, 2);
         assert!(differing <= 4, "{name}, level {split_count}: strips differ in {differing} pixels");
 
         if model.group_count() == 1 {
-            draws.write(&studio.gpu, buffer.strip_ranges()).unwrap();
-            let by_draws = studio.draw(Drawing::MultiStrips { indices: &strips, draws: &draws });
+            draws.write(&test.gpu, buffer.strip_ranges()).unwrap();
+            let by_draws = test.draw(Drawing::MultiStrips { indices: &strips, draws: &draws });
             let differing = differing_pixels(&by_list, &by_draws, 2);
             assert!(differing <= 4, "{name}, level {split_count}: draws differ in {differing} pixels");
         }
     }
-    assert!(drawn > 13 * 500, "{name}: hardly anything was drawn: {drawn} pixels");
+    assert!(drawn > 13 * 500, "{name}: too little was drawn: {drawn} pixels");
 }
 
 #[test]
@@ -117,30 +118,29 @@ fn lists_strips_and_draws_give_one_picture_at_all_levels() {
 }
 
 #[test]
-fn single_triangles_give_the_same_picture_and_show_their_colors_and_edges() {
+fn single_triangles_match_and_show_their_colors_and_edges() {
     let mesh = shapes::icosphere(3, 2.0);
-    let mut studio = Studio::new(&mesh, Look::default());
-    let by_list = studio.list(&mesh.triangles);
-    let [r, g, b] = studio.look.base.map(|x| (255.0 * x + 0.5) as u8);
+    let mut test = PictureTest::new(&mesh, Look::default());
+    let by_list = test.list(&mesh.triangles);
+    let [r, g, b] = test.look.base.map(|x| (255.0 * x + 0.5) as u8);
     let colors = vec![[r, g, b, 255]; mesh.triangle_count()];
-    let inspect = |studio: &Studio, colors: &[[u8; 4]]| {
+    let inspect = |test: &PictureTest, colors: &[[u8; 4]]| {
         let triangles = (&mesh.triangles[..], colors);
-        let inspection = Inspection::new(&studio.gpu, &studio.painter, &studio.vertices, triangles).unwrap();
-        let paint =
-            |pass: &mut wgpu::RenderPass<'_>| studio.painter.inspect(pass, &studio.scene, &inspection);
-        studio.canvas.paint(&studio.gpu, studio.look.background, paint).unwrap()
+        let inspection = Inspection::new(&test.gpu, &test.painter, &test.vertices, triangles).unwrap();
+        let paint = |pass: &mut wgpu::RenderPass<'_>| test.painter.inspect(pass, &test.scene, &inspection);
+        test.canvas.paint(&test.gpu, test.look.background, paint).unwrap()
     };
-    let plain = inspect(&studio, &colors);
+    let plain = inspect(&test, &colors);
     assert!(differing_pixels(&by_list, &plain, 3) <= 4);
 
     let striped: Vec<[u8; 4]> = (0..colors.len() as u32).map(striata_gpu::palette_color).collect();
-    let colored = inspect(&studio, &striped);
+    let colored = inspect(&test, &striped);
     assert!(differing_pixels(&by_list, &colored, 8) > drawn_pixels(&by_list) / 2);
 
     let view = Viewpoint::portrait(&mesh.bounds().unwrap(), 0.7, 0.35, 0.6);
-    let look = studio.look.with_edges([0.0, 0.0, 0.0, 1.0]);
-    studio.scene.update(&studio.gpu, &studio.vertices, (&view, SIZE), &look);
-    let edged = inspect(&studio, &colors);
+    let look = test.look.with_edges([0.0, 0.0, 0.0, 1.0]);
+    test.scene.update(&test.gpu, &test.vertices, (&view, SIZE), &look);
+    let edged = inspect(&test, &colors);
     let lines = differing_pixels(&plain, &edged, 30);
     assert!(lines > 2000 && lines < drawn_pixels(&plain), "{lines} pixels of lines");
 }
@@ -148,21 +148,21 @@ fn single_triangles_give_the_same_picture_and_show_their_colors_and_edges() {
 #[test]
 fn a_mesh_far_from_zero_or_tiny_looks_the_same() {
     let mesh = shapes::icosphere(3, 1.0);
-    let near = Studio::new(&mesh, Look::default()).list(&mesh.triangles);
+    let near = PictureTest::new(&mesh, Look::default()).list(&mesh.triangles);
     for (scale, shift) in [(1e-7f32, 0.0f32), (1e6, 0.0), (1.0, 4096.0)] {
         let mut moved = mesh.clone();
         for position in &mut moved.positions {
             *position = position.map(|x| x * scale + shift);
         }
-        let picture = Studio::new(&moved, Look::default()).list(&moved.triangles);
-        // Moving rounds positions to 0.0005: silhouettes move by a fraction of a pixel.
+        let picture = PictureTest::new(&moved, Look::default()).list(&moved.triangles);
+        // Moving the mesh rounds positions to 0.0005, so silhouettes shift by a fraction of a pixel.
         let differing = differing_pixels(&near, &picture, 12);
         assert!(differing < 60, "x {scale} + {shift}: {differing} pixels");
     }
 }
 
 #[test]
-fn nothing_to_draw_and_impossible_sizes() {
+fn empty_drawings_and_impossible_sizes() {
     let gpu = gpu();
     let mesh = IndexedMesh::new(Vec::new(), Vec::new());
     let vertices = GpuVertices::upload(&gpu, &mesh).unwrap();

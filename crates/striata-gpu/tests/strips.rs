@@ -1,4 +1,4 @@
-//! Strips on the GPU are those of the processor, whatever way led there, and little is sent for a small move.
+//! Strips on the GPU equal those on the CPU after any sequence of moves, and small moves upload little.
 
 mod support;
 
@@ -19,7 +19,7 @@ fn model(refinable: &RefinableMesh) -> LodStrips<'static> {
     LodStrips::build(refinable, &strips).unwrap()
 }
 
-/// Both sides hold the same, wherever anything is drawn: behind it old indices may stand.
+/// Compares the drawn ranges on both sides; indices past them may be stale.
 fn check(gpu: &Gpu, strips: &GpuLodStrips, what: &str) {
     let found = strips.indices().read(gpu).unwrap();
     let expected = strips.buffer().indices();
@@ -27,18 +27,18 @@ fn check(gpu: &Gpu, strips: &GpuLodStrips, what: &str) {
     for range in strips.buffer().group_ranges() {
         let range = range.start as usize..range.end as usize;
         let differing = found[range.clone()].iter().zip(&expected[range.clone()]).position(|(a, b)| a != b);
-        assert_eq!(differing, None, "{what}: an index from {} on", range.start);
+        assert_eq!(differing, None, "{what}: an index at or after {} differs", range.start);
         drawn += range.len();
     }
     let strip_indices: usize = strips.buffer().strip_ranges().map(|strip| strip.len()).sum();
     assert!(drawn >= strip_indices, "{what}: {drawn} of {strip_indices} indices are drawn");
 }
 
-/// Walks to these levels; after each the GPU holds what the processor does.
+/// Moves through these levels and compares CPU and GPU after each.
 fn walk(gpu: &Gpu, model: &LodStrips<'_>, split_counts: impl IntoIterator<Item = usize>) {
     let mut state = model.new_state();
     let mut strips = GpuLodStrips::new(gpu, model, &mut state).unwrap();
-    check(gpu, &strips, "at first");
+    check(gpu, &strips, "initially");
     for split_count in split_counts {
         model.move_to(&mut state, split_count);
         strips.follow(gpu, model, &mut state);
@@ -61,7 +61,7 @@ fn random_levels(step_count: usize, seed: u64) -> impl Iterator<Item = usize> {
 }
 
 #[test]
-fn any_walk_leaves_the_same_indices_on_both_sides() {
+fn any_sequence_of_moves_leaves_equal_indices_on_cpu_and_gpu() {
     let gpu = gpu();
     let mut mesh_count = 0;
     for (_, mesh) in shapes::nasty() {
@@ -79,7 +79,7 @@ fn any_walk_leaves_the_same_indices_on_both_sides() {
 }
 
 #[test]
-fn a_small_move_sends_little() {
+fn small_moves_upload_little() {
     let gpu = gpu();
     let refinable = refinable(&shapes::terrain(220, 3)).unwrap();
     let model = model(&refinable);

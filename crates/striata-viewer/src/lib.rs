@@ -1,8 +1,8 @@
-//! Shows models to people: [`picture`] draws PNGs with a GPU or without one, [`window`] follows a camera in a window of its
-//! own, and [`serve`] gives a folder of models and the web viewer to a browser.
+//! Shows models to people: [`picture`] draws PNGs with or without a GPU, [`window`] opens an interactive
+//! window, and [`serve`] serves a folder of models and the web viewer to browsers.
 //!
-//! In reading order: [`picture`] knows shots, cameras and who draws them; [`viewer_page`] is the web viewer with a model inside;
-//! [`serve`] needs both; [`window`] stands for itself.
+//! In reading order: [`picture`] contains shots, cameras and renderers; [`viewer_page`] is the web viewer
+//! with an embedded model; [`serve`] uses both; [`window`] is independent.
 
 #[cfg(all(feature = "serve", not(feature = "window")))]
 mod browser_args;
@@ -16,7 +16,7 @@ pub mod window;
 #[cfg(all(feature = "serve", not(feature = "window")))]
 pub use browser_args::BrowserArgs;
 
-/// The readme's example, compiled with the documentation's tests.
+/// Compiles the readme's example with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

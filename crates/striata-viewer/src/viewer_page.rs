@@ -1,7 +1,8 @@
-//! The web viewer that the command carries: its files, and all of it with a model in one page.
+//! The embedded web viewer: its files, and a self-contained page with a model inside.
 //!
-//! The page needs neither a server nor a network: scripts and styles move into it, the decoder and the model lie in it as
-//! base64, where the viewer looks for them. Cost: memory of about three times the page.
+//! The page needs neither a server nor a network: scripts and styles are inlined, and the decoder and the
+//! model are embedded as base64, where the viewer looks for them. Cost: memory of about three times the
+//! page.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -10,34 +11,40 @@ use rust_embed::RustEmbed;
 use striata_command::failure::Failure;
 use striata_command::page::escaped;
 
-/// The viewer's files, as `web/` builds them.
+/// Files of the viewer, as built from `web/`.
 #[derive(RustEmbed)]
 #[folder = "viewer/"]
 pub struct ViewerFiles;
 
-/// The viewer in one page, with a model inside if there is one: its file name and its bytes.
+/// Returns the viewer as a single page, with a model (file name and bytes) embedded if given.
 ///
 /// # Errors
-/// Where the viewer that was built in lacks a part.
+/// If the embedded viewer is incomplete.
 pub fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
     let file = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
-    assembled(&file, model)
+    assemble(&file, model)
 }
 
-fn assembled(
+fn assemble(
     file: &impl Fn(&str) -> Option<Vec<u8>>,
     model: Option<(&str, &[u8])>,
 ) -> Result<String, Failure> {
     let text = |name: &str| {
-        let bytes = file(name).ok_or_else(|| Failure::internal(format!("the viewer has no {name}")))?;
-        String::from_utf8(bytes).map_err(|_| Failure::internal(format!("the viewer's {name} is no text")))
+        let bytes =
+            file(name).ok_or_else(|| Failure::internal(format!("the embedded viewer has no {name}")))?;
+        String::from_utf8(bytes)
+            .map_err(|_| Failure::internal(format!("{name} of the embedded viewer is not valid UTF-8")))
     };
     let mut page = text("index.html")?;
     if let Some(tag) = tag_naming(&page, "link", "viewer.css") {
-        page.replace_range(tag, &format!("<style>{}</style>", closed_nowhere(&text("viewer.css")?, "style")));
+        page.replace_range(
+            tag,
+            &format!("<style>{}</style>", escape_end_tags(&text("viewer.css")?, "style")),
+        );
     }
     let script = tag_naming(&page, "script", "viewer.js");
-    let script = script.ok_or_else(|| Failure::internal("the viewer's page has no viewer.js"))?;
+    let script =
+        script.ok_or_else(|| Failure::internal("the page of the embedded viewer does not load viewer.js"))?;
     let mut inlined = String::new();
     if let Some(wasm) = file("striata.wasm") {
         let wasm = BASE64.encode(wasm);
@@ -48,13 +55,13 @@ fn assembled(
         inlined += "<script type=\"text/plain\" id=\"striata-model\" ";
         inlined += &format!("data-name=\"{name}\">{bytes}</script>\n");
     }
-    let code = closed_nowhere(&text("viewer.js")?, "script");
+    let code = escape_end_tags(&text("viewer.js")?, "script");
     inlined += &format!("<script type=\"module\">{code}</script>");
     page.replace_range(script, &inlined);
     Ok(page)
 }
 
-/// Where the element of a name lies whose start tag names a file; a script with the end tag that follows.
+/// Byte range of the element whose start tag names a file, including the end tag if it follows immediately.
 fn tag_naming(page: &str, element: &str, file: &str) -> Option<std::ops::Range<usize>> {
     let opening = format!("<{element} ");
     let starts = page.match_indices(&opening).map(|(start, _)| start);
@@ -69,8 +76,9 @@ fn tag_naming(page: &str, element: &str, file: &str) -> Option<std::ops::Range<u
     })
 }
 
-/// Code in which nothing ends, or comments out, the element around it: `\/` is `/` in strings and regular expressions.
-fn closed_nowhere(code: &str, element: &str) -> String {
+/// Escapes end tags and comments in code, so that they do not end the element around it: `\/` equals `/` in
+/// strings and regular expressions.
+fn escape_end_tags(code: &str, element: &str) -> String {
     code.replace(&format!("</{element}"), &format!("<\\/{element}")).replace("<!--", "<\\!--")
 }
 
@@ -94,7 +102,7 @@ mod tests {
 
     #[test]
     fn scripts_styles_decoder_and_model_move_into_the_page() {
-        let page = assembled(&fixture, Some(("a\"b<c>.stri", b"foobar"))).expect("all parts");
+        let page = assemble(&fixture, Some(("a\"b<c>.stri", b"foobar"))).expect("all parts");
         let expected = "<head><link rel=\"icon\" href=\"data:,\"><style>p { color: red }</style>\
              <script type=\"text/plain\" id=\"striata-wasm\">AGFzbQ==</script>\n\
              <script type=\"text/plain\" id=\"striata-model\" data-name=\"a&quot;b&lt;c&gt;.stri\">Zm9vYmFy</script>\n\
@@ -103,18 +111,18 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_part_is_told() {
-        let without = |gone: &'static str| move |name: &str| fixture(name).filter(|_| name != gone);
-        for gone in ["index.html", "viewer.js", "viewer.css"] {
-            assert!(assembled(&without(gone), None).is_err(), "{gone} was not missed");
+    fn missing_parts_are_reported() {
+        let without = |missing: &'static str| move |name: &str| fixture(name).filter(|_| name != missing);
+        for missing in ["index.html", "viewer.js", "viewer.css"] {
+            assert!(assemble(&without(missing), None).is_err(), "{missing} is not reported");
         }
-        assert!(assembled(&|name: &str| fixture(name).map(|_| b"<p>".to_vec()), None).is_err());
+        assert!(assemble(&|name: &str| fixture(name).map(|_| b"<p>".to_vec()), None).is_err());
     }
 
     #[test]
-    fn the_viewer_that_is_built_in_assembles() {
+    fn the_embedded_viewer_assembles() {
         let page = self_contained(Some(("ball.stri", b"1234"))).expect("all parts");
         assert!(page.contains("data-name=\"ball.stri\">MTIzNA==</script>"));
-        assert_eq!(tag_naming(&page, "script", "viewer.js"), None, "nothing is left outside");
+        assert_eq!(tag_naming(&page, "script", "viewer.js"), None, "everything is inlined");
     }
 }

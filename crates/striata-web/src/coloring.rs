@@ -1,21 +1,21 @@
-//! Which triangles belong together: those of a strip, those of a fan.
+//! Assigns triangles to strips or fans, for coloring.
 //!
-//! Triangles are put into the order in which strips or fans have them, and each gets the number of its own; so whoever
-//! draws them needs no more than a color for each number.
+//! Triangles are reordered by strip or fan, and each gets the number of its strip or fan, so that a
+//! renderer only needs a color for each number.
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
 use striata::model::{FanIndices, fan_triangles_into};
 use striata::strip::{RESTART, strip_triangles, stripify};
 
 use crate::Failure;
-use crate::shown::Shown;
+use crate::shown_level::ShownLevel;
 
-/// Covers what is shown by strips, puts its triangles into their order, and tells the strip of each.
+/// Stripifies the shown triangles, reorders them by strip, and returns the strip number of each.
 ///
 /// # Errors
-/// Where the triangles do not fit together.
-pub(crate) fn by_strips(shown: &mut Shown, vertex_count: usize) -> Result<Vec<u32>, Failure> {
-    // Strips ask for corners alone.
+/// If the triangles do not form a valid mesh.
+pub(crate) fn by_strips(shown: &mut ShownLevel, vertex_count: usize) -> Result<Vec<u32>, Failure> {
+    // Stripification uses only connectivity, so positions may be anything.
     let mut mesh = IndexedMesh::new(vec![[0.0; 3]; vertex_count], std::mem::take(&mut shown.triangles));
     let mut first = 0;
     for &count in &shown.group_counts {
@@ -37,8 +37,8 @@ pub(crate) fn by_strips(shown: &mut Shown, vertex_count: usize) -> Result<Vec<u3
     Ok(numbers)
 }
 
-/// Puts triangles into the order of fans, and tells the fan of each.
-pub(crate) fn by_fans(shown: &mut Shown, fans: &FanIndices) -> Vec<u32> {
+/// Reorders triangles by fan and returns the fan number of each.
+pub(crate) fn by_fans(shown: &mut ShownLevel, fans: &FanIndices) -> Vec<u32> {
     shown.triangles.clear();
     shown.group_counts.clear();
     let (mut numbers, mut fan_count) = (Vec::new(), 0);
@@ -55,7 +55,7 @@ pub(crate) fn by_fans(shown: &mut Shown, fans: &FanIndices) -> Vec<u32> {
     numbers
 }
 
-/// The vertex that leaves each triangle first, the one with the highest number: what fans turn around.
-pub(crate) fn by_pivots(shown: &Shown) -> Vec<u32> {
+/// Returns the pivot of each triangle: the vertex that is removed first, which has the highest index.
+pub(crate) fn by_pivots(shown: &ShownLevel) -> Vec<u32> {
     shown.triangles.iter().map(|corners| corners.iter().copied().max().unwrap_or(0)).collect()
 }

@@ -1,4 +1,5 @@
-//! What a method fails with: a code for programs, a sentence for people, and the cure where it is known.
+//! The error type of this crate: a code for programs, a message for people, and a hint if a remedy is
+//! known.
 
 use striata::file::DecodeError;
 use striata::simplify::SimplifyError;
@@ -6,7 +7,7 @@ use striata_io::ReadError;
 use striata_stream::StreamDefect;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Why something did not work; JavaScript catches it as an object with `code`, `message` and `hint`.
+/// An error; JavaScript catches it as an object with `code`, `message` and `hint`.
 #[wasm_bindgen]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
@@ -17,19 +18,19 @@ pub struct Failure {
 
 #[wasm_bindgen]
 impl Failure {
-    /// `format`, `corrupt`, `too-large` or `unsupported`.
+    /// Kind of error: `format`, `corrupt`, `too-large` or `unsupported`.
     #[wasm_bindgen(getter)]
     pub fn code(&self) -> String {
         self.code.to_owned()
     }
 
-    /// One sentence.
+    /// Description of the error.
     #[wasm_bindgen(getter)]
     pub fn message(&self) -> String {
         self.message.clone()
     }
 
-    /// What may help.
+    /// How to fix the problem, if known.
     #[wasm_bindgen(getter)]
     pub fn hint(&self) -> Option<String> {
         self.hint.map(str::to_owned)
@@ -41,22 +42,22 @@ impl Failure {
         Self { code, message: message.to_string(), hint: None }
     }
 
-    /// The bytes are none of the kinds that are known.
+    /// The format of the bytes is unknown.
     pub(crate) fn format(message: impl ToString) -> Self {
         Self::new("format", message)
     }
 
-    /// The bytes are of a known kind, and damaged.
+    /// The format is known, but the bytes are damaged.
     pub(crate) fn corrupt(message: impl ToString) -> Self {
         Self::new("corrupt", message)
     }
 
-    /// A page's memory does not hold it.
+    /// The model does not fit into a page's memory.
     pub(crate) fn too_large(message: impl ToString) -> Self {
         Self::new("too-large", message)
     }
 
-    /// It is legal, and not understood here.
+    /// The input is valid but not supported here.
     pub(crate) fn unsupported(message: impl ToString) -> Self {
         Self::new("unsupported", message)
     }
@@ -74,7 +75,7 @@ impl From<DecodeError> for Failure {
                 Self::unsupported(error).with_hint("a newer version of the viewer may read it")
             }
             DecodeError::FileLength { found, expected } if found < expected => {
-                Self::corrupt(error).with_hint("the file is cut off: was it copied whole?")
+                Self::corrupt(error).with_hint("the file is truncated; check that it was copied completely")
             }
             _ => Self::corrupt(error),
         }
@@ -97,7 +98,7 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match &error {
             ReadError::UnknownFormat { .. } => Self::format(error).with_hint(
-                "known are .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, plain or as .gz or .zst",
+                "supported: .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally .gz or .zst",
             ),
             ReadError::FeatureOff { .. }
             | ReadError::UnsupportedExtension { .. }

@@ -1,42 +1,45 @@
-//! The wasm face of striata: a model that grows as its bytes come in, and shows any level of itself.
+//! WebAssembly bindings of striata: a model that grows as its bytes arrive and can show any of its levels
+//! of detail.
 //!
-//! There is one class, [`Model`]. It takes the bytes of a stream and gives what has come after each of them; or it takes
-//! a whole file of any kind that striata knows. What it shows is wished for by detail, by triangles, by an error or by a
-//! camera, and handed over as indices over one vertex buffer that only grows. Nothing here knows a page, a worker or
-//! three.js: that is the package's business (`web/src`).
+//! There is one main class, [`Model`]. Push the bytes of a stream into it and show what has arrived after
+//! each push, or pass it a whole file of any format that striata reads. Levels are requested by detail,
+//! triangle count, error or camera, and returned as indices over a single vertex buffer that only grows.
+//! This crate knows nothing about pages, workers or three.js; the npm package (`web/src`) does.
 //!
-//! In reading order: `model` is the class; it holds what is `streaming`, `stored` or `built`, which all answer with `shown`. `head`, `limits`
-//! and `failure` judge bytes, `camera` and `coloring` what is wished for, `vertices` and `normals` what is handed over, `progress` how far
-//! it is.
+//! In reading order: `model` is the class; it contains a `streamed_model` or a `built_model` (which
+//! `stored_model` reads from files), and both return a `shown_level`. `stream_place`, `limits` and
+//! `failure` check bytes, `view` and `coloring` handle requests, `vertices` and `normals` are the results,
+//! and `progress` reports progress.
 //!
-//! Cost: a level of a stream takes a pass over the vertices that have arrived and one over its triangles; a view also asks about
-//! the steps that it shows. Levels and views of other files take what they show.
+//! Cost: a level of a stream takes one pass over the vertices that have arrived and one over the level's
+//! triangles; a view also evaluates the steps that it shows. Levels and views of other files take time
+//! proportional to what they show.
 //!
-//! Bytes are a stranger's: whatever they hold, a method answers or fails with a [`Failure`]. What would not fit into a
-//! page's memory is refused before it is begun.
+//! Bytes are untrusted: for any input, a method succeeds or fails with a [`Failure`]. Inputs that would not
+//! fit into a page's memory are rejected before they are decoded.
 
-mod built;
-mod camera;
+mod built_model;
 mod coloring;
 mod failure;
-mod head;
 mod limits;
 mod model;
 mod normals;
 mod progress;
-mod shown;
-mod stored;
-mod streaming;
+mod shown_level;
+mod stored_model;
+mod stream_place;
+mod streamed_model;
 mod vertices;
+mod view;
 
-pub use camera::View;
 pub use failure::Failure;
-pub use head::StreamPlace;
 pub use model::Model;
 pub use progress::Sink;
+pub use stream_place::StreamPlace;
 pub use vertices::Vertices;
+pub use view::View;
 
-/// The readme's example, compiled with the documentation's tests.
+/// Compiles the readme's example with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

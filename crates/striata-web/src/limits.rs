@@ -1,59 +1,65 @@
-//! What a page is asked to hold at most.
+//! Upper limits on the models that a page loads.
 //!
-//! A page has 4 GiB at the very most, and a browser that runs out of them ends the page. A stream's head says what the
-//! whole will be, so what cannot fit is refused when it has come; the decoder itself allocates no more than the bytes that
-//! are there can pay for.
+//! A page has at most 4 GiB of memory, and a browser terminates a page that exceeds it. The header of a
+//! stream states its final size, so a stream that cannot fit is rejected as soon as its header has arrived.
+//! The decoder itself never allocates more than the bytes received so far justify.
 
 use striata_stream::StreamFacts;
 
 use crate::Failure;
 
-/// Vertices of a stream or a `.striata` file.
-const MOST_VERTICES: usize = 8_000_000;
+/// Maximum number of vertices of a stream or a `.striata` file.
+const MAX_VERTICES: usize = 8_000_000;
 
-/// Triangles of them.
-const MOST_TRIANGLES: usize = 16_000_000;
+/// Maximum number of triangles of a stream or a `.striata` file.
+const MAX_TRIANGLES: usize = 16_000_000;
 
-/// Triangles of a mesh that is simplified here, which takes several times the memory.
-const MOST_BUILT_TRIANGLES: usize = 6_000_000;
+/// Maximum number of triangles of a mesh to simplify, which takes several times as much memory.
+const MAX_BUILT_TRIANGLES: usize = 6_000_000;
 
-/// Bytes of a file that is taken whole.
-pub(crate) const MOST_FILE_BYTES: usize = 1 << 30;
+/// Maximum size of a file that is read as a whole, bytes.
+pub(crate) const MAX_FILE_BYTES: usize = 1 << 30;
 
+/// Checks that a stream will fit into a page.
+///
 /// # Errors
-/// Where the whole stream would not fit.
+/// If the complete stream would not fit.
 pub(crate) fn check_stream(facts: &StreamFacts) -> Result<(), Failure> {
     check_counts(facts.vertex_count, facts.triangle_count)
 }
 
+/// Checks that a finished model will fit into a page.
+///
 /// # Errors
-/// Where a finished model would not fit.
+/// If it would not fit.
 pub(crate) fn check_counts(vertex_count: usize, triangle_count: usize) -> Result<(), Failure> {
-    check(vertex_count, MOST_VERTICES, "vertices")?;
-    check(triangle_count, MOST_TRIANGLES, "triangles")
+    check(vertex_count, MAX_VERTICES, "vertices")?;
+    check(triangle_count, MAX_TRIANGLES, "triangles")
 }
 
+/// Checks that a mesh can be simplified in a page.
+///
 /// # Errors
-/// Where simplifying a mesh would not fit.
+/// If simplifying it would take too much memory.
 pub(crate) fn check_to_build(vertex_count: usize, triangle_count: usize) -> Result<(), Failure> {
-    let hint = "`striata encode` makes a stream of it, which takes a page less memory and time";
-    let most = MOST_BUILT_TRIANGLES;
-    check(triangle_count, most, "triangles")
-        .and_then(|()| check(vertex_count, most, "vertices"))
+    let hint = "convert it to a stream with `striata encode`, which needs less memory and time";
+    let limit = MAX_BUILT_TRIANGLES;
+    check(triangle_count, limit, "triangles")
+        .and_then(|()| check(vertex_count, limit, "vertices"))
         .map_err(|failure| failure.with_hint(hint))
 }
 
+/// Checks the size of a file that is read as a whole.
+///
 /// # Errors
-/// Where a whole file is too long.
+/// If the file is too large.
 pub(crate) fn check_file(byte_count: usize) -> Result<(), Failure> {
-    check(byte_count, MOST_FILE_BYTES, "bytes")
+    check(byte_count, MAX_FILE_BYTES, "bytes")
 }
 
-fn check(found: usize, most: usize, what: &str) -> Result<(), Failure> {
-    if found <= most {
+fn check(found: usize, limit: usize, what: &str) -> Result<(), Failure> {
+    if found <= limit {
         return Ok(());
     }
-    Err(Failure::too_large(format!(
-        "the model has {found} {what}, more than the {most} that a page can hold"
-    )))
+    Err(Failure::too_large(format!("the model has {found} {what}; a page can load at most {limit}")))
 }

@@ -1,28 +1,28 @@
-//! The class that a page has: a model that comes in, is built, and shows levels of itself.
+//! The main class for pages: a model that is loaded or streamed and shows its levels.
 
 use striata::mesh::Bounds;
 use striata_io::Format;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::built::Built;
-use crate::camera::View;
+use crate::built_model::BuiltModel;
 use crate::coloring;
 use crate::progress::{self, Sink};
-use crate::shown::{Shown, Wish};
-use crate::streaming::Streaming;
+use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::streamed_model::StreamedModel;
 use crate::vertices::Vertices;
-use crate::{Failure, limits, normals, stored};
+use crate::view::View;
+use crate::{Failure, limits, normals, stored_model};
 
-/// Where levels and views come from.
+/// Source of levels and views.
 #[derive(Debug)]
 enum Stage {
     /// A stream, which may still be arriving.
-    Streaming(Box<Streaming>),
+    Streaming(Box<StreamedModel>),
     /// A file that was read whole.
-    Built(Box<Built>),
+    Built(Box<BuiltModel>),
 }
 
-/// What the bytes of a file were.
+/// Kind of input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Stream,
@@ -40,54 +40,57 @@ impl Kind {
     }
 }
 
-/// A model. Streams are [pushed](Model::push) bytes and [revealed](Model::reveal); other files are read whole.
+/// A model. [Push](Model::push) the bytes of a stream and [reveal](Model::reveal) them; other files are
+/// read as a whole.
 ///
-/// A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
+/// The `show_` methods select a level; `indices`, `group_counts` and the `shown_` getters describe the
+/// level selected last.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Model {
     stage: Stage,
     kind: Kind,
-    shown: Shown,
+    shown: ShownLevel,
     is_complete: bool,
 }
 
 #[wasm_bindgen]
 impl Model {
-    /// A model without any bytes yet, for a stream.
+    /// Creates an empty model for a stream.
     #[wasm_bindgen(constructor)]
-    #[expect(clippy::new_without_default, reason = "pages know constructors, no defaults")]
+    #[expect(clippy::new_without_default, reason = "JavaScript has constructors but no defaults")]
     pub fn new() -> Self {
         let stage = Stage::Streaming(Box::default());
-        Self { stage, kind: Kind::Stream, shown: Shown::default(), is_complete: false }
+        Self { stage, kind: Kind::Stream, shown: ShownLevel::default(), is_complete: false }
     }
 
-    /// Reads a whole file, unpacked, and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
-    /// triangles. What is shown is all of it.
+    /// Reads a whole uncompressed file and builds its model. Plain meshes are simplified, which takes a
+    /// second or two per 100,000 triangles. Shows the full mesh.
     ///
     /// # Errors
-    /// Where the bytes are damaged, of no kind that is known, or too much for a page.
+    /// If the bytes are damaged, of an unknown format, or the model is too large for a page.
     pub fn from_file(bytes: Vec<u8>, name: &str, sink: &Sink) -> Result<Self, Failure> {
-        Self::read(bytes, name, &mut progress::to(sink))
+        Self::read(bytes, name, &mut progress::reporter(sink))
     }
 
-    /// Takes the next bytes of a stream and decodes what is whole.
+    /// Appends bytes of a stream and decodes all complete chunks.
     ///
     /// # Errors
-    /// Where they are no sound stream, or the whole would not fit into a page. What came before stays.
+    /// If the bytes are not a valid stream, or the model is too large for a page. The part decoded before
+    /// stays.
     pub fn push(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         let Stage::Streaming(streaming) = &mut self.stage else {
-            return Err(Failure::unsupported("the model was read from a whole file: it takes no more bytes"));
+            return Err(Failure::unsupported("cannot push bytes: the model was read from a file"));
         };
         let result = streaming.push(bytes);
         self.is_complete = streaming.decoder().is_complete();
         result
     }
 
-    /// No more bytes will come: reads what an incomplete rest of them tells.
+    /// Ends the stream: decodes what an incomplete last chunk contains.
     ///
     /// # Errors
-    /// Where there is no mesh without what is missing.
+    /// If the base mesh is incomplete.
     pub fn finish(&mut self) -> Result<(), Failure> {
         match &mut self.stage {
             Stage::Streaming(streaming) => streaming.finish(),
@@ -95,22 +98,23 @@ impl Model {
         }
     }
 
-    /// Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
-    /// the work.
+    /// Prepares view-dependent refinement of what has been decoded since the last call.
+    /// [`reveal`](Self::reveal) does this, too; calls between pushes spread the work.
     pub fn grow(&mut self) {
         if let Stage::Streaming(streaming) = &mut self.stage {
             streaming.grow();
         }
     }
 
-    /// Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+    /// Makes everything decoded so far available. Counts, vertices and normals refer to what has been
+    /// revealed.
     pub fn reveal(&mut self) {
         if let Stage::Streaming(streaming) = &mut self.stage {
             streaming.reveal();
         }
     }
 
-    /// `stream`, `striata` or `mesh`: what the bytes were.
+    /// Kind of input: `stream`, `striata` or `mesh`.
     #[wasm_bindgen(getter)]
     pub fn kind(&self) -> String {
         self.kind.as_str().to_owned()
@@ -122,13 +126,13 @@ impl Model {
         self.vertex_count() > 0
     }
 
-    /// Whether all of the mesh is there.
+    /// Whether the whole mesh has been decoded.
     #[wasm_bindgen(getter)]
     pub fn is_complete(&self) -> bool {
         self.is_complete
     }
 
-    /// Vertices that are there.
+    /// Number of available vertices.
     #[wasm_bindgen(getter)]
     pub fn vertex_count(&self) -> usize {
         match &self.stage {
@@ -137,7 +141,7 @@ impl Model {
         }
     }
 
-    /// Triangles of the finest level that is there.
+    /// Triangle count of the finest available level.
     #[wasm_bindgen(getter)]
     pub fn triangle_count(&self) -> usize {
         match &self.stage {
@@ -146,19 +150,19 @@ impl Model {
         }
     }
 
-    /// Vertices that there will be; 0 as long as nobody has told.
+    /// Total vertex count, or 0 while it is unknown.
     #[wasm_bindgen(getter)]
     pub fn full_vertex_count(&self) -> usize {
-        self.told(|facts| facts.vertex_count, self.vertex_count())
+        self.fact(|facts| facts.vertex_count, self.vertex_count())
     }
 
-    /// Triangles that there will be; 0 as long as nobody has told.
+    /// Total triangle count, or 0 while it is unknown.
     #[wasm_bindgen(getter)]
     pub fn full_triangle_count(&self) -> usize {
-        self.told(|facts| facts.triangle_count, self.triangle_count())
+        self.fact(|facts| facts.triangle_count, self.triangle_count())
     }
 
-    /// Vertex splits from the base to the full mesh.
+    /// Number of vertex splits from the base mesh to the full mesh.
     #[wasm_bindgen(getter)]
     pub fn step_count(&self) -> usize {
         match &self.stage {
@@ -167,13 +171,13 @@ impl Model {
         }
     }
 
-    /// Bytes of the whole stream; 0 as long as nobody has told.
+    /// Size of the whole stream in bytes, or 0 while it is unknown.
     #[wasm_bindgen(getter)]
     pub fn stream_bytes(&self) -> f64 {
-        self.told(|facts| facts.stream_bytes as usize, 0) as f64
+        self.fact(|facts| facts.stream_bytes as usize, 0) as f64
     }
 
-    /// Groups of triangles, at least one.
+    /// Number of triangle groups, at least one.
     #[wasm_bindgen(getter)]
     pub fn group_count(&self) -> usize {
         match &self.stage {
@@ -182,7 +186,7 @@ impl Model {
         }
     }
 
-    /// The smallest and the largest coordinates that are there; empty where nothing is.
+    /// Minimum and maximum coordinates of the available vertices; empty if there are none.
     pub fn bounds(&self) -> Vec<f32> {
         self.box_bounds().map_or(Vec::new(), |bounds| [bounds.min, bounds.max].as_flattened().to_vec())
     }
@@ -193,7 +197,7 @@ impl Model {
         self.box_bounds().map_or(0.0, |bounds| bounds.diagonal())
     }
 
-    /// Vertices from one on.
+    /// Returns the vertices starting at index `first`.
     pub fn vertices(&self, first: usize) -> Vertices {
         match &self.stage {
             Stage::Streaming(streaming) => streaming.vertices(first),
@@ -201,7 +205,7 @@ impl Model {
         }
     }
 
-    /// Normals of all vertices that are there, made from the finest level of what has come.
+    /// Computes normals of all available vertices from the finest available level.
     pub fn smooth_normals(&self) -> Vec<f32> {
         let normals = match &self.stage {
             Stage::Streaming(streaming) => streaming.smooth_normals(),
@@ -213,22 +217,22 @@ impl Model {
         normals.into_flattened()
     }
 
-    /// Shows a level by its detail, 0 to 1 of the full mesh.
+    /// Shows a level by its detail, 0 (base mesh) to 1 (full mesh).
     pub fn show_detail(&mut self, detail: f64) {
-        self.show(Wish::Detail(detail));
+        self.show(LevelRequest::Detail(detail));
     }
 
-    /// Shows the finest level of no more triangles.
-    pub fn show_triangles(&mut self, most: usize) {
-        self.show(Wish::Triangles(most));
+    /// Shows the finest level with at most this many triangles.
+    pub fn show_triangles(&mut self, limit: usize) {
+        self.show(LevelRequest::Triangles(limit));
     }
 
-    /// Shows the coarsest level that is no farther off, mesh units.
-    pub fn show_error(&mut self, most: f64) {
-        self.show(Wish::Error(most));
+    /// Shows the coarsest level whose error is at most this, mesh units.
+    pub fn show_error(&mut self, limit: f64) {
+        self.show(LevelRequest::Error(limit));
     }
 
-    /// Shows what a view asks for, of what has arrived; false if asking once more would show more of it.
+    /// Refines what has arrived for a view. Returns false if calling it again would refine further.
     ///
     /// # Errors
     /// If the camera sees nothing.
@@ -241,17 +245,17 @@ impl Model {
         Ok(is_settled)
     }
 
-    /// Puts the triangles that are shown into the order of strips made of them, and tells the strip of each.
+    /// Stripifies the shown triangles, reorders them by strip, and returns the strip number of each.
     ///
     /// # Errors
-    /// Where no strips can be made.
+    /// If the triangles cannot be stripified.
     pub fn color_strips(&mut self) -> Result<Vec<u32>, Failure> {
         let vertex_count = self.vertex_count();
         coloring::by_strips(&mut self.shown, vertex_count)
     }
 
-    /// Returns the fan of each triangle that is shown, whose order may change. For a stream that is the vertex that the triangle
-    /// turns around.
+    /// Returns the fan number of each shown triangle, whose order may change. For a stream this is the
+    /// vertex that the triangle pivots around.
     pub fn color_fans(&mut self) -> Vec<u32> {
         match &mut self.stage {
             Stage::Streaming(_) => coloring::by_pivots(&self.shown),
@@ -259,23 +263,23 @@ impl Model {
         }
     }
 
-    /// Corners of the triangles that are shown, group after group.
+    /// Corners of the shown triangles, group by group.
     pub fn indices(&self) -> Vec<u32> {
         self.shown.triangles.as_flattened().to_vec()
     }
 
-    /// Triangles of each group that are shown.
+    /// Number of shown triangles in each group.
     pub fn group_counts(&self) -> Vec<u32> {
         self.shown.group_counts.clone()
     }
 
-    /// Vertex splits that are shown.
+    /// Number of vertex splits of the shown level.
     #[wasm_bindgen(getter)]
     pub fn shown_split_count(&self) -> usize {
         self.shown.split_count
     }
 
-    /// How far what is shown is from the full mesh, where it is farthest, mesh units.
+    /// Largest distance of the shown level from the full mesh, mesh units.
     #[wasm_bindgen(getter)]
     pub fn shown_error(&self) -> f32 {
         self.shown.error
@@ -283,10 +287,10 @@ impl Model {
 }
 
 impl Model {
-    /// As [`from_file`](Self::from_file), with a callback.
+    /// Reads a whole file like [`from_file`](Self::from_file), with a Rust callback.
     ///
     /// # Errors
-    /// As that.
+    /// Fails like `from_file`.
     pub fn read(bytes: Vec<u8>, name: &str, progress: &mut striata::ProgressFn<'_>) -> Result<Self, Failure> {
         limits::check_file(bytes.len())?;
         let (stage, kind) = match Format::detect(&bytes, name) {
@@ -296,21 +300,21 @@ impl Model {
                 limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
                 let stage = match file.stream() {
                     Some(stream) => whole_stream(stream?)?,
-                    None => Stage::Built(Box::new(stored::read(&file)?)),
+                    None => Stage::Built(Box::new(stored_model::read(&file)?)),
                 };
                 (stage, Kind::Striata)
             }
-            _ => (Stage::Built(Box::new(Built::from_mesh_file(bytes, name, progress)?)), Kind::Mesh),
+            _ => (Stage::Built(Box::new(BuiltModel::from_mesh_file(bytes, name, progress)?)), Kind::Mesh),
         };
-        let mut model = Self { stage, kind, shown: Shown::default(), is_complete: true };
-        model.show(Wish::Detail(1.0));
+        let mut model = Self { stage, kind, shown: ShownLevel::default(), is_complete: true };
+        model.show(LevelRequest::Detail(1.0));
         Ok(model)
     }
 
-    fn show(&mut self, wish: Wish) {
+    fn show(&mut self, request: LevelRequest) {
         self.shown = match &mut self.stage {
-            Stage::Streaming(streaming) => streaming.show(wish),
-            Stage::Built(built) => built.show(wish),
+            Stage::Streaming(streaming) => streaming.show(request),
+            Stage::Built(built) => built.show(request),
         };
     }
 
@@ -321,8 +325,8 @@ impl Model {
         }
     }
 
-    /// A number of the stream's head, or that of a model that is built.
-    fn told(&self, number: impl Fn(&striata_stream::StreamFacts) -> usize, built: usize) -> usize {
+    /// A count from the stream's header (0 until it has arrived), or that of a built model.
+    fn fact(&self, number: impl Fn(&striata_stream::StreamFacts) -> usize, built: usize) -> usize {
         match &self.stage {
             Stage::Streaming(streaming) => streaming.facts().map_or(0, number),
             Stage::Built(_) => built,
@@ -330,12 +334,12 @@ impl Model {
     }
 }
 
-/// Decodes a stream that is there as a whole.
+/// Decodes a complete stream.
 fn whole_stream(bytes: &[u8]) -> Result<Stage, Failure> {
-    let mut streaming = Streaming::default();
+    let mut streaming = StreamedModel::default();
     streaming.push(bytes)?;
     if !streaming.decoder().is_complete() {
-        return Err(Failure::corrupt("the stream ends before the mesh does"));
+        return Err(Failure::corrupt("the stream is incomplete"));
     }
     streaming.reveal();
     Ok(Stage::Streaming(Box::new(streaming)))

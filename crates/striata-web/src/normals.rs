@@ -1,10 +1,11 @@
-//! Normals of meshes that bring none, smooth over seams.
+//! Computes smooth normals for meshes without normals.
 //!
-//! Each triangle adds its normal, as long as its area, to the positions of its corners; all vertices of a position get the
-//! sum's direction. Cost: linear, 12 bytes a position.
+//! Each triangle adds its normal, weighted by its area, to the positions of its corners. All vertices that
+//! share a position get the direction of the sum, so seams do not show. Cost: linear time, 12 bytes per
+//! position.
 
-/// Unit normals of all vertices, three numbers each; `first_vertices` are those of the positions, closed by the vertex count.
-/// A vertex without a triangle that has an area points along z.
+/// Returns unit normals of all vertices. `first_vertices` contains the first vertex of each position,
+/// followed by the vertex count. A vertex whose triangles have no area gets the z axis.
 pub(crate) fn of_vertices(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],
@@ -30,14 +31,14 @@ fn add(sum: &mut [f32; 3], other: [f32; 3]) {
     *sum = [sum[0] + other[0], sum[1] + other[1], sum[2] + other[2]];
 }
 
-/// The normal, twice as long as the area.
+/// Normal whose length is twice the area of the triangle.
 fn area_normal([a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
     let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
 fn unit(vector: [f32; 3]) -> [f32; 3] {
-    // By the largest first: squares of areas in tiny units are no numbers any more.
+    // Scaled by the largest component first: squared areas in tiny units underflow.
     let largest = vector.iter().fold(0.0f32, |most, x| most.max(x.abs()));
     if !(largest > 0.0 && largest.is_finite()) {
         return [0.0, 0.0, 1.0];
@@ -52,8 +53,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_seam_does_not_show() {
-        // A roof of two triangles over an edge from 0, 1 to 2, 3, whose ends have a vertex for each side.
+    fn normals_are_equal_across_a_seam() {
+        // A roof of two triangles over the edge from vertices 0, 1 to 2, 3, which are duplicated for the
+        // two sides.
         let along = [0.0, 0.0, 0.0];
         let end = [0.0, 1.0, 0.0];
         let positions = [along, along, end, end, [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];
@@ -64,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_area_points_somewhere() {
+    fn triangles_without_area_get_finite_normals() {
         let positions = [[0.0; 3], [1e-30, 0.0, 0.0], [0.0, 1e-30, 0.0], [f32::NAN; 3]];
         let normals = of_vertices(&positions, &[[0, 1, 2], [0, 1, 3]], &[0, 1, 2, 3, 4]);
         assert!(normals.iter().all(|n| n.iter().all(|x| x.is_finite())), "{normals:?}");

@@ -1,4 +1,4 @@
-//! Progress of what takes long, reported to an object of the page.
+//! Reports the progress of long operations to a JavaScript object.
 
 use std::ops::ControlFlow;
 
@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
 extern "C" {
-    /// An object with a method `report(phase: string, share: number)`.
+    /// A JavaScript object with a method `report(phase: string, share: number)`.
     #[wasm_bindgen(typescript_type = "{ report(phase: string, share: number): void }")]
     pub type Sink;
 
@@ -15,8 +15,8 @@ extern "C" {
     fn report(this: &Sink, phase: &str, share: f64);
 }
 
-/// Reports to a sink, each hundredth once.
-pub(crate) fn to(sink: &Sink) -> impl FnMut(Progress) -> ControlFlow<()> + '_ {
+/// Returns a callback that reports each new percentage to a sink.
+pub(crate) fn reporter(sink: &Sink) -> impl FnMut(Progress) -> ControlFlow<()> + '_ {
     let mut last = (None, 0);
     move |progress| {
         let share = progress.done as f64 / progress.total.max(1) as f64;

@@ -1,4 +1,4 @@
-//! The model as a page uses it: bytes in, levels out, and whatever the bytes hold, an answer.
+//! The model as a page uses it: bytes in, levels out, and a clean error for any damaged bytes.
 
 use striata::file::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
@@ -30,7 +30,7 @@ fn stream_of(mesh: &IndexedMesh) -> Vec<u8> {
 
 fn decoded(bytes: &[u8]) -> Model {
     let mut model = Model::new();
-    bytes.chunks(700).for_each(|piece| model.push(piece).unwrap());
+    bytes.chunks(700).for_each(|chunk| model.push(chunk).unwrap());
     model.reveal();
     model
 }
@@ -71,12 +71,12 @@ fn levels_of_a_stream_keep_their_groups() {
 }
 
 #[test]
-fn views_are_shown_while_a_stream_comes_in() {
+fn views_are_shown_while_a_stream_loads() {
     let mut model = Model::new();
     let (mut full_counts, mut near_counts) = (Vec::new(), Vec::new());
-    for (at, piece) in stream_of(&torus()).chunks(200).enumerate() {
+    for (at, chunk) in stream_of(&torus()).chunks(200).enumerate() {
         let before = (model.vertex_count(), model.triangle_count());
-        model.push(piece).unwrap();
+        model.push(chunk).unwrap();
         model.grow();
         assert_eq!((model.vertex_count(), model.triangle_count()), before, "nothing new is shown yet");
         if model.is_ready() {
@@ -89,7 +89,7 @@ fn views_are_shown_while_a_stream_comes_in() {
         if !model.is_ready() {
             continue;
         }
-        // From so near that all is wanted: no less is shown than has arrived on this side.
+        // From so close that everything is refined: at least all that has arrived on this side is shown.
         assert!(model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap());
         near_counts.push(triangles(&model).len());
         full_counts.push(model.triangle_count());
@@ -107,12 +107,12 @@ fn views_are_shown_while_a_stream_comes_in() {
 }
 
 #[test]
-fn wishes_are_kept_while_a_stream_comes_in() {
+fn requests_are_respected_while_a_stream_loads() {
     let bytes = stream_of(&torus());
     let mut model = Model::new();
     let (mut last, mut seen) = (0, 0);
-    for piece in bytes.chunks(200) {
-        model.push(piece).unwrap();
+    for chunk in bytes.chunks(200) {
+        model.push(chunk).unwrap();
         model.reveal();
         if !model.is_ready() {
             continue;
@@ -143,7 +143,7 @@ fn wishes_are_kept_while_a_stream_comes_in() {
 }
 
 #[test]
-fn views_ask_for_less_from_afar_and_keep_to_their_limit() {
+fn distant_views_show_fewer_triangles_and_respect_their_limit() {
     let mut model = decoded(&stream_of(&torus()));
     let mut counts = Vec::new();
     for distance in [2.0, 8.0, 100.0] {
@@ -154,12 +154,12 @@ fn views_ask_for_less_from_afar_and_keep_to_their_limit() {
     model.show_view(&camera([2.0, 0.3, 0.3], 0.01, 500)).unwrap();
     assert!(triangles(&model).len() <= 500);
     assert!(model.shown_error() > 0.0);
-    assert!(model.show_view(&camera([0.0; 3], 1.0, 0)).is_err(), "such a camera looks nowhere");
+    assert!(model.show_view(&camera([0.0; 3], 1.0, 0)).is_err(), "the camera has no direction");
     assert!(View::new(&[0.0; 5], 1.0, 0).is_err());
 }
 
 #[test]
-fn strips_and_fans_hold_what_is_shown() {
+fn strips_and_fans_contain_the_shown_triangles() {
     let mut model = decoded(&stream_of(&torus()));
     let file = to_bytes(Format::Ply, &torus(), &Default::default()).unwrap();
     let mut file = Model::read(file, "torus.ply", &mut ignore_progress).unwrap();
@@ -182,7 +182,7 @@ fn strips_and_fans_hold_what_is_shown() {
 }
 
 #[test]
-fn what_is_cut_off_shows_what_has_come() {
+fn a_truncated_stream_shows_what_was_decoded() {
     let bytes = stream_of(&torus());
     let mut model = decoded(&bytes[..bytes.len() / 2]);
     model.finish().unwrap();
@@ -199,12 +199,12 @@ fn what_is_cut_off_shows_what_has_come() {
 }
 
 #[test]
-fn bytes_after_the_end_of_a_stream_are_refused() {
+fn bytes_after_the_end_of_a_stream_are_rejected() {
     let bytes = stream_of(&torus());
     let longer = [&bytes[..], b"more"].concat();
     let mut model = Model::new();
     assert_eq!(model.push(&longer).unwrap_err().code(), "corrupt");
-    // What came before the damage stays, for levels and for views.
+    // The part before the damage stays, for levels and for views.
     model.reveal();
     assert!(model.is_complete());
     model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
@@ -216,7 +216,7 @@ fn bytes_after_the_end_of_a_stream_are_refused() {
 }
 
 #[test]
-fn damage_is_told_and_never_panics() {
+fn damage_is_reported_and_never_panics() {
     let bytes = stream_of(&shapes::torus(24, 12, 1.0, 0.4));
     let mut random = Random::new(7);
     let mut failures = 0;
@@ -227,7 +227,7 @@ fn damage_is_told_and_never_panics() {
             damaged[at] ^= 1 << random.below(8);
         }
         let mut model = Model::new();
-        let result = damaged.chunks(300).try_for_each(|piece| model.push(piece));
+        let result = damaged.chunks(300).try_for_each(|chunk| model.push(chunk));
         if let Err(failure) = result {
             failures += 1;
             assert!(!failure.message().is_empty());
@@ -245,7 +245,7 @@ fn damage_is_told_and_never_panics() {
 }
 
 #[test]
-fn files_come_built() {
+fn files_are_read_completely() {
     let large = shapes::torus(200, 100, 1.0, 0.4);
     let ply = to_bytes(Format::Ply, &large, &Default::default()).unwrap();
     let mut calls = 0;
@@ -275,7 +275,7 @@ fn files_come_built() {
 }
 
 #[test]
-fn what_is_no_mesh_is_refused() {
+fn files_that_are_not_meshes_are_rejected() {
     let read =
         |bytes: &[u8], name: &str| Model::read(bytes.to_vec(), name, &mut ignore_progress).unwrap_err();
     assert_eq!(read(b"hello", "hello.txt").code(), "format");
@@ -287,7 +287,7 @@ fn what_is_no_mesh_is_refused() {
 }
 
 #[test]
-fn a_head_tells_where_the_stream_is() {
+fn the_header_locates_the_stream() {
     assert!(StreamPlace::find(b"STRIATA\0").unwrap().needed > 64.0);
     assert_eq!(StreamPlace::find(&[b'x'; 64]).unwrap_err().code(), "format");
     let mesh = torus();
@@ -308,7 +308,7 @@ fn a_head_tells_where_the_stream_is() {
     let mut damaged = bytes[..length].to_vec();
     damaged[70] ^= 1;
     assert_eq!(StreamPlace::find(&damaged).unwrap_err().code(), "corrupt");
-    // All that such a file has is read as a stream, too.
+    // A whole file is decoded from its stream, too.
     let model = Model::read(bytes, "torus.striata", &mut ignore_progress).unwrap();
     assert_eq!((model.kind().as_str(), model.triangle_count()), ("striata", mesh.triangle_count()));
 }

@@ -1,4 +1,4 @@
-// The low-level part as it is shipped: streams in slices, cut off and damaged; the engine's reports; packed files.
+// Tests of the packaged low-level API: streams in slices, truncated and damaged; the engine's reports; compressed files.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -13,7 +13,7 @@ const TRIANGLES = 5856;
 
 before(() => initialize(readFileSync(new URL('striata.wasm', dist))));
 
-/** What an engine reports to some orders, until it is done. */
+/** Collects an engine's reports on some orders until it has finished or failed. */
 function reportsTo(orders) {
   return new Promise((resolve) => {
     const reports = [];
@@ -66,7 +66,7 @@ test('levels and views of a model', () => {
   model.free();
 });
 
-test('an engine reports what comes, and that it is all', async () => {
+test('an engine reports progress and completion', async () => {
   const { reports, engine } = await reportsTo([...slices(stream, 500), { type: 'end' }]);
   const updates = reports.filter(({ type }) => type === 'update');
   assert.equal(reports.at(-1).type, 'finished');
@@ -81,9 +81,9 @@ test('an engine reports what comes, and that it is all', async () => {
   }
   const { state } = updates.at(-1);
   assert.deepEqual([state.complete, state.phase, state.triangleCount], [true, 'done', TRIANGLES]);
-  // And then answers requests.
+  // The engine still answers requests.
   const answer = new Promise((resolve) => reports.push = resolve);
-  engine.take({ type: 'show', wish: { by: 'detail', value: 0.1, limit: 0 }, coloring: 'strips', ticket: 7 });
+  engine.take({ type: 'show', request: { by: 'detail', value: 0.1, limit: 0 }, coloring: 'strips', ticket: 7 });
   const update = await answer;
   assert.equal(update.ticket, 7);
   assert.equal(update.numbers.length, update.indices.length / 3);
@@ -100,7 +100,7 @@ test('views are answered before all bytes are there', async () => {
   const counts = [1, 50].map((distance, at) => {
     const eye = [middle[0], middle[1], middle[2] + distance * diagonal];
     const camera = [...eye, ...middle, 0, 1, 0, 0.5, 800, 600];
-    engine.take({ type: 'show', wish: { by: 'view', value: 1, limit: 0, camera }, coloring: 'surface', ticket: 5 + at });
+    engine.take({ type: 'show', request: { by: 'view', value: 1, limit: 0, camera }, coloring: 'surface', ticket: 5 + at });
     const { ticket, settled, indices, state } = reports.at(-1);
     assert.deepEqual([ticket, settled, state.complete], [5 + at, true, false]);
     return indices.length / 3;
@@ -109,7 +109,7 @@ test('views are answered before all bytes are there', async () => {
   engine.dispose();
 });
 
-test('a stream that is cut off keeps what has come', async () => {
+test('a truncated stream keeps the part that was decoded', async () => {
   const { reports } = await reportsTo([...slices(stream.subarray(0, stream.length >> 1), 1000), { type: 'end' }]);
   const { error } = reports.at(-1);
   assert.equal(error.code, 'corrupt');
@@ -119,7 +119,7 @@ test('a stream that is cut off keeps what has come', async () => {
   assert.equal(last.state.fullTriangleCount, TRIANGLES);
 });
 
-test('a connection that breaks is told as such', async () => {
+test('an interrupted connection is reported as a network error', async () => {
   const error = { code: 'network', message: 'gone', hint: undefined };
   const { reports } = await reportsTo([...slices(stream.subarray(0, 6000), 1000), { type: 'end', error }]);
   assert.equal(reports.at(-1).error.code, 'network');
@@ -138,7 +138,7 @@ test('damaged bytes end with an error and never with a trap', async () => {
   }
 });
 
-test('files come packed by gzip and zstd', async () => {
+test('files compressed with gzip and zstd are decompressed', async () => {
   for (const [name, bytes] of [['spot.obj.zst', asset('spot.obj.zst')], ['x.stri.gz', gzipSync(stream)]]) {
     const { reports, engine } = await reportsTo([{ type: 'file', bytes: new Uint8Array(bytes), name }]);
     assert.equal(reports.at(-1).type, 'finished', JSON.stringify(reports.at(-1)));
@@ -152,7 +152,7 @@ test('files come packed by gzip and zstd', async () => {
   assert.equal(reports.at(-1).error.code, 'corrupt');
 });
 
-test('what is no mesh is refused with a hint', async () => {
+test('a file that is not a mesh is rejected with a hint', async () => {
   const bytes = new TextEncoder().encode('hello, world');
   const { reports } = await reportsTo([{ type: 'file', bytes, name: 'hello.txt' }]);
   assert.equal(reports.at(-1).error.code, 'format');

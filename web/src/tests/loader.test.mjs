@@ -1,11 +1,11 @@
-// Loader and mesh as they are shipped, without a browser: what they are asked for late, twice, or by servers of other habits.
+// Tests of the packaged loader and mesh without a browser: late and repeated calls, and unusual servers.
 
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
-import { setTimeout as passed } from 'node:timers/promises';
+import { setTimeout as delay } from 'node:timers/promises';
 import { CubeCamera, Group, Mesh, MeshBasicMaterial, OrthographicCamera, PerspectiveCamera, WebGLCubeRenderTarget } from 'three';
 
 const dist = new URL('../../dist/', import.meta.url);
@@ -15,43 +15,43 @@ const stream = readFileSync(new URL('spot.stri', import.meta.url));
 const TRIANGLES = 5856;
 const bytes = stream.buffer.slice(stream.byteOffset, stream.byteOffset + stream.length);
 
-/** Without a worker: Node.js has none of these. */
+/** Runs without a worker, since Node.js has no web workers. */
 const loader = StriataLoader({ worker: false, wasm });
 
-async function whole(options) {
+async function loadWhole(options) {
   const mesh = await loader.load(bytes, options);
   await mesh.finished;
   return mesh;
 }
 
-/** The triangles after what was asked for is shown. */
-async function shown(mesh) {
-  await passed(50);
+/** Number of triangles after pending requests were answered. */
+async function countAfterUpdate(mesh) {
+  await delay(50);
   return mesh.triangleCount;
 }
 
-/** As a renderer does before it draws the mesh, some frames long: triangles for a view come little by little. */
-async function seenBy(mesh, camera) {
+/** Acts as a renderer for several frames, since view-dependent refinement proceeds step by step. */
+async function countSeenBy(mesh, camera) {
   const renderer = { getRenderTarget: () => null, getDrawingBufferSize: (size) => size.set(400, 300) };
   camera.updateMatrixWorld();
   mesh.updateWorldMatrix(true, false);
   for (let frame = 0; frame < 20; frame++) {
     mesh.onBeforeRender(renderer, null, camera);
-    await passed(10);
+    await delay(10);
   }
-  return shown(mesh);
+  return countAfterUpdate(mesh);
 }
 
-test('a signal has no say in what has been loaded', async () => {
+test('aborting after loading has finished has no effect', async () => {
   const abort = new AbortController();
-  const mesh = await whole({ signal: abort.signal });
+  const mesh = await loadWhole({ signal: abort.signal });
   abort.abort();
   mesh.detail = 0.2;
-  assert.ok((await shown(mesh)) < TRIANGLES / 2);
+  assert.ok((await countAfterUpdate(mesh)) < TRIANGLES / 2);
   mesh.dispose();
 });
 
-test('a mesh that was aborted can be disposed of, also twice', async () => {
+test('an aborted mesh can be disposed of twice', async () => {
   const abort = new AbortController();
   const pieces = new ReadableStream({ start: (controller) => controller.enqueue(new Uint8Array(bytes.slice(0, bytes.byteLength / 2))) });
   const mesh = await loader.load(pieces, { signal: abort.signal });
@@ -61,84 +61,84 @@ test('a mesh that was aborted can be disposed of, also twice', async () => {
   mesh.dispose();
 });
 
-test('damage is told once, and ends the download', async () => {
+test('damage is reported once and cancels the download', async () => {
   const damaged = new Uint8Array(bytes.slice(0));
   for (let at = damaged.length >> 1; at < damaged.length; at += 7) damaged[at] ^= 0x5a;
-  let [at, told, isCancelled] = [0, 0, false];
+  let [at, errorCount, isCanceled] = [0, 0, false];
   const pieces = new ReadableStream({
     pull: async (controller) => {
-      await passed(2);
-      // Never ends by itself.
+      await delay(2);
+      // The stream never ends by itself.
       controller.enqueue(at < damaged.length ? damaged.slice(at, (at += 2048)) : new Uint8Array(2048));
     },
-    cancel: () => (isCancelled = true),
+    cancel: () => (isCanceled = true),
   });
   const mesh = await loader.load(pieces);
-  mesh.addEventListener('error', () => (told += 1));
+  mesh.addEventListener('error', () => (errorCount += 1));
   await assert.rejects(mesh.finished, { code: 'corrupt' });
-  await passed(100);
-  assert.deepEqual([told, isCancelled], [1, true]);
+  await delay(100);
+  assert.deepEqual([errorCount, isCanceled], [1, true]);
   mesh.detail = 0;
-  assert.ok((await shown(mesh)) < 100, 'what came still changes');
+  assert.ok((await countAfterUpdate(mesh)) < 100, 'the loaded part can still change its level');
   mesh.dispose();
 });
 
-test('budgets of any size', async () => {
-  const mesh = await whole();
+test('budgets of any size are respected', async () => {
+  const mesh = await loadWhole();
   for (const [budget, most] of [[100, 100], [Infinity, TRIANGLES], [1, 60], [2 ** 32, TRIANGLES]]) {
     mesh.triangleBudget = budget;
-    const count = await shown(mesh);
+    const count = await countAfterUpdate(mesh);
     assert.ok(count > 0 && count <= most && (most < TRIANGLES || count === TRIANGLES), `${budget}: ${count}`);
   }
   mesh.dispose();
 });
 
-test('cameras that see nothing, and those that see upside down', async () => {
-  const mesh = await whole();
+test('cameras that see nothing or upside down are handled', async () => {
+  const mesh = await loadWhole();
   mesh.addEventListener('error', ({ error }) => assert.fail(error.message));
   const camera = new PerspectiveCamera(40, 4 / 3);
   camera.position.z = 3 * mesh.diagonal;
   mesh.pixelError = 1;
-  const count = await seenBy(mesh, camera);
+  const count = await countSeenBy(mesh, camera);
   assert.ok(count > 100 && count < TRIANGLES, `${count}`);
   camera.fov = 180;
   camera.updateProjectionMatrix();
-  await seenBy(mesh, camera);
+  await countSeenBy(mesh, camera);
   camera.fov = 40;
   camera.updateProjectionMatrix();
   camera.position.z = NaN;
-  await seenBy(mesh, camera);
+  await countSeenBy(mesh, camera);
   const cube = new CubeCamera(0.01, 100, new WebGLCubeRenderTarget(64));
   cube.position.set(0, 0, 3 * mesh.diagonal);
   cube.updateMatrixWorld();
   const towards = cube.children[5];
   towards.lookAt(0, 0, 0);
-  assert.ok((await seenBy(mesh, towards)) > 20);
+  assert.ok((await countSeenBy(mesh, towards)) > 20);
   mesh.pixelError = 0.1;
   camera.position.z = 3 * mesh.diagonal;
-  assert.ok((await seenBy(mesh, camera)) > count, 'it still follows');
+  assert.ok((await countSeenBy(mesh, camera)) > count, 'the mesh still follows the camera');
   const flat = new OrthographicCamera(-1, 1, 1, -1);
-  assert.ok((await seenBy(mesh, flat)) > 0);
+  assert.ok((await countSeenBy(mesh, flat)) > 0);
   mesh.dispose();
 });
 
-test('from afar through a long lens a view is nearly the same', async () => {
-  const mesh = await whole();
+test('a distant telephoto camera gives nearly the same triangles', async () => {
+  const mesh = await loadWhole();
   mesh.addEventListener('error', ({ error }) => assert.fail(error.message));
   mesh.pixelError = 1;
   const counts = [];
-  for (const away of [1e3, 1e8]) {
-    const camera = new PerspectiveCamera((2 * Math.atan(mesh.diagonal / away) * 180) / Math.PI, 4 / 3, away / 2, 2 * away);
-    camera.position.z = away;
-    counts.push(await seenBy(mesh, camera));
+  for (const distance of [1e3, 1e8]) {
+    const camera = new PerspectiveCamera((2 * Math.atan(mesh.diagonal / distance) * 180) / Math.PI, 4 / 3, distance / 2, 2 * distance);
+    camera.position.z = distance;
+    counts.push(await countSeenBy(mesh, camera));
   }
   const [near, far] = counts;
   assert.ok(near > 100 && Math.abs(far - near) <= 0.1 * near, `${near} and ${far}`);
   mesh.dispose();
 });
 
-test('several materials can come later, and copies share what is shown', async () => {
-  const mesh = await whole();
+test('material arrays can be assigned later, and clones share the geometry', async () => {
+  const mesh = await loadWhole();
   mesh.material = [new MeshBasicMaterial()];
   const count = mesh.geometry.groups.reduce((sum, group) => sum + group.count, 0);
   assert.equal(count, 3 * TRIANGLES);
@@ -152,7 +152,7 @@ test('several materials can come later, and copies share what is shown', async (
   mesh.dispose();
 });
 
-/** Sends what is asked for; for `/parts` a part, without telling of how much. */
+/** Serves the stream; `/parts` answers range requests without a total length. */
 const server = createServer((request, response) => {
   const [, first, last] = /bytes=(\d+)-(\d+)/.exec(request.headers.range ?? '') ?? [];
   if (request.url === '/empty.striata') return response.writeHead(416).end();
@@ -170,7 +170,7 @@ after(() => {
   server.closeAllConnections();
 });
 
-test('addresses of any kind', async () => {
+test('unusual URLs are loaded or rejected', async () => {
   for (const path of ['/parts.striata', '/100%.stri', '/%ff.stri', '/a%20b.stri?x=%']) {
     const mesh = await loader.load(address + path);
     await mesh.finished;

@@ -392,11 +392,11 @@ fn wrong_arguments_are_refused() {
     let server = serve(&bench, ".", &[]);
     let port = server.address.port();
     let busy = bench.refused(&format!("serve . --port {port}"));
-    assert!(busy.contains("something else listens there") && busy.contains("hint: --port 0"), "{busy}");
+    assert!(busy.contains("the port is already in use") && busy.contains("hint: use --port 0"), "{busy}");
     assert!(bench.refused("serve nowhere").contains("nowhere"));
     bench.write("notes.txt", "");
-    assert!(bench.refused("serve notes.txt").contains("neither a folder nor a model"));
-    assert!(bench.refused("serve . --port 0 --host 203.0.113.7").contains("--host takes"));
+    assert!(bench.refused("serve notes.txt").contains("not a folder or a model"));
+    assert!(bench.refused("serve . --port 0 --host 203.0.113.7").contains("--host must be"));
 }
 
 #[test]

@@ -126,8 +126,8 @@ fn a_missing_file_or_display_is_reported_with_a_hint() {
     let headless = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
     let assert = headless.assert().code(1).stdout("");
     let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert!(stderr.contains("display") && stderr.contains("hint: `striata render`"), "{stderr}");
-    assert!(!stderr.contains(".rs:"), "the source location is of no interest: {stderr}");
+    assert!(stderr.contains("display") && stderr.contains("hint: use `striata render`"), "{stderr}");
+    assert!(!stderr.contains(".rs:"), "the message names a source file: {stderr}");
 }
 
 #[test]

@@ -1,8 +1,8 @@
-// Puts the places of vertices that move where the vertex shader finds them.
+// Writes the uploaded motions of vertices to where the vertex shader reads them.
 
-// How many; then of each: the vertex, where it comes from, how far it is.
+// Count, followed by three words per move: the vertex, its target, its factor.
 @group(0) @binding(0) var<storage, read> moves: array<u32>;
-@group(0) @binding(1) var<storage, read_write> places: array<vec2<u32>>;
+@group(0) @binding(1) var<storage, read_write> motions: array<vec2<u32>>;
 
 @compute @workgroup_size(64)
 fn scatter(
@@ -10,9 +10,9 @@ fn scatter(
     @builtin(num_workgroups) groups: vec3<u32>,
     @builtin(local_invocation_index) thread: u32,
 ) {
-    let number = (group.x + group.y * groups.x) * 64u + thread;
-    if number < moves[0] {
-        let at = 1u + 3u * number;
-        places[moves[at]] = vec2(moves[at + 1u], moves[at + 2u]);
+    let index = (group.x + group.y * groups.x) * 64u + thread;
+    if index < moves[0] {
+        let at = 1u + 3u * index;
+        motions[moves[at]] = vec2(moves[at + 1u], moves[at + 2u]);
     }
 }

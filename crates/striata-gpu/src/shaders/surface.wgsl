@@ -1,8 +1,8 @@
-// Surfaces from vertex and index buffers. The instance is the group of triangles.
+// Draws surfaces from vertex and index buffers. The instance index is the group of triangles.
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,
-    @location(0) place: vec3<f32>,
+    @location(0) position: vec3<f32>,
     @location(1) normal: vec3<f32>,
     @location(2) color: vec3<f32>,
 }
@@ -10,7 +10,7 @@ struct Corner {
 fn corner(position: vec3<f32>, normal: vec3<f32>, color: vec4<f32>, group: u32) -> Corner {
     var out: Corner;
     out.clip = scene.clip_from_model * vec4(position, 1.0);
-    out.place = position;
+    out.position = position;
     out.normal = normal;
     out.color = scene.base.rgb;
     if scene.flags.y == 1u {
@@ -34,5 +34,5 @@ fn vertex(
 
 @fragment
 fn fragment(in: Corner) -> @location(0) vec4<f32> {
-    return vec4(lit(in.color, in.place, in.normal), 1.0);
+    return vec4(lit(in.color, in.position, in.normal), 1.0);
 }

@@ -1,39 +1,39 @@
-//! Where a picture is taken from, and how to stand so that all is on it.
+//! Cameras, and how to place one so that all points are in the picture.
 
 use striata::mesh::Bounds;
 
-/// An eye, where it looks, and how much of the world it takes in.
+/// A perspective camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Eye, mesh units.
+    /// Position of the eye, mesh units.
     pub eye: [f32; 3],
-    /// What lies in the middle of the picture.
+    /// Point in the middle of the picture, mesh units.
     pub look_at: [f32; 3],
-    /// What points up in the picture.
+    /// Direction that points up in the picture.
     pub up: [f32; 3],
-    /// Angle from the lower to the upper side, radians.
+    /// Vertical field of view, radians.
     pub fov: f32,
 }
 
-/// Directions of a screen in the world: right, up, and towards the eye; each of length 1.
+/// Unit vectors of the screen in world space: right, up, and towards the eye.
 pub(super) type Axes = [[f64; 3]; 3];
 
-/// From where a mesh is seen, by angles in radians.
+/// Viewing direction as angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angles {
-    /// Around the mesh, from its front to its right.
+    /// Rotation around the up axis, from the front to the right.
     pub turn: f32,
-    /// Up.
+    /// Elevation above the horizon.
     pub rise: f32,
-    /// What is up.
+    /// Up direction.
     pub up: [f32; 3],
-    /// Height of the view.
+    /// Vertical field of view.
     pub fov: f32,
 }
 
 impl Angles {
-    /// From where a mesh is seen that nobody said anything of: from its front, a little from its left and above. What lies
-    /// flat along z, as terrains do, has z up and is seen from higher.
+    /// Default angles: from the front, slightly from the left and above. Meshes that are flat along z, such
+    /// as terrains, have z up and are seen from higher.
     pub fn usual(bounds: Option<&Bounds>) -> Self {
         const FLAT: f32 = 0.3;
         let size = bounds.map_or([1.0; 3], |bounds| [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]));
@@ -44,49 +44,50 @@ impl Angles {
 }
 
 impl Camera {
-    /// The nearest place in a direction from which all points are on a picture of that shape, with some air around them.
+    /// Places the camera as close as possible in a direction such that all points are in a picture of
+    /// this aspect ratio, with a margin.
     pub fn around(points: &[[f32; 3]], angles: &Angles, aspect: f32) -> Self {
-        let up = unit(wide(angles.up));
+        let up = unit(to_f64(angles.up));
         let front = front_of(up);
         let side = cross(up, front);
         let (turn, rise) = (f64::from(angles.turn), f64::from(angles.rise));
         let level = [0, 1, 2].map(|k| turn.cos() * front[k] + turn.sin() * side[k]);
         let back = [0, 1, 2].map(|k| rise.cos() * level[k] + rise.sin() * up[k]);
-        // Straight from above, up is where the back was.
+        // Seen straight from above, up is where the back was.
         let upright = if rise.cos().abs() < 1e-3 { level.map(|x| -x * rise.signum()) } else { up };
         let right = unit(cross(upright, back));
         let axes = [right, cross(back, right), back];
-        let eye = fitted(points, &axes, f64::from(angles.fov), f64::from(aspect));
-        let at = |away: f64| [0, 1, 2].map(|k| (eye.place[k] - away * back[k]) as f32);
+        let eye = fit_eye(points, &axes, f64::from(angles.fov), f64::from(aspect));
+        let at = |away: f64| [0, 1, 2].map(|k| (eye.position[k] - away * back[k]) as f32);
         Self { eye: at(0.0), look_at: at(eye.distance), up: axes[1].map(|x| x as f32), fov: angles.fov }
     }
 
-    /// The same, nearer or farther without moving.
+    /// Zooms by narrowing the field of view, without moving.
     pub fn zoomed(self, zoom: f32) -> Self {
         Self { fov: 2.0 * ((self.fov / 2.0).tan() / zoom).atan(), ..self }
     }
 
-    /// How many times as wide as high some points are, as it sees them.
+    /// Aspect ratio (width by height) of some points as seen by this camera.
     pub fn aspect_of(&self, points: &[[f32; 3]]) -> f32 {
         let [right, up, back] = self.axes();
-        let eye = wide(self.eye);
+        let eye = to_f64(self.eye);
         let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in points {
-            let p = minus(wide(*point), eye);
+            let p = sub(to_f64(*point), eye);
             let depth = -dot(p, back);
             for (k, axis) in [right, up].into_iter().enumerate().filter(|_| depth > 0.0) {
-                let place = dot(p, axis) / depth;
-                (min[k], max[k]) = (min[k].min(place), max[k].max(place));
+                let ratio = dot(p, axis) / depth;
+                (min[k], max[k]) = (min[k].min(ratio), max[k].max(ratio));
             }
         }
         let ratio = (max[0] - min[0]) / (max[1] - min[1]);
         if ratio.is_finite() { (ratio as f32).clamp(0.05, 20.0) } else { 1.0 }
     }
 
-    /// The directions of its screen.
+    /// Axes of the screen.
     pub(super) fn axes(&self) -> Axes {
-        let back = unit(minus(wide(self.eye), wide(self.look_at)));
-        let mut right = cross(wide(self.up), back);
+        let back = unit(sub(to_f64(self.eye), to_f64(self.look_at)));
+        let mut right = cross(to_f64(self.up), back);
         if dot(right, right) < 1e-20 {
             right = cross(front_of(back), back);
         }
@@ -95,25 +96,25 @@ impl Camera {
     }
 }
 
-/// An eye, and how far from it the middle of what it sees is.
-struct Stand {
-    place: [f64; 3],
+/// Position of an eye, and its distance to the middle of the points.
+struct EyePosition {
+    position: [f64; 3],
     distance: f64,
 }
 
-/// Air around a picture, of its half size.
-const AIR: f64 = 0.06;
+/// Margin around a picture, as a fraction of its half size.
+const MARGIN: f64 = 0.06;
 
-/// The nearest eye that sees all points.
+/// Finds the closest eye position that sees all points.
 ///
-/// A point at (x, y, z) is seen from (a, b, c) where |x - a| <= t (c - z), so each side of the picture gives a plane that the
-/// eye must be behind; of each pair of them it stands in the middle.
-fn fitted(points: &[[f32; 3]], axes: &Axes, fov: f64, aspect: f64) -> Stand {
-    let slopes = [(fov / 2.0).tan() * aspect, (fov / 2.0).tan()].map(|t| t * (1.0 - AIR));
+/// A point at (x, y, z) is visible from (a, b, c) if |x - a| <= t (c - z), so each side of the picture
+/// gives a plane that the eye must be behind. Between each pair of opposite planes, the eye is centered.
+fn fit_eye(points: &[[f32; 3]], axes: &Axes, fov: f64, aspect: f64) -> EyePosition {
+    let slopes = [(fov / 2.0).tan() * aspect, (fov / 2.0).tan()].map(|t| t * (1.0 - MARGIN));
     let mut reach = [[f64::NEG_INFINITY; 2]; 2];
     let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
     for point in points.iter().filter(|p| p.iter().all(|x| x.is_finite())) {
-        let [x, y, z] = axes.map(|axis| dot(axis, wide(*point)));
+        let [x, y, z] = axes.map(|axis| dot(axis, to_f64(*point)));
         (near, far) = (near.max(z), far.min(z));
         for (k, at) in [x, y].into_iter().enumerate() {
             reach[k][0] = reach[k][0].max(at + slopes[k] * z);
@@ -121,27 +122,27 @@ fn fitted(points: &[[f32; 3]], axes: &Axes, fov: f64, aspect: f64) -> Stand {
         }
     }
     if near < far {
-        return Stand { place: axes[2], distance: 1.0 };
+        return EyePosition { position: axes[2], distance: 1.0 };
     }
     let depths = [0, 1].map(|k| (reach[k][0] + reach[k][1]) / (2.0 * slopes[k]));
-    // A point alone is looked at from so far that coordinates still tell the eye from it.
+    // A single point is viewed from far enough away that the coordinates of eye and point differ.
     let magnitude = reach.iter().flatten().chain([&near]).fold(0.0, |most: f64, x| most.max(x.abs()));
     let size = if near > far { near - far } else { magnitude.max(1e-30) };
     let depth = depths[0].max(depths[1]).max(near + 0.02 * size);
-    let aside = [0, 1].map(|k| (reach[k][0] - reach[k][1]) / 2.0);
-    let place = [0, 1, 2].map(|k| aside[0] * axes[0][k] + aside[1] * axes[1][k] + depth * axes[2][k]);
-    Stand { place, distance: depth - (near + far) / 2.0 }
+    let offset = [0, 1].map(|k| (reach[k][0] - reach[k][1]) / 2.0);
+    let position = [0, 1, 2].map(|k| offset[0] * axes[0][k] + offset[1] * axes[1][k] + depth * axes[2][k]);
+    EyePosition { position, distance: depth - (near + far) / 2.0 }
 }
 
-/// Where a mesh looks that stands upright: at us, as far as up allows.
+/// Front direction of an upright mesh: towards the viewer, perpendicular to up.
 fn front_of(up: [f64; 3]) -> [f64; 3] {
-    // With z up, as in surveying and in print, the front is towards -y.
-    let wanted = if up[2].abs() > 0.8 { [0.0, -1.0, 0.0] } else { [0.0, 0.0, 1.0] };
-    let along = dot(wanted, up);
-    unit([0, 1, 2].map(|k| wanted[k] - along * up[k]))
+    // With z up, as in surveying and printing, the front faces -y.
+    let preferred = if up[2].abs() > 0.8 { [0.0, -1.0, 0.0] } else { [0.0, 0.0, 1.0] };
+    let along = dot(preferred, up);
+    unit([0, 1, 2].map(|k| preferred[k] - along * up[k]))
 }
 
-pub(super) fn wide(v: [f32; 3]) -> [f64; 3] {
+pub(super) fn to_f64(v: [f32; 3]) -> [f64; 3] {
     v.map(f64::from)
 }
 
@@ -149,7 +150,7 @@ pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(super) fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -157,7 +158,7 @@ pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Of length 1, or zero where there is no direction.
+/// Normalizes a vector; a zero vector stays zero.
 pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
     let length = dot(v, v).sqrt();
     if length > 0.0 { v.map(|x| x / length) } else { v }
@@ -169,7 +170,7 @@ mod tests {
 
     fn on_screen(camera: &Camera, aspect: f64, point: [f32; 3]) -> [f64; 2] {
         let [right, up, back] = camera.axes();
-        let p = minus(wide(point), wide(camera.eye));
+        let p = sub(to_f64(point), to_f64(camera.eye));
         let high = -dot(p, back) * (f64::from(camera.fov) / 2.0).tan();
         assert!(high > 0.0, "{point:?} is behind the eye");
         [dot(p, right) / (high * aspect), dot(p, up) / high]
@@ -184,8 +185,8 @@ mod tests {
             for up in [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 0.0]] {
                 let angles = Angles { turn, rise, up, fov: 0.5 };
                 let camera = Camera::around(&points, &angles, aspect);
-                let places = points.map(|p| on_screen(&camera, f64::from(aspect), p));
-                let reach = |k: usize| places.iter().map(|p| p[k].abs()).fold(0.0, f64::max);
+                let points_on_screen = points.map(|p| on_screen(&camera, f64::from(aspect), p));
+                let reach = |k: usize| points_on_screen.iter().map(|p| p[k].abs()).fold(0.0, f64::max);
                 let most = reach(0).max(reach(1));
                 assert!((0.93..0.95).contains(&most), "{turn} {rise} {aspect} {up:?}: {most}");
             }
@@ -202,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn no_points_and_one_point_are_no_trouble() {
+    fn empty_and_single_points_give_a_valid_camera() {
         let angles = Angles { turn: 0.0, rise: 0.0, up: [0.0, 1.0, 0.0], fov: 0.5 };
         for points in [&[][..], &[[5.0, 5.0, 5.0]], &[[0.0; 3]]] {
             let camera = Camera::around(points, &angles, 1.0);
@@ -212,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_flat_has_z_up_and_is_seen_from_higher() {
+    fn flat_meshes_have_z_up_and_are_seen_from_higher() {
         let usual = |max: [f32; 3]| Angles::usual(Some(&Bounds { min: [0.0; 3], max }));
         let flat = usual([10.0, 8.0, 1.0]);
         assert!(flat.up == [0.0, 0.0, 1.0] && flat.rise > 0.5);

@@ -1,25 +1,25 @@
-//! A rectangle of pixels in linear light with opacity, and PNG out of it.
+//! An image in linear light with opacity, and its encoding as PNG.
 
-/// Linear light, 0 to 1 a channel, times its opacity, which comes last.
+/// Premultiplied linear light, 0 to 1 per channel, followed by opacity.
 pub type Rgba = [f32; 4];
 
-/// A rectangle of pixels, row by row from the top.
+/// An image, stored row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Canvas {
-    /// Pixels in a row.
+    /// Width in pixels.
     pub width: usize,
-    /// Rows.
+    /// Height in pixels.
     pub height: usize,
     pixels: Vec<Rgba>,
 }
 
 impl Canvas {
-    /// A canvas of one color.
+    /// Creates a canvas of one color.
     pub fn filled(width: usize, height: usize, color: Rgba) -> Self {
         Self { width, height, pixels: vec![color; width * height] }
     }
 
-    /// A canvas of sRGB bytes whose light was weighed by its opacity before it was encoded, as GPUs leave it.
+    /// Creates a canvas from sRGB bytes that encode premultiplied light, as GPUs produce them.
     #[cfg(feature = "gpu")]
     pub fn from_srgb(width: usize, height: usize, rgba: &[u8]) -> Self {
         let light: Vec<f32> = (0..=255u8).map(from_srgb).collect();
@@ -40,8 +40,8 @@ impl Canvas {
         &mut self.pixels[y * self.width..][..self.width]
     }
 
-    /// Lays another canvas over this one with its corner at (x, y); what does not fit is cut off.
-    pub fn lay(&mut self, other: &Self, x: usize, y: usize) {
+    /// Blends another canvas over this one with its top left corner at (x, y), clipped to this canvas.
+    pub fn blend(&mut self, other: &Self, x: usize, y: usize) {
         let x = x.min(self.width);
         let width = other.width.min(self.width - x);
         for row in 0..other.height.min(self.height.saturating_sub(y)) {
@@ -52,7 +52,7 @@ impl Canvas {
         }
     }
 
-    /// Lays so much of a color over one pixel; places outside are no pixels.
+    /// Blends a fraction of a color over one pixel; coordinates outside the canvas are ignored.
     pub fn tint(&mut self, [x, y]: [i64; 2], color: Rgba, amount: f32) {
         if let (Ok(x), Ok(y)) = (usize::try_from(x), usize::try_from(y))
             && x < self.width
@@ -63,8 +63,8 @@ impl Canvas {
         }
     }
 
-    /// The canvas shrunk by a whole factor, each pixel the mean of those it covers.
-    pub fn shrunk(&self, factor: usize) -> Self {
+    /// Downsamples by an integer factor; each pixel is the mean of those it covers.
+    pub fn downsampled(&self, factor: usize) -> Self {
         let mut small = Self::filled(self.width / factor, self.height / factor, [0.0; 4]);
         let weight = 1.0 / (factor * factor) as f32;
         for y in 0..small.height {
@@ -82,10 +82,10 @@ impl Canvas {
         small
     }
 
-    /// The canvas as a PNG file in sRGB, with opacity only where something is to be seen through.
+    /// Encodes the canvas as a PNG file in sRGB, with an alpha channel only if some pixels are transparent.
     ///
     /// # Errors
-    /// What the encoder reports.
+    /// If encoding fails.
     pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
         let is_opaque = self.pixels.iter().all(|p| p[3] > 0.999);
         let color = if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba };
@@ -109,21 +109,21 @@ fn over(above: Rgba, below: Rgba) -> Rgba {
     std::array::from_fn(|k| above[k] + (1.0 - above[3]) * below[k])
 }
 
-/// As PNG keeps a pixel: light that is not weighed by opacity.
+/// Converts a pixel to straight (not premultiplied) sRGB bytes, as PNG stores it.
 fn to_bytes([r, g, b, a]: Rgba) -> [u8; 4] {
     let whole = if a > 0.0 { 1.0 / a } else { 0.0 };
     let [r, g, b] = [r, g, b].map(|light| to_srgb(light * whole));
     [r, g, b, (255.0 * a.clamp(0.0, 1.0) + 0.5) as u8]
 }
 
-/// The byte that shows so much light on a usual screen.
+/// Encodes linear light as an sRGB byte.
 fn to_srgb(light: f32) -> u8 {
     let x = light.clamp(0.0, 1.0);
     let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
     (encoded * 255.0 + 0.5) as u8
 }
 
-/// The light that such a byte shows.
+/// Decodes an sRGB byte to linear light.
 pub(super) fn from_srgb(byte: u8) -> f32 {
     let x = f32::from(byte) / 255.0;
     if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
@@ -134,24 +134,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shrinking_averages() {
+    fn downsampling_averages() {
         let mut canvas = Canvas::filled(4, 2, [0.0; 4]);
         canvas.row_mut(0)[0] = [1.0; 4];
-        let small = canvas.shrunk(2);
+        let small = canvas.downsampled(2);
         assert_eq!((small.width, small.height), (2, 1));
         assert_eq!(small.pixels, vec![[0.25; 4], [0.0; 4]]);
     }
 
     #[test]
-    fn laying_past_the_edge_is_cut_off_and_opacity_counts() {
+    fn blending_is_clipped_and_respects_opacity() {
         let mut canvas = Canvas::filled(2, 2, [0.0, 0.0, 0.0, 1.0]);
-        canvas.lay(&Canvas::filled(3, 3, [0.5, 0.0, 0.0, 0.5]), 1, 1);
+        canvas.blend(&Canvas::filled(3, 3, [0.5, 0.0, 0.0, 0.5]), 1, 1);
         assert_eq!(canvas.pixels[..3], [[0.0, 0.0, 0.0, 1.0]; 3]);
         assert_eq!(canvas.pixels[3], [0.5, 0.0, 0.0, 1.0]);
     }
 
     #[test]
-    fn bytes_and_light_turn_into_each_other() {
+    fn bytes_and_light_convert_back_and_forth() {
         for byte in 0..=255 {
             assert_eq!(to_srgb(from_srgb(byte)), byte);
         }

@@ -1,30 +1,30 @@
-//! What a camera sees, as lines in the picture of another.
+//! Draws the frustum of one camera as lines in the picture of another.
 
-use super::camera::{Camera, dot, minus, wide};
+use super::camera::{Camera, dot, sub, to_f64};
 use super::{Line, Shot};
 
-/// The pyramid that a camera sees, as far as the mesh goes.
+/// Frustum of a camera, extended to the far end of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frustum {
     eye: [f32; 3],
-    /// Corners of its far side, in turn.
+    /// Corners of the far side, in order.
     corners: [[f32; 3]; 4],
 }
 
-/// Linear light as bytes: what stands out from stone, from the dark and from the light.
+/// Linear light as bytes: a color that contrasts with stone, dark and light.
 const COLOR: [u8; 4] = [255, 62, 8, 255];
 
-/// How wide its lines are.
+/// Line width, in pixels of a picture with 1000 rows.
 const WIDTH: f32 = 3.0;
 
 impl Frustum {
-    /// The pyramid of a camera up to the farthest of some points; where all lie behind it, a small one.
+    /// Frustum up to the farthest of some points, or up to the camera's target if all are behind it.
     pub fn new(camera: &Camera, aspect: f32, points: &[[f32; 3]]) -> Self {
         let [right, up, back] = camera.axes();
-        let eye = wide(camera.eye);
-        let depth_of = |p: &[f32; 3]| -dot(minus(wide(*p), eye), back);
+        let eye = to_f64(camera.eye);
+        let depth_of = |p: &[f32; 3]| -dot(sub(to_f64(*p), eye), back);
         let farthest = points.iter().map(depth_of).filter(|d| d.is_finite()).fold(0.0, f64::max);
-        let ahead = minus(wide(camera.look_at), eye);
+        let ahead = sub(to_f64(camera.look_at), eye);
         let depth = if farthest > 0.0 { farthest } else { dot(ahead, ahead).sqrt() };
         let high = depth * (f64::from(camera.fov) / 2.0).tan();
         let wide = high * f64::from(aspect);
@@ -35,12 +35,12 @@ impl Frustum {
         Self { eye: camera.eye, corners }
     }
 
-    /// Its corners.
+    /// The eye and the far corners.
     pub fn points(&self) -> Vec<[f32; 3]> {
         [&[self.eye][..], &self.corners].concat()
     }
 
-    /// Draws its edges, and a small screen before its eye, into a shot.
+    /// Adds its edges, and a small screen in front of its eye, to a shot.
     pub fn draw_into(&self, shot: &mut Shot<'_>) {
         let line = |from, to, width| Line { ends: [from, to], color: COLOR, width };
         let screen = self.corners.map(|corner| between(self.eye, corner, 0.14));
@@ -62,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_reaches_as_far_as_the_mesh() {
+    fn the_frustum_reaches_the_far_end_of_the_mesh() {
         let camera = Camera { eye: [0.0, 0.0, 4.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 1.0 };
         let frustum = Frustum::new(&camera, 2.0, &[[0.0, 0.0, -1.0], [0.5, 0.0, 1.0]]);
         let high = 5.0 * 0.5f32.tan();

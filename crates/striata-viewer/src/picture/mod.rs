@@ -1,38 +1,39 @@
-//! Pictures of meshes: what is on one, who draws it, and how panels with their text become a PNG.
+//! Draws pictures of meshes and arranges them with text into PNG files.
 //!
-//! A [`Shot`] says what is seen: triangles over the vertices of a mesh, their paint, lines through space. An [`Artist`] draws
-//! it from a [`Camera`]: the GPU where there is one, or else a small rasterizer with the same lights. A [`Sheet`] lays
-//! panels out and writes beside them. All of it is in linear light with opacity, and becomes bytes at last.
+//! A [`Shot`] describes what is visible: triangles over the vertices of a mesh, their paint, and lines. An
+//! [`Artist`] draws it from a [`Camera`] with a GPU if one is available, or else with a small rasterizer
+//! with the same lighting. A [`Sheet`] arranges panels and labels them. All pictures are in linear light
+//! with opacity until they are encoded as bytes.
 
-mod artist;
 mod camera;
 mod canvas;
 mod clip;
-mod drawn;
+mod distance_map;
 mod frustum;
 #[cfg(feature = "gpu")]
-mod gpu;
-mod heat;
+mod gpu_renderer;
 mod normals;
 mod paint;
-#[cfg(feature = "serve")]
-mod portrait;
+mod picture_renderer;
 mod raster;
+mod rendered_picture;
 mod sheet;
 mod shot;
 mod text;
+#[cfg(feature = "serve")]
+mod thumbnail;
 
-pub use artist::Artist;
 pub use camera::{Angles, Camera};
 pub use canvas::{Canvas, Rgba};
-pub use drawn::Drawn;
+pub use distance_map::Heat;
 pub use frustum::Frustum;
 #[cfg(feature = "gpu")]
-pub use gpu::GpuArtist;
-pub use heat::Heat;
+pub use gpu_renderer::GpuRenderer;
 pub use normals::with_normals;
 pub use paint::{Painted, fan_colors, group_colors, strip_colors, triangle_colors};
-#[cfg(feature = "serve")]
-pub use portrait::{nobody, portrait};
+pub use picture_renderer::Artist;
+pub use rendered_picture::Drawn;
 pub use sheet::{ColorBar, Panel, Sheet, Theme, significant};
 pub use shot::{Line, Paint, Shot, Style};
+#[cfg(feature = "serve")]
+pub use thumbnail::{placeholder, portrait};

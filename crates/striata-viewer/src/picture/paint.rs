@@ -1,8 +1,8 @@
-//! Colors for strips, fans and single triangles, so that neighbors can be told apart.
+//! Colors strips, fans and triangles so that neighbors are distinguishable.
 //!
-//! Regions that share an edge get different colors: taken off one by one, always the one with fewest neighbors left, and
-//! colored in the opposite order, each finds fewer colored neighbors than there are colors on any surface that is drawn
-//! without crossings. Cost: O(triangles log triangles).
+//! Regions that share an edge get different colors. Regions are removed one by one, always the one with the
+//! fewest remaining neighbors, and colored in reverse order; on a planar surface, each then has fewer
+//! colored neighbors than there are colors. Cost: O(triangles log triangles).
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -12,25 +12,25 @@ use striata::strip::{StripSet, strip_triangles};
 
 use super::canvas::from_srgb;
 
-/// Linear light as bytes, opaque.
+/// Opaque color, linear light as bytes.
 pub(super) type Color = [u8; 4];
 
-/// Triangles, and a color for each.
+/// Triangles and a color for each.
 pub type Painted = (Vec<[u32; 3]>, Vec<Color>);
 
-/// The triangles of strips, in a color for each strip.
+/// Colors the triangles of strips by strip.
 pub fn strip_colors(strips: &StripSet) -> Painted {
     by_region(strips.strips().map(|strip| strip_triangles(strip).collect()))
 }
 
-/// The triangles of fans, in a color for each fan.
+/// Colors the triangles of fans by fan.
 pub fn fan_colors(fans: &[Vec<Vec<u32>>]) -> Painted {
     let triangles =
         |fan: &Vec<u32>| fan[1..].windows(2).map(|edge| [fan[0], edge[0], edge[1]]).collect::<Vec<_>>();
     by_region(fans.iter().flatten().map(triangles))
 }
 
-/// Triangles, each in a color of its own.
+/// Colors each triangle differently from its neighbors.
 pub fn triangle_colors(triangles: &[[u32; 3]]) -> Painted {
     by_region(triangles.iter().map(|&triangle| vec![triangle]))
 }
@@ -48,20 +48,20 @@ fn by_region(regions: impl Iterator<Item = Vec<[u32; 3]>>) -> Painted {
     (triangles, colors)
 }
 
-/// The triangles of a mesh, in a color for each of its groups.
+/// Colors the triangles of a mesh by group.
 pub fn group_colors(mesh: &IndexedMesh) -> Painted {
     let colors = mesh.groups_or_whole().into_iter().zip(colorous::TABLEAU10.iter().cycle());
     let colors = colors.flat_map(|(group, &color)| vec![linear(color); group.range().len()]);
     (mesh.triangles.clone(), colors.collect())
 }
 
-/// Linear light as bytes.
+/// Converts to linear light as bytes.
 fn linear(color: colorous::Color) -> Color {
     let [r, g, b] = [color.r, color.g, color.b].map(|byte| (255.0 * from_srgb(byte) + 0.5) as u8);
     [r, g, b, 255]
 }
 
-/// For each region those that it shares an edge with.
+/// Regions that share an edge with each region.
 fn neighbors(triangles: &[[u32; 3]], region_of: &[u32], region_count: u32) -> Vec<Vec<u32>> {
     let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * triangles.len());
     for (&[a, b, c], &region) in triangles.iter().zip(region_of) {
@@ -71,7 +71,7 @@ fn neighbors(triangles: &[[u32; 3]], region_of: &[u32], region_count: u32) -> Ve
     let mut pairs = Vec::new();
     for edge in sides.chunk_by(|a, b| a.0 == b.0) {
         for (i, &(_, a)) in edge.iter().enumerate() {
-            // Edges of very many triangles are no place where one tells regions apart.
+            // At edges with very many triangles, adjacent colors would not be visible anyway.
             let others = edge[i + 1..].iter().take(8).map(|&(_, b)| b);
             pairs.extend(others.filter(|&b| a != b).flat_map(|b| [(a, b), (b, a)]));
         }
@@ -83,7 +83,7 @@ fn neighbors(triangles: &[[u32; 3]], region_of: &[u32], region_count: u32) -> Ve
     neighbors
 }
 
-/// A number below `count` for each node, different from those of its neighbors wherever that many numbers do.
+/// Assigns each node a number below `count` that differs from its neighbors' if possible.
 fn distinct_numbers(neighbors: &[Vec<u32>], count: usize) -> Vec<usize> {
     const NONE: usize = usize::MAX;
     let mut numbers = vec![NONE; neighbors.len()];
@@ -94,7 +94,7 @@ fn distinct_numbers(neighbors: &[Vec<u32>], count: usize) -> Vec<usize> {
                 *uses += 1;
             }
         }
-        // Where one looks first is scattered, so that all colors are seen.
+        // The starting number is scattered, so that all colors are used.
         let first = (node.wrapping_mul(2_654_435_769) >> 16) as usize;
         let in_turn = (0..count).map(|i| (first + i) % count);
         numbers[node as usize] = in_turn.min_by_key(|&number| used[number]).unwrap_or(0);
@@ -102,21 +102,22 @@ fn distinct_numbers(neighbors: &[Vec<u32>], count: usize) -> Vec<usize> {
     numbers
 }
 
-/// All nodes, each the one with fewest neighbors among those that come after it.
+/// Smallest-last order: each node has the fewest neighbors among itself and its successors.
 fn smallest_last(neighbors: &[Vec<u32>]) -> Vec<u32> {
-    let mut left: Vec<usize> = neighbors.iter().map(Vec::len).collect();
-    let mut is_taken = vec![false; neighbors.len()];
-    let mut queue: BinaryHeap<Reverse<(usize, u32)>> = left.iter().copied().zip(0..).map(Reverse).collect();
+    let mut remaining: Vec<usize> = neighbors.iter().map(Vec::len).collect();
+    let mut is_removed = vec![false; neighbors.len()];
+    let mut queue: BinaryHeap<Reverse<(usize, u32)>> =
+        remaining.iter().copied().zip(0..).map(Reverse).collect();
     let mut order = Vec::with_capacity(neighbors.len());
     while let Some(Reverse((degree, node))) = queue.pop() {
-        if is_taken[node as usize] || degree != left[node as usize] {
+        if is_removed[node as usize] || degree != remaining[node as usize] {
             continue;
         }
-        is_taken[node as usize] = true;
+        is_removed[node as usize] = true;
         order.push(node);
-        for &neighbor in neighbors[node as usize].iter().filter(|&&n| !is_taken[n as usize]) {
-            left[neighbor as usize] -= 1;
-            queue.push(Reverse((left[neighbor as usize], neighbor)));
+        for &neighbor in neighbors[node as usize].iter().filter(|&&n| !is_removed[n as usize]) {
+            remaining[neighbor as usize] -= 1;
+            queue.push(Reverse((remaining[neighbor as usize], neighbor)));
         }
     }
     order
@@ -129,7 +130,7 @@ mod tests {
 
     use super::*;
 
-    /// Panics where two triangles of different regions share an edge and a color.
+    /// Panics if two triangles of different regions share an edge and a color.
     fn assert_distinct(triangles: &[[u32; 3]], region_of: &[u32], colors: &[Color]) {
         let region_count = region_of.iter().max().map_or(0, |&last| last + 1);
         let color_of = |region: u32| colors[region_of.iter().position(|&r| r == region).expect("one")];

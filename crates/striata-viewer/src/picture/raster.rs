@@ -1,102 +1,106 @@
-//! A z-buffer for triangles, for machines without anything else to draw with.
+//! A software rasterizer with a z-buffer, for machines without a GPU.
 //!
-//! Triangles are cut off at the near plane, set up in pixels, walked over their bounding rectangle and kept where nearest.
-//! Colors, lights and edges are those of `striata-gpu`. Time O(pixels covered), memory O(pixels of the picture) and
-//! [`BAND_PIXELS`].
+//! Triangles are clipped at the near plane, projected to pixels, and rasterized over their bounding
+//! rectangles with a depth test. Colors, lights and edges match those of `striata-gpu`. Time O(pixels
+//! covered), memory O(pixels of the picture) plus [`BAND_PIXELS`].
 
 use std::ops::Range;
 
 use striata::mesh::{IndexedMesh, Semantic};
 
-use super::camera::{Camera, cross, dot, minus, unit, wide};
-use super::clip::{Corner, Piece, clipped, near_plane};
+use super::camera::{Camera, cross, dot, sub, to_f64, unit};
+use super::clip::{ClippedTriangle, Corner, clip, near_plane};
 use super::paint::Color;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Canvas, Rgba};
 
 type Vec3 = [f32; 3];
 
-/// Each pixel of a picture is the mean of so many squared.
-const SHRINK: usize = 3;
+/// Downsampling factor: each final pixel is the mean of a square of this many pixels per side.
+const DOWNSAMPLING: usize = 3;
 
-/// Pixels before shrinking that are drawn at once, 20 bytes each; larger pictures are drawn in bands.
+/// Maximum number of pixels drawn at a time, before downsampling, 20 bytes each; larger pictures are
+/// drawn in bands.
 const BAND_PIXELS: usize = 4 << 20;
 
-/// Draws a shot; where there is nothing one can see through it.
+/// Draws a shot; uncovered pixels are transparent.
 pub(super) fn draw(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Canvas {
-    let band_rows = (BAND_PIXELS / (SHRINK * SHRINK * width.max(1))).max(1);
+    let band_rows = (BAND_PIXELS / (DOWNSAMPLING * DOWNSAMPLING * width.max(1))).max(1);
     draw_in_bands(shot, camera, [width, height], band_rows)
 }
 
 fn draw_in_bands(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2], band_rows: usize) -> Canvas {
-    let view = View::new(shot, camera, [SHRINK * width, SHRINK * height]);
-    let faces = Faces::new(shot, &view, shot.edge_opacity(camera, height));
+    let view = View::new(shot, camera, [DOWNSAMPLING * width, DOWNSAMPLING * height]);
+    let triangles = ShotTriangles::new(shot, &view, shot.edge_opacity(camera, height));
     let lines = LineTriangles::new(&shot.lines, camera, 0);
     let mut canvas = Canvas::filled(width, height, [0.0; 4]);
     for first in (0..height).step_by(band_rows) {
-        let rows = SHRINK * first..SHRINK * (first + band_rows).min(height);
-        let mut target = Target::new(SHRINK * width, rows);
+        let rows = DOWNSAMPLING * first..DOWNSAMPLING * (first + band_rows).min(height);
+        let mut band = Band::new(DOWNSAMPLING * width, rows);
         for index in 0..shot.triangles.len() {
-            faces.fill(index, &view, &mut target);
+            triangles.fill(index, &view, &mut band);
         }
         for (corners, &paint) in lines.triangles.iter().zip(&lines.colors) {
             let color = color(paint);
             let corners = corners.map(|v| Corner {
-                place: view.seen(lines.positions[v as usize]),
+                position: view.to_camera_space(lines.positions[v as usize]),
                 color,
                 normal: [0.0; 3],
             });
-            let face = Face { has_normals: false, light: 0.0, edges: 0.0 };
-            // They begin before the eye as they are.
-            target.fill(&view, &Piece { corners, is_edge: [false; 3] }, &face);
+            let style = SurfaceStyle { has_normals: false, light: 0.0, edges: 0.0 };
+            // Lines were already clipped in front of the eye.
+            band.fill(&view, &ClippedTriangle { corners, is_edge: [false; 3] }, &style);
         }
-        canvas.lay(&target.canvas.shrunk(SHRINK), 0, first);
+        canvas.blend(&band.canvas.downsampled(DOWNSAMPLING), 0, first);
     }
     canvas
 }
 
-/// The triangles of a shot, ready to be drawn into any band.
-struct Faces<'a> {
+/// Triangles of a shot, prepared for drawing into any band.
+struct ShotTriangles<'a> {
     shot: &'a Shot<'a>,
-    /// Where vertices are, as the camera sees them.
-    seen: Vec<Vec3>,
-    /// None where triangles are flat.
+    /// Vertex positions in camera space.
+    camera_positions: Vec<Vec3>,
+    /// Vertex normals; none for flat shading.
     normals: Option<Vec<Vec3>>,
-    of_triangles: Option<std::borrow::Cow<'a, [Color]>>,
-    of_vertices: Option<Vec<Color>>,
-    face: Face,
+    triangle_colors: Option<std::borrow::Cow<'a, [Color]>>,
+    vertex_colors: Option<Vec<Color>>,
+    style: SurfaceStyle,
 }
 
-impl<'a> Faces<'a> {
+impl<'a> ShotTriangles<'a> {
     fn new(shot: &'a Shot<'a>, view: &View, edges: f32) -> Self {
         let normals = if shot.is_flat { None } else { normals_of(shot.vertices) };
-        let of_vertices = match &shot.paint {
+        let vertex_colors = match &shot.paint {
             Paint::Vertices(colors) => Some(colors.clone()),
             Paint::Surface => colors_of(shot.vertices),
             Paint::Triangles(_) => None,
         };
-        let face = Face { has_normals: normals.is_some(), light: shot.light(), edges };
-        let seen = shot.vertices.positions.iter().map(|&p| view.seen(p)).collect();
-        let of_triangles = shot.colors_of_triangles();
-        Self { shot, seen, normals, of_triangles, of_vertices, face }
+        let style = SurfaceStyle { has_normals: normals.is_some(), light: shot.light(), edges };
+        let camera_positions = shot.vertices.positions.iter().map(|&p| view.to_camera_space(p)).collect();
+        let triangle_colors = shot.colors_of_triangles();
+        Self { shot, camera_positions, normals, triangle_colors, vertex_colors, style }
     }
 
-    /// Draws what is seen of one triangle.
-    fn fill(&self, index: usize, view: &View, target: &mut Target) {
+    /// Clips and draws one triangle.
+    fn fill(&self, index: usize, view: &View, band: &mut Band) {
         let corners = self.shot.triangles[index];
-        let colors = match (&self.of_triangles, &self.of_vertices) {
+        let colors = match (&self.triangle_colors, &self.vertex_colors) {
             (Some(colors), _) => [color(colors[index]); 3],
             (None, Some(colors)) => corners.map(|v| color(colors[v as usize])),
             (None, None) => [STONE; 3],
         };
-        let normal =
-            |v: u32| self.normals.as_ref().map_or([0.0; 3], |normals| view.turned(normals[v as usize]));
+        let normal = |v: u32| {
+            self.normals
+                .as_ref()
+                .map_or([0.0; 3], |normals| view.direction_to_camera_space(normals[v as usize]))
+        };
         let corner = |k: usize| {
             let v = corners[k];
-            Corner { place: self.seen[v as usize], color: colors[k], normal: normal(v) }
+            Corner { position: self.camera_positions[v as usize], color: colors[k], normal: normal(v) }
         };
-        for piece in clipped([corner(0), corner(1), corner(2)], view.near) {
-            target.fill(view, &piece, &self.face);
+        for triangle in clip([corner(0), corner(1), corner(2)], view.near) {
+            band.fill(view, &triangle, &self.style);
         }
     }
 }
@@ -118,21 +122,21 @@ fn colors_of(mesh: &IndexedMesh) -> Option<Vec<Color>> {
     Some((0..mesh.vertex_count()).map(color).map(|[r, g, b]| [r, g, b, 255]).collect())
 }
 
-/// A corner on the screen: pixels, and one over the distance.
+/// A point on the screen: pixel coordinates and inverse depth.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct ScreenPoint {
     x: f32,
     y: f32,
     inverse_depth: f32,
 }
 
-/// The camera as three axes and a scale.
+/// Camera as three axes and a scale.
 struct View {
     axes: [[f64; 3]; 3],
     eye: [f64; 3],
     scale: f64,
     center: [f64; 2],
-    /// What is nearer to the eye is not drawn.
+    /// Distance of the near plane.
     near: f32,
 }
 
@@ -145,60 +149,60 @@ impl View {
         });
         Self {
             axes: camera.axes(),
-            eye: wide(camera.eye),
+            eye: to_f64(camera.eye),
             scale,
             center: [width as f64 / 2.0, height as f64 / 2.0],
             near: near_plane(camera, middle, radius) as f32,
         }
     }
 
-    /// A point as the camera sees it.
-    fn seen(&self, point: Vec3) -> Vec3 {
-        let p = minus(wide(point), self.eye);
+    /// Transforms a point to camera space.
+    fn to_camera_space(&self, point: Vec3) -> Vec3 {
+        let p = sub(to_f64(point), self.eye);
         self.axes.map(|axis| dot(axis, p) as f32)
     }
 
-    /// Where on the screen that is.
-    fn place(&self, seen: Vec3) -> Place {
-        let [x, y, z] = wide(seen);
-        Place {
+    /// Projects a point in camera space to the screen.
+    fn project(&self, point: Vec3) -> ScreenPoint {
+        let [x, y, z] = to_f64(point);
+        ScreenPoint {
             x: (self.center[0] - self.scale * x / z) as f32,
             y: (self.center[1] + self.scale * y / z) as f32,
             inverse_depth: (-1.0 / z) as f32,
         }
     }
 
-    /// A direction as the camera sees it: right, up, towards the eye.
-    fn turned(&self, n: Vec3) -> Vec3 {
-        self.axes.map(|axis| dot(axis, wide(n)) as f32)
+    /// Transforms a direction to camera space: right, up, towards the eye.
+    fn direction_to_camera_space(&self, n: Vec3) -> Vec3 {
+        self.axes.map(|axis| dot(axis, to_f64(n)) as f32)
     }
 }
 
-/// What triangles look like.
+/// Surface appearance shared by triangles.
 #[derive(Clone, Copy)]
-struct Face {
+struct SurfaceStyle {
     has_normals: bool,
     light: f32,
-    /// How much edges cover.
+    /// Opacity of edges.
     edges: f32,
 }
 
-/// Rows of pixels, and one over the distance of what is on them.
-struct Target {
+/// A band of pixels with a depth buffer of inverse depths.
+struct Band {
     canvas: Canvas,
     nearest: Vec<f32>,
     rows: Range<usize>,
 }
 
-impl Target {
+impl Band {
     fn new(width: usize, rows: Range<usize>) -> Self {
         let canvas = Canvas::filled(width, rows.len(), [0.0; 4]);
         Self { canvas, nearest: vec![0.0; width * rows.len()], rows }
     }
 
-    /// Colors the pixels whose centers lie in the triangle and that nothing nearer covers.
-    fn fill(&mut self, view: &View, piece: &Piece, face: &Face) {
-        let screen = piece.corners.map(|corner| view.place(corner.place));
+    /// Draws a triangle with depth test, at pixel centers.
+    fn fill(&mut self, view: &View, triangle: &ClippedTriangle, style: &SurfaceStyle) {
+        let screen = triangle.corners.map(|corner| view.project(corner.position));
         let [a, b, c] = screen;
         let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         let is_behind = screen.iter().any(|p| p.inverse_depth <= 0.0 || !p.inverse_depth.is_finite());
@@ -210,8 +214,8 @@ impl Target {
         if rows.is_empty() || columns.is_empty() {
             return;
         }
-        let facing = facing(&piece.corners);
-        // Pixels across the triangle from each side, as a GPU tells them: by rows and columns.
+        let facing = facing(&triangle.corners);
+        // Height of the triangle over each side in pixels, measured like a GPU's `fwidth`.
         let heights =
             [(b, c), (c, a), (a, b)].map(|(p, q)| area.abs() / ((p.x - q.x).abs() + (p.y - q.y).abs()));
         for y in rows {
@@ -227,37 +231,39 @@ impl Target {
                 }
                 let parts: Vec3 = std::array::from_fn(|k| on_screen[k] * screen[k].inverse_depth);
                 let depth = parts[0] + parts[1] + parts[2];
-                let kept = &mut self.nearest[row * self.canvas.width + x];
-                if depth > *kept {
-                    *kept = depth;
+                let nearest = &mut self.nearest[row * self.canvas.width + x];
+                if depth > *nearest {
+                    *nearest = depth;
                     let weights = parts.map(|part| part / depth);
-                    let edges = (0..3).filter(|&k| piece.is_edge[k]);
-                    let away = edges.map(|k| on_screen[k] * heights[k]).fold(f32::INFINITY, f32::min);
-                    self.canvas.row_mut(row)[x] = face.at((&piece.corners, weights), facing, away);
+                    let edges = (0..3).filter(|&k| triangle.is_edge[k]);
+                    let edge_distance =
+                        edges.map(|k| on_screen[k] * heights[k]).fold(f32::INFINITY, f32::min);
+                    self.canvas.row_mut(row)[x] =
+                        style.at((&triangle.corners, weights), facing, edge_distance);
                 }
             }
         }
     }
 }
 
-impl Face {
-    /// The color of a place, which is so many pixels away from the nearest edge.
-    fn at(&self, (corners, weights): (&[Corner; 3], Vec3), facing: Vec3, away: f32) -> Rgba {
+impl SurfaceStyle {
+    /// Color of a point at a distance in pixels from the nearest edge.
+    fn at(&self, (corners, weights): (&[Corner; 3], Vec3), facing: Vec3, edge_distance: f32) -> Rgba {
         let mixed = |of: fn(&Corner) -> Vec3| -> Vec3 {
             let of = [0, 1, 2].map(|k| of(&corners[k]));
             std::array::from_fn(|axis| (0..3).map(|k| weights[k] * of[k][axis]).sum())
         };
         let color = mixed(|corner| corner.color);
         let normal = if self.has_normals { unit32(mixed(|corner| corner.normal)) } else { facing };
-        // Both sides of a surface are lit: what looks away is turned around.
+        // Both sides of a surface are lit: normals that face away are flipped.
         let normal = if dot32(normal, facing) < 0.0 { normal.map(|x| -x) } else { normal };
-        let to_eye = unit32(mixed(|corner| corner.place).map(|x| -x));
+        let to_eye = unit32(mixed(|corner| corner.position).map(|x| -x));
         let lit = lit(color, normal, to_eye);
-        // As wide as on a GPU, whose pictures are twice as large.
-        let line = self.edges * (1.0 - smooth_step(2.0 / SHRINK as f32 * away - 0.5));
+        // Lines are as wide as on a GPU, which downsamples by 2.
+        let line = self.edges * (1.0 - smooth_step(2.0 / DOWNSAMPLING as f32 * edge_distance - 0.5));
         let [r, g, b] = std::array::from_fn(|k| {
-            let seen = color[k] + self.light * (lit[k] - color[k]);
-            seen * (1.0 - line)
+            let shade = color[k] + self.light * (lit[k] - color[k]);
+            shade * (1.0 - line)
         });
         [r, g, b, 1.0]
     }
@@ -268,15 +274,15 @@ fn smooth_step(x: f32) -> f32 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// The normal of a triangle, turned to the eye.
+/// Normal of a triangle, flipped towards the eye.
 fn facing(corners: &[Corner; 3]) -> Vec3 {
-    let [a, b, c] = corners.map(|corner| wide(corner.place));
-    let normal = unit(cross(minus(b, a), minus(c, a)));
+    let [a, b, c] = corners.map(|corner| to_f64(corner.position));
+    let normal = unit(cross(sub(b, a), sub(c, a)));
     let side = if dot(normal, a) > 0.0 { -1.0 } else { 1.0 };
     normal.map(|x| (side * x) as f32)
 }
 
-/// Light on a surface, as `light.wgsl` has it; the camera carries the lights.
+/// Lighting of a surface, as in `light.wgsl`; the lights move with the camera.
 fn lit(color: Vec3, normal: Vec3, to_eye: Vec3) -> Vec3 {
     let towards_key = unit32([-0.55, 0.65, 0.75]);
     let key = 0.78 * dot32(normal, towards_key).max(0.0);
@@ -288,7 +294,7 @@ fn lit(color: Vec3, normal: Vec3, to_eye: Vec3) -> Vec3 {
     color.map(|channel| channel * light + gloss)
 }
 
-/// The pixels of some rows or columns whose centers may lie between three coordinates.
+/// Range of rows or columns whose pixel centers may lie between three coordinates.
 fn covered(corners: [f32; 3], pixels: &Range<usize>) -> Range<usize> {
     let [first, end] = [pixels.start, pixels.end].map(|pixel| pixel as f32);
     let min = corners.into_iter().fold(f32::INFINITY, f32::min).floor().clamp(first, end);
@@ -347,12 +353,16 @@ mod tests {
         let shot = Shot::of(&mesh, Paint::Surface, Style::FACETED);
         let whole = draw_in_bands(&shot, &CAMERA, [40, 30], 30);
         for band_rows in [1, 7, 29] {
-            assert_eq!(draw_in_bands(&shot, &CAMERA, [40, 30], band_rows), whole, "{band_rows} rows a band");
+            assert_eq!(
+                draw_in_bands(&shot, &CAMERA, [40, 30], band_rows),
+                whole,
+                "{band_rows} rows per band"
+            );
         }
     }
 
     #[test]
-    fn what_lies_behind_the_eye_is_not_drawn() {
+    fn triangles_behind_the_eye_are_not_drawn() {
         let positions = [[-1.0, -1.0, 9.0], [1.0, -1.0, 9.0], [0.0, 1.0, 9.0]];
         let canvas = drawn(&positions, &[[0, 1, 2]], &[[255; 4]]);
         assert!(canvas.pixels().iter().all(|&pixel| pixel == [0.0; 4]));

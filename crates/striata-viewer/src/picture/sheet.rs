@@ -1,11 +1,11 @@
-//! Panels side by side, with text above and below and a color bar beside them.
+//! Arranges panels in a grid, with text above and below and a color bar at the side.
 
 use super::canvas::from_srgb;
-use super::heat::color_at;
+use super::distance_map::color_at;
 use super::text::{Align, width, write};
 use super::{Canvas, Rgba};
 
-/// Colors of what is no mesh.
+/// Colors of the background and the text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Theme {
     background: Rgba,
@@ -27,13 +27,14 @@ impl Theme {
         soft_ink: [0.10, 0.10, 0.11, 1.0],
     };
 
-    /// The same on a color in sRGB.
+    /// Theme for an sRGB background color.
     pub fn on_srgb(srgb: [u8; 3]) -> Self {
         let [r, g, b] = srgb.map(from_srgb);
         Self::on([r, g, b, 1.0])
     }
 
-    /// Letters that are read on a color, linear light; on nothing they are gray, which is read on most pages.
+    /// Theme with text that is legible on a background, linear light; on a transparent one it is gray,
+    /// which suits most pages.
     pub fn on(background: Rgba) -> Self {
         let [r, g, b, opacity] = background;
         if opacity == 0.0 {
@@ -45,28 +46,28 @@ impl Theme {
     }
 }
 
-/// One panel.
+/// A picture with its title and caption.
 #[derive(Clone, Debug)]
 pub struct Panel {
-    /// The picture, as large as [`Sheet::panel_size`] says.
+    /// Picture of size [`Sheet::panel_size`].
     pub canvas: Canvas,
-    /// What stands above it.
+    /// Text above the picture.
     pub title: String,
-    /// What stands below it.
+    /// Text below the picture.
     pub caption: String,
 }
 
-/// A scale from 0 to some distance.
+/// Color scale from 0 to a distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColorBar {
-    /// What it shows.
+    /// Title of the bar.
     pub title: String,
-    /// Texts at equal distances, from 0 up to the end of the bar.
+    /// Evenly spaced labels, from 0 to the end of the bar.
     pub marks: Vec<String>,
 }
 
 impl ColorBar {
-    /// A bar of distances up to `top`, where the largest may be farther.
+    /// Bar of distances up to `top`; marked as open-ended if `largest` is greater.
     pub fn up_to(top: f64, largest: f64) -> Self {
         const QUARTERS: u32 = 4;
         let mark = |i: u32| match f64::from(i) / f64::from(QUARTERS) * top {
@@ -81,7 +82,7 @@ impl ColorBar {
     }
 }
 
-/// A number with so many digits that count.
+/// Formats a number with this many significant digits.
 pub fn significant(number: f64, digits: usize) -> String {
     if number == 0.0 || !number.is_finite() {
         return format!("{number}");
@@ -94,37 +95,37 @@ pub fn significant(number: f64, digits: usize) -> String {
     format!("{number:.after$}")
 }
 
-/// Where what goes.
+/// Layout of a grid of panels.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     size: [usize; 2],
     columns: usize,
     rows: usize,
-    /// Whether each row has text above and below, or none has.
+    /// Whether there is text above and below the panels.
     has_text: bool,
-    /// Whether titles stand above the first row and captions below the last only.
+    /// Whether titles appear only above the first row and captions only below the last.
     shares_text: bool,
     bar: Option<ColorBar>,
 }
 
 impl Sheet {
-    /// A sheet of `[width, height]` pixels with panels in a grid.
+    /// Creates a sheet of `[width, height]` pixels with a grid of panels.
     pub fn new(size: [usize; 2], (columns, rows): (usize, usize)) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
         Self { size, columns, rows, has_text: false, shares_text: false, bar: None }
     }
 
-    /// With text above and below each row, or around all of them where they show the same.
+    /// Adds text above and below each row, or only around the whole grid if `shares_text`.
     pub fn with_text(self, shares_text: bool) -> Self {
         Self { has_text: true, shares_text, ..self }
     }
 
-    /// With a color bar at its right.
+    /// Adds a color bar on the right.
     pub fn with_bar(self, bar: ColorBar) -> Self {
         Self { bar: Some(bar), ..self }
     }
 
-    /// Pixels of each panel.
+    /// Size of each panel, pixels.
     pub fn panel_size(&self) -> [usize; 2] {
         let text_rows = if self.shares_text { 1 } else { self.rows };
         let text = if self.has_text { text_rows * (self.head_height() + self.foot_height()) } else { 0 };
@@ -132,11 +133,11 @@ impl Sheet {
         [width.max(1), (self.size[1].saturating_sub(text) / self.rows).max(1)]
     }
 
-    /// The panels, row by row, on a background.
+    /// Draws the panels, row by row, on the theme's background.
     pub fn assemble(&self, panels: &[Panel], theme: &Theme) -> Canvas {
         let mut sheet = Canvas::filled(self.size[0], self.size[1], theme.background);
         let [width, height] = self.panel_size();
-        // What does not divide is left at both sides.
+        // Leftover columns are split between both sides.
         let left = self.size[0].saturating_sub(self.bar_width() + width * self.columns) / 2;
         let mut top = 0;
         for (row, panels) in panels.chunks(self.columns).enumerate() {
@@ -152,7 +153,7 @@ impl Sheet {
                 top += self.head_height();
             }
             for (column, panel) in panels.iter().enumerate() {
-                sheet.lay(&panel.canvas, left + column * width, top);
+                sheet.blend(&panel.canvas, left + column * width, top);
             }
             top += height;
             if self.has_text && is_last {
@@ -170,14 +171,14 @@ impl Sheet {
         sheet
     }
 
-    /// Writes into the middle of a panel's width, smaller where there is too little room.
-    fn write(&self, sheet: &mut Canvas, text: &str, (size, color): (f32, Rgba), place: [f32; 2]) {
+    /// Writes text centered in a panel's width, smaller if it would not fit.
+    fn write(&self, sheet: &mut Canvas, text: &str, (size, color): (f32, Rgba), position: [f32; 2]) {
         let room = 0.88 * self.panel_size()[0] as f32;
         let size = size * (room / width(text, size).max(1.0)).min(1.0);
-        write(sheet, text, (size, color), (place, Align::Middle));
+        write(sheet, text, (size, color), (position, Align::Middle));
     }
 
-    /// Pixels of the letters of a title.
+    /// Font size of titles, pixels.
     fn title_size(&self) -> f32 {
         let [width, height] = self.size.map(|side| side as f32);
         (width / self.columns as f32 / 8.5).min(height / self.rows as f32 / 11.0).clamp(11.0, 44.0)
@@ -191,7 +192,7 @@ impl Sheet {
         (1.9 * self.title_size()) as usize
     }
 
-    /// Pixels of the letters at a bar.
+    /// Font size of the color bar, pixels.
     fn mark_size(&self) -> f32 {
         (self.size[1] as f32 / 30.0).min(self.size[0] as f32 / 60.0).clamp(11.0, 26.0)
     }
@@ -219,14 +220,14 @@ impl Sheet {
         let x = left as f32;
         write(sheet, &bar.title, (size, theme.ink), ([x, top as f32 - 1.5 * size], Align::Left));
         let last = bar.marks.len().saturating_sub(1).max(1) as f32;
-        for (number, mark) in bar.marks.iter().enumerate() {
-            let y = bottom as f32 - number as f32 / last * (bottom - top) as f32;
+        for (index, mark) in bar.marks.iter().enumerate() {
+            let y = bottom as f32 - index as f32 / last * (bottom - top) as f32;
             let tick = y.min(bottom as f32 - 1.0).max(top as f32) as i64;
             for dx in 0..(0.4 * size) as i64 {
                 sheet.tint([(left + thick) as i64 + dx, tick], theme.soft_ink, 1.0);
             }
-            let place = [x + thick as f32 + 0.65 * size, y];
-            write(sheet, mark, (size, theme.ink), (place, Align::Left));
+            let position = [x + thick as f32 + 0.65 * size, y];
+            write(sheet, mark, (size, theme.ink), (position, Align::Left));
         }
     }
 }
@@ -241,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn panels_lie_in_their_places_between_their_texts() {
+    fn panels_are_placed_between_their_texts() {
         let sheet = Sheet::new([400, 300], (2, 2)).with_text(true);
         let size = sheet.panel_size();
         let colors = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [0.5, 0.5, 0.0, 1.0]];
@@ -279,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn tiny_sheets_are_no_trouble() {
+    fn tiny_sheets_are_drawn() {
         for size in [[1, 1], [3, 200], [200, 3]] {
             let marks = vec!["0".to_owned(), "1".to_owned()];
             let bar = ColorBar { title: "t".to_owned(), marks };
@@ -291,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_have_the_digits_that_count() {
+    fn numbers_have_the_significant_digits() {
         for (number, text) in [
             (0.0, "0"),
             (1.0, "1.00"),
@@ -306,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bar_ends_at_its_top_and_says_where_there_is_more() {
+    fn a_bar_marks_distances_beyond_its_top() {
         assert_eq!(ColorBar::up_to(2.0, 2.0).marks, ["0", "0.500", "1.00", "1.50", "2.00"]);
         assert_eq!(ColorBar::up_to(2.0, 3.0).marks[4], "from 2.00");
         assert_eq!(ColorBar::up_to(0.0, 0.0).marks, ["0"; 5]);

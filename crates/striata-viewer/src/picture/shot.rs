@@ -1,60 +1,60 @@
-//! What is seen on one panel, and the lines that go through it.
+//! The contents of one panel: triangles, their paint, and lines.
 
 use std::borrow::Cow;
 
 use striata::mesh::IndexedMesh;
 use striata::strip::StripIndices;
 
-use super::camera::{Camera, cross, dot, minus, unit, wide};
+use super::camera::{Camera, cross, dot, sub, to_f64, unit};
 use super::paint::Color;
 
-/// What one panel shows.
+/// The contents of one panel.
 #[derive(Clone, Debug)]
 pub struct Shot<'a> {
-    /// Its vertices are drawn, with their normals and colors.
+    /// Mesh whose vertices, normals and colors are used.
     pub vertices: &'a IndexedMesh,
-    /// Triangles over them.
+    /// Triangles over these vertices.
     pub triangles: Cow<'a, [[u32; 3]]>,
-    /// The same triangles as strips, for a GPU, where single ones need no colors or edges.
+    /// The triangles as strips, for a GPU to draw if triangles need no colors or edges.
     pub strips: Option<&'a StripIndices>,
-    /// Their colors.
+    /// Colors of the triangles.
     pub paint: Paint,
-    /// Whether the edges of triangles are seen.
+    /// Whether edges are drawn.
     pub has_edges: bool,
-    /// Whether each triangle has one normal.
+    /// Whether shading is flat.
     pub is_flat: bool,
-    /// Lines beside them.
+    /// Additional lines.
     pub lines: Vec<Line>,
 }
 
-/// How triangles are colored; linear light as bytes.
+/// Coloring of triangles, linear light as bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// In the colors of the vertices, or all as stone.
+    /// Vertex colors of the mesh, or stone if it has none.
     Surface,
-    /// Each in one color.
+    /// One color per triangle.
     Triangles(Vec<Color>),
-    /// Between the colors of vertices; they say something, so there is less light and shadow.
+    /// One color per vertex, interpolated. Since the colors carry information, lighting is weaker.
     Vertices(Vec<Color>),
 }
 
-/// A line from one point to another.
+/// A line segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Where it begins and ends, mesh units.
+    /// End points, mesh units.
     pub ends: [[f32; 3]; 2],
     /// Linear light as bytes.
     pub color: Color,
-    /// Pixels that it is wide, of a picture of 1000 rows.
+    /// Width in pixels of a picture with 1000 rows.
     pub width: f32,
 }
 
-/// How the triangles of a shot are drawn.
+/// Drawing style of triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Style {
-    /// With their edges.
+    /// Whether edges are drawn.
     pub has_edges: bool,
-    /// Each in one shade.
+    /// Whether shading is flat.
     pub is_flat: bool,
 }
 
@@ -69,22 +69,22 @@ impl Style {
     pub const FACETED: Self = Self { has_edges: true, is_flat: true };
 }
 
-/// The color of a mesh without colors, linear light.
+/// Color of a mesh without colors, linear light.
 pub(super) const STONE: [f32; 3] = [0.72, 0.58, 0.44];
 
 impl<'a> Shot<'a> {
-    /// A mesh in some colors and a style.
+    /// Creates a shot of a mesh with a paint and a style.
     pub fn of(mesh: &'a IndexedMesh, paint: Paint, Style { has_edges, is_flat }: Style) -> Self {
         let triangles = Cow::Borrowed(&mesh.triangles[..]);
         Self { vertices: mesh, triangles, strips: None, paint, has_edges, is_flat, lines: Vec::new() }
     }
 
-    /// How much light and shadow count.
+    /// Strength of the lighting.
     pub(super) fn light(&self) -> f32 {
         if matches!(self.paint, Paint::Vertices(_)) { 0.62 } else { 1.0 }
     }
 
-    /// A color for each triangle, where single ones have to be drawn.
+    /// A color for each triangle, if triangles have to be drawn individually.
     pub(super) fn colors_of_triangles(&self) -> Option<Cow<'_, [Color]>> {
         match &self.paint {
             Paint::Triangles(colors) => Some(Cow::Borrowed(colors)),
@@ -105,7 +105,7 @@ impl<'a> Shot<'a> {
         }
     }
 
-    /// How much edges cover: less where they are so dense that nothing else would be seen.
+    /// Opacity of edges: lower if they are so dense that they would hide the surface.
     pub(super) fn edge_opacity(&self, camera: &Camera, height: usize) -> f32 {
         if !self.has_edges || self.triangles.is_empty() {
             return 0.0;
@@ -113,11 +113,11 @@ impl<'a> Shot<'a> {
         let [right, up, back] = camera.axes();
         let scale = height as f64 / 2.0 / (f64::from(camera.fov) / 2.0).tan();
         let on_screen = |v: u32| {
-            let p = minus(wide(self.vertices.positions[v as usize]), wide(camera.eye));
+            let p = sub(to_f64(self.vertices.positions[v as usize]), to_f64(camera.eye));
             let depth = -dot(p, back);
             (depth > 0.0).then(|| [scale * dot(p, right) / depth, scale * dot(p, up) / depth])
         };
-        // Some thousand triangles tell as much as all.
+        // A few thousand triangles are a sufficient sample.
         let step = self.triangles.len() / 4000 + 1;
         let (mut length, mut count) = (0.0, 0);
         for &[a, b, _] in self.triangles.iter().step_by(step) {
@@ -130,7 +130,7 @@ impl<'a> Shot<'a> {
     }
 }
 
-/// Lines as triangles that face an eye, as wide as they are to be on a picture of so many rows.
+/// Lines converted to triangles that face the camera.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LineTriangles {
     pub(super) positions: Vec<[f32; 3]>,
@@ -142,11 +142,11 @@ impl LineTriangles {
     pub(super) fn new(lines: &[Line], camera: &Camera, first_vertex: usize) -> Self {
         let mut out = Self::default();
         let [_, _, back] = camera.axes();
-        let eye = wide(camera.eye);
-        // Of a picture of 1000 rows, a pixel at distance 1 is so large.
+        let eye = to_f64(camera.eye);
+        // Size of a pixel at distance 1, in a picture of 1000 rows.
         let pixel = 2.0 * (f64::from(camera.fov) / 2.0).tan() / 1000.0;
         for line in lines {
-            let Some([from, to]) = before_the_eye(line.ends.map(|end| minus(wide(end), eye)), back) else {
+            let Some([from, to]) = clip_in_front(line.ends.map(|end| sub(to_f64(end), eye)), back) else {
                 continue;
             };
             let across = unit(cross(from, to));
@@ -162,8 +162,8 @@ impl LineTriangles {
     }
 }
 
-/// The part of a line, from the eye, that lies before it.
-fn before_the_eye(ends: [[f64; 3]; 2], back: [f64; 3]) -> Option<[[f64; 3]; 2]> {
+/// Clips a line, relative to the eye, to the part in front of the eye.
+fn clip_in_front(ends: [[f64; 3]; 2], back: [f64; 3]) -> Option<[[f64; 3]; 2]> {
     let depths = ends.map(|end| -dot(end, back));
     let nearest = 1e-3 * depths[0].abs().max(depths[1].abs());
     if depths[0].max(depths[1]) <= nearest {
@@ -182,7 +182,7 @@ mod tests {
     const CAMERA: Camera = Camera { eye: [0.0, 0.0, 4.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 1.0 };
 
     #[test]
-    fn a_line_is_as_wide_as_asked_at_both_ends() {
+    fn a_line_has_the_requested_width_at_both_ends() {
         let line = Line { ends: [[0.0, -1.0, 0.0], [0.0, 1.0, 2.0]], color: [255; 4], width: 10.0 };
         let quad = LineTriangles::new(&[line], &CAMERA, 7);
         assert_eq!((quad.triangles[0], quad.positions.len()), ([7, 8, 9], 4));
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_behind_the_eye_is_cut_off() {
+    fn lines_are_clipped_behind_the_eye() {
         let line = |a: f32, b: f32| Line { ends: [[1.0, 0.0, a], [1.0, 0.0, b]], color: [0; 4], width: 1.0 };
         assert!(LineTriangles::new(&[line(5.0, 9.0)], &CAMERA, 0).triangles.is_empty());
         let cut = LineTriangles::new(&[line(0.0, 9.0)], &CAMERA, 0);

@@ -1,4 +1,4 @@
-//! Letters on a canvas, in the font that the command carries.
+//! Draws text on a canvas with the embedded font.
 
 use std::sync::LazyLock;
 
@@ -6,48 +6,48 @@ use ab_glyph::{Font, FontRef, Glyph, PxScale, ScaleFont, point};
 
 use super::{Canvas, Rgba};
 
-/// None only where the font that is built in cannot be read, which a test rules out.
+/// The font; none only if it cannot be parsed, which a test rules out.
 static FONT: LazyLock<Option<FontRef<'static>>> =
     LazyLock::new(|| FontRef::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT).ok());
 
-/// Where a text stands to its place.
+/// Horizontal alignment of text relative to its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Align {
-    /// It begins there.
+    /// The text starts at the position.
     Left,
-    /// It is centerd there.
+    /// The text is centered at the position.
     Middle,
 }
 
-/// Writes a line of text whose capital letters are centerd on a row of pixels.
+/// Writes a line of text with its capital letters vertically centered at the position.
 pub(super) fn write(canvas: &mut Canvas, text: &str, style: (f32, Rgba), ([x, y], align): ([f32; 2], Align)) {
     let (size, color) = style;
     let Some(font) = FONT.as_ref() else { return };
-    let (glyphs, width) = laid_out(font, text, size);
+    let (glyphs, width) = layout(font, text, size);
     let left = if align == Align::Middle { x - width / 2.0 } else { x };
-    // Capitals reach about 0.69 of the size above the base line.
+    // Capital letters reach about 0.69 of the font size above the baseline.
     let base = (y + 0.35 * size * CAPITALS).round();
     for mut glyph in glyphs {
         glyph.position += point(left, base);
         let Some(outline) = font.outline_glyph(glyph) else { continue };
         let bounds = outline.px_bounds();
         outline.draw(|dx, dy, amount| {
-            let place = [bounds.min.x as i64 + i64::from(dx), bounds.min.y as i64 + i64::from(dy)];
-            canvas.tint(place, color, amount.clamp(0.0, 1.0));
+            let pixel = [bounds.min.x as i64 + i64::from(dx), bounds.min.y as i64 + i64::from(dy)];
+            canvas.tint(pixel, color, amount.clamp(0.0, 1.0));
         });
     }
 }
 
-/// Height of capitals, of the size.
+/// Height of capital letters, relative to 0.7 of the font size.
 const CAPITALS: f32 = 0.69 / 0.7;
 
-/// Pixels from the start of a text to its end.
+/// Width of a text in pixels.
 pub(super) fn width(text: &str, size: f32) -> f32 {
-    FONT.as_ref().map_or(0.0, |font| laid_out(font, text, size).1)
+    FONT.as_ref().map_or(0.0, |font| layout(font, text, size).1)
 }
 
-/// Glyphs side by side from zero on, and where the next would be.
-fn laid_out(font: &FontRef<'static>, text: &str, size: f32) -> (Vec<Glyph>, f32) {
+/// Lays out glyphs from x = 0, and returns them with the total width.
+fn layout(font: &FontRef<'static>, text: &str, size: f32) -> (Vec<Glyph>, f32) {
     let scaled = font.as_scaled(PxScale::from(size));
     let (mut glyphs, mut x, mut last) = (Vec::new(), 0.0, None);
     for letter in text.chars() {
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn letters_leave_ink_where_they_should() {
+    fn letters_are_drawn_at_the_right_position() {
         let mut canvas = Canvas::filled(120, 40, [0.0, 0.0, 0.0, 1.0]);
         write(&mut canvas, "H", (24.0, [1.0; 4]), ([60.0, 20.0], Align::Middle));
         let inked: Vec<[usize; 2]> =
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn longer_texts_are_wider_and_all_letters_are_known() {
+    fn longer_texts_are_wider_and_the_font_has_all_letters() {
         assert!(width("10 %", 20.0) > width("1 %", 20.0) && width("", 20.0) == 0.0);
         let font = FONT.as_ref().expect("the font is sound");
         for letter in "0123456789 %,.-+eabcdefghijklmnopqrstuvwxyzµ·ABCDEFGHIJKLMNOPQRSTUVWXYZ".chars() {

@@ -1,4 +1,4 @@
-//! The viewer's own files, compressed once when the server starts.
+//! Serves the viewer's own files, compressed once when the server starts.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
@@ -17,15 +17,16 @@ use super::kinds::page_type;
 use super::validators::{Coding, Validators};
 use crate::viewer_page::ViewerFiles;
 
-/// Smaller files are sent as they are.
-const PACKED_FROM: usize = 1024;
-/// Bytes that are compressed between two looks at what else there is to do.
-const PIECE_BYTES: usize = 32 * 1024;
+/// Smaller files are sent uncompressed.
+const MIN_COMPRESSED_BYTES: usize = 1024;
+/// Bytes compressed before yielding to other tasks.
+const CHUNK_BYTES: usize = 32 * 1024;
 
 /// The viewer's files by name.
 #[derive(Debug)]
 pub(super) struct Assets(BTreeMap<String, Arc<Asset>>);
 
+/// A file in up to three encodings.
 #[derive(Debug)]
 struct Asset {
     bytes: Bytes,
@@ -36,7 +37,8 @@ struct Asset {
 }
 
 impl Assets {
-    /// Takes the files that are built in, and begins to compress them; until that is done they go out as they are.
+    /// Loads the embedded files and starts compressing them; until that is done, they are sent
+    /// uncompressed.
     pub(super) fn load() -> Self {
         let files = ViewerFiles::iter().filter_map(|name| Some((name.to_string(), ViewerFiles::get(&name)?)));
         let assets = files.map(|(name, file)| {
@@ -48,8 +50,8 @@ impl Assets {
                 gzip: OnceLock::new(),
                 brotli: OnceLock::new(),
             });
-            if asset.bytes.len() >= PACKED_FROM && !asset.content_type.starts_with("image/png") {
-                tokio::spawn(pack(asset.clone()));
+            if asset.bytes.len() >= MIN_COMPRESSED_BYTES && !asset.content_type.starts_with("image/png") {
+                tokio::spawn(compress(asset.clone()));
             }
             (name, asset)
         });
@@ -57,8 +59,8 @@ impl Assets {
     }
 }
 
-/// Answers for everything that is no model.
-pub(super) async fn answer(State(assets): State<Arc<Assets>>, uri: Uri, request: HeaderMap) -> Response {
+/// Handles every request that is not for a model.
+pub(super) async fn handle(State(assets): State<Arc<Assets>>, uri: Uri, request: HeaderMap) -> Response {
     let name = uri.path().trim_start_matches('/');
     let name = if name.is_empty() { "index.html" } else { name };
     let Some(asset) = assets.0.get(name) else { return not_found() };
@@ -69,8 +71,8 @@ pub(super) async fn answer(State(assets): State<Arc<Assets>>, uri: Uri, request:
     if let Some(response) = validators.not_modified(&request) {
         return response;
     }
-    let packed = ready.into_iter().find(|&(known, _)| known == coding).and_then(|(_, bytes)| bytes);
-    let mut response = packed.unwrap_or(&asset.bytes).clone().into_response();
+    let compressed = ready.into_iter().find(|&(known, _)| known == coding).and_then(|(_, bytes)| bytes);
+    let mut response = compressed.unwrap_or(&asset.bytes).clone().into_response();
     validators.apply(&mut response);
     let headers = response.headers_mut();
     headers.insert(CONTENT_TYPE, HeaderValue::from_static(asset.content_type));
@@ -80,22 +82,22 @@ pub(super) async fn answer(State(assets): State<Arc<Assets>>, uri: Uri, request:
     response
 }
 
-/// Without one of them, clients get another.
-async fn pack(asset: Arc<Asset>) {
+/// Compresses a file with gzip and Brotli. If one fails, clients get another encoding.
+async fn compress(asset: Arc<Asset>) {
     let mut gzip = GzipEncoder::with_quality(Vec::new(), Level::Precise(9));
-    if written(&mut gzip, &asset.bytes).await.is_ok() {
+    if write_all(&mut gzip, &asset.bytes).await.is_ok() {
         let _ = asset.gzip.set(gzip.into_inner().into());
     }
-    // From 8 on the search alone takes tens of megabytes, for a hundredth of the size.
+    // From level 8 on, the search takes tens of megabytes of memory and saves only about 1% of the size.
     let mut brotli = BrotliEncoder::with_quality(Vec::new(), Level::Precise(7));
-    if written(&mut brotli, &asset.bytes).await.is_ok() {
+    if write_all(&mut brotli, &asset.bytes).await.is_ok() {
         let _ = asset.brotli.set(brotli.into_inner().into());
     }
 }
 
-async fn written(encoder: &mut (impl AsyncWrite + Unpin), bytes: &[u8]) -> std::io::Result<()> {
-    for piece in bytes.chunks(PIECE_BYTES) {
-        encoder.write_all(piece).await?;
+async fn write_all(encoder: &mut (impl AsyncWrite + Unpin), bytes: &[u8]) -> std::io::Result<()> {
+    for chunk in bytes.chunks(CHUNK_BYTES) {
+        encoder.write_all(chunk).await?;
         tokio::task::yield_now().await;
     }
     encoder.shutdown().await

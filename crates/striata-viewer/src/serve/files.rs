@@ -1,8 +1,9 @@
-//! Models and what they refer to: whole, in ranges, or compressed where they are text.
+//! Serves models and the files they refer to: whole, in ranges, or compressed if they are text.
 //!
-//! A file is opened once; its state, its first bytes and what is sent all come from that, so that a file that is replaced
-//! meanwhile is never mixed with its successor. It goes out in small pieces, the next one read when the last one is gone: a
-//! slow reader holds a piece or two of memory, and nobody up.
+//! A file is opened once; its stamp, its first bytes and the data sent all come from that handle, so a file
+//! that is replaced meanwhile is never mixed with its successor. It is sent in small chunks, and each is
+//! read only after the previous one is gone, so a slow client takes the memory of a chunk or two and delays
+//! nobody.
 
 use std::io::SeekFrom;
 use std::ops::RangeInclusive;
@@ -21,19 +22,19 @@ use tokio::fs::File;
 use tokio::io::{AsyncReadExt, AsyncSeekExt, BufReader};
 use tokio_util::io::ReaderStream;
 
-use super::folder::{Folder, Found, Stamp};
+use super::folder::{Folder, OpenedFile, Stamp};
 use super::kinds::{content_type, is_text};
 use super::validators::{Coding, Validators};
 
-/// Bytes that are read, and sent, at a time.
-const PIECE_BYTES: usize = 64 * 1024;
-/// Bytes that are looked at to tell text from the rest.
+/// Bytes read and sent at a time.
+const CHUNK_BYTES: usize = 64 * 1024;
+/// Bytes inspected to detect text.
 const HEAD_BYTES: u64 = 256;
-/// Fast, and near what more work would reach.
+/// Compression level: fast, and nearly as small as higher levels.
 const LEVEL: Level = Level::Precise(5);
 
-/// Answers for `models/PATH`.
-pub(super) async fn answer(
+/// Handles requests for `models/PATH`.
+pub(super) async fn handle(
     State(folder): State<Arc<Folder>>,
     method: Method,
     uri: Uri,
@@ -41,21 +42,26 @@ pub(super) async fn answer(
 ) -> Response {
     let Some(found) = find(&folder, uri.path(), "/models/", "").await else { return not_found() };
     let mut file = File::from_std(found.file);
-    file.set_max_buf_size(PIECE_BYTES);
+    file.set_max_buf_size(CHUNK_BYTES);
     match send(file, &found.name, &found.stamp, &method, &request).await {
         Ok(response) => response,
-        // Between opening and reading: the disk's fault.
+        // The file was opened but could not be read.
         Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
     }
 }
 
-/// What is answered where there is nothing.
+/// Response for files that do not exist.
 pub(super) fn not_found() -> Response {
-    (StatusCode::NOT_FOUND, "there is no such file\n").into_response()
+    (
+        StatusCode::NOT_FOUND,
+        "file not found
+",
+    )
+        .into_response()
 }
 
-/// Opens what a path means behind its prefix and before its suffix, without keeping others waiting for the disk.
-pub(super) async fn find(folder: &Arc<Folder>, path: &str, prefix: &str, suffix: &str) -> Option<Found> {
+/// Opens the file that a path names between a prefix and a suffix, on a thread that may block.
+pub(super) async fn find(folder: &Arc<Folder>, path: &str, prefix: &str, suffix: &str) -> Option<OpenedFile> {
     let name = path.strip_prefix(prefix)?.strip_suffix(suffix)?.to_owned();
     let folder = folder.clone();
     tokio::task::spawn_blocking(move || folder.find(&name)).await.ok()?
@@ -71,16 +77,16 @@ async fn send(
     let mut head = Vec::new();
     (&mut file).take(HEAD_BYTES).read_to_end(&mut head).await?;
     let is_text = is_text(name, &head);
-    let wants_part = request.contains_key(RANGE);
-    let offers: &[Coding] = if is_text && !wants_part { &[Coding::Gzip] } else { &[] };
+    let has_range = request.contains_key(RANGE);
+    let offers: &[Coding] = if is_text && !has_range { &[Coding::Gzip] } else { &[] };
     let coding = Coding::chosen(request, offers);
     let validators = Validators::new(&stamp.tag(), coding, Some(stamp.modified));
     if let Some(response) = validators.not_modified(request) {
         return Ok(response);
     }
     let part = match method {
-        // Only GET knows ranges.
-        &Method::GET if wants_part && validators.may_send_part(request) => Part::of(request, stamp.bytes),
+        // Ranges apply only to GET.
+        &Method::GET if has_range && validators.may_send_part(request) => Part::of(request, stamp.bytes),
         _ => Part::Whole,
     };
     let mut response = match (part, coding) {
@@ -90,7 +96,7 @@ async fn send(
             return Ok(response);
         }
         (Part::Whole, Coding::Plain) => plain(file, 0, stamp.bytes, method).await?,
-        (Part::Whole, _) => packed(file, method).await?,
+        (Part::Whole, _) => compressed(file, method).await?,
         (Part::Range(range), _) => {
             let bytes = range.end() - range.start() + 1;
             let mut response = plain(file, *range.start(), bytes, method).await?;
@@ -108,13 +114,13 @@ async fn send(
     Ok(response)
 }
 
-/// So many bytes from a place on, as they are.
+/// Sends `bytes` bytes from offset `start` uncompressed.
 async fn plain(mut file: File, start: u64, bytes: u64, method: &Method) -> std::io::Result<Response> {
     let body = match method {
         &Method::HEAD => Body::empty(),
         _ => {
             file.seek(SeekFrom::Start(start)).await?;
-            Body::from_stream(ReaderStream::with_capacity(file.take(bytes), PIECE_BYTES))
+            Body::from_stream(ReaderStream::with_capacity(file.take(bytes), CHUNK_BYTES))
         }
     };
     let mut response = body.into_response();
@@ -122,15 +128,15 @@ async fn plain(mut file: File, start: u64, bytes: u64, method: &Method) -> std::
     Ok(response)
 }
 
-/// All of it, compressed on the way; how long it will be is not known.
-async fn packed(mut file: File, method: &Method) -> std::io::Result<Response> {
+/// Sends the whole file, compressed on the fly; its final length is unknown.
+async fn compressed(mut file: File, method: &Method) -> std::io::Result<Response> {
     let body = match method {
         &Method::HEAD => Body::empty(),
         _ => {
             file.seek(SeekFrom::Start(0)).await?;
-            let reader = BufReader::with_capacity(PIECE_BYTES, file);
+            let reader = BufReader::with_capacity(CHUNK_BYTES, file);
             let encoder = GzipEncoder::with_quality(reader, LEVEL);
-            Body::from_stream(ReaderStream::with_capacity(encoder, PIECE_BYTES))
+            Body::from_stream(ReaderStream::with_capacity(encoder, CHUNK_BYTES))
         }
     };
     let mut response = body.into_response();
@@ -138,14 +144,14 @@ async fn packed(mut file: File, method: &Method) -> std::io::Result<Response> {
     Ok(response)
 }
 
-/// Which part of a file is asked for.
+/// The requested part of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Part {
-    /// All of it: also where the range is none, or there are several, which servers may pass over.
+    /// The whole file; also for invalid or multiple ranges, which servers may ignore.
     Whole,
-    /// These bytes.
+    /// A range of bytes.
     Range(RangeInclusive<u64>),
-    /// Nothing that is there.
+    /// A range outside the file.
     None,
 }
 
@@ -175,7 +181,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_are_what_the_standard_says() {
+    fn ranges_follow_the_standard() {
         for (range, expected) in [
             ("bytes=0-0", Part::Range(0..=0)),
             ("bytes=2-5", Part::Range(2..=5)),

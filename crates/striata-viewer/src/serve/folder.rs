@@ -1,8 +1,9 @@
-//! The folder that is served: which names lead to a file in it, and that no name leads out.
+//! The served folder: maps names to files inside it and rejects names that lead out.
 //!
-//! Every file is opened relative to the folder by `cap-std`, which follows symbolic links only while they stay inside, at the
-//! moment of opening. Before that, names must be plain: no empty, hidden or dotted parts, none that any system reads
-//! otherwise. Only models, and what models refer to, are there for the outside.
+//! Every file is opened relative to the folder by `cap-std`, which follows symbolic links only while they
+//! stay inside, at the moment of opening. Before that, names must be plain: no empty, hidden or dotted
+//! parts, and nothing that any system interprets specially. Only models, and files that models refer to,
+//! are accessible.
 
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -14,17 +15,17 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_perc
 use super::kinds::{has_companions, is_companion, is_model};
 use striata_command::failure::Failure;
 
-/// Folders within folders that are looked into.
+/// Maximum depth of subfolders.
 const MAX_DEPTH: usize = 8;
-/// Models that are listed.
+/// Maximum number of models listed.
 const MAX_MODELS: usize = 2_000;
-/// Entries of folders that are looked at for one list.
+/// Maximum number of directory entries visited for one list.
 const MAX_ENTRIES: usize = 50_000;
 
-/// What is kept as it is in the part of a path.
+/// Characters that are not percent-encoded in a path segment.
 const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.').remove(b'~');
 
-/// A folder, or one file of it, as the outside may see it.
+/// A folder, or a single file in it, as clients may see it.
 #[derive(Debug)]
 pub(super) struct Folder {
     dir: Dir,
@@ -32,47 +33,48 @@ pub(super) struct Folder {
     only: Option<String>,
 }
 
-/// What tells one state of a file from another.
+/// Identifies one state of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Stamp {
-    /// Its length.
+    /// Length in bytes.
     pub(super) bytes: u64,
-    /// When it was changed.
+    /// Time of the last modification.
     pub(super) modified: SystemTime,
-    /// Which file it is; 0 where the system does not tell.
+    /// Inode number; 0 on systems without one.
     inode: u64,
 }
 
-/// A file that is there, opened.
+/// A file that exists and has been opened.
 #[derive(Debug)]
-pub(super) struct Found {
-    /// Its path within the folder.
+pub(super) struct OpenedFile {
+    /// Path within the folder.
     pub(super) name: String,
-    /// Its bytes.
+    /// Open handle.
     pub(super) file: std::fs::File,
-    /// Its state when it was opened.
+    /// State of the file when it was opened.
     pub(super) stamp: Stamp,
 }
 
-/// The models of a folder.
+/// The models found in a folder.
 #[derive(Debug, Default)]
-pub(super) struct Walked {
-    /// Paths within the folder, in order, and their states.
+pub(super) struct FoundModels {
+    /// Paths within the folder, sorted, with their stamps.
     pub(super) models: Vec<(String, Stamp)>,
-    /// Whether there are more.
-    pub(super) is_cut: bool,
+    /// Whether a limit was reached and models are missing.
+    pub(super) is_truncated: bool,
     entry_count: usize,
 }
 
 impl Folder {
-    /// A folder, or the folder of a file with nothing but that file.
+    /// Opens a folder, or a single file in its folder.
     ///
     /// # Errors
-    /// Where there is neither, or the file is no model.
+    /// If the path does not exist, or the file is not a model.
     pub(super) fn open(path: &Path) -> Result<Self, Failure> {
         let shown = path.display();
         let path = path.canonicalize().map_err(|error| {
-            Failure::user(format!("{shown}: {error}")).with_hint("name a folder with models, or one model")
+            Failure::user(format!("{shown}: {error}"))
+                .with_hint("pass a folder with models, or a single model")
         })?;
         let (folder, only) = if path.is_dir() { (path, None) } else { split(path)? };
         let dir = Dir::open_ambient_dir(&folder, ambient_authority());
@@ -80,32 +82,32 @@ impl Folder {
         Ok(Self { dir, path: folder, only })
     }
 
-    /// Where it lies.
+    /// Path of the folder.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The one file that is served, where it is not the folder.
+    /// The single file that is served, if not the whole folder.
     pub(super) fn only(&self) -> Option<&str> {
         self.only.as_deref()
     }
 
-    /// What the folder is called.
+    /// Name of the folder.
     pub(super) fn name(&self) -> String {
         self.path.file_name().map_or_else(|| "/".to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// Opens the file that a part of a URL means, if it is there for the outside.
-    pub(super) fn find(&self, encoded: &str) -> Option<Found> {
+    /// Opens the file that a percent-encoded path names, if clients may access it.
+    pub(super) fn find(&self, encoded: &str) -> Option<OpenedFile> {
         let name = decoded(encoded)?;
         if !self.admits(&name) {
             return None;
         }
-        // Pipes would wait for a writer when they are opened.
+        // Opening a pipe would block until it has a writer.
         self.dir.metadata(&name).ok().filter(Metadata::is_file)?;
         let file = self.dir.open(&name).ok()?;
         let metadata = file.metadata().ok().filter(Metadata::is_file)?;
-        Some(Found { name, file: file.into_std(), stamp: Stamp::of(&metadata) })
+        Some(OpenedFile { name, file: file.into_std(), stamp: Stamp::of(&metadata) })
     }
 
     fn admits(&self, name: &str) -> bool {
@@ -115,25 +117,25 @@ impl Folder {
         }
     }
 
-    /// The models that are there, by path.
-    pub(super) fn walk(&self) -> Walked {
-        let mut walked = Walked::default();
+    /// Finds all models, sorted by path.
+    pub(super) fn walk(&self) -> FoundModels {
+        let mut found = FoundModels::default();
         match &self.only {
             Some(name) => {
-                walked.models.extend(self.find(&encoded(name)).map(|found| (found.name, found.stamp)))
+                found.models.extend(self.find(&encoded(name)).map(|found| (found.name, found.stamp)))
             }
-            None => self.walk_into(&self.dir, "", 0, &mut walked),
+            None => self.walk_into(&self.dir, "", 0, &mut found),
         }
-        walked.models.sort_by(|(a, _), (b, _)| a.cmp(b));
-        walked
+        found.models.sort_by(|(a, _), (b, _)| a.cmp(b));
+        found
     }
 
-    fn walk_into(&self, dir: &Dir, prefix: &str, depth: usize, walked: &mut Walked) {
+    fn walk_into(&self, dir: &Dir, prefix: &str, depth: usize, found: &mut FoundModels) {
         let Ok(entries) = dir.entries() else { return };
         for entry in entries.flatten() {
-            walked.entry_count += 1;
-            if walked.entry_count > MAX_ENTRIES || walked.models.len() >= MAX_MODELS {
-                walked.is_cut = true;
+            found.entry_count += 1;
+            if found.entry_count > MAX_ENTRIES || found.models.len() >= MAX_MODELS {
+                found.is_truncated = true;
                 return;
             }
             let Ok(name) = entry.file_name().into_string() else { continue };
@@ -142,18 +144,18 @@ impl Folder {
                 continue;
             }
             if kind.is_dir() {
-                // Links to folders are not followed, so that no folder is met twice.
+                // Links to folders are not followed, so that no folder is visited twice.
                 if depth >= MAX_DEPTH {
-                    walked.is_cut = true;
+                    found.is_truncated = true;
                 } else if let Ok(inner) = entry.open_dir() {
-                    self.walk_into(&inner, &format!("{prefix}{name}/"), depth + 1, walked);
+                    self.walk_into(&inner, &format!("{prefix}{name}/"), depth + 1, found);
                 }
             } else if is_model(&name) {
                 let name = format!("{prefix}{name}");
-                // Where a link leads is judged from the served folder on, as when the file is asked for.
+                // Links are resolved from the served folder, as for requests.
                 let metadata = if kind.is_symlink() { self.dir.metadata(&name) } else { entry.metadata() };
                 let stamp = metadata.ok().filter(Metadata::is_file).map(|metadata| Stamp::of(&metadata));
-                walked.models.extend(stamp.map(|stamp| (name, stamp)));
+                found.models.extend(stamp.map(|stamp| (name, stamp)));
             }
         }
     }
@@ -169,46 +171,47 @@ impl Stamp {
         Self { bytes: metadata.len(), modified, inode }
     }
 
-    /// Seconds from 1970 to the change.
+    /// Seconds from 1970 to the last modification.
     pub(super) fn modified_secs(&self) -> u64 {
         self.modified.duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_secs())
     }
 
-    /// Letters that are others for another state.
+    /// Text that differs between states of the file, for use as an entity tag.
     pub(super) fn tag(&self) -> String {
         let nanos = self.modified.duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_nanos());
         format!("{:x}-{nanos:x}-{:x}", self.bytes, self.inode)
     }
 }
 
-/// The folder of a file and the file's name.
+/// Splits a path into the folder and the file name.
 fn split(path: PathBuf) -> Result<(PathBuf, Option<String>), Failure> {
     let shown = path.display().to_string();
     let name = path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
     let (Some(parent), Some(name)) = (path.parent(), name) else {
-        return Err(Failure::user(format!("{shown}: the name is no text")));
+        return Err(Failure::user(format!("{shown}: the file name is not valid Unicode")));
     };
     if !is_model(&name) || !path.is_file() {
-        return Err(Failure::user(format!("{shown}: this is neither a folder nor a model"))
-            .with_hint("models end in .striata .stri .ply .obj .stl .off .gltf .glb, and .gz or .zst"));
+        return Err(Failure::user(format!("{shown}: not a folder or a model")).with_hint(
+            "supported: .striata .stri .ply .obj .stl .off .gltf .glb, optionally with .gz or .zst",
+        ));
     }
     Ok((parent.to_owned(), Some(name)))
 }
 
-/// A path within the folder as a URL holds it.
+/// Percent-encodes a path within the folder.
 pub(super) fn encoded(name: &str) -> String {
     let parts: Vec<String> =
         name.split('/').map(|part| utf8_percent_encode(part, PLAIN).to_string()).collect();
     parts.join("/")
 }
 
-/// The path within the folder that a part of a URL means; none where its parts are not plain.
+/// Decodes a percent-encoded path; none if one of its parts is not plain.
 fn decoded(encoded: &str) -> Option<String> {
     let name = percent_decode_str(encoded).decode_utf8().ok()?.into_owned();
     name.split('/').all(is_plain).then_some(name)
 }
 
-/// A name that every system takes for one of a file in this very folder, and that is not hidden.
+/// Whether every system interprets a path segment as a plain, visible file name in the same folder.
 fn is_plain(part: &str) -> bool {
     let is_reserved = |letter: char| letter.is_control() || matches!(letter, '\\' | ':');
     !part.is_empty() && !part.starts_with('.') && !part.contains(is_reserved)
@@ -219,7 +222,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_plain_names_are_looked_for() {
+    fn only_plain_names_are_accepted() {
         for good in ["a.ply", "sub/a%20b.ply", "%C3%BCber.obj", "a..b.ply"] {
             assert!(decoded(good).is_some(), "{good}");
         }
@@ -247,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn names_come_back_from_urls() {
+    fn encoded_names_decode_to_themselves() {
         for name in ["a.ply", "sub folder/ä #?%&+.obj", "x~_-.stl"] {
             let url = encoded(name);
             assert!(url.is_ascii() && !url.contains(['#', '?', '&', ' ', '+']), "{url}");

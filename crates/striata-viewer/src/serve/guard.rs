@@ -1,8 +1,9 @@
-//! What holds for every request: who may ask, and what a browser may do with the answers.
+//! Checks and headers for every request: which hosts are answered, and what browsers may do with responses.
 //!
-//! A page of another site can make a browser ask a server on the same machine, under a name of its own that it lets point
-//! here (DNS rebinding), and would then be taken for a page of this server. So a server for this machine alone answers
-//! only to the names that this machine has for itself.
+//! A page of another site can make a browser send requests to a server on the same machine under a host
+//! name that the site resolves to this machine (DNS rebinding); the browser would then treat it as a page
+//! of this server. So a server that is bound to a loopback address only answers requests for loopback host
+//! names.
 
 use axum::Router;
 use axum::extract::{Request, State};
@@ -18,13 +19,14 @@ use std::net::IpAddr;
 use tower_http::cors::{Any, CorsLayer};
 use tower_http::set_header::SetResponseHeaderLayer;
 
-/// Scripts of our own, decoders, workers made of them; nothing from elsewhere.
-const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src 'self' blob:; \
-                      style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; \
-                      connect-src 'self' data: blob:; object-src 'none'; base-uri 'none'; form-action 'none'; \
+/// Allows our own scripts, wasm, and workers made from them; nothing from other origins.
+const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' blob:; \
+                      worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; \
+                      font-src 'self' data:; connect-src 'self' data: blob:; object-src 'none'; \
+                      base-uri 'none'; form-action 'none'; \
                       frame-ancestors 'self'";
 
-/// The routes behind all checks.
+/// Wraps the routes in all checks and headers.
 pub(super) fn guarded(router: Router, is_local: bool, allows_other_sites: bool) -> Router {
     let header = |name: HeaderName, value: &'static str| {
         SetResponseHeaderLayer::overriding(name, HeaderValue::from_static(value))
@@ -51,17 +53,24 @@ async fn check_host(State(is_local): State<bool>, request: Request, next: Next) 
     let mut hosts = request.headers().get_all(HOST).iter();
     let (host, others) = (hosts.next(), hosts.count());
     let Some(host) = host.and_then(|host| host.to_str().ok()).filter(|_| others == 0) else {
-        return (StatusCode::BAD_REQUEST, "one Host header is needed\n").into_response();
+        return (
+            StatusCode::BAD_REQUEST,
+            "exactly one Host header is required
+",
+        )
+            .into_response();
     };
     let target = request.uri().authority().map_or(host, Authority::as_str);
     if is_local && !(is_this_machine(host) && is_this_machine(target)) {
-        let text = "this server answers to localhost only; start it with --host for others\n";
+        let text = "this server only answers requests for localhost; start it with --host to allow others
+";
         return (StatusCode::MISDIRECTED_REQUEST, text).into_response();
     }
     next.run(request).await
 }
 
-/// Whether an authority, a host with or without a port, is this machine by a name that nobody else can give.
+/// Whether an authority (a host with or without a port) is a loopback name or address, which no other
+/// site can use.
 fn is_this_machine(authority: &str) -> bool {
     let Ok(authority) = authority.parse::<Authority>() else { return false };
     let host = authority.host();
@@ -76,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_names_that_nobody_else_can_give_are_this_machine() {
+    fn only_loopback_names_are_this_machine() {
         for good in ["localhost", "LOCALHOST:7878", "127.0.0.1", "127.0.0.1:1", "[::1]", "[::1]:7878"] {
             assert!(is_this_machine(good), "{good}");
         }

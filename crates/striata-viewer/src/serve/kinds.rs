@@ -1,4 +1,4 @@
-//! Which files are served, and what they are called in HTTP.
+//! Which files are served, and their MIME types.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ const COMPANIONS: &[(&str, &str)] = &[
     ("bmp", "image/bmp"),
 ];
 
-/// The viewer's files.
+/// File types of the viewer page.
 const PAGE: &[(&str, &str)] = &[
     ("html", "text/html; charset=utf-8"),
     ("js", "text/javascript; charset=utf-8"),
@@ -30,22 +30,22 @@ const PAGE: &[(&str, &str)] = &[
     ("txt", "text/plain; charset=utf-8"),
 ];
 
-/// True for the names of models, plain or compressed.
+/// Whether a name is that of a model, plain or compressed.
 pub(super) fn is_model(name: &str) -> bool {
     Format::from_extension(name).is_some()
 }
 
-/// True for the names of what models refer to.
+/// Whether a name is that of a file that models refer to.
 pub(super) fn is_companion(name: &str) -> bool {
-    known(COMPANIONS, name).is_some()
+    lookup(COMPANIONS, name).is_some()
 }
 
-/// True for models that consist of several files.
+/// Whether a model may consist of several files.
 pub(super) fn has_companions(name: &str) -> bool {
     matches!(Format::from_extension(name), Some(Format::Gltf | Format::Obj))
 }
 
-/// What a model, or a file that one refers to, is called.
+/// MIME type of a model or a file that models refer to.
 pub(super) fn content_type(name: &str) -> &'static str {
     match extension(name).as_str() {
         "gz" => return "application/gzip",
@@ -58,16 +58,16 @@ pub(super) fn content_type(name: &str) -> &'static str {
         Some(Format::Gltf) => "model/gltf+json",
         Some(Format::Glb) => "model/gltf-binary",
         Some(_) => "application/octet-stream",
-        None => known(COMPANIONS, name).unwrap_or("application/octet-stream"),
+        None => lookup(COMPANIONS, name).unwrap_or("application/octet-stream"),
     }
 }
 
-/// What a file of the viewer is called.
+/// MIME type of a file of the viewer.
 pub(super) fn page_type(name: &str) -> &'static str {
-    known(PAGE, name).unwrap_or("application/octet-stream")
+    lookup(PAGE, name).unwrap_or("application/octet-stream")
 }
 
-/// Whether a file is text, which compresses well, told by its name and its first bytes.
+/// Whether a file is text, which compresses well, judging by its name and first bytes.
 pub(super) fn is_text(name: &str, head: &[u8]) -> bool {
     if matches!(extension(name).as_str(), "gz" | "zst") {
         return false;
@@ -81,9 +81,9 @@ pub(super) fn is_text(name: &str, head: &[u8]) -> bool {
     }
 }
 
-fn known(table: &[(&str, &'static str)], name: &str) -> Option<&'static str> {
+fn lookup(table: &[(&str, &'static str)], name: &str) -> Option<&'static str> {
     let extension = extension(name);
-    table.iter().find(|(known, _)| *known == extension).map(|&(_, content_type)| content_type)
+    table.iter().find(|(lookup, _)| *lookup == extension).map(|&(_, content_type)| content_type)
 }
 
 fn extension(name: &str) -> String {
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn text_is_told_from_bytes() {
+    fn text_is_distinguished_from_binary() {
         for (name, head, expected) in [
             ("a.obj", &b"v 0 0 0"[..], true),
             ("a.obj.gz", b"v 0 0 0", false),

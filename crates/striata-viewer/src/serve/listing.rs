@@ -1,7 +1,7 @@
-//! `models.json`: what there is to see.
+//! `models.json`: the list of models.
 //!
-//! The folder is walked again when somebody asks, at most once a second, and heads are read only of files that are new or have
-//! changed. Cost: a look at each entry; memory of a few hundred bytes a model.
+//! The folder is walked again on request, at most once per second, and headers are read only from new or
+//! changed files. Cost: a stat of each entry; a few hundred bytes of memory per model.
 
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -18,30 +18,30 @@ use striata_io::Format;
 use tokio::sync::Mutex;
 
 use super::folder::{Folder, Stamp, encoded};
-use super::heads::Head;
+use super::header_facts::HeaderFacts;
 use super::validators::{Coding, Validators};
 
-/// A list so old is made anew.
+/// Age after which the list is rebuilt.
 const FRESH_FOR: Duration = Duration::from_secs(1);
 
-/// The list of models, kept while it is fresh.
+/// The list of models, cached while it is fresh.
 #[derive(Debug)]
 pub(super) struct Listing {
     folder: Arc<Folder>,
-    kept: Mutex<Kept>,
+    cache: Mutex<Cache>,
 }
 
 #[derive(Debug, Default)]
-struct Kept {
+struct Cache {
     list: List,
-    made: Option<Instant>,
-    heads: BTreeMap<String, (Stamp, Head)>,
+    built_at: Option<Instant>,
+    heads: BTreeMap<String, (Stamp, HeaderFacts)>,
 }
 
-/// One state of the list.
+/// One version of the list.
 #[derive(Clone, Debug, Default)]
 pub(super) struct List {
-    /// Models in it.
+    /// Number of models.
     pub(super) model_count: usize,
     json: Bytes,
     tag: String,
@@ -51,7 +51,7 @@ pub(super) struct List {
 struct Document<'a> {
     name: String,
     models: Vec<Model<'a>>,
-    /// Whether there are more models than are listed.
+    /// Whether models are missing from the list.
     is_cut: bool,
 }
 
@@ -69,8 +69,8 @@ struct Model<'a> {
     picture: String,
 }
 
-/// Answers for `models.json`.
-pub(super) async fn answer(State(listing): State<Arc<Listing>>, request: HeaderMap) -> Response {
+/// Handles requests for `models.json`.
+pub(super) async fn handle(State(listing): State<Arc<Listing>>, request: HeaderMap) -> Response {
     let list = listing.current().await;
     let validators = Validators::new(&list.tag, Coding::Plain, None);
     if let Some(response) = validators.not_modified(&request) {
@@ -83,46 +83,46 @@ pub(super) async fn answer(State(listing): State<Arc<Listing>>, request: HeaderM
 }
 
 impl Listing {
-    /// No list yet.
+    /// Creates a listing whose list is built on the first request.
     pub(super) fn new(folder: Arc<Folder>) -> Self {
-        Self { folder, kept: Mutex::default() }
+        Self { folder, cache: Mutex::default() }
     }
 
-    /// The list; whoever asks while it is made waits for it.
+    /// Returns the list; concurrent callers wait while it is rebuilt.
     pub(super) async fn current(&self) -> List {
-        let mut kept = self.kept.lock().await;
-        if kept.made.is_some_and(|made| made.elapsed() < FRESH_FOR) {
-            return kept.list.clone();
+        let mut cache = self.cache.lock().await;
+        if cache.built_at.is_some_and(|built_at| built_at.elapsed() < FRESH_FOR) {
+            return cache.list.clone();
         }
-        let (folder, heads) = (self.folder.clone(), std::mem::take(&mut kept.heads));
-        // A walk that panics leaves an old list, which is better than none.
-        if let Ok((list, heads)) = tokio::task::spawn_blocking(move || make(&folder, heads)).await {
-            (kept.list, kept.heads) = (list, heads);
+        let (folder, heads) = (self.folder.clone(), std::mem::take(&mut cache.heads));
+        // If the walk panics, the old list is kept.
+        if let Ok((list, heads)) = tokio::task::spawn_blocking(move || build_list(&folder, heads)).await {
+            (cache.list, cache.heads) = (list, heads);
         }
-        kept.made = Some(Instant::now());
-        kept.list.clone()
+        cache.built_at = Some(Instant::now());
+        cache.list.clone()
     }
 }
 
-/// The list, and the heads of all that is in it.
-fn make(
+/// Builds the list, and the headers of all files in it.
+fn build_list(
     folder: &Folder,
-    mut known: BTreeMap<String, (Stamp, Head)>,
-) -> (List, BTreeMap<String, (Stamp, Head)>) {
+    mut known: BTreeMap<String, (Stamp, HeaderFacts)>,
+) -> (List, BTreeMap<String, (Stamp, HeaderFacts)>) {
     let walked = folder.walk();
     let mut heads = BTreeMap::new();
     for (name, stamp) in walked.models {
         let known = known.remove(&name).filter(|(state, _)| *state == stamp);
-        let head = known.map_or_else(|| head_of(folder, &name), |(_, head)| head);
+        let head = known.map_or_else(|| read_header(folder, &name), |(_, head)| head);
         heads.insert(name, (stamp, head));
     }
     let models = heads.iter().map(|(path, &(stamp, head))| Model::new(path, stamp, head)).collect();
     let document = Document {
         name: folder.only().map_or_else(|| folder.name(), str::to_owned),
         models,
-        is_cut: walked.is_cut,
+        is_cut: walked.is_truncated,
     };
-    // Numbers and texts are all that is in it: nothing that JSON cannot say.
+    // The document contains only numbers and strings, so serialization cannot fail.
     let json = serde_json::to_vec(&document).unwrap_or_default();
     let mut hasher = DefaultHasher::new();
     json.hash(&mut hasher);
@@ -130,13 +130,15 @@ fn make(
     (List { model_count: heads.len(), json: json.into(), tag }, heads)
 }
 
-fn head_of(folder: &Folder, name: &str) -> Head {
+fn read_header(folder: &Folder, name: &str) -> HeaderFacts {
     let found = folder.find(&encoded(name));
-    found.map_or_else(Head::default, |mut found| Head::read(name, &mut found.file, found.stamp.bytes))
+    found.map_or_else(HeaderFacts::default, |mut found| {
+        HeaderFacts::read(name, &mut found.file, found.stamp.bytes)
+    })
 }
 
 impl<'a> Model<'a> {
-    fn new(path: &'a str, stamp: Stamp, head: Head) -> Self {
+    fn new(path: &'a str, stamp: Stamp, head: HeaderFacts) -> Self {
         let url = encoded(path);
         Self {
             name: path.rsplit('/').next().unwrap_or(path),

@@ -1,21 +1,23 @@
-//! `serve`: the viewer and a folder of models over HTTP, for a browser on this machine or, if asked, on others.
+//! `serve`: serves the viewer and a folder of models over HTTP, to this machine or, if requested, to
+//! others.
 //!
-//! `folder` decides what is there for the outside, `files` sends it (whole, in ranges, compressed), `listing` says what there is,
-//! `pictures` shows it small, `assets` is the viewer, `guard` what holds for every request and `server` for every connection.
+//! `folder` decides which files are accessible, `files` sends them (whole, in ranges, compressed),
+//! `listing` lists them, `thumbnails` draws small pictures of them, `assets` is the viewer, `guard` checks
+//! every request, and `server` manages connections.
 
 mod args;
 mod assets;
 mod files;
 mod folder;
 mod guard;
-mod heads;
+mod header_facts;
 mod kinds;
 mod listing;
 mod options;
-mod pictures;
 mod server;
-mod site;
+mod server_state;
 mod thumbnail;
+mod thumbnails;
 mod validators;
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
@@ -34,10 +36,10 @@ use assets::Assets;
 use folder::Folder;
 use listing::Listing;
 use options::Options;
-use pictures::Pictures;
-use site::Site;
+use server_state::ServerState;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, grouped};
+use thumbnails::Thumbnails;
 
 #[derive(Serialize)]
 struct Report {
@@ -45,77 +47,78 @@ struct Report {
     models: usize,
 }
 
-/// Serves until somebody ends it.
+/// Serves a folder or file until the process is stopped.
 ///
 /// # Errors
-/// Where there is no such folder, or nothing can listen there.
+/// If the folder does not exist, or the port cannot be opened.
 pub fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
     serve_one(&args.path, &Options::from(args), output)
 }
 
-/// Serves one file to this machine, and opens the browser.
+/// Serves one file on this machine and opens it in the browser.
 ///
 /// # Errors
 /// If it cannot be served.
 pub fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
     striata_command::input::Input::expect_there(file)?;
     if !cfg!(feature = "window") {
-        output.say(
-            "this build of striata has no window (`--features full` adds it): the browser shows the model",
-        );
+        output.say("this build has no window (add it with `--features full`); opening the browser instead");
     }
     serve_one(file, &Options::for_browser(), output)
 }
 
-/// Serves a folder or a file until somebody ends it.
+/// Serves a folder or a file until the process is stopped.
 ///
 /// # Errors
-/// As [`run`].
+/// Fails like [`run`].
 fn serve_one(path: &Path, options: &Options, output: &Output) -> Result<(), Failure> {
     let folder = Arc::new(Folder::open(path)?);
     raise_file_limit(options.max_connections);
     let mut runtime = tokio::runtime::Builder::new_multi_thread();
     let runtime = runtime.worker_threads(4).max_blocking_threads(64).enable_all().build();
-    let runtime = runtime.map_err(|error| Failure::user(format!("threads to serve with: {error}")))?;
+    let runtime =
+        runtime.map_err(|error| Failure::user(format!("cannot start the server threads: {error}")))?;
     let outcome = runtime.block_on(serve(folder, options, output));
-    // A disk that does not answer shall not keep the command from ending.
+    // A disk that does not respond must not keep the command from exiting.
     runtime.shutdown_timeout(Duration::from_secs(1));
     outcome
 }
 
 async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Result<(), Failure> {
     let listener = listen(options).await?;
-    let address = listener.local_addr().map_err(|error| Failure::user(format!("the port: {error}")))?;
+    let address =
+        listener.local_addr().map_err(|error| Failure::user(format!("cannot read the port: {error}")))?;
     let is_local = address.ip().is_loopback();
-    let site = Site {
+    let server_state = ServerState {
         listing: Arc::new(Listing::new(folder.clone())),
-        pictures: Arc::new(Pictures::new()?),
+        thumbnails: Arc::new(Thumbnails::new()?),
         assets: Arc::new(Assets::load()),
         folder,
     };
-    let models = site.listing.current().await.model_count;
-    announce(&site.folder, address, models, output)?;
-    let url = url_to_open(&site.folder, address);
+    let models = server_state.listing.current().await.model_count;
+    announce(&server_state.folder, address, models, output)?;
+    let url = url_to_open(&server_state.folder, address);
     if options.opens_browser && open::that_detached(&url).is_err() {
-        output.say(&format!("no browser could be opened; open {url} in one"));
+        output.say(&format!("cannot open a browser; open {url} yourself"));
     }
-    server::run(listener, router(site, is_local, options), options).await;
-    output.say("ended");
+    server::run(listener, router(server_state, is_local, options), options).await;
+    output.say("stopped");
     Ok(())
 }
 
-fn router(site: Site, is_local: bool, options: &Options) -> Router {
-    let viewer = get(assets::answer).with_state(site.clone());
+fn router(server_state: ServerState, is_local: bool, options: &Options) -> Router {
+    let viewer = get(assets::handle).with_state(server_state.clone());
     let router = Router::new()
-        .route("/models.json", get(listing::answer))
-        .route("/models/{*path}", get(files::answer))
-        .route("/pictures/{*path}", get(pictures::answer))
+        .route("/models.json", get(listing::handle))
+        .route("/models/{*path}", get(files::handle))
+        .route("/pictures/{*path}", get(thumbnails::handle))
         .fallback_service(viewer)
-        .with_state(site);
+        .with_state(server_state);
     guard::guarded(router, is_local, options.allows_other_sites)
 }
 
-/// A server needs a connection and a file at a time; where it may not have so many, connections wait.
+/// Raises the limit on open files: each connection may need a socket and a file. If that fails,
+/// connections wait.
 fn raise_file_limit(max_connections: usize) {
     let _ = rlimit::increase_nofile_limit(2 * max_connections as u64 + 64);
 }
@@ -128,12 +131,13 @@ async fn listen(options: &Options) -> Result<TcpListener, Failure> {
         let failure = |text: &str| Failure::user(format!("{host} port {port}: {text}"));
         match error.kind() {
             ErrorKind::AddrInUse => {
-                failure("something else listens there").with_hint("--port 0 takes any port that is free")
+                failure("the port is already in use").with_hint("use --port 0 to pick any free port")
             }
             ErrorKind::PermissionDenied => failure(&error.to_string())
-                .with_hint("ports below 1024 are the system's; take another with --port"),
-            _ => failure(&error.to_string())
-                .with_hint("--host takes an address or name of this machine, as 127.0.0.1 or localhost"),
+                .with_hint("ports below 1024 are reserved; choose another with --port"),
+            _ => failure(&error.to_string()).with_hint(
+                "--host must be an address or name of this machine, such as 127.0.0.1 or localhost",
+            ),
         }
     })
 }
@@ -141,21 +145,21 @@ async fn listen(options: &Options) -> Result<TcpListener, Failure> {
 fn announce(folder: &Folder, address: SocketAddr, models: usize, output: &Output) -> Result<(), Failure> {
     if !address.ip().is_loopback() {
         output.say(&format!(
-            "warning: everybody who reaches {address} can read the models of {}",
+            "warning: everyone who can reach {address} can read the models in {}",
             folder.path().display()
         ));
     }
     let report = Report { url: base_url(address), models };
     let what = match folder.only() {
         Some(name) => name.to_owned(),
-        None => format!("{} models of {}", grouped(models), folder.path().display()),
+        None => format!("{} models in {}", grouped(models), folder.path().display()),
     };
     output.data(&report, &format!("{}\n", url_to_open(folder, address)))?;
-    output.say(&format!("serves {what}; Ctrl-C ends it"));
+    output.say(&format!("serving {what}; press Ctrl-C to stop"));
     Ok(())
 }
 
-/// Where this machine finds the server; an address that stands for all of them is none to go to.
+/// URL of the server on this machine; an unspecified address is replaced by localhost.
 fn base_url(mut address: SocketAddr) -> String {
     match address.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => address.set_ip(Ipv4Addr::LOCALHOST.into()),
@@ -165,7 +169,7 @@ fn base_url(mut address: SocketAddr) -> String {
     format!("http://{address}/")
 }
 
-/// The viewer, with the model where there is only one.
+/// URL of the viewer, with the model if there is only one.
 fn url_to_open(folder: &Folder, address: SocketAddr) -> String {
     let base = base_url(address);
     match folder.only() {
@@ -179,7 +183,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn urls_are_such_that_a_browser_can_open_them() {
+    fn urls_can_be_opened_in_a_browser() {
         for (address, url) in [
             ("127.0.0.1:7878", "http://127.0.0.1:7878/"),
             ("0.0.0.0:80", "http://127.0.0.1:80/"),
@@ -192,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn one_person_is_served_at_this_machine_only() {
+    fn the_browser_mode_serves_only_this_machine() {
         let options = Options::for_browser();
         assert_eq!((options.host.as_str(), options.port), ("127.0.0.1", 0));
         assert!(options.opens_browser && !options.allows_other_sites);

@@ -1,19 +1,19 @@
-//! How models are served.
+//! Options of the server.
 
 use std::time::Duration;
 
 use super::args::ServeArgs;
 
-/// How models are served.
+/// Options of the server.
 #[derive(Clone, Debug)]
 pub(crate) struct Options {
-    /// Address or name to listen at.
+    /// Address or host name to listen on.
     pub(crate) host: String,
-    /// Port to listen at; 0 takes any that is free.
+    /// Port to listen on; 0 picks any free port.
     pub(crate) port: u16,
-    /// Connections at a time.
+    /// Maximum number of simultaneous connections.
     pub(crate) max_connections: usize,
-    /// How long a connection may do nothing.
+    /// How long a connection may be idle.
     pub(crate) time_out: Duration,
     /// Whether pages of other sites may read the models.
     pub(crate) allows_other_sites: bool,
@@ -22,7 +22,7 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    /// For one person at this machine: any free port, and the browser opened.
+    /// Options for a single user on this machine: any free port, and the browser is opened.
     pub(crate) fn for_browser() -> Self {
         Self {
             host: "127.0.0.1".to_owned(),

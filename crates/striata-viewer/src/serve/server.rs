@@ -1,4 +1,4 @@
-//! Connections: so many at a time, none that does nothing for long, and an end that lets answers finish.
+//! Accepts connections: limits their number, drops idle ones, and shuts down gracefully.
 
 use std::pin::pin;
 use std::sync::Arc;
@@ -16,60 +16,60 @@ use tokio_io_timeout::TimeoutStream;
 
 use super::options::Options;
 
-/// Bytes of a connection that wait in memory, a request's head among them.
+/// Buffer size per connection, which also limits the size of request headers.
 const BUFFER_BYTES: usize = 64 * 1024;
-/// How long answers may go on once the server is to end.
+/// How long responses may continue after shutdown begins.
 const GRACE: Duration = Duration::from_secs(3);
-/// How long the server waits where the system has no connection left to give.
-const PAUSE: Duration = Duration::from_millis(50);
+/// Pause after a failed accept, when the system has no resources for another connection.
+const ACCEPT_RETRY_DELAY: Duration = Duration::from_millis(50);
 
-/// Serves until the process is asked to end.
+/// Serves until the process receives a termination signal.
 pub(super) async fn run(listener: TcpListener, router: Router, options: &Options) {
-    let places = Arc::new(Semaphore::new(options.max_connections));
+    let permits = Arc::new(Semaphore::new(options.max_connections));
     let graceful = GracefulShutdown::new();
-    let mut end = pin!(asked_to_end());
+    let mut shutdown = pin!(termination_signal());
     loop {
         let stream = tokio::select! {
-            next = next_connection(&listener, &places) => next,
-            () = &mut end => break,
+            next = next_connection(&listener, &permits) => next,
+            () = &mut shutdown => break,
         };
-        let Some((stream, place)) = stream else { continue };
-        tokio::spawn(answer(stream, router.clone(), options.time_out, graceful.watcher(), place));
+        let Some((stream, permit)) = stream else { continue };
+        tokio::spawn(serve_connection(stream, router.clone(), options.time_out, graceful.watcher(), permit));
     }
     drop(listener);
     tokio::select! {
         _ = timeout(GRACE, graceful.shutdown()) => {}
-        () = asked_to_end() => {}
+        () = termination_signal() => {}
     }
 }
 
-/// Further clients wait in the system's queue until there is a place.
+/// Waits for a permit and accepts the next connection; further clients wait in the system's queue.
 async fn next_connection(
     listener: &TcpListener,
-    places: &Arc<Semaphore>,
+    permits: &Arc<Semaphore>,
 ) -> Option<(TcpStream, OwnedSemaphorePermit)> {
-    let place = places.clone().acquire_owned().await.ok()?;
+    let permit = permits.clone().acquire_owned().await.ok()?;
     match listener.accept().await {
-        Ok((stream, _)) => Some((stream, place)),
+        Ok((stream, _)) => Some((stream, permit)),
         Err(_) => {
-            sleep(PAUSE).await;
+            sleep(ACCEPT_RETRY_DELAY).await;
             None
         }
     }
 }
 
-/// Answers one connection's requests until either side ends it, which is nobody else's concern.
-async fn answer(
+/// Handles the requests of one connection until either side closes it. Errors concern only this connection.
+async fn serve_connection(
     stream: TcpStream,
     router: Router,
     time_out: Duration,
     watcher: Watcher,
-    _place: OwnedSemaphorePermit,
+    _permit: OwnedSemaphorePermit,
 ) {
-    // Without it only short answers are a little later.
+    // If this fails, short responses are slightly delayed.
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
-    // Reading has a limit of its own, below: while an answer goes out nothing has to come in.
+    // Reading has its own limit below, since nothing needs to arrive while a response is being sent.
     stream.set_write_timeout(Some(time_out));
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
@@ -79,8 +79,8 @@ async fn answer(
     let _ = watcher.watch(connection).await;
 }
 
-/// Ends when somebody presses Ctrl-C, or the system asks the process to end.
-async fn asked_to_end() {
+/// Completes on Ctrl-C or a termination signal.
+async fn termination_signal() {
     let interrupted = tokio::signal::ctrl_c();
     #[cfg(unix)]
     {

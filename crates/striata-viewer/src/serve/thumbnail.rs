@@ -1,4 +1,4 @@
-//! `thumbnail`: one small picture, within limits that a server can rely on.
+//! `thumbnail`: draws one small picture, within limits on memory and time that a server can rely on.
 
 use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
@@ -10,33 +10,33 @@ use striata_command::input::Input;
 use striata_command::output::{Output, to_stdout};
 use striata_command::stream::Received;
 
-/// Pixels in a row.
+/// Width in pixels.
 pub(super) const WIDTH: usize = 320;
-/// Rows.
+/// Height in pixels.
 pub(super) const HEIGHT: usize = 240;
-/// More triangles would be smaller than pixels.
+/// Maximum number of triangles; more would be smaller than pixels.
 const MAX_TRIANGLES: usize = 40_000;
-/// Memory that the drawing may take.
+/// Memory limit of the process.
 #[cfg(unix)]
 const MAX_MEMORY_BYTES: u64 = 3 << 30;
-/// Seconds of computing that it may take.
+/// CPU time limit of the process, seconds.
 #[cfg(unix)]
 const MAX_CPU_SECS: u64 = 20;
 
-/// Draws and writes the picture.
+/// Draws the thumbnail and writes it to stdout.
 ///
 /// # Errors
-/// Where the file cannot be read.
+/// If the file cannot be read.
 pub fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
     limit_this_process();
     let input = Input::open(&args.input)?;
     let mesh = mesh_of(&input, output)?;
     mesh.check()?;
     let picture = portrait(mesh, [WIDTH, HEIGHT]).to_png();
-    to_stdout(&picture.map_err(|error| Failure::internal(format!("a picture: {error}")))?)
+    to_stdout(&picture.map_err(|error| Failure::internal(format!("cannot encode the thumbnail: {error}")))?)
 }
 
-/// Where the system knows no such limits, whoever waits for the picture ends it.
+/// Limits memory and CPU time; on other systems, the server kills the process when it takes too long.
 fn limit_this_process() {
     #[cfg(unix)]
     {
@@ -45,7 +45,7 @@ fn limit_this_process() {
     }
 }
 
-/// As much of the mesh as a small picture shows: of a stream only its beginning is decoded.
+/// Reads as much of the mesh as a thumbnail shows; of a stream, only the beginning is decoded.
 fn mesh_of(input: &Input, output: &Output) -> Result<IndexedMesh, Failure> {
     if !input.has_levels() {
         return input.mesh(output);

@@ -1,4 +1,4 @@
-//! What a client already has: tags and dates of answers, and whether they still hold.
+//! HTTP validation: entity tags and dates of responses, and whether a client's copy is current.
 
 use std::time::SystemTime;
 
@@ -7,10 +7,10 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use headers::{ETag, HeaderMapExt, IfModifiedSince, IfNoneMatch, IfRange, LastModified};
 
-/// How bytes are packed on their way.
+/// Content coding of a response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Coding {
-    /// As they are.
+    /// Uncompressed.
     Plain,
     /// gzip.
     Gzip,
@@ -19,7 +19,7 @@ pub(super) enum Coding {
 }
 
 impl Coding {
-    /// The name in headers; none of plain bytes.
+    /// Name in headers; none if uncompressed.
     pub(super) fn name(self) -> Option<&'static str> {
         match self {
             Self::Plain => None,
@@ -28,14 +28,14 @@ impl Coding {
         }
     }
 
-    /// The first of the offers that the client takes.
+    /// The first offer that the client accepts.
     pub(super) fn chosen(request: &HeaderMap, offers: &[Self]) -> Self {
         let takes = |coding: &&Self| coding.name().is_some_and(|name| accepts(request, name));
         offers.iter().find(takes).copied().unwrap_or(Self::Plain)
     }
 }
 
-/// Whether the client asks for a coding by name, and does not rule it out by a weight of 0.
+/// Whether the client accepts a coding by name with a weight above 0.
 fn accepts(request: &HeaderMap, coding: &str) -> bool {
     let values = request.get_all(ACCEPT_ENCODING).iter().filter_map(|value| value.to_str().ok());
     values.flat_map(|value| value.split(',')).any(|offer| {
@@ -46,7 +46,7 @@ fn accepts(request: &HeaderMap, coding: &str) -> bool {
     })
 }
 
-/// What tells one state of an answer from another: a strong tag, and a date where there is one.
+/// Validators of a response: a strong entity tag, and a modification date if there is one.
 #[derive(Clone, Debug)]
 pub(super) struct Validators {
     tag: String,
@@ -54,7 +54,7 @@ pub(super) struct Validators {
 }
 
 impl Validators {
-    /// From letters that are others for other bytes.
+    /// Creates validators from text that differs for different contents.
     pub(super) fn new(tag: &str, coding: Coding, modified: Option<SystemTime>) -> Self {
         let tag = match coding.name() {
             None => format!("\"{tag}\""),
@@ -63,11 +63,11 @@ impl Validators {
         Self { tag, modified }
     }
 
-    /// The answer that the client's own copy still holds, where it does.
+    /// The 304 response, if the client's copy is current.
     pub(super) fn not_modified(&self, request: &HeaderMap) -> Option<Response> {
         let is_current = match request.typed_get::<IfNoneMatch>() {
             Some(condition) => !condition.precondition_passes(&self.etag()?),
-            // Dates count only where there are no tags.
+            // Dates are used only if no tags are given.
             None => {
                 let condition = request.typed_get::<IfModifiedSince>()?;
                 !condition.is_modified(self.modified?)
@@ -80,14 +80,14 @@ impl Validators {
         })
     }
 
-    /// Whether a part would go with what the client has.
+    /// Whether a partial response matches the client's copy.
     pub(super) fn may_send_part(&self, request: &HeaderMap) -> bool {
         let modified = self.modified.map(LastModified::from);
         let condition = request.typed_get::<IfRange>();
         condition.is_none_or(|condition| !condition.is_modified(self.etag().as_ref(), modified.as_ref()))
     }
 
-    /// Writes them into an answer, which is to be asked for again each time.
+    /// Sets the headers of a response, which clients must revalidate each time.
     pub(super) fn apply(&self, response: &mut Response) {
         let headers = response.headers_mut();
         if let Ok(tag) = HeaderValue::from_str(&self.tag) {
@@ -111,7 +111,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn codings_are_taken_by_name_and_weight() {
+    fn codings_are_chosen_by_name_and_weight() {
         use Coding::{Brotli, Gzip, Plain};
         for (value, expected) in [
             ("gzip, deflate, br, zstd", Brotli),

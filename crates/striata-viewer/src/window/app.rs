@@ -1,4 +1,4 @@
-//! The window: events in, frames out, and only when there is something new to see.
+//! The window's event loop: turns events into frames, and draws only if something has changed.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -12,76 +12,76 @@ use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
-use super::screen::{Paint, Painted, Screen};
-use super::stage::Stage;
+use super::scene_renderer::SceneRenderer;
+use super::screen::{PaintOutcome, Screen, UiFrame};
 use super::viewer::Viewer;
 use super::{panel, screenshot};
 use striata_command::failure::Failure;
 use striata_command::output::Output;
 
-/// Something has come from another thread.
+/// Event from another thread: something has happened, so draw a frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wake;
 
-/// How the window begins.
+/// Options for opening the window.
 #[derive(Clone, Debug)]
-pub(super) struct WindowPlan {
-    /// Pixels.
+pub(super) struct WindowOptions {
+    /// Initial size, pixels.
     pub(super) size: [u32; 2],
     pub(super) theme: Option<egui::Theme>,
-    /// Where a picture of the window goes, which is closed then.
+    /// Path for a screenshot, after which the window closes.
     pub(super) screenshot: Option<PathBuf>,
 }
 
-/// Frames at rest before a screenshot: numbers in the panel follow a frame behind.
-const FRAMES_AT_REST: u32 = 3;
+/// Unchanged frames to wait for before a screenshot: the panel's numbers lag one frame behind.
+const SCREENSHOT_IDLE_FRAMES: u32 = 3;
 
-/// The program.
+/// The application: the viewer and, while it is open, its window.
 pub(super) struct App {
     viewer: Viewer,
-    plan: WindowPlan,
+    options: WindowOptions,
     output: Output,
     ctx: egui::Context,
-    live: Option<Live>,
-    frames_at_rest: u32,
-    /// Why it ends, where that is no wish of the user.
+    window: Option<OpenWindow>,
+    idle_frames: u32,
+    /// Error that ended the application, if the user did not close it.
     failure: Option<Failure>,
 }
 
-/// What there is while there is a window.
-struct Live {
+/// State that exists only while the window is open.
+struct OpenWindow {
     screen: Screen,
     input: egui_winit::State,
-    stage: Stage,
-    /// The picture as the user interface knows it.
+    renderer: SceneRenderer,
+    /// The picture's texture in the user interface.
     picture: Option<TextureId>,
     title: String,
 }
 
 impl App {
-    /// A program that has not begun.
-    pub(super) fn new(viewer: Viewer, plan: WindowPlan, output: Output) -> Self {
+    /// Creates an application whose window is not open yet.
+    pub(super) fn new(viewer: Viewer, options: WindowOptions, output: Output) -> Self {
         let ctx = egui::Context::default();
-        ctx.options_mut(|options| {
-            // A second pass would hear every key twice.
-            options.max_passes = std::num::NonZeroUsize::MIN;
-            if let Some(theme) = plan.theme {
-                options.theme_preference = theme.into();
+        ctx.options_mut(|settings| {
+            // A second pass would process every key press twice.
+            settings.max_passes = std::num::NonZeroUsize::MIN;
+            if let Some(theme) = options.theme {
+                settings.theme_preference = theme.into();
             }
         });
-        Self { viewer, plan, output, ctx, live: None, frames_at_rest: 0, failure: None }
+        Self { viewer, options, output, ctx, window: None, idle_frames: 0, failure: None }
     }
 
-    /// How it ended.
+    /// Result of the application.
     ///
     /// # Errors
-    /// Why it ended before the user wished.
+    /// The error that ended it, if the user did not close it.
     pub(super) fn into_result(self) -> Result<(), Failure> {
         self.failure.map_or(Ok(()), Err)
     }
 
-    fn open_window(&self, event_loop: &ActiveEventLoop) -> Result<Live, Failure> {
-        let [width, height] = self.plan.size;
+    fn open_window(&self, event_loop: &ActiveEventLoop) -> Result<OpenWindow, Failure> {
+        let [width, height] = self.options.size;
         let attributes = Window::default_attributes()
             .with_title("striata")
             .with_inner_size(PhysicalSize::new(width, height))
@@ -89,8 +89,8 @@ impl App {
         let window = event_loop.create_window(attributes);
         let window = window.map_err(|error| {
             Failure::user(format!(
-                "no window could be opened: {}",
-                super::system_error::without_place(&error.to_string())
+                "cannot open a window: {}",
+                super::system_error::without_location(&error.to_string())
             ))
         })?;
         let screen = Screen::new(Arc::new(window), event_loop, &self.output)?;
@@ -102,61 +102,61 @@ impl App {
             screen.window.theme(),
             Some(screen.max_side() as usize),
         );
-        let stage = Stage::new(screen.gpu.clone());
-        Ok(Live { screen, input, stage, picture: None, title: String::new() })
+        let renderer = SceneRenderer::new(screen.gpu.clone());
+        Ok(OpenWindow { screen, input, renderer, picture: None, title: String::new() })
     }
 
     fn frame(&mut self, event_loop: &ActiveEventLoop) -> Result<(), Failure> {
         let started = Instant::now();
-        let Self { viewer, live: Some(live), ctx, plan, .. } = self else { return Ok(()) };
-        let size = live.screen.window.inner_size();
+        let Self { viewer, window: Some(window), ctx, options, .. } = self else { return Ok(()) };
+        let size = window.screen.window.inner_size();
         if size.width == 0 || size.height == 0 {
             return Ok(());
         }
         if let Some(subject) = viewer.poll() {
-            match live.stage.enter(&subject) {
-                Ok(()) => viewer.meet(subject),
-                Err(error) => viewer.complain(Failure::user(format!("{}: {error}", subject.name))),
+            match window.renderer.load(&subject) {
+                Ok(()) => viewer.set_subject(subject),
+                Err(error) => viewer.report_failure(Failure::user(format!("{}: {error}", subject.name))),
             }
         }
-        let raw = live.input.take_egui_input(&live.screen.window);
-        let picture = live.picture;
+        let raw = window.input.take_egui_input(&window.screen.window);
+        let picture = window.picture;
         let output = ctx.run_ui(raw, |ui| panel::show(viewer, ui, picture));
-        live.input.handle_platform_output(&live.screen.window, output.platform_output);
+        window.input.handle_platform_output(&window.screen.window, output.platform_output);
         viewer.follow();
-        let frame = match viewer.draw(&mut live.stage, started) {
+        let frame = match viewer.draw(&mut window.renderer, started) {
             Ok(frame) => frame,
             Err(error) => {
-                viewer.complain(Failure::user(error.to_string()));
+                viewer.report_failure(Failure::user(error.to_string()));
                 Default::default()
             }
         };
         if frame.is_resized {
-            live.show_picture();
+            window.register_picture();
         }
-        let is_at_rest = viewer.is_at_rest() && !frame.is_drawn;
-        self.frames_at_rest = if is_at_rest { self.frames_at_rest + 1 } else { 0 };
-        let keeps_picture = plan.screenshot.is_some() && self.frames_at_rest >= FRAMES_AT_REST;
-        let paint = Paint {
+        let is_idle = viewer.is_idle() && !frame.is_drawn;
+        self.idle_frames = if is_idle { self.idle_frames + 1 } else { 0 };
+        let takes_screenshot = options.screenshot.is_some() && self.idle_frames >= SCREENSHOT_IDLE_FRAMES;
+        let paint = UiFrame {
             primitives: ctx.tessellate(output.shapes, output.pixels_per_point),
             textures: output.textures_delta,
             pixels_per_point: output.pixels_per_point,
         };
-        let painted = live.screen.paint(paint, keeps_picture)?;
-        if let Some(report) = live.screen.take_report() {
-            viewer.complain(Failure::user(format!("the graphics device reports: {report}")));
+        let painted = window.screen.paint(paint, takes_screenshot)?;
+        if let Some(report) = window.screen.take_report() {
+            viewer.report_failure(Failure::user(format!("the graphics device reported: {report}")));
         }
-        live.set_title(viewer);
+        window.set_title(viewer);
         let delay = output.viewport_output.get(&ViewportId::ROOT).map(|viewport| viewport.repaint_delay);
         let at = delay.and_then(|delay| started.checked_add(delay));
         event_loop.set_control_flow(at.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
-        let waits_for_screenshot = plan.screenshot.is_some() && is_at_rest;
-        let is_again = matches!(painted, Painted::Again);
-        // What the panel says of a picture it says a frame later.
-        if frame.goes_on || frame.is_drawn || is_again || waits_for_screenshot {
-            live.screen.window.request_redraw();
+        let awaits_screenshot = options.screenshot.is_some() && is_idle;
+        let must_repeat = matches!(painted, PaintOutcome::Retry);
+        // The panel shows figures about a picture one frame later.
+        if frame.is_animated || frame.is_drawn || must_repeat || awaits_screenshot {
+            window.screen.window.request_redraw();
         }
-        if let Painted::Shown(Some(picture)) = painted {
+        if let PaintOutcome::Shown(Some(picture)) = painted {
             event_loop.exit();
             return self.save(&picture);
         }
@@ -169,14 +169,14 @@ impl App {
     /// Writes the screenshot.
     ///
     /// # Errors
-    /// What went wrong in the window, or why the file cannot be written.
-    fn save(&mut self, shown: &striata_gpu::Picture) -> Result<(), Failure> {
-        if let Some(trouble) = self.viewer.trouble.take() {
-            return Err(trouble);
+    /// The failure that the viewer shows, or why the file cannot be written.
+    fn save(&mut self, picture: &striata_gpu::Picture) -> Result<(), Failure> {
+        if let Some(failure) = self.viewer.failure.take() {
+            return Err(failure);
         }
-        let Some(path) = &self.plan.screenshot else { return Ok(()) };
-        screenshot::save(shown, path)?;
-        self.output.say(&format!("{}: {} x {} pixels", path.display(), shown.width, shown.height));
+        let Some(path) = &self.options.screenshot else { return Ok(()) };
+        screenshot::save(picture, path)?;
+        self.output.say(&format!("{}: {} x {} pixels", path.display(), picture.width, picture.height));
         Ok(())
     }
 
@@ -186,10 +186,10 @@ impl App {
     }
 }
 
-impl Live {
-    /// Tells the user interface of the stage's texture.
-    fn show_picture(&mut self) {
-        let Some(view) = self.stage.picture() else { return };
+impl OpenWindow {
+    /// Registers the renderer's texture with the user interface.
+    fn register_picture(&mut self) {
+        let Some(view) = self.renderer.picture() else { return };
         let (device, filter) = (self.screen.gpu.device(), wgpu::FilterMode::Nearest);
         let renderer = &mut self.screen.renderer;
         match self.picture {
@@ -210,45 +210,46 @@ impl Live {
 
 impl ApplicationHandler<Wake> for App {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        if self.live.is_some() {
+        if self.window.is_some() {
             return;
         }
         match self.open_window(event_loop) {
-            Ok(live) => {
-                self.viewer.adapter = live.screen.gpu.name();
-                live.screen.window.request_redraw();
-                self.live = Some(live);
+            Ok(window) => {
+                self.viewer.adapter = window.screen.gpu.name();
+                window.screen.window.request_redraw();
+                self.window = Some(window);
             }
             Err(failure) => self.end(event_loop, failure),
         }
     }
 
     fn new_events(&mut self, _: &ActiveEventLoop, cause: StartCause) {
-        if let (StartCause::ResumeTimeReached { .. }, Some(live)) = (cause, &self.live) {
-            live.screen.window.request_redraw();
+        if let (StartCause::ResumeTimeReached { .. }, Some(window)) = (cause, &self.window) {
+            window.screen.window.request_redraw();
         }
     }
 
     fn user_event(&mut self, _: &ActiveEventLoop, Wake: Wake) {
-        if let Some(live) = &self.live {
-            live.screen.window.request_redraw();
+        if let Some(window) = &self.window {
+            window.screen.window.request_redraw();
         }
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
-        let Some(live) = &mut self.live else { return };
-        // A request to draw is no news to the user interface: told of it, it would ask for the next frame.
-        let is_news = event != WindowEvent::RedrawRequested;
-        if is_news && live.input.on_window_event(&live.screen.window, &event).repaint {
-            live.screen.window.request_redraw();
+        let Some(window) = &mut self.window else { return };
+        // Redraw requests are not passed to the user interface, which would respond by requesting another
+        // frame.
+        let is_input = event != WindowEvent::RedrawRequested;
+        if is_input && window.input.on_window_event(&window.screen.window, &event).repaint {
+            window.screen.window.request_redraw();
         }
         match event {
             WindowEvent::CloseRequested => event_loop.exit(),
             WindowEvent::Resized(size) => {
-                live.screen.resize(size.width, size.height);
-                live.screen.window.request_redraw();
+                window.screen.resize(size.width, size.height);
+                window.screen.window.request_redraw();
             }
-            WindowEvent::Occluded(false) => live.screen.window.request_redraw(),
+            WindowEvent::Occluded(false) => window.screen.window.request_redraw(),
             WindowEvent::RedrawRequested => {
                 if let Err(failure) = self.frame(event_loop) {
                     self.end(event_loop, failure);

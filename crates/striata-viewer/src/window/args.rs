@@ -1,4 +1,4 @@
-//! The arguments of `view`: the files, the window, and what is shown first.
+//! Arguments of `view`: the files, the window, and the initial settings.
 
 use std::path::PathBuf;
 
@@ -14,50 +14,56 @@ use striata_command::failure::Failure;
     striata view bunny.striata\n  \
     striata view scan.ply --pixels 1 --colors fans --screenshot scan.png")]
 pub struct WindowArgs {
-    /// Meshes, .striata files or streams; more can be dropped on the window
+    /// Meshes, .striata files or streams to open; drop more on the window
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Size of the window, pixels
+    /// Set the window size in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x800")]
     size: Viewport,
-    /// Dark or light [default: as the system]
+    /// Use the dark or light theme [default: the system's]
     #[arg(long, value_name = "THEME")]
     pub theme: Option<ThemeArg>,
-    /// Save what the window shows once it shows the model, and close it
+    /// Save a screenshot once the model is shown, and exit
     #[arg(long, value_name = "OUT.png")]
     pub screenshot: Option<PathBuf>,
-    /// Show one file in the web viewer instead, until the command is ended
+    /// Show one file in the web viewer instead, until the command is stopped
     #[cfg(feature = "serve")]
     #[arg(long, conflicts_with_all = ["size", "theme", "screenshot", "FirstArgs"])]
     pub browser: bool,
-    /// What is shown first.
+    /// Initial settings.
     #[command(flatten)]
     pub first: FirstArgs,
-    /// How graphics drivers report.
+    /// Reporting of graphics drivers.
     #[command(flatten)]
     pub drivers: DriverArgs,
 }
 
-/// What is shown first; all of it can be changed in the window.
+/// Initial settings, all of which can be changed in the window.
 #[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Shown first")]
+#[command(next_help_heading = "Initial settings")]
 pub struct FirstArgs {
-    /// Which model makes the triangles; one that the file lacks is built
+    /// Choose the model that produces the triangles; it is built if the file does not contain it
     #[arg(long, value_name = "NAME")]
     pub model: Option<ShownModel>,
-    /// Share of the vertex splits from the base mesh (0) to the full mesh (1)
-    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, group = "first_level")]
+    /// Set the detail from 0 (base mesh) to 1 (full mesh)
+    #[arg(
+        long, value_name = "F", allow_negative_numbers = true,
+        value_parser = parse_detail, group = "first_level"
+    )]
     pub detail: Option<f64>,
-    /// At most this many triangles, or this share of the full mesh's, the same detail everywhere
+    /// Limit the triangle count, with uniform detail
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
     pub triangles: Option<Count>,
-    /// As fine as the screen asks for: errors of no more pixels
-    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = parse_pixels, group = "first_level")]
+    /// Refine for the view until the screen error is at most this many pixels
+    #[arg(
+        long, value_name = "P", allow_negative_numbers = true,
+        value_parser = parse_pixels, group = "first_level"
+    )]
     pub pixels: Option<f64>,
-    /// At most this many triangles, or this share of the full mesh's, those that the view shows best
+    /// Limit the triangle count, with detail optimized for the view
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
     pub budget: Option<Count>,
-    /// Colors of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
+    /// Color triangles by surface (vertex colors, or stone), strips, fans, triangles or groups
     #[arg(
         long,
         value_name = "NAME",
@@ -69,15 +75,15 @@ pub struct FirstArgs {
     /// Draw the edges
     #[arg(long)]
     pub wireframe: bool,
-    /// Light each triangle by its own normal
+    /// Use flat shading
     #[arg(long)]
     pub flat: bool,
-    /// The model's z axis is up, not y
+    /// Treat the z axis as up instead of y
     #[arg(long)]
     pub z_up: bool,
 }
 
-/// Dark or light.
+/// Color theme of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ThemeArg {
     /// Light on dark
@@ -86,25 +92,25 @@ pub enum ThemeArg {
     Light,
 }
 
-/// Models that the window shows.
+/// Models that the window can show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ShownModel {
     /// Strips edited in place
     #[value(name = ModelKind::LodStrips.as_str())]
     LodStrips,
-    /// Strips walked anew
+    /// Strips, traversed again where they change
     #[value(name = ModelKind::Mts.as_str())]
     Mts,
-    /// Fans, which follow the view
+    /// Fans, with view-dependent detail
     #[value(name = ModelKind::Fans.as_str())]
     Fans,
     /// Fans, extracted in a compute shader
     #[value(name = "fans-gpu")]
     FansGpu,
-    /// Fragments, which follow the view
+    /// Fragment patterns, with view-dependent detail
     #[value(name = ModelKind::Patterns.as_str())]
     Patterns,
-    /// A list of triangles
+    /// Triangle list
     List,
 }
 
@@ -112,7 +118,7 @@ impl WindowArgs {
     /// Size of the window, pixels.
     ///
     /// # Errors
-    /// Where no window is so large.
+    /// If the size exceeds what can be drawn.
     pub fn size(&self) -> Result<[u32; 2], Failure> {
         self.size.check_drawable()?;
         Ok(self.size.0)

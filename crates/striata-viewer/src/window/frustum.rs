@@ -1,14 +1,14 @@
-//! The pyramid that a frozen view saw, as lines over the picture.
+//! Draws the frustum of a frozen view as lines over the picture.
 
 use egui::{Color32, Painter, Pos2, Rect, Stroke};
 use striata_gpu::Viewpoint;
 
 use super::state::Frozen;
 
-/// Draws the pyramid of `frozen`, as far as its eye looked, over a picture taken from `viewpoint`.
+/// Draws the frustum of `frozen`, up to the distance of its target, over a picture taken from `viewpoint`.
 pub(super) fn draw(painter: &Painter, rect: Rect, viewpoint: &Viewpoint, frozen: &Frozen) {
     let aspect = rect.width() / rect.height().max(1.0);
-    let [eye, corners @ ..] = pyramid(frozen);
+    let [eye, corners @ ..] = frustum_points(frozen);
     let stroke = Stroke::new(1.5, Color32::from_rgb(255, 176, 32));
     let edges = (0..4).flat_map(|k| [[eye, corners[k]], [corners[k], corners[(k + 1) % 4]]]);
     for ends in edges {
@@ -22,8 +22,8 @@ pub(super) fn draw(painter: &Painter, rect: Rect, viewpoint: &Viewpoint, frozen:
     }
 }
 
-/// The eye, and the corners of what it saw where it looked.
-fn pyramid(frozen: &Frozen) -> [[f64; 3]; 5] {
+/// Eye of a frozen view, and the corners of its frustum at the distance of its target.
+fn frustum_points(frozen: &Frozen) -> [[f64; 3]; 5] {
     let Viewpoint { eye, look_at, up, fov } = frozen.viewpoint;
     let [eye, look_at, up] = [eye, look_at, up].map(|point| point.map(f64::from));
     let ahead = sub(look_at, eye);
@@ -36,7 +36,7 @@ fn pyramid(frozen: &Frozen) -> [[f64; 3]; 5] {
     [eye, corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]
 }
 
-/// Where a line is on the screen, -1 to 1 each way, cut off before the eye; none behind it.
+/// Projects a line to the screen, -1 to 1 on each axis, clipped in front of the eye; none if it is behind.
 fn project(viewpoint: &Viewpoint, aspect: f32, ends: [[f64; 3]; 2]) -> Option<[[f32; 2]; 2]> {
     let [eye, look_at, up] =
         [viewpoint.eye, viewpoint.look_at, viewpoint.up].map(|point| point.map(f64::from));
@@ -60,10 +60,10 @@ fn project(viewpoint: &Viewpoint, aspect: f32, ends: [[f64; 3]; 2]) -> Option<[[
         Some(std::array::from_fn(|k| from[k] + share * (to[k] - from[k])))
     };
     let [a, b] = seen;
-    let place = |[x, y, depth]: [f64; 3]| {
+    let to_screen = |[x, y, depth]: [f64; 3]| {
         [(x / (depth * half * f64::from(aspect))) as f32, (y / (depth * half)) as f32]
     };
-    Some([place(cut(a, b)?), place(cut(b, a)?)])
+    Some([to_screen(cut(a, b)?), to_screen(cut(b, a)?)])
 }
 
 fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -91,20 +91,20 @@ mod tests {
         Viewpoint { eye: [0.0, 0.0, 4.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.8 };
 
     #[test]
-    fn from_its_own_eye_the_pyramid_is_the_picture() {
+    fn from_its_own_eye_the_frustum_fills_the_picture() {
         let frozen = Frozen { viewpoint: FRONT, size: [200, 100] };
-        let [_, corners @ ..] = pyramid(&frozen);
+        let [_, corners @ ..] = frustum_points(&frozen);
         for (corner, expected) in
             corners.into_iter().zip([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
         {
-            let [found, _] = project(&FRONT, 2.0, [corner, [0.0; 3]]).expect("before the eye");
+            let [found, _] = project(&FRONT, 2.0, [corner, [0.0; 3]]).expect("in front of the eye");
             assert!(found.iter().zip(expected).all(|(a, b): (&f32, f32)| (a - b).abs() < 1e-5), "{found:?}");
         }
     }
 
     #[test]
-    fn lines_are_cut_before_the_eye_and_left_out_behind_it() {
-        let [a, b] = project(&FRONT, 1.0, [[0.0, 0.0, 0.0], [1.0, 0.0, 9.0]]).expect("half of it is seen");
+    fn lines_are_clipped_in_front_of_the_eye() {
+        let [a, b] = project(&FRONT, 1.0, [[0.0, 0.0, 0.0], [1.0, 0.0, 9.0]]).expect("half of it is visible");
         assert!(a[0].abs() < 1e-6 && b[0].is_finite() && b[0] > 1.0, "{a:?} {b:?}");
         assert!(project(&FRONT, 1.0, [[0.0, 0.0, 5.0], [1.0, 0.0, 9.0]]).is_none());
     }

@@ -1,88 +1,89 @@
-//! Keys: what each does, in the table that both obey and explain.
+//! Keyboard shortcuts, in one table that is used for both input and help.
 
 use egui::Key;
 
 use super::state::Action;
 
-/// A key with what it does.
+/// A key and its command.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shortcut {
     pub(super) key: Key,
     pub(super) command: Command,
-    /// As a person reads it.
+    /// Name of the key in the help.
     pub(super) name: &'static str,
-    pub(super) does: &'static str,
+    pub(super) description: &'static str,
 }
 
-/// What keys ask for: a change of what is shown, or of where one looks from.
+/// Command of a key: a change of the settings or of the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Command {
-    /// A change of what is shown.
-    Do(Action),
-    /// Turn and rise, radians.
+    /// Change a setting.
+    Apply(Action),
+    /// Orbit by turn and rise, radians.
     Rotate(f32, f32),
-    /// Nearer below 1.
+    /// Multiply the distance to the target.
     Zoom(f32),
-    /// Keep the level of this view, or let it follow again.
+    /// Freeze or unfreeze the level of this view.
     Freeze,
-    /// The first look again.
+    /// Reset the camera.
     Reset,
-    /// Close the help, or else the window.
+    /// Close the help, the error, or else the window.
     Escape,
 }
 
-/// A sixteenth of a half turn.
+/// Angle per key press, a sixteenth of a half turn.
 const TURN: f32 = std::f32::consts::PI / 16.0;
 
-const fn shortcut(key: Key, name: &'static str, command: Command, does: &'static str) -> Shortcut {
-    Shortcut { key, command, name, does }
+const fn shortcut(key: Key, name: &'static str, command: Command, description: &'static str) -> Shortcut {
+    Shortcut { key, command, name, description }
 }
 
-/// All keys; of those with the same words only the first is explained.
+/// All shortcuts; of consecutive ones with the same name, only the first is listed in the help.
 pub(super) const SHORTCUTS: [Shortcut; 22] = [
     shortcut(Key::ArrowLeft, "arrows", Command::Rotate(-TURN, 0.0), ORBIT),
     shortcut(Key::ArrowRight, "arrows", Command::Rotate(TURN, 0.0), ORBIT),
     shortcut(Key::ArrowUp, "arrows", Command::Rotate(0.0, TURN), ORBIT),
     shortcut(Key::ArrowDown, "arrows", Command::Rotate(0.0, -TURN), ORBIT),
-    shortcut(Key::Plus, "+ -", Command::Zoom(0.8), "nearer, farther"),
-    shortcut(Key::Equals, "+ -", Command::Zoom(0.8), "nearer, farther"),
-    shortcut(Key::Minus, "+ -", Command::Zoom(1.25), "nearer, farther"),
-    shortcut(Key::OpenBracket, "[ ]", Command::Do(Action::Coarser), "coarser, finer"),
-    shortcut(Key::CloseBracket, "[ ]", Command::Do(Action::Finer), "coarser, finer"),
-    shortcut(Key::M, "M", Command::Do(Action::NextModel), "next model"),
-    shortcut(Key::W, "W", Command::Do(Action::Wireframe), "wireframe"),
-    shortcut(Key::S, "S", Command::Do(Action::Pieces), "strips or fans in colors"),
-    shortcut(Key::F, "F", Command::Do(Action::Flat), "flat or smooth"),
-    shortcut(Key::V, "V", Command::Freeze, "freeze the level, look at it from elsewhere"),
-    shortcut(Key::G, "G", Command::Do(Action::Morphs), "geomorphs"),
-    shortcut(Key::T, "T", Command::Do(Action::Turn), "turn by itself"),
-    shortcut(Key::R, "R", Command::Reset, "the first look again"),
-    shortcut(Key::P, "P", Command::Do(Action::Panel), "side panel"),
-    shortcut(Key::H, "H ?", Command::Do(Action::Help), "this help"),
-    shortcut(Key::Questionmark, "H ?", Command::Do(Action::Help), "this help"),
-    shortcut(Key::F1, "H ?", Command::Do(Action::Help), "this help"),
+    shortcut(Key::Plus, "+ -", Command::Zoom(0.8), "zoom in, zoom out"),
+    shortcut(Key::Equals, "+ -", Command::Zoom(0.8), "zoom in, zoom out"),
+    shortcut(Key::Minus, "+ -", Command::Zoom(1.25), "zoom in, zoom out"),
+    shortcut(Key::OpenBracket, "[ ]", Command::Apply(Action::Coarser), "coarser, finer"),
+    shortcut(Key::CloseBracket, "[ ]", Command::Apply(Action::Finer), "coarser, finer"),
+    shortcut(Key::M, "M", Command::Apply(Action::NextModel), "next model"),
+    shortcut(Key::W, "W", Command::Apply(Action::Wireframe), "wireframe"),
+    shortcut(Key::S, "S", Command::Apply(Action::StripsOrFans), "color by strip or fan"),
+    shortcut(Key::F, "F", Command::Apply(Action::Flat), "flat shading"),
+    shortcut(Key::V, "V", Command::Freeze, "freeze the level"),
+    shortcut(Key::G, "G", Command::Apply(Action::Morphs), "geomorphs"),
+    shortcut(Key::T, "T", Command::Apply(Action::Rotate), "auto-rotate"),
+    shortcut(Key::R, "R", Command::Reset, "reset view"),
+    shortcut(Key::P, "P", Command::Apply(Action::Panel), "side panel"),
+    shortcut(Key::H, "H ?", Command::Apply(Action::Help), "this help"),
+    shortcut(Key::Questionmark, "H ?", Command::Apply(Action::Help), "this help"),
+    shortcut(Key::F1, "H ?", Command::Apply(Action::Help), "this help"),
     shortcut(Key::Escape, "Esc", Command::Escape, "close"),
 ];
 
+/// Description shared by the arrow keys.
 const ORBIT: &str = "orbit";
 
-/// What pointers do.
+/// Mouse gestures, for the help.
 const POINTER: [[&str; 2]; 4] =
-    [["drag", "orbit"], ["right drag", "pan"], ["wheel", "nearer, farther"], ["drop a file", "open it"]];
+    [["drag", "orbit"], ["right drag", "pan"], ["wheel", "zoom in, zoom out"], ["drop a file", "open"]];
 
-/// Shows the list of keys in the middle; whether it is still wanted.
+/// Shows the help window, and returns whether it is still open.
 pub(super) fn show(ctx: &egui::Context) -> bool {
     let mut is_open = true;
-    let window = egui::Window::new("Keys and mouse")
+    let window = egui::Window::new("Keyboard and mouse")
         .open(&mut is_open)
         .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
         .collapsible(false)
         .resizable(false);
     window.show(ctx, |ui| {
         egui::Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).show(ui, |ui| {
-            for [name, does] in POINTER.into_iter().chain(explained()) {
+            for [name, description] in POINTER.into_iter().chain(explained()) {
                 ui.strong(name);
-                ui.label(does);
+                ui.label(description);
                 ui.end_row();
             }
         });
@@ -90,10 +91,12 @@ pub(super) fn show(ctx: &egui::Context) -> bool {
     is_open
 }
 
-/// Each key's name with what it does, once.
+/// Name and description of each shortcut, once.
 fn explained() -> impl Iterator<Item = [&'static str; 2]> {
     let is_first = |at: usize| at == 0 || SHORTCUTS[at - 1].name != SHORTCUTS[at].name;
-    (0..SHORTCUTS.len()).filter(move |&at| is_first(at)).map(|at| [SHORTCUTS[at].name, SHORTCUTS[at].does])
+    (0..SHORTCUTS.len())
+        .filter(move |&at| is_first(at))
+        .map(|at| [SHORTCUTS[at].name, SHORTCUTS[at].description])
 }
 
 #[cfg(test)]
@@ -101,7 +104,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_key_does_two_things_and_each_is_explained_once() {
+    fn keys_are_unique_and_each_is_explained_once() {
         for (at, a) in SHORTCUTS.iter().enumerate() {
             assert!(SHORTCUTS[at + 1..].iter().all(|b| a.key != b.key), "{}", a.name);
         }

@@ -1,4 +1,4 @@
-//! Files read and models built on a thread of their own, while the window stays alive.
+//! Reads files and builds models on a background thread, while the window stays responsive.
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -17,75 +17,75 @@ use striata_command::input::Input;
 use striata_command::output::Output;
 use striata_command::sequence::{SequencePlan, Steps};
 
-/// Lets the window know that something has come.
+/// Callback that wakes the window.
 pub(super) type Waker = Arc<dyn Fn() + Send + Sync>;
 
-/// What a job is for.
+/// What a background job does.
 #[derive(Clone, Debug)]
 pub(super) enum Task {
-    /// A file, with the model that is to be shown first.
+    /// Opens a file and builds the model to show first.
     Open(PathBuf, ShownModel),
-    /// A model of what is shown.
+    /// Builds another model of the current subject.
     Build(Arc<Subject>, ShownModel),
 }
 
-/// What a job came to: the subject with its model, or the failure that people are told of.
+/// Result of a job: the subject with the model, or the failure to show.
 pub(super) type Outcome = Result<Arc<Subject>, Failure>;
 
-/// Work that goes on. Dropped, it stops at the next occasion, and what it made is forgotten.
+/// A background job. Dropping it cancels the work and discards its result.
 #[derive(Debug)]
 pub(super) struct Job {
     task: Task,
     result: Receiver<Outcome>,
-    progress: Arc<Mutex<Stage>>,
-    is_cancelled: Arc<AtomicBool>,
+    progress: Arc<Mutex<JobProgress>>,
+    is_canceled: Arc<AtomicBool>,
 }
 
-/// How far a job is: what is being done, and the share of that.
+/// Progress of a job: its phase, and the completed fraction of the phase.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Stage {
+pub(super) struct JobProgress {
     pub(super) phase: &'static str,
-    /// 0 to 1; none where nobody knows.
+    /// 0 to 1, or none if unknown.
     pub(super) share: Option<f32>,
 }
 
-/// Seldom enough to cost nothing, often enough for the eye.
-const BETWEEN_WAKES: Duration = Duration::from_millis(40);
+/// Minimum time between two wake-ups for progress.
+const WAKE_INTERVAL: Duration = Duration::from_millis(40);
 
 impl Job {
-    /// Begins.
+    /// Starts a job on a new thread.
     pub(super) fn start(task: Task, output: Output, waker: Waker) -> Self {
         let (sender, result) = channel();
-        let (progress, is_cancelled) = (Arc::default(), Arc::default());
+        let (progress, is_canceled) = (Arc::default(), Arc::default());
         let reporter = Reporter {
-            stage: Arc::clone(&progress),
-            is_cancelled: Arc::clone(&is_cancelled),
+            progress: Arc::clone(&progress),
+            is_canceled: Arc::clone(&is_canceled),
             waker,
             last_wake: Instant::now(),
         };
-        let job = Self { task: task.clone(), result, progress, is_cancelled };
+        let job = Self { task: task.clone(), result, progress, is_canceled };
         std::thread::spawn(move || work(&task, &output, reporter, &sender));
         job
     }
 
-    /// What it is for.
+    /// The job's task.
     pub(super) fn task(&self) -> &Task {
         &self.task
     }
 
-    /// How far it is.
-    pub(super) fn stage(&self) -> Stage {
+    /// Current progress.
+    pub(super) fn progress(&self) -> JobProgress {
         *self.progress.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What it came to, once it is done.
+    /// Result of the job, once it is done.
     pub(super) fn poll(&self) -> Option<Outcome> {
         match self.result.try_recv() {
             Ok(outcome) => Some(outcome),
             Err(std::sync::mpsc::TryRecvError::Empty) => None,
-            // The thread is gone without a word: it panicked, and has said so.
+            // The thread has panicked, and the panic was already reported.
             Err(std::sync::mpsc::TryRecvError::Disconnected) => {
-                Some(Err(Failure::internal("the thread that loads has failed")))
+                Some(Err(Failure::internal("the loader thread has panicked")))
             }
         }
     }
@@ -93,7 +93,7 @@ impl Job {
 
 impl Drop for Job {
     fn drop(&mut self) {
-        self.is_cancelled.store(true, Ordering::Relaxed);
+        self.is_canceled.store(true, Ordering::Relaxed);
     }
 }
 
@@ -105,45 +105,45 @@ fn work(task: &Task, output: &Output, mut reporter: Reporter, sender: &Sender<Ou
             subject.build(*model).map(|()| Arc::clone(subject))
         }
     };
-    // Nobody listens any more where the job was dropped.
+    // The receiver is gone if the job was dropped.
     let _ = sender.send(outcome);
     (reporter.waker)();
 }
 
-/// Tells how far the work is.
+/// Reports progress and checks for cancellation.
 struct Reporter {
-    stage: Arc<Mutex<Stage>>,
-    is_cancelled: Arc<AtomicBool>,
+    progress: Arc<Mutex<JobProgress>>,
+    is_canceled: Arc<AtomicBool>,
     waker: Waker,
     last_wake: Instant,
 }
 
 impl Reporter {
     fn phase(&mut self, phase: &'static str) {
-        self.set(Stage { phase, share: None });
+        self.set(JobProgress { phase, share: None });
         (self.waker)();
     }
 
     fn show(&mut self, progress: Progress) -> ControlFlow<()> {
         let share = (progress.total > 0).then(|| progress.done as f32 / progress.total as f32);
-        self.set(Stage { phase: progress.phase, share });
-        if self.last_wake.elapsed() > BETWEEN_WAKES {
+        self.set(JobProgress { phase: progress.phase, share });
+        if self.last_wake.elapsed() > WAKE_INTERVAL {
             self.last_wake = Instant::now();
             (self.waker)();
         }
-        if self.is_cancelled.load(Ordering::Relaxed) {
+        if self.is_canceled.load(Ordering::Relaxed) {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
         }
     }
 
-    fn set(&self, stage: Stage) {
-        *self.stage.lock().unwrap_or_else(PoisonError::into_inner) = stage;
+    fn set(&self, progress: JobProgress) {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = progress;
     }
 }
 
-/// Reads a file of levels, or a mesh and makes its levels.
+/// Reads a file with levels, or reads a mesh and simplifies it.
 fn open(
     path: &Path,
     model: ShownModel,
@@ -169,7 +169,7 @@ fn open(
     Ok(subject)
 }
 
-/// Takes mesh, steps and models out of a file, each in memory of its own.
+/// Reads the mesh, the steps and the models of a file into memory of their own.
 fn read_levels(
     input: &Input,
     origin: Origin,

@@ -1,21 +1,21 @@
-//! `view`: a window with a mesh at any level, by any model, from anywhere.
+//! `view`: a window that shows a mesh at any level of detail, with any model, from any viewpoint.
 //!
-//! `viewer` is all of it but the window: what is loaded, what is wanted, and when the picture has to be drawn again. A model's
-//! triangles come from `shown` and go to the GPU by `stage`; `app` turns a window's events into frames. Nothing is drawn
-//! while nothing changes.
+//! `viewer` is the application without its window: what is loaded, which level is requested, and when the
+//! picture must be redrawn. The triangles of a model come from `instance` and are uploaded and drawn by
+//! `scene_renderer`; `app` turns window events into frames. Nothing is drawn while nothing changes.
 
 mod app;
 mod args;
 mod frustum;
 mod help;
+mod instance;
 mod loader;
 mod orbit;
 mod panel;
 mod plots;
+mod scene_renderer;
 mod screen;
 mod screenshot;
-mod shown;
-mod stage;
 mod state;
 mod subject;
 mod system_error;
@@ -27,11 +27,11 @@ use std::sync::Arc;
 
 use winit::event_loop::EventLoop;
 
-use self::app::{App, Wake, WindowPlan};
+use self::app::{App, Wake, WindowOptions};
 pub use self::args::{FirstArgs, ShownModel, ThemeArg, WindowArgs};
 use self::orbit::Up;
 use self::state::{Colors, GoalKind, ViewerState};
-use self::system_error::without_place;
+use self::system_error::without_location;
 use self::viewer::Viewer;
 #[cfg(feature = "serve")]
 use crate::serve;
@@ -40,10 +40,10 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
 
-/// Opens the window, and closes it when the user does.
+/// Opens the window and runs until the user closes it.
 ///
 /// # Errors
-/// Where there is no display or no device, a file is not there, or the screenshot cannot be made.
+/// If there is no display or no device, a file does not exist, or the screenshot cannot be saved.
 pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
     args.files.iter().try_for_each(|path| Input::expect_there(path))?;
     #[cfg(feature = "serve")]
@@ -53,11 +53,11 @@ pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
     let size = args.size()?;
     let event_loop = EventLoop::<Wake>::with_user_event().build().map_err(|error| no_display(&error))?;
     let proxy = event_loop.create_proxy();
-    // A window that is closed hears nothing any more.
+    // Sending fails only after the window was closed.
     let waker = Arc::new(move || {
         let _ = proxy.send_event(Wake);
     });
-    let mut viewer = Viewer::new(args.files.clone(), first_state(&args.first), (*output, waker));
+    let mut viewer = Viewer::new(args.files.clone(), initial_state(&args.first), (*output, waker));
     if args.first.z_up {
         viewer.orbit.set_up(Up::Z);
     }
@@ -65,26 +65,26 @@ pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
         ThemeArg::Dark => egui::Theme::Dark,
         ThemeArg::Light => egui::Theme::Light,
     });
-    let plan = WindowPlan { size, theme, screenshot: args.screenshot.clone() };
-    let mut app = App::new(viewer, plan, *output);
+    let options = WindowOptions { size, theme, screenshot: args.screenshot.clone() };
+    let mut app = App::new(viewer, options, *output);
     event_loop.run_app(&mut app).map_err(|error| no_display(&error))?;
     app.into_result()
 }
 
-/// What the command line wants to see first; a view is followed by a model that can.
-fn first_state(args: &FirstArgs) -> ViewerState {
+/// Initial state for the command line's arguments; a view-dependent level selects a model that supports it.
+fn initial_state(args: &FirstArgs) -> ViewerState {
     let mut state = ViewerState::default();
     if let Some(model) = args.model {
         state.model = model;
     }
     let goal = if let Some(triangles) = args.triangles {
-        state.ask_for(triangles);
+        state.set_triangle_count(triangles);
         GoalKind::Triangles
     } else if let Some(pixels) = args.pixels {
         state.pixels = pixels as f32;
         GoalKind::Pixels
     } else if let Some(budget) = args.budget {
-        state.ask_for(budget);
+        state.set_triangle_count(budget);
         GoalKind::Budget
     } else {
         state.detail = args.detail.unwrap_or(state.detail);
@@ -96,7 +96,7 @@ fn first_state(args: &FirstArgs) -> ViewerState {
     }
     state.colors = match args.colors {
         Coloring::Surface => Colors::Surface,
-        Coloring::Strips | Coloring::Fans => Colors::Pieces,
+        Coloring::Strips | Coloring::Fans => Colors::StripsOrFans,
         Coloring::Triangles => Colors::Triangles,
         Coloring::Groups => Colors::Groups,
     };
@@ -104,20 +104,23 @@ fn first_state(args: &FirstArgs) -> ViewerState {
     state
 }
 
+/// Shows a file in the web viewer.
+///
 /// # Errors
 /// If there is not one file, or it cannot be served.
 #[cfg(feature = "serve")]
 fn show_in_browser(files: &[PathBuf], output: &Output) -> Result<(), Failure> {
     let [file] = files else {
-        let message = format!("--browser shows one file, and {} are named", files.len());
-        return Err(Failure::user(message).with_hint("`striata serve FOLDER` shows all of a folder"));
+        let message = format!("--browser takes one file, but {} were given", files.len());
+        return Err(
+            Failure::user(message).with_hint("use `striata serve FOLDER` to show all models of a folder")
+        );
     };
     serve::show_in_browser(file, output)
 }
 
 fn no_display(error: &winit::error::EventLoopError) -> Failure {
-    let reason = without_place(&error.to_string());
-    Failure::user(format!("there is no display to open a window on: {reason}")).with_hint(
-        "`striata render` draws a picture without one; `striata view --browser` needs only a browser",
-    )
+    let reason = without_location(&error.to_string());
+    Failure::user(format!("cannot open a window without a display: {reason}"))
+        .with_hint("use `striata render` to draw a picture, or `striata view --browser` to use a browser")
 }

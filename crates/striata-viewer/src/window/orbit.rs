@@ -1,39 +1,39 @@
-//! The eye on its way around a model: turned, moved aside, brought nearer.
+//! Orbit camera: rotates around a target, pans, and zooms.
 
 use striata::mesh::Bounds;
 use striata_gpu::Viewpoint;
 
-/// Angle from the lower to the upper side of the picture, radians.
+/// Vertical field of view, radians.
 const FOV: f32 = 0.7;
 
-/// Steeper than this nothing is looked at: what is up would turn over. A degree less than a quarter turn.
-const STEEPEST: f32 = 1.553_343;
+/// Maximum rise, a degree less than a quarter turn: beyond it, the up direction would flip.
+const MAX_RISE: f32 = 1.553_343;
 
-/// Turn and rise of the first look.
-const HOME: [f32; 2] = [0.55, 0.3];
+/// Turn and rise of the initial view.
+const INITIAL_ANGLES: [f32; 2] = [0.55, 0.3];
 
 /// Which axis of the model is up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Up {
-    /// As in glTF.
+    /// Used by glTF.
     #[default]
     Y,
-    /// As in most CAD and terrain data.
+    /// Used by most CAD and terrain data.
     Z,
 }
 
-/// An eye that looks at a point from a distance.
+/// A camera that orbits around a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Orbit {
-    /// The point that is looked at, mesh units.
+    /// Point in the middle of the screen, mesh units.
     target: [f64; 3],
     distance: f64,
-    /// Around what is up, radians.
+    /// Angle around the up axis, radians.
     turn: f32,
-    /// Above the horizon, radians.
+    /// Angle above the horizon, radians.
     rise: f32,
     up: Up,
-    /// The middle and half the diagonal of the model.
+    /// Center and half the diagonal of the model's bounds.
     home: [f64; 3],
     radius: f64,
 }
@@ -45,7 +45,7 @@ impl Default for Orbit {
 }
 
 impl Orbit {
-    /// All of a model, from the front and a little from above.
+    /// Shows all of a model from the front, slightly from above.
     pub(super) fn around(bounds: &Bounds, up: Up) -> Self {
         let home = std::array::from_fn(|k| (f64::from(bounds.min[k]) + f64::from(bounds.max[k])) / 2.0);
         let radius = (bounds.diagonal() / 2.0).max(f64::from(f32::MIN_POSITIVE));
@@ -54,26 +54,26 @@ impl Orbit {
         orbit
     }
 
-    /// Back to the first look.
+    /// Resets to the initial view.
     pub(super) fn reset(&mut self) {
         self.target = self.home;
         self.distance = self.radius / f64::from(FOV / 2.0).sin();
-        [self.turn, self.rise] = HOME;
+        [self.turn, self.rise] = INITIAL_ANGLES;
     }
 
-    /// Follows a pointer that moved by points, in a picture that is so many points high: across it is half a turn.
+    /// Rotates by a drag of the pointer, in points; dragging across the picture's `height` is half a turn.
     pub(super) fn drag(&mut self, [x, y]: [f32; 2], height: f32) {
         let scale = std::f32::consts::PI / height.max(1.0);
         self.rotate(-x * scale, y * scale);
     }
 
-    /// Turns to the right and rises, radians.
+    /// Rotates to the right and up, radians.
     pub(super) fn rotate(&mut self, turn: f32, rise: f32) {
         self.turn = (self.turn + turn) % std::f32::consts::TAU;
-        self.rise = (self.rise + rise).clamp(-STEEPEST, STEEPEST);
+        self.rise = (self.rise + rise).clamp(-MAX_RISE, MAX_RISE);
     }
 
-    /// Moves the picture by points: what is looked at stays under the pointer.
+    /// Pans by points, so that the target stays under the pointer.
     pub(super) fn pan(&mut self, [x, y]: [f32; 2], height: f32) {
         let unit = 2.0 * self.distance * f64::from(FOV / 2.0).tan() / f64::from(height.max(1.0));
         let [right, up] = self.screen_axes();
@@ -82,23 +82,23 @@ impl Orbit {
         }
     }
 
-    /// Goes away by a factor, or nearer by one below 1.
+    /// Multiplies the distance to the target, within limits.
     pub(super) fn zoom(&mut self, factor: f32) {
         let range = [1e-3 * self.radius, 100.0 * self.radius];
         self.distance = (self.distance * f64::from(factor)).clamp(range[0], range[1]);
     }
 
-    /// Which axis is up.
+    /// The axis that points up.
     pub(super) fn up(&self) -> Up {
         self.up
     }
 
-    /// Lets another axis be up.
+    /// Sets the axis that points up.
     pub(super) fn set_up(&mut self, up: Up) {
         self.up = up;
     }
 
-    /// Where it looks from.
+    /// The camera as a viewpoint.
     pub(super) fn viewpoint(&self) -> Viewpoint {
         let out = self.outwards();
         Viewpoint {
@@ -109,13 +109,13 @@ impl Orbit {
         }
     }
 
-    /// From the point that is looked at to the eye.
+    /// Direction from the target to the eye.
     fn outwards(&self) -> [f64; 3] {
         let (turn, rise) = (f64::from(self.turn), f64::from(self.rise));
         self.in_model([rise.cos() * turn.sin(), rise.sin(), rise.cos() * turn.cos()])
     }
 
-    /// Right and up on the screen.
+    /// Right and up directions of the screen.
     fn screen_axes(&self) -> [[f64; 3]; 2] {
         let (turn, rise) = (f64::from(self.turn), f64::from(self.rise));
         let right = [turn.cos(), 0.0, -turn.sin()];
@@ -123,7 +123,7 @@ impl Orbit {
         [self.in_model(right), self.in_model(up)]
     }
 
-    /// A direction where y is up, as the model has it.
+    /// Converts a y-up direction to the model's axes.
     fn in_model(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match self.up {
             Up::Y => [x, y, z],
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_look_shows_the_whole_model() {
+    fn the_initial_view_shows_the_whole_model() {
         for up in [Up::Y, Up::Z] {
             let view = Orbit::around(&BOX, up).viewpoint();
             assert_eq!(view.look_at, [1.0, 3.0, 0.5]);
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn dragging_turns_around_the_target_and_never_over_the_top() {
+    fn dragging_rotates_around_the_target_and_never_flips() {
         let mut orbit = Orbit::around(&BOX, Up::Y);
         let before = orbit.viewpoint();
         orbit.drag([100.0, 0.0], 400.0);
@@ -179,13 +179,13 @@ mod tests {
     }
 
     #[test]
-    fn panning_keeps_what_is_looked_at_under_the_pointer() {
+    fn panning_keeps_the_target_under_the_pointer() {
         for up in [Up::Y, Up::Z] {
             let mut orbit = Orbit::around(&BOX, up);
             orbit.rotate(0.4, 0.3);
             let before = orbit.viewpoint();
             orbit.pan([50.0, 0.0], 200.0);
-            // 50 of 200 points to the right are half of the half screen: the old target is there now.
+            // 50 of 200 points to the right is half of half the screen: the old target is now there.
             let matrix = orbit.viewpoint().clip_from_model([0.0; 3], 10.0, 1.0);
             let [x, y, z] = before.look_at;
             let clip = [0, 1, 3].map(|row| {
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn zooming_ends_before_the_eye_is_inside_or_lost() {
+    fn zooming_stays_within_limits() {
         let mut orbit = Orbit::around(&BOX, Up::Y);
         let distance = |orbit: &Orbit| between(orbit.viewpoint().eye, orbit.viewpoint().look_at);
         let first = distance(&orbit);

@@ -1,4 +1,4 @@
-//! What is around the picture: the panel with facts and choices, progress, and what went wrong.
+//! The user interface around the picture: the side panel, progress, and errors.
 
 use std::ops::RangeInclusive;
 
@@ -9,16 +9,16 @@ use super::loader::Task;
 use super::orbit::Up;
 use super::state::{Background, Colors, GoalKind};
 use super::subject::Subject;
-use super::viewer::{Place, Viewer};
+use super::viewer::{PictureArea, Viewer};
 use super::{frustum, help, plots};
 use striata_command::output::{grouped, measured, sized};
 
-/// Width of the panel, points.
+/// Default width of the panel, points.
 const WIDTH: f32 = 300.0;
 
-/// Shows everything; `picture` is drawn afterwards, where [`Place`] says.
+/// Shows the whole user interface, and records in [`PictureArea`] where `picture` goes.
 pub(super) fn show(viewer: &mut Viewer, ui: &mut Ui, picture: Option<TextureId>) {
-    viewer.hear(ui.ctx());
+    viewer.handle_input(ui.ctx());
     if viewer.state.shows_panel {
         egui::Panel::right("panel").default_size(WIDTH).size_range(220.0..=480.0).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| sections(viewer, ui));
@@ -30,14 +30,14 @@ pub(super) fn show(viewer: &mut Viewer, ui: &mut Ui, picture: Option<TextureId>)
     }
 }
 
-/// The picture, and what is said over it.
+/// The picture and the overlays on it.
 fn middle(viewer: &mut Viewer, ui: &mut Ui, picture: Option<TextureId>) {
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, egui::Sense::click_and_drag());
-    viewer.touch(ui, &response);
+    viewer.handle_pointer(ui, &response);
     let pixels_per_point = ui.ctx().pixels_per_point();
     let pixels = |points: f32| (points * pixels_per_point).round().clamp(0.0, 16_384.0) as u32;
-    viewer.place = Place {
+    viewer.area = PictureArea {
         rect,
         size: [pixels(rect.width()), pixels(rect.height())],
         pixels_per_point,
@@ -56,30 +56,30 @@ fn middle(viewer: &mut Viewer, ui: &mut Ui, picture: Option<TextureId>) {
         let (center, font) = (rect.center(), egui::FontId::proportional(20.0));
         ui.painter().text(center, egui::Align2::CENTER_CENTER, text, font, ui.visuals().weak_text_color());
     }
-    notes(viewer, ui);
+    overlays(viewer, ui);
 }
 
-/// Progress and trouble, at the upper edge of the picture.
-fn notes(viewer: &mut Viewer, ui: &Ui) {
-    let area = |name: &str, from_top: f32| {
-        egui::Area::new(egui::Id::unique(name)).constrain_to(viewer.place.rect).anchor(
+/// Progress and errors at the top of the picture.
+fn overlays(viewer: &mut Viewer, ui: &Ui) {
+    let overlay = |name: &str, from_top: f32| {
+        egui::Area::new(egui::Id::unique(name)).constrain_to(viewer.area.rect).anchor(
             egui::Align2::LEFT_TOP,
-            [viewer.place.rect.left() + 12.0, viewer.place.rect.top() + from_top],
+            [viewer.area.rect.left() + 12.0, viewer.area.rect.top() + from_top],
         )
     };
     let mut from_top = 12.0;
-    if let Some((task, stage)) = viewer.work() {
+    if let Some((task, progress)) = viewer.work() {
         let what = match task {
             Task::Open(path, _) => {
                 path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
             }
             Task::Build(_, kind) => kind.title().to_owned(),
         };
-        area("progress", from_top).show(ui.ctx(), |ui| {
+        overlay("progress", from_top).show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_width(260.0);
-                ui.label(format!("{what}: {}", stage.phase));
-                match stage.share {
+                ui.label(format!("{what}: {}", progress.phase));
+                match progress.share {
                     Some(share) => ui.add(egui::ProgressBar::new(share).show_percentage()),
                     None => ui.add(egui::ProgressBar::new(0.0).animate(true)),
                 };
@@ -87,21 +87,21 @@ fn notes(viewer: &mut Viewer, ui: &Ui) {
         });
         from_top += 70.0;
     }
-    let mut is_read = false;
-    if let Some(trouble) = &viewer.trouble {
-        area("trouble", from_top).show(ui.ctx(), |ui| {
+    let mut is_dismissed = false;
+    if let Some(failure) = &viewer.failure {
+        overlay("failure", from_top).show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_max_width(420.0);
-                ui.colored_label(ui.visuals().error_fg_color, trouble.message());
-                if let Some(hint) = trouble.hint() {
+                ui.colored_label(ui.visuals().error_fg_color, failure.message());
+                if let Some(hint) = failure.hint() {
                     ui.label(RichText::new(format!("Hint: {hint}")));
                 }
-                is_read = ui.button("Close").clicked();
+                is_dismissed = ui.button("Dismiss").clicked();
             });
         });
     }
-    if is_read {
-        viewer.trouble = None;
+    if is_dismissed {
+        viewer.failure = None;
     }
 }
 
@@ -114,23 +114,23 @@ fn sections(viewer: &mut Viewer, ui: &mut Ui) {
     if viewer.files.len() > 1 {
         section(ui, "Files");
         let mut chosen = None;
-        for (number, path) in viewer.files.iter().enumerate() {
+        for (index, path) in viewer.files.iter().enumerate() {
             let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-            if ui.selectable_label(viewer.file == Some(number), name).clicked() {
-                chosen = Some(number);
+            if ui.selectable_label(viewer.file == Some(index), name).clicked() {
+                chosen = Some(index);
             }
         }
-        chosen.into_iter().for_each(|number| viewer.choose(number));
+        chosen.into_iter().for_each(|index| viewer.choose(index));
     }
     section(ui, "Level");
     level(viewer, ui);
     section(ui, "Model");
     model(viewer, ui);
-    section(ui, "Look");
+    section(ui, "Appearance");
     look(viewer, ui);
     ui.add_space(4.0);
     ui.separator();
-    ui.checkbox(&mut viewer.state.shows_plots, RichText::new("Frames").strong());
+    ui.checkbox(&mut viewer.state.shows_plots, RichText::new("Frame statistics").strong());
     if viewer.state.shows_plots {
         plots::show(ui, &viewer.history);
     }
@@ -141,7 +141,7 @@ fn sections(viewer: &mut Viewer, ui: &mut Ui) {
         ui.selectable_value(&mut theme, ThemePreference::Light, "Light");
         ui.selectable_value(&mut theme, ThemePreference::Dark, "Dark");
         ui.ctx().set_theme(theme);
-        if ui.button("Keys").clicked() {
+        if ui.button("Help").clicked() {
             viewer.state.shows_help ^= true;
         }
     });
@@ -154,11 +154,11 @@ fn section(ui: &mut Ui, title: &str) {
     ui.label(RichText::new(title).strong());
 }
 
-/// What is known of the model.
+/// Facts about the file and the mesh.
 fn facts(viewer: &Viewer, ui: &mut Ui) {
     let Some(subject) = viewer.subject() else {
         ui.heading("striata");
-        ui.weak("no model yet");
+        ui.weak("No model loaded");
         return;
     };
     ui.heading(&subject.name);
@@ -170,34 +170,30 @@ fn facts(viewer: &Viewer, ui: &mut Ui) {
             ui.end_row();
         };
         row(
-            "file",
+            "File",
             match subject.file_bytes {
                 Some(bytes) => format!("{}, {}", subject.kind, sized(bytes)),
                 None => subject.kind.to_owned(),
             },
         );
-        row("triangles", format!("{}, base {}", grouped(mesh.triangle_count()), levels.triangle_count_at(0)));
-        row("vertices", grouped(mesh.vertex_count()));
+        row("Triangles", format!("{}, base {}", grouped(mesh.triangle_count()), levels.triangle_count_at(0)));
+        row("Vertices", grouped(mesh.vertex_count()));
         if mesh.groups.len() > 1 {
-            row("groups", grouped(mesh.groups.len()));
+            row("Groups", grouped(mesh.groups.len()));
         }
-        row("diagonal", measured(subject.bounds.diagonal()));
-        row("largest error", measured(levels.error_at(0).into()));
+        row("Diagonal", measured(subject.bounds.diagonal()));
+        row("Max error", measured(levels.error_at(0).into()));
     });
 }
 
-/// By what the level is chosen, and what it came to.
+/// How the level is chosen, and the level that results.
 fn level(viewer: &mut Viewer, ui: &mut Ui) {
     let Some(subject) = viewer.subject().cloned() else { return };
     let kinds = [
-        (GoalKind::Detail, "Detail", "Share of the way from the base to the full mesh"),
-        (GoalKind::Triangles, "Triangles", "The same detail everywhere"),
-        (
-            GoalKind::Pixels,
-            "Pixels",
-            "Errors of no more pixels; fans and patterns refine where they are seen",
-        ),
-        (GoalKind::Budget, "Budget", "The triangles that this view shows best"),
+        (GoalKind::Detail, "Detail", "Uniform detail, from 0 (base mesh) to 1 (full mesh)"),
+        (GoalKind::Triangles, "Triangles", "Maximum triangle count, with uniform detail"),
+        (GoalKind::Pixels, "Pixels", "Maximum screen error; fans and patterns adapt to the view"),
+        (GoalKind::Budget, "Budget", "Maximum triangle count, with detail optimized for the view"),
     ];
     ui.horizontal(|ui| {
         for (kind, name, note) in kinds {
@@ -220,8 +216,8 @@ fn level(viewer: &mut Viewer, ui: &mut Ui) {
         GoalKind::Pixels => ui
             .add(Slider::new(&mut state.pixels, 0.1..=100.0).logarithmic(true).suffix(" px").max_decimals(2)),
     };
-    let (error_px, shown) = (viewer.error_px(), viewer.shown());
-    let Some(achieved) = shown.map(|shown| *shown.achieved()) else { return };
+    let (error_px, instance) = (viewer.error_px(), viewer.instance());
+    let Some(achieved) = instance.map(|instance| *instance.achieved()) else { return };
     Grid::new("achieved").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
         let mut row = |name: &str, value: String| {
             ui.weak(name);
@@ -230,11 +226,11 @@ fn level(viewer: &mut Viewer, ui: &mut Ui) {
         };
         let share =
             100.0 * achieved.triangle_count as f64 / subject.steps.mesh().triangle_count().max(1) as f64;
-        row("triangles", format!("{} ({share:.1}%)", grouped(achieved.triangle_count)));
-        row("splits", format!("{} of {}", grouped(achieved.split_count), grouped(levels.step_count())));
-        row("error", measured(achieved.error.into()));
+        row("Triangles", format!("{} ({share:.1}%)", grouped(achieved.triangle_count)));
+        row("Splits", format!("{} of {}", grouped(achieved.split_count), grouped(levels.step_count())));
+        row("Error", measured(achieved.error.into()));
         row(
-            "on screen",
+            "Screen error",
             match error_px {
                 Some(pixels) => format!("{pixels:.2} px"),
                 None => "–".to_owned(),
@@ -250,7 +246,7 @@ fn count_slider(ui: &mut Ui, count: &mut Option<usize>, range: RangeInclusive<us
     response
 }
 
-/// Which model makes the triangles.
+/// Choice of the model that produces the triangles.
 fn model(viewer: &mut Viewer, ui: &mut Ui) {
     let has_collapses = viewer.subject().is_none_or(|subject| subject.has_collapses());
     let stored = |subject: &std::sync::Arc<Subject>, kind| subject.stored.contains(&kind);
@@ -258,7 +254,7 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
         for kind in ShownModel::ALL {
             let is_usable = has_collapses || matches!(kind, ShownModel::List | ShownModel::Patterns);
             let is_stored = viewer.subject().is_some_and(|subject| stored(subject, kind));
-            let origin = if is_stored { " (in the file)" } else { "" };
+            let origin = if is_stored { " (stored in the file)" } else { "" };
             let label = egui::Button::selectable(viewer.state.model == kind, kind.title());
             let response = ui.add_enabled(is_usable, label);
             if response.on_hover_text(format!("{}{origin}", kind.note())).clicked() {
@@ -269,23 +265,21 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
     ui.label(RichText::new(viewer.state.model.note()).small().weak());
     let can_morph = viewer.state.model.can_morph();
     ui.add_enabled(can_morph, egui::Checkbox::new(&mut viewer.state.morphs, "Geomorphs"))
-        .on_disabled_hover_text("Fans know how")
-        .on_hover_text(
-            "Vertices slide to where they belong instead of jumping; not with edges or colors of triangles",
-        );
+        .on_disabled_hover_text("Only available for fans")
+        .on_hover_text("Vertices move smoothly instead of jumping; not with wireframe or triangle colors");
     let mut is_frozen = viewer.state.frozen.is_some();
-    let hover = "Keep the level of this view, and look at it from elsewhere";
-    if ui.checkbox(&mut is_frozen, "Freeze the level").on_hover_text(hover).clicked() {
-        viewer.state.freeze(viewer.orbit.viewpoint(), viewer.place.size);
+    let hover = "Keep the level of this view while the camera moves";
+    if ui.checkbox(&mut is_frozen, "Freeze level").on_hover_text(hover).clicked() {
+        viewer.state.freeze(viewer.orbit.viewpoint(), viewer.area.size);
     }
 }
 
-/// How the surface is shown.
+/// Appearance of the surface.
 fn look(viewer: &mut Viewer, ui: &mut Ui) {
     let state = &mut viewer.state;
-    let pieces = state.model.pieces();
+    let primitive_name = state.model.primitive_name();
     ui.horizontal_wrapped(|ui| {
-        let shown = state.colors_shown();
+        let shown = state.effective_colors();
         let mut choice = |ui: &mut Ui, colors, name: &str, is_enabled| {
             let button = egui::Button::selectable(shown == colors, name);
             if ui.add_enabled(is_enabled, button).clicked() {
@@ -293,36 +287,36 @@ fn look(viewer: &mut Viewer, ui: &mut Ui) {
             }
         };
         choice(ui, Colors::Surface, "Surface", true);
-        choice(ui, Colors::Pieces, pieces.unwrap_or("Strips"), pieces.is_some());
+        choice(ui, Colors::StripsOrFans, primitive_name.unwrap_or("Strips"), primitive_name.is_some());
         choice(ui, Colors::Triangles, "Triangles", true);
         choice(ui, Colors::Groups, "Groups", true);
     });
     Grid::new("look").num_columns(2).spacing([16.0, 4.0]).show(ui, |ui| {
         ui.checkbox(&mut state.wireframe, "Wireframe");
-        ui.checkbox(&mut state.is_flat, "Flat");
+        ui.checkbox(&mut state.is_flat, "Flat shading");
         ui.end_row();
-        ui.checkbox(&mut state.hides_back, "Hide back sides");
-        ui.checkbox(&mut state.shows_vertex_colors, "Own colors");
+        ui.checkbox(&mut state.hides_back, "Cull back faces");
+        ui.checkbox(&mut state.shows_vertex_colors, "Vertex colors");
         ui.end_row();
-        ui.checkbox(&mut state.turns, "Turn");
+        ui.checkbox(&mut state.auto_rotates, "Auto-rotate");
         let mut is_z_up = viewer.orbit.up() == Up::Z;
-        if ui.checkbox(&mut is_z_up, "z is up").clicked() {
+        if ui.checkbox(&mut is_z_up, "Z up").clicked() {
             viewer.orbit.set_up(if is_z_up { Up::Z } else { Up::Y });
         }
         ui.end_row();
     });
     ui.horizontal(|ui| {
         ui.label("Background");
-        let is_own = matches!(state.background, Background::Own(_));
-        if ui.selectable_label(!is_own, "Theme").clicked() {
+        let is_custom = matches!(state.background, Background::Custom(_));
+        if ui.selectable_label(!is_custom, "Theme").clicked() {
             state.background = Background::Theme;
         }
         let mut color = match state.background {
-            Background::Own(color) => color,
+            Background::Custom(color) => color,
             Background::Theme => [0.2, 0.25, 0.3],
         };
         if ui.color_edit_button_rgb(&mut color).changed() {
-            state.background = Background::Own(color);
+            state.background = Background::Custom(color);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button("Reset view").clicked() {

@@ -1,4 +1,4 @@
-//! The last frames in numbers and lines: time, triangles, bytes.
+//! Plots of recent frames: time, triangles, uploads.
 
 use std::collections::VecDeque;
 
@@ -7,44 +7,44 @@ use egui_plot::{Line, Plot, PlotPoints};
 
 use striata_command::output::{grouped, lasted, sized};
 
-/// Frames that are kept.
-const FRAMES: usize = 240;
+/// Number of frames kept.
+const MAX_SAMPLES: usize = 240;
 
-/// What one frame took.
+/// Measurements of one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Sample {
-    /// From the first look at the input to the last command for the GPU.
+    /// From reading the input to submitting the last GPU command.
     pub(super) frame_secs: f64,
-    /// Of these, going to the level.
+    /// Part of it spent changing the level.
     pub(super) level_secs: f64,
     pub(super) triangle_count: usize,
     pub(super) uploaded_bytes: u64,
 }
 
-/// The last frames in which the picture changed.
+/// Measurements of the most recent frames in which the picture changed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct History {
     samples: VecDeque<Sample>,
-    /// Frames so far.
+    /// Total number of frames recorded.
     frame_count: u64,
 }
 
 impl History {
-    /// Adds a frame, and forgets the oldest.
+    /// Adds a frame, dropping the oldest if necessary.
     pub(super) fn push(&mut self, sample: Sample) {
-        if self.samples.len() == FRAMES {
+        if self.samples.len() == MAX_SAMPLES {
             self.samples.pop_front();
         }
         self.samples.push_back(sample);
         self.frame_count += 1;
     }
 
-    /// Forgets all.
+    /// Removes all frames.
     pub(super) fn clear(&mut self) {
         *self = Self::default();
     }
 
-    /// The last frame.
+    /// The most recent frame.
     pub(super) fn last(&self) -> Option<&Sample> {
         self.samples.back()
     }
@@ -55,7 +55,7 @@ impl History {
     }
 }
 
-/// Shows the three plots below each other.
+/// Shows the three plots one below the other.
 pub(super) fn show(ui: &mut Ui, history: &History) {
     let last = history.last().copied().unwrap_or_default();
     let frame = format!("{} · level {}", lasted(last.frame_secs), lasted(last.level_secs));
@@ -66,11 +66,11 @@ pub(super) fn show(ui: &mut Ui, history: &History) {
         Line::new("frame", history.points(|s| 1e3 * s.frame_secs)).color(blue),
         Line::new("level", history.points(|s| 1e3 * s.level_secs)).color(orange),
     ];
-    plot(ui, "frame, ms", &frame, frame_lines);
+    plot(ui, "Frame time, ms", &frame, frame_lines);
     let triangles = vec![Line::new("triangles", history.points(|s| s.triangle_count as f64)).color(green)];
-    plot(ui, "triangles", &grouped(last.triangle_count), triangles);
+    plot(ui, "Triangles", &grouped(last.triangle_count), triangles);
     let bytes = vec![Line::new("bytes", history.points(|s| s.uploaded_bytes as f64)).color(orange)];
-    plot(ui, "uploaded", &sized(last.uploaded_bytes as usize), bytes);
+    plot(ui, "Uploaded", &sized(last.uploaded_bytes as usize), bytes);
 }
 
 fn plot(ui: &mut Ui, name: &'static str, value: &str, lines: Vec<Line<'static>>) {
@@ -98,13 +98,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_the_last_frames_are_kept_and_they_keep_their_numbers() {
+    fn only_recent_frames_are_kept_with_their_numbers() {
         let mut history = History::default();
-        for triangle_count in 0..FRAMES + 10 {
+        for triangle_count in 0..MAX_SAMPLES + 10 {
             history.push(Sample { triangle_count, ..Default::default() });
         }
-        assert_eq!(history.samples.len(), FRAMES);
-        assert_eq!(history.last().map(|s| s.triangle_count), Some(FRAMES + 9));
+        assert_eq!(history.samples.len(), MAX_SAMPLES);
+        assert_eq!(history.last().map(|s| s.triangle_count), Some(MAX_SAMPLES + 9));
         let points = history.points(|sample| sample.triangle_count as f64);
         assert!(points.points().iter().all(|point| point.x == point.y), "frame n has n triangles");
         history.clear();

@@ -1,4 +1,5 @@
-//! The window's surface: found a device for, resized, lost and found again, painted with what the user interface holds.
+//! The window's surface: chooses a device, follows the size, recovers from loss, and paints the user
+//! interface.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -12,7 +13,7 @@ use striata_command::failure::{Failure, caught};
 use striata_command::hush::hushed;
 use striata_command::output::Output;
 
-/// A window that can be painted.
+/// A window and the device that draws into it.
 pub(super) struct Screen {
     pub(super) window: Arc<Window>,
     pub(super) gpu: Gpu,
@@ -20,44 +21,45 @@ pub(super) struct Screen {
     instance: wgpu::Instance,
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
-    /// What the device reported beside results.
+    /// Last error that the device has reported asynchronously.
     reported: Arc<Mutex<Option<String>>>,
 }
 
-/// What is painted.
-pub(super) struct Paint {
+/// Output of the user interface for one frame.
+pub(super) struct UiFrame {
     pub(super) primitives: Vec<ClippedPrimitive>,
     pub(super) textures: TexturesDelta,
     pub(super) pixels_per_point: f32,
 }
 
-/// What became of a frame.
+/// Outcome of painting a frame.
 #[derive(Debug)]
-pub(super) enum Painted {
-    /// It is on the screen; and here, where it was asked for.
+pub(super) enum PaintOutcome {
+    /// The frame is on the screen; with the picture, if requested.
     Shown(Option<Picture>),
-    /// There is nothing to be seen of the window; the system will say when there is.
+    /// The window is not visible; the system will send an event when it is.
     Hidden,
-    /// The surface had changed: once more.
-    Again,
+    /// The surface has changed: paint again.
+    Retry,
 }
 
 impl Screen {
-    /// Finds the best device that can draw into the window, and tells `output` which better ones cannot.
+    /// Opens the best device that can draw into the window, and reports the rejected ones to `output`.
     ///
     /// # Errors
-    /// Where there is none.
+    /// If no device can.
     pub(super) fn new(
         window: Arc<Window>,
         event_loop: &ActiveEventLoop,
         output: &Output,
     ) -> Result<Self, Failure> {
         let display = Box::new(event_loop.owned_display_handle());
-        let found = hushed(output, || caught(|| find(&window, display)));
-        let Found { instance, surface, chosen } = found.unwrap_or_else(|panic| Err(no_device(&panic)))?;
+        let found = hushed(output, || caught(|| set_up_graphics(&window, display)));
+        let GraphicsSetup { instance, surface, chosen } =
+            found.unwrap_or_else(|panic| Err(no_device(&panic)))?;
         let ChosenAdapter { gpu, made: mut config, rejected } = chosen;
         for adapter in rejected {
-            output.say(&format!("note: {adapter}; {} draws instead", gpu.name()));
+            output.say(&format!("note: {adapter}; using {} instead", gpu.name()));
         }
         let reported: Arc<Mutex<Option<String>>> = Arc::default();
         let report = Arc::clone(&reported);
@@ -72,7 +74,7 @@ impl Screen {
         Ok(Self { window, gpu, renderer, instance, surface, config, reported })
     }
 
-    /// Follows the window's size; a minimized one has none, and keeps what it had.
+    /// Adapts to the window's size. A minimized window has size 0 and keeps its surface.
     pub(super) fn resize(&mut self, width: u32, height: u32) {
         if width == 0 || height == 0 {
             return;
@@ -82,30 +84,30 @@ impl Screen {
         self.surface.configure(self.gpu.device(), &self.config);
     }
 
-    /// The longest side of a texture.
+    /// Maximum side of a texture, pixels.
     pub(super) fn max_side(&self) -> u32 {
         self.gpu.device().limits().max_texture_dimension_2d
     }
 
-    /// What the device has reported since the last time.
+    /// Takes the error that the device has reported since the last call.
     pub(super) fn take_report(&self) -> Option<String> {
         self.reported.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
-    /// Paints the window; keeps the picture where it is asked for.
+    /// Paints the window, and returns the picture if `takes_screenshot`.
     ///
     /// # Errors
-    /// Where the surface is lost for good, or the picture cannot be read.
-    pub(super) fn paint(&mut self, paint: Paint, keeps_picture: bool) -> Result<Painted, Failure> {
-        let Paint { primitives, mut textures, pixels_per_point } = paint;
+    /// If the surface cannot be recreated, or the picture cannot be read.
+    pub(super) fn paint(&mut self, frame: UiFrame, takes_screenshot: bool) -> Result<PaintOutcome, Failure> {
+        let UiFrame { primitives, mut textures, pixels_per_point } = frame;
         let (device, queue) = (self.gpu.device(), self.gpu.queue());
-        // These come once, whether or not there is a frame to draw them in.
+        // Texture updates are delivered only once, whether or not there is a frame to draw them in.
         let mut set: Vec<_> = textures.set.drain().collect();
         set.sort_unstable_by_key(|&(id, _)| id);
         for (id, deltas) in set {
             deltas.iter().for_each(|delta| self.renderer.update_texture(device, queue, id, delta));
         }
-        let result = self.paint_frame(&primitives, pixels_per_point, keeps_picture);
+        let result = self.paint_frame(&primitives, pixels_per_point, takes_screenshot);
         textures.free.drain().for_each(|id| self.renderer.free_texture(&id));
         result
     }
@@ -114,35 +116,35 @@ impl Screen {
         &mut self,
         primitives: &[ClippedPrimitive],
         pixels_per_point: f32,
-        keeps_picture: bool,
-    ) -> Result<Painted, Failure> {
+        takes_screenshot: bool,
+    ) -> Result<PaintOutcome, Failure> {
         let frame = match self.surface.get_current_texture() {
             wgpu::CurrentSurfaceTexture::Success(frame) | wgpu::CurrentSurfaceTexture::Suboptimal(frame) => {
                 frame
             }
-            wgpu::CurrentSurfaceTexture::Timeout => return Ok(Painted::Again),
-            wgpu::CurrentSurfaceTexture::Occluded => return Ok(Painted::Hidden),
+            wgpu::CurrentSurfaceTexture::Timeout => return Ok(PaintOutcome::Retry),
+            wgpu::CurrentSurfaceTexture::Occluded => return Ok(PaintOutcome::Hidden),
             wgpu::CurrentSurfaceTexture::Outdated | wgpu::CurrentSurfaceTexture::Validation => {
                 self.surface.configure(self.gpu.device(), &self.config);
-                return Ok(Painted::Again);
+                return Ok(PaintOutcome::Retry);
             }
             wgpu::CurrentSurfaceTexture::Lost => {
                 let surface = self.instance.create_surface(Arc::clone(&self.window));
                 self.surface = surface.map_err(|e| no_device(&e.to_string()))?;
                 self.surface.configure(self.gpu.device(), &self.config);
-                return Ok(Painted::Again);
+                return Ok(PaintOutcome::Retry);
             }
         };
         let screen =
             ScreenDescriptor { size_in_pixels: [self.config.width, self.config.height], pixels_per_point };
         self.fill(&frame.texture, primitives, &screen);
-        let picture = keeps_picture.then(|| self.copy(primitives, &screen)).transpose()?;
+        let picture = takes_screenshot.then(|| self.copy(primitives, &screen)).transpose()?;
         self.window.pre_present_notify();
         self.gpu.queue().present(frame);
-        Ok(Painted::Shown(picture))
+        Ok(PaintOutcome::Shown(picture))
     }
 
-    /// The same into a texture that can be read: what the window shows may not be.
+    /// Paints into a readable texture, since the window's own may not be readable.
     fn copy(
         &mut self,
         primitives: &[ClippedPrimitive],
@@ -160,7 +162,8 @@ impl Screen {
             view_formats: &[],
         });
         self.fill(&texture, primitives, screen);
-        Picture::read(&self.gpu, &texture).map_err(|e| Failure::internal(format!("the screenshot: {e}")))
+        Picture::read(&self.gpu, &texture)
+            .map_err(|e| Failure::internal(format!("cannot read the screenshot: {e}")))
     }
 
     fn fill(&mut self, texture: &wgpu::Texture, primitives: &[ClippedPrimitive], screen: &ScreenDescriptor) {
@@ -186,19 +189,24 @@ impl Screen {
     }
 }
 
-/// What a window needs of the graphics system.
-struct Found {
+/// Graphics objects of a window.
+struct GraphicsSetup {
     instance: wgpu::Instance,
     surface: wgpu::Surface<'static>,
     chosen: ChosenAdapter<wgpu::SurfaceConfiguration>,
 }
 
+/// Creates a surface for the window and chooses an adapter for it.
+///
 /// # Errors
-/// If no adapter can serve the window.
-fn find(window: &Arc<Window>, display: Box<dyn wgpu::wgt::WgpuHasDisplayHandle>) -> Result<Found, Failure> {
+/// If no adapter can draw into the window.
+fn set_up_graphics(
+    window: &Arc<Window>,
+    display: Box<dyn wgpu::wgt::WgpuHasDisplayHandle>,
+) -> Result<GraphicsSetup, Failure> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(display));
     let surface = instance.create_surface(Arc::clone(window)).map_err(|error| match error {
-        // It lists backends and their reasons, none if no driver was found at all.
+        // The error lists the backends with their reasons, but none if no driver was found at all.
         _ if pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all())).is_empty() => {
             no_device("found no graphics adapter")
         }
@@ -214,9 +222,11 @@ fn find(window: &Arc<Window>, display: Box<dyn wgpu::wgt::WgpuHasDisplayHandle>)
         Ok(config)
     });
     let chosen = chosen.map_err(|error| no_device(&error.to_string()))?;
-    Ok(Found { instance, surface, chosen })
+    Ok(GraphicsSetup { instance, surface, chosen })
 }
 
+/// Surface configuration for an adapter.
+///
 /// # Errors
 /// If the adapter cannot draw into the window.
 fn config_for(
@@ -226,7 +236,7 @@ fn config_for(
     let config = surface.get_default_config(adapter, 1, 1);
     let mut config = config.ok_or_else(|| GpuError::Failed("it cannot draw into this window".into()))?;
     let formats = surface.get_capabilities(adapter).formats;
-    // The user interface mixes colors as screens encode them, so the hardware must not encode them again.
+    // The user interface blends encoded colors, so the hardware must not encode them again.
     let is_plain = |format: &wgpu::TextureFormat| {
         matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm)
     };
@@ -235,11 +245,11 @@ fn config_for(
     Ok(config)
 }
 
-/// A window that nothing can draw into: what is missing, and how to see the model all the same.
+/// Error for a window that no device can draw into, with alternatives.
 fn no_device(reason: &str) -> Failure {
     let browser =
-        if cfg!(feature = "serve") { "`striata view --browser` shows it without one; " } else { "" };
+        if cfg!(feature = "serve") { "use `striata view --browser`, which needs none; or " } else { "" };
     Failure::user(format!("a window needs a graphics driver: {reason}")).with_hint(format!(
-        "install one (mesa-vulkan-drivers draws on the processor); {browser}`striata render` draws a picture"
+        "install one (mesa-vulkan-drivers runs on any CPU); {browser}use `striata render` to draw a picture"
     ))
 }

@@ -1,4 +1,4 @@
-//! What the window shows, as a PNG file.
+//! Saves screenshots of the window as PNG files.
 
 use std::path::Path;
 
@@ -6,12 +6,13 @@ use striata_gpu::Picture;
 
 use striata_command::failure::Failure;
 
-/// Writes a picture; its opacity is left out, since a window has none.
+/// Writes a picture without its opacity, since a window is opaque.
 ///
 /// # Errors
-/// Where the file cannot be written.
+/// If the file cannot be written.
 pub(super) fn save(picture: &Picture, path: &Path) -> Result<(), Failure> {
-    let bytes = encode(picture).map_err(|error| Failure::internal(format!("the screenshot: {error}")))?;
+    let bytes = encode(picture)
+        .map_err(|error| Failure::internal(format!("cannot encode the screenshot: {error}")))?;
     Ok(striata_io::write_atomically(path, |out| out.write_all(&bytes))?)
 }
 

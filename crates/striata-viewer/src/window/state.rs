@@ -1,4 +1,4 @@
-//! What is shown and how: everything that panel and keys change, apart from where one looks from.
+//! Settings of the viewer: everything that the panel and keys can change, except the camera.
 
 use striata_gpu::{Look, Shading, Viewpoint};
 
@@ -6,11 +6,11 @@ use super::args::ShownModel;
 use striata_command::args::Count;
 
 impl ShownModel {
-    /// All of them, as the panel lists them.
+    /// All models, in the order of the panel.
     pub(super) const ALL: [Self; 6] =
         [Self::LodStrips, Self::Mts, Self::Fans, Self::FansGpu, Self::Patterns, Self::List];
 
-    /// As the panel names it.
+    /// Name in the panel.
     pub(super) const fn title(self) -> &'static str {
         match self {
             Self::List => "List",
@@ -22,30 +22,30 @@ impl ShownModel {
         }
     }
 
-    /// What one should know of it.
+    /// Description for the panel.
     pub(super) const fn note(self) -> &'static str {
         match self {
-            Self::List => "Triangles made anew for each level, and uploaded whole",
-            Self::LodStrips => "Strips edited in place; only what changed is uploaded",
-            Self::Mts => "Strips walked anew where they change, uploaded whole",
-            Self::Fans => "Follows the view: finer where the screen asks for it",
-            Self::FansGpu => "Fans made in a compute shader; a bit a step is uploaded",
-            Self::Patterns => "Follows the view in fragments of any kind",
+            Self::List => "Triangle list, rebuilt and uploaded completely for each level",
+            Self::LodStrips => "Strips edited in place; only changes are uploaded",
+            Self::Mts => "Strips traversed again where they change, uploaded completely",
+            Self::Fans => "Fans with view-dependent detail",
+            Self::FansGpu => "Fans extracted in a compute shader; uploads one bit per step",
+            Self::Patterns => "Fragment patterns with view-dependent detail",
         }
     }
 
-    /// Whether the level may differ from place to place.
+    /// Whether the model supports view-dependent detail.
     pub(super) const fn follows_views(self) -> bool {
         matches!(self, Self::Fans | Self::FansGpu | Self::Patterns)
     }
 
-    /// Whether changes are shown as motion.
+    /// Whether the model supports geomorphs.
     pub(super) const fn can_morph(self) -> bool {
         matches!(self, Self::Fans | Self::FansGpu)
     }
 
-    /// What its triangles are parts of, where they are.
-    pub(super) const fn pieces(self) -> Option<&'static str> {
+    /// Name of the model's primitives, if it has strips or fans.
+    pub(super) const fn primitive_name(self) -> Option<&'static str> {
         match self {
             Self::LodStrips | Self::Mts => Some("Strips"),
             Self::Fans | Self::FansGpu => Some("Fans"),
@@ -54,20 +54,20 @@ impl ShownModel {
     }
 }
 
-/// By what a level is chosen.
+/// How the level is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum GoalKind {
-    /// A share of the way from the base to the full mesh.
+    /// By detail, from the base mesh to the full mesh.
     Detail,
-    /// A number of triangles, the same detail everywhere.
+    /// By triangle count, with uniform detail.
     Triangles,
-    /// Pixels that an error may take.
+    /// By screen error, pixels.
     Pixels,
-    /// The triangles that this view shows best.
+    /// By triangle count, with detail optimized for the view.
     Budget,
 }
 
-/// A level that is wanted.
+/// The level to show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Goal {
     /// See [`GoalKind::Detail`].
@@ -80,52 +80,52 @@ pub(super) enum Goal {
     Budget(usize),
 }
 
-/// How triangles are told apart.
+/// How triangles are colored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Colors {
-    /// Not at all: the surface with its own colors.
+    /// The surface with its own colors.
     #[default]
     Surface,
-    /// Each strip or fan has a color.
-    Pieces,
-    /// Each triangle has one.
+    /// One color per strip or fan.
+    StripsOrFans,
+    /// One color per triangle.
     Triangles,
-    /// Each group has one.
+    /// One color per group.
     Groups,
 }
 
-/// What is behind the model.
+/// Background of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) enum Background {
-    /// As the panel: dark or light.
+    /// Dark or light, like the panel.
     #[default]
     Theme,
-    /// A color of the user's, linear light.
-    Own([f32; 3]),
+    /// A color chosen by the user, linear light.
+    Custom([f32; 3]),
 }
 
-/// The view that a level was made for and is kept for, while one looks from elsewhere.
+/// A frozen view: its level is kept while the camera moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frozen {
-    /// Where one looked from.
+    /// Viewpoint when it was frozen.
     pub(super) viewpoint: Viewpoint,
-    /// The picture, pixels.
+    /// Size of the picture, pixels.
     pub(super) size: [u32; 2],
 }
 
-/// Everything that can be chosen.
+/// All settings.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ViewerState {
     pub(super) model: ShownModel,
     pub(super) goal: GoalKind,
-    /// 0 to 1.
+    /// Detail from 0 to 1.
     pub(super) detail: f64,
-    /// None before there is a model to count them of.
+    /// Maximum triangle count; none until a model is loaded.
     pub(super) triangles: Option<usize>,
     pub(super) pixels: f32,
-    /// As `triangles`.
+    /// Like `triangles`, for view-dependent detail.
     pub(super) budget: Option<usize>,
-    /// A share of the triangles of the first model.
+    /// Fraction of the first model's triangles, until it is loaded.
     pub(super) first_triangles: Option<Count>,
     pub(super) morphs: bool,
     pub(super) frozen: Option<Frozen>,
@@ -135,7 +135,7 @@ pub(super) struct ViewerState {
     pub(super) shows_vertex_colors: bool,
     pub(super) hides_back: bool,
     pub(super) background: Background,
-    pub(super) turns: bool,
+    pub(super) auto_rotates: bool,
     pub(super) shows_panel: bool,
     pub(super) shows_plots: bool,
     pub(super) shows_help: bool,
@@ -159,7 +159,7 @@ impl Default for ViewerState {
             shows_vertex_colors: true,
             hides_back: false,
             background: Background::Theme,
-            turns: false,
+            auto_rotates: false,
             shows_panel: true,
             shows_plots: true,
             shows_help: false,
@@ -167,37 +167,37 @@ impl Default for ViewerState {
     }
 }
 
-/// What a key or a button asks for.
+/// Change of a setting by a key or button.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {
-    /// A finer level.
+    /// Select a finer level.
     Finer,
-    /// A coarser level.
+    /// Select a coarser level.
     Coarser,
-    /// The next model.
+    /// Select the next model.
     NextModel,
-    /// Edges or none.
+    /// Toggle edges.
     Wireframe,
-    /// Colors of strips or fans, or none.
-    Pieces,
-    /// Flat or smooth.
+    /// Toggle colors by strip or fan.
+    StripsOrFans,
+    /// Toggle flat shading.
     Flat,
-    /// Motion instead of jumps, or not.
+    /// Toggle geomorphs.
     Morphs,
-    /// Turning by itself, or not.
-    Turn,
-    /// The side panel.
+    /// Toggle auto-rotation.
+    Rotate,
+    /// Toggle the side panel.
     Panel,
-    /// The list of keys.
+    /// Toggle the help.
     Help,
 }
 
-/// How much finer a step is: the number of triangles it takes.
-const STEP: f64 = 1.25;
+/// Factor on the triangle count or screen error per key press.
+const STEP_FACTOR: f64 = 1.25;
 
 impl ViewerState {
-    /// The level that is wanted.
-    pub(super) fn wanted(&self) -> Goal {
+    /// The requested level.
+    pub(super) fn requested_level(&self) -> Goal {
         match self.goal {
             GoalKind::Detail => Goal::Detail(self.detail),
             GoalKind::Triangles => Goal::Triangles(self.triangles.unwrap_or(usize::MAX)),
@@ -206,24 +206,24 @@ impl ViewerState {
         }
     }
 
-    /// Does what a key asks for. `triangle_count` is the full mesh's.
+    /// Applies an action. `triangle_count` is that of the full mesh.
     pub(super) fn apply(&mut self, action: Action, triangle_count: usize, has_collapses: bool) {
         match action {
             Action::Finer => self.refine(true, triangle_count),
             Action::Coarser => self.refine(false, triangle_count),
             Action::NextModel => self.model = self.model_after(has_collapses),
             Action::Wireframe => self.wireframe ^= true,
-            Action::Pieces if self.colors == Colors::Pieces => self.colors = Colors::Surface,
-            Action::Pieces => self.colors = Colors::Pieces,
+            Action::StripsOrFans if self.colors == Colors::StripsOrFans => self.colors = Colors::Surface,
+            Action::StripsOrFans => self.colors = Colors::StripsOrFans,
             Action::Flat => self.is_flat ^= true,
             Action::Morphs => self.morphs ^= true,
-            Action::Turn => self.turns ^= true,
+            Action::Rotate => self.auto_rotates ^= true,
             Action::Panel => self.shows_panel ^= true,
             Action::Help => self.shows_help ^= true,
         }
     }
 
-    /// Chooses by what a level is told; what only a view tells takes a model that follows it.
+    /// Chooses how the level is selected; view-dependent selection switches to a model that supports it.
     pub(super) fn set_goal(&mut self, goal: GoalKind, has_collapses: bool) {
         self.goal = goal;
         let is_of_view = matches!(goal, GoalKind::Pixels | GoalKind::Budget);
@@ -232,7 +232,7 @@ impl ViewerState {
         }
     }
 
-    /// Keeps the level of this view while one looks from elsewhere; or lets it follow again.
+    /// Freezes the level of this view, or unfreezes it.
     pub(super) fn freeze(&mut self, viewpoint: Viewpoint, size: [u32; 2]) {
         self.frozen = match self.frozen {
             None => Some(Frozen { viewpoint, size }),
@@ -240,16 +240,16 @@ impl ViewerState {
         };
     }
 
-    /// Takes a number of triangles, or a share that becomes one once there is a model.
-    pub(super) fn ask_for(&mut self, triangles: Count) {
+    /// Sets the triangle limits, or remembers a fraction until a model is loaded.
+    pub(super) fn set_triangle_count(&mut self, triangles: Count) {
         match triangles {
             Count::Number(count) => (self.triangles, self.budget) = (Some(count), Some(count)),
             Count::Share(_) => self.first_triangles = Some(triangles),
         }
     }
 
-    /// A new model has come: numbers of triangles are no more than it has, and no view is kept.
-    pub(super) fn meet(&mut self, triangle_count: usize, has_collapses: bool) {
+    /// Adapts to a new model: limits triangle counts to its size, and unfreezes the view.
+    pub(super) fn on_new_model(&mut self, triangle_count: usize, has_collapses: bool) {
         let first = self.first_triangles.take().map(|share| share.of_triangles(triangle_count));
         for count in [&mut self.triangles, &mut self.budget] {
             *count = first.or(*count);
@@ -261,23 +261,23 @@ impl ViewerState {
         }
     }
 
-    /// The colors that this model can show.
-    pub(super) fn colors_shown(&self) -> Colors {
+    /// The chosen colors, if the model supports them.
+    pub(super) fn effective_colors(&self) -> Colors {
         match self.colors {
-            Colors::Pieces if self.model.pieces().is_none() => Colors::Surface,
+            Colors::StripsOrFans if self.model.primitive_name().is_none() => Colors::Surface,
             colors => colors,
         }
     }
 
-    /// Whether single triangles are drawn, each with colors and edges of its own.
-    pub(super) fn inspects(&self) -> bool {
-        self.wireframe || matches!(self.colors_shown(), Colors::Pieces | Colors::Triangles)
+    /// Whether individual triangles are drawn, with colors and edges.
+    pub(super) fn needs_inspection(&self) -> bool {
+        self.wireframe || matches!(self.effective_colors(), Colors::StripsOrFans | Colors::Triangles)
     }
 
-    /// How the surface looks on a dark or a light background.
+    /// Appearance of the surface on a dark or light background.
     pub(super) fn look(&self, is_dark: bool, pixels_per_point: f32) -> Look {
         let background = match self.background {
-            Background::Own([r, g, b]) => [r, g, b, 1.0],
+            Background::Custom([r, g, b]) => [r, g, b, 1.0],
             Background::Theme if is_dark => [0.012, 0.013, 0.017, 1.0],
             Background::Theme => [0.80, 0.82, 0.85, 1.0],
         };
@@ -289,7 +289,7 @@ impl ViewerState {
             .with_edges(edges)
             .with_edge_width_px(pixels_per_point)
             .with_vertex_colors(self.shows_vertex_colors)
-            .with_groups(self.colors_shown() == Colors::Groups)
+            .with_groups(self.effective_colors() == Colors::Groups)
             .with_back_hidden(self.hides_back)
     }
 
@@ -298,9 +298,9 @@ impl ViewerState {
             let count = n.unwrap_or(triangle_count) as f64 * factor;
             Some((count.round() as usize).clamp(4, triangle_count.max(4)))
         };
-        let factor = if is_finer { STEP } else { 1.0 / STEP };
+        let factor = if is_finer { STEP_FACTOR } else { 1.0 / STEP_FACTOR };
         match self.goal {
-            // Half of the way is half of the steps, far more than a person sees: near the base they count more.
+            // Near the base, levels differ more per step, so detail changes by a factor.
             GoalKind::Detail => {
                 let detail = if is_finer { (self.detail * factor).max(0.001) } else { self.detail * factor };
                 self.detail = if detail < 0.001 { 0.0 } else { detail.min(1.0) };
@@ -324,15 +324,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_share_is_one_of_the_first_model() {
+    fn a_fraction_refers_to_the_first_model() {
         let mut state = ViewerState { goal: GoalKind::Budget, ..Default::default() };
-        state.ask_for(Count::Share(0.25));
-        state.meet(1000, true);
-        assert_eq!(state.wanted(), Goal::Budget(250));
-        state.meet(100, true);
-        assert_eq!(state.wanted(), Goal::Budget(100), "a later model has what there was, as far as it goes");
-        state.ask_for(Count::Number(50));
-        assert_eq!(state.wanted(), Goal::Budget(50));
+        state.set_triangle_count(Count::Share(0.25));
+        state.on_new_model(1000, true);
+        assert_eq!(state.requested_level(), Goal::Budget(250));
+        state.on_new_model(100, true);
+        assert_eq!(
+            state.requested_level(),
+            Goal::Budget(100),
+            "a later model keeps the count, up to its size"
+        );
+        state.set_triangle_count(Count::Number(50));
+        assert_eq!(state.requested_level(), Goal::Budget(50));
     }
 
     #[test]
@@ -359,29 +363,29 @@ mod tests {
     }
 
     #[test]
-    fn the_base_can_be_left_again() {
+    fn the_base_mesh_can_be_refined_again() {
         let mut state = ViewerState { detail: 0.0, ..Default::default() };
         state.apply(Action::Finer, 1000, true);
         assert!(state.detail > 0.0);
     }
 
     #[test]
-    fn what_a_view_tells_takes_a_model_that_follows_it() {
+    fn view_dependent_goals_select_a_model_that_supports_them() {
         let mut state = ViewerState::default();
         state.set_goal(GoalKind::Triangles, true);
         assert_eq!(state.model, ShownModel::LodStrips);
         state.set_goal(GoalKind::Pixels, true);
-        assert_eq!((state.model, state.wanted()), (ShownModel::Fans, Goal::Pixels(1.0)));
+        assert_eq!((state.model, state.requested_level()), (ShownModel::Fans, Goal::Pixels(1.0)));
         let mut state = ViewerState::default();
         state.set_goal(GoalKind::Budget, false);
         assert_eq!(state.model, ShownModel::Patterns);
     }
 
     #[test]
-    fn models_come_in_turn_and_only_those_that_can() {
+    fn next_model_cycles_through_the_usable_models() {
         for (has_collapses, count) in [(true, ShownModel::ALL.len()), (false, 2)] {
             let mut state = ViewerState::default();
-            state.meet(1000, has_collapses);
+            state.on_new_model(1000, has_collapses);
             let first = state.model;
             let mut seen = vec![first];
             loop {
@@ -396,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn a_view_is_frozen_and_let_go() {
+    fn a_view_can_be_frozen_and_unfrozen() {
         let viewpoint = Viewpoint { eye: [1.0; 3], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.7 };
         let mut state = ViewerState::default();
         state.freeze(viewpoint, [8, 6]);
@@ -404,19 +408,19 @@ mod tests {
         state.freeze(viewpoint, [8, 6]);
         assert_eq!(state.frozen, None);
         state.freeze(viewpoint, [8, 6]);
-        state.meet(10, true);
-        assert_eq!(state.frozen, None, "a new model has not been seen from there");
+        state.on_new_model(10, true);
+        assert_eq!(state.frozen, None, "a new model unfreezes the view");
     }
 
     #[test]
-    fn colors_of_pieces_need_pieces() {
+    fn colors_by_strip_or_fan_need_strips_or_fans() {
         let mut state = ViewerState::default();
-        state.apply(Action::Pieces, 10, true);
-        assert!(state.inspects() && state.colors_shown() == Colors::Pieces);
+        state.apply(Action::StripsOrFans, 10, true);
+        assert!(state.needs_inspection() && state.effective_colors() == Colors::StripsOrFans);
         state.model = ShownModel::List;
-        assert!(!state.inspects() && state.colors_shown() == Colors::Surface);
+        assert!(!state.needs_inspection() && state.effective_colors() == Colors::Surface);
         state.apply(Action::Wireframe, 10, true);
-        assert!(state.inspects());
+        assert!(state.needs_inspection());
         assert!(state.look(true, 1.0).edges[3] > 0.0);
         assert_ne!(state.look(true, 1.0).background, state.look(false, 1.0).background);
     }

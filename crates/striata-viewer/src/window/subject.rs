@@ -1,4 +1,4 @@
-//! What is looked at: a mesh with its steps, and the models that are there or have been built since.
+//! The loaded mesh with its steps, and the models that were stored with it or have been built since.
 
 use std::sync::OnceLock;
 
@@ -11,20 +11,20 @@ use super::args::ShownModel;
 use striata_command::failure::Failure;
 use striata_command::sequence::Steps;
 
-/// A mesh and its models. What is not there yet is built once, by whoever asks first, on a thread of its own.
+/// A mesh and its models. Missing models are built on demand, once, on a background thread.
 #[derive(Debug)]
 pub(super) struct Subject {
-    /// The file's name.
+    /// File name.
     pub(super) name: String,
-    /// What the file was, in a word.
+    /// Kind of file, in one word.
     pub(super) kind: &'static str,
-    /// Bytes on disk; none of a shape.
+    /// File size in bytes; none for generated shapes.
     pub(super) file_bytes: Option<usize>,
     pub(super) steps: Steps,
-    /// Models that were in the file.
+    /// Models that the file contained.
     pub(super) stored: Vec<ShownModel>,
     pub(super) bounds: Bounds,
-    /// Around all positions.
+    /// Bounding sphere of all positions.
     pub(super) sphere: Sphere,
     strips: OnceLock<StripSet>,
     lod_strips: OnceLock<LodStrips<'static>>,
@@ -33,7 +33,7 @@ pub(super) struct Subject {
     patterns: OnceLock<Patterns>,
 }
 
-/// Models that a file holds.
+/// Models read from a file.
 #[derive(Debug, Default)]
 pub(super) struct StoredModels {
     pub(super) strips: Option<StripSet>,
@@ -43,7 +43,7 @@ pub(super) struct StoredModels {
     pub(super) patterns: Option<Patterns>,
 }
 
-/// Where something came from.
+/// Origin of a subject.
 #[derive(Clone, Debug)]
 pub(super) struct Origin {
     pub(super) name: String,
@@ -52,7 +52,7 @@ pub(super) struct Origin {
 }
 
 impl Subject {
-    /// Puts a mesh and its models together.
+    /// Creates a subject from a mesh and its models.
     pub(super) fn new(origin: Origin, steps: Steps, models: StoredModels) -> Self {
         let bounds = steps.mesh().bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
         let sphere = sphere_around(&steps.mesh().positions, &bounds);
@@ -73,20 +73,20 @@ impl Subject {
             stored,
             bounds,
             sphere,
-            strips: filled(models.strips),
-            lod_strips: filled(models.lod_strips),
-            mts: filled(models.mts),
-            fans: filled(models.fans),
-            patterns: filled(models.patterns),
+            strips: once_lock(models.strips),
+            lod_strips: once_lock(models.lod_strips),
+            mts: once_lock(models.mts),
+            fans: once_lock(models.fans),
+            patterns: once_lock(models.patterns),
         }
     }
 
-    /// Whether all models can be built, and not only those that know any steps.
+    /// Whether the mesh has collapses, which all models except patterns and the list need.
     pub(super) fn has_collapses(&self) -> bool {
         matches!(self.steps, Steps::Collapses(_))
     }
 
-    /// The mesh with its collapses, where there are some.
+    /// The mesh with its collapses, if it has any.
     pub(super) fn refinable(&self) -> Option<&RefinableMesh> {
         match &self.steps {
             Steps::Collapses(refinable) => Some(refinable),
@@ -94,7 +94,7 @@ impl Subject {
         }
     }
 
-    /// Whether a model is there.
+    /// Whether a model is available.
     pub(super) fn has(&self, kind: ShownModel) -> bool {
         match kind {
             ShownModel::List => true,
@@ -105,31 +105,31 @@ impl Subject {
         }
     }
 
-    /// The LodStrips, once they are there.
+    /// The LodStrips model, if available.
     pub(super) fn lod_strips(&self) -> Option<&LodStrips<'static>> {
         self.lod_strips.get()
     }
 
-    /// The MTS, once it is there.
+    /// The MTS model, if available.
     pub(super) fn mts(&self) -> Option<&Mts<'static>> {
         self.mts.get()
     }
 
-    /// The fans and what asks them, once they are there.
+    /// The fans and the data to refine them for a view, if available.
     pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
         let (fans, refinable) = (self.fans.get()?, self.refinable()?);
         Some((FanScene::new(fans, refinable), refinable))
     }
 
-    /// The patterns and what asks them, once they are there.
+    /// The patterns and the data to refine them for a view, if available.
     pub(super) fn pattern_scene(&self) -> Option<PatternScene<'_>> {
         Some(PatternScene::new(self.patterns.get()?, &self.steps.mesh().positions))
     }
 
-    /// Builds a model that is not there yet. Two who build the same get the same, and one of them is dropped.
+    /// Builds a model if it is missing. If two threads build the same model, one result is dropped.
     ///
     /// # Errors
-    /// Where the mesh has no collapses and the model needs some, or its parts do not fit together.
+    /// If the model needs collapses and the mesh has none, or building fails.
     pub(super) fn build(&self, kind: ShownModel) -> Result<(), Failure> {
         if self.has(kind) {
             return Ok(());
@@ -152,9 +152,12 @@ impl Subject {
             }
             (ShownModel::Patterns, Steps::Fragments(fragmented)) => self.set_patterns(fragmented)?,
             (kind, Steps::Fragments(_)) => {
-                let message =
-                    format!("{}: {} need collapses, and this file has none", self.name, kind.title());
-                return Err(Failure::user(message).with_hint("choose patterns or the list"));
+                let message = format!(
+                    "{}: the model {} needs collapses, but this file has none",
+                    self.name,
+                    kind.title()
+                );
+                return Err(Failure::user(message).with_hint("choose Patterns or List"));
             }
         }
         Ok(())
@@ -165,16 +168,16 @@ impl Subject {
         Ok(())
     }
 
-    /// The strips of the file, or some that are quick to make.
+    /// The strips of the file, or strips computed by the default stripifier.
     fn strips(&self, refinable: &RefinableMesh) -> Result<&StripSet, Failure> {
         if self.strips.get().is_none() {
             let _ = self.strips.set(stripify(&refinable.mesh)?);
         }
-        self.strips.get().ok_or_else(|| Failure::internal("strips that were set are gone"))
+        self.strips.get().ok_or_else(|| Failure::internal("the strips are missing after they were set"))
     }
 }
 
-fn filled<T>(value: Option<T>) -> OnceLock<T> {
+fn once_lock<T>(value: Option<T>) -> OnceLock<T> {
     value.map_or_else(OnceLock::new, OnceLock::from)
 }
 
@@ -200,11 +203,11 @@ pub(super) mod tests {
     #[test]
     fn every_model_can_be_built_and_stays() {
         let subject = subject_of(&shapes::torus(24, 12, 1.0, 0.4));
-        let is_there: Vec<ShownModel> =
+        let available: Vec<ShownModel> =
             ShownModel::ALL.into_iter().filter(|&kind| subject.has(kind)).collect();
-        assert_eq!(is_there, [ShownModel::List]);
+        assert_eq!(available, [ShownModel::List]);
         for kind in ShownModel::ALL {
-            subject.build(kind).expect("collapses do for all models");
+            subject.build(kind).expect("all models can be built from collapses");
             assert!(subject.has(kind));
         }
         assert!(subject.fan_scene().is_some() && subject.pattern_scene().is_some());
@@ -212,7 +215,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn fragments_do_for_patterns_alone() {
+    fn fragments_support_only_patterns() {
         let refinable = subject_of(&shapes::icosphere(2, 1.0));
         let refinable = refinable.refinable().expect("collapses");
         let steps = Steps::Fragments(FragmentedMesh::from_collapses(refinable));
@@ -220,6 +223,6 @@ pub(super) mod tests {
         let subject = Subject::new(origin, steps, StoredModels::default());
         assert!(!subject.has_collapses());
         assert!(subject.build(ShownModel::Fans).is_err() && subject.build(ShownModel::LodStrips).is_err());
-        subject.build(ShownModel::Patterns).expect("fragments do");
+        subject.build(ShownModel::Patterns).expect("patterns can be built from fragments");
     }
 }

@@ -1,7 +1,7 @@
-//! Errors of the window system.
+//! Cleans up error messages of the window system.
 
-/// What an error of the window system says, without the line of its source code that it begins with.
-pub(super) fn without_place(text: &str) -> String {
-    let said = text.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
-    said.map_or(text, |(_, said)| said).trim_end_matches('.').to_owned()
+/// Returns an error message without the source location that it begins with.
+pub(super) fn without_location(text: &str) -> String {
+    let message = text.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
+    message.map_or(text, |(_, message)| message).trim_end_matches('.').to_owned()
 }

@@ -1,34 +1,34 @@
-//! What keys, pointers and dropped files do to the viewer.
+//! Handles keys, pointers and dropped files.
 
 use egui::Vec2;
 
 use super::Viewer;
 use crate::window::help::{Command, SHORTCUTS};
 
-/// Turn of a model that turns by itself, radians a second.
-const TURN_SPEED: f32 = 0.5;
+/// Speed of auto-rotation, radians per second.
+const AUTO_ROTATE_SPEED: f32 = 0.5;
 
 impl Viewer {
-    /// Does what a key asks for.
+    /// Executes a command.
     pub(in crate::window) fn command(&mut self, command: Command) {
         let (triangle_count, has_collapses) = match &self.subject {
             Some(subject) => (subject.steps.mesh().triangle_count(), subject.has_collapses()),
             None => (0, true),
         };
         match command {
-            Command::Do(action) => self.state.apply(action, triangle_count, has_collapses),
+            Command::Apply(action) => self.state.apply(action, triangle_count, has_collapses),
             Command::Rotate(turn, rise) => self.orbit.rotate(turn, rise),
             Command::Zoom(factor) => self.orbit.zoom(factor),
-            Command::Freeze => self.state.freeze(self.orbit.viewpoint(), self.place.size),
+            Command::Freeze => self.state.freeze(self.orbit.viewpoint(), self.area.size),
             Command::Reset => self.orbit.reset(),
             Command::Escape if self.state.shows_help => self.state.shows_help = false,
-            Command::Escape if self.trouble.is_some() => self.trouble = None,
+            Command::Escape if self.failure.is_some() => self.failure = None,
             Command::Escape => self.quits = true,
         }
     }
 
-    /// Takes keys and files that were dropped.
-    pub(in crate::window) fn hear(&mut self, ctx: &egui::Context) {
+    /// Handles keys and dropped files.
+    pub(in crate::window) fn handle_input(&mut self, ctx: &egui::Context) {
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
             self.open(path);
@@ -37,19 +37,19 @@ impl Viewer {
             for shortcut in &SHORTCUTS {
                 let is_plain = |input: &egui::InputState| !input.modifiers.command && !input.modifiers.alt;
                 let presses = |input: &egui::InputState| input.num_presses(shortcut.key);
-                // A slow frame hears of several presses at once.
+                // A slow frame may receive several presses.
                 let count = ctx.input(|input| if is_plain(input) { presses(input) } else { 0 });
                 (0..count).for_each(|_| self.command(shortcut.command));
             }
         }
-        if self.state.turns {
+        if self.state.auto_rotates {
             let secs = ctx.input(|input| input.stable_dt).min(0.1);
-            self.orbit.rotate(TURN_SPEED * secs, 0.0);
+            self.orbit.rotate(AUTO_ROTATE_SPEED * secs, 0.0);
         }
     }
 
-    /// Follows the pointer over the picture.
-    pub(in crate::window) fn touch(&mut self, ui: &egui::Ui, response: &egui::Response) {
+    /// Handles the pointer over the picture.
+    pub(in crate::window) fn handle_pointer(&mut self, ui: &egui::Ui, response: &egui::Response) {
         let height = response.rect.height();
         let Vec2 { x, y } = response.drag_delta();
         let is_shifted = ui.input(|input| input.modifiers.shift);

@@ -1,4 +1,4 @@
-//! A viewer in a window that is nowhere: keys, pointers and files change what it shows.
+//! Tests of the viewer without a window: keys, pointers and files change what it shows.
 
 use std::sync::mpsc::channel;
 use std::time::Duration;
@@ -7,17 +7,17 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Vec2};
 
 use super::super::args::ShownModel;
 use super::super::state::Colors;
-use super::super::{panel, shown::Changes};
+use super::super::{instance::Changes, panel};
 use super::*;
 
-/// A viewer in a window that is nowhere.
-struct Bench {
+/// A viewer without a window, driven by simulated events.
+struct TestViewer {
     viewer: Viewer,
     ctx: egui::Context,
     woken: std::sync::mpsc::Receiver<()>,
 }
 
-impl Bench {
+impl TestViewer {
     fn new(file: &str) -> Self {
         let (sender, woken) = channel();
         let sender = std::sync::Mutex::new(sender);
@@ -27,12 +27,12 @@ impl Bench {
         let viewer = Viewer::new(vec![file.into()], ViewerState::default(), (Output::quiet(), waker));
         let ctx = egui::Context::default();
         ctx.options_mut(|options| options.max_passes = std::num::NonZeroUsize::MIN);
-        let mut bench = Self { viewer, ctx, woken };
-        bench.rest();
-        bench
+        let mut test = Self { viewer, ctx, woken };
+        test.settle();
+        test
     }
 
-    /// One frame with some events.
+    /// Runs one frame with some events.
     fn frame(&mut self, events: Vec<Event>, dropped: Vec<PathBuf>) {
         let screen = Rect::from_min_size(Pos2::ZERO, Vec2::new(1000.0, 600.0));
         let dropped_files = dropped.into_iter().map(|path| Arc::new(Dropped(path)) as _).collect();
@@ -40,16 +40,16 @@ impl Bench {
         let viewer = &mut self.viewer;
         self.ctx.run_ui(input, |ui| panel::show(viewer, ui, None)).drop_without_applying_deltas();
         if let Some(subject) = self.viewer.poll() {
-            self.viewer.meet(subject);
+            self.viewer.set_subject(subject);
         }
         self.viewer.follow();
         self.viewer.is_new = false;
     }
 
-    /// Frames until nothing is left to do.
-    fn rest(&mut self) {
+    /// Runs frames until the viewer is idle.
+    fn settle(&mut self) {
         self.frame(vec![], vec![]);
-        while !self.viewer.is_at_rest() {
+        while !self.viewer.is_idle() {
             self.woken.recv_timeout(Duration::from_secs(600)).expect("the work ends");
             self.frame(vec![], vec![]);
         }
@@ -77,7 +77,7 @@ impl Bench {
     }
 
     fn triangle_count(&self) -> usize {
-        self.viewer.shown().expect("something is shown").achieved().triangle_count
+        self.viewer.instance().expect("something is instance").achieved().triangle_count
     }
 }
 
@@ -90,62 +90,62 @@ impl egui::DroppedFile for Dropped {
     }
 
     fn bytes(&self) -> Result<Vec<u8>, String> {
-        Err("it is opened by its path".to_owned())
+        Err("the file is opened by its path".to_owned())
     }
 }
 
 #[test]
 fn keys_change_the_level_the_model_and_the_look() {
-    let mut bench = Bench::new("shape:icosphere");
-    let full = bench.triangle_count();
-    bench.press(Key::OpenBracket);
-    assert!(bench.triangle_count() < full);
-    bench.press(Key::CloseBracket);
-    assert_eq!(bench.triangle_count(), full);
+    let mut test = TestViewer::new("shape:icosphere");
+    let full = test.triangle_count();
+    test.press(Key::OpenBracket);
+    assert!(test.triangle_count() < full);
+    test.press(Key::CloseBracket);
+    assert_eq!(test.triangle_count(), full);
     for kind in [ShownModel::Mts, ShownModel::Fans] {
-        bench.press(Key::M);
-        bench.rest();
-        assert_eq!(bench.viewer.shown().map(Shown::kind), Some(kind), "it was built meanwhile");
-        assert_eq!(bench.triangle_count(), full);
+        test.press(Key::M);
+        test.settle();
+        assert_eq!(test.viewer.instance().map(ModelInstance::kind), Some(kind), "the model was built");
+        assert_eq!(test.triangle_count(), full);
     }
-    bench.press(Key::S);
-    bench.press(Key::W);
-    assert!(bench.viewer.state.wireframe && bench.viewer.state.colors == Colors::Pieces);
-    bench.press(Key::H);
-    assert!(bench.viewer.state.shows_help);
-    bench.press(Key::Escape);
-    assert!(!bench.viewer.state.shows_help && !bench.viewer.quits);
-    bench.press(Key::Escape);
-    assert!(bench.viewer.quits);
+    test.press(Key::S);
+    test.press(Key::W);
+    assert!(test.viewer.state.wireframe && test.viewer.state.colors == Colors::StripsOrFans);
+    test.press(Key::H);
+    assert!(test.viewer.state.shows_help);
+    test.press(Key::Escape);
+    assert!(!test.viewer.state.shows_help && !test.viewer.quits);
+    test.press(Key::Escape);
+    assert!(test.viewer.quits);
 }
 
 #[test]
-fn a_frozen_level_stays_while_the_eye_goes_on() {
-    let mut bench = Bench::new("shape:icosphere");
-    bench.viewer.state.set_goal(GoalKind::Pixels, true);
-    bench.rest();
-    let before = bench.triangle_count();
-    bench.press(Key::V);
-    (0..12).for_each(|_| bench.press(Key::Plus));
-    assert_eq!(bench.triangle_count(), before, "frozen");
-    bench.press(Key::V);
-    assert_ne!(bench.triangle_count(), before, "it follows again");
+fn a_frozen_level_stays_while_the_camera_moves() {
+    let mut test = TestViewer::new("shape:icosphere");
+    test.viewer.state.set_goal(GoalKind::Pixels, true);
+    test.settle();
+    let before = test.triangle_count();
+    test.press(Key::V);
+    (0..12).for_each(|_| test.press(Key::Plus));
+    assert_eq!(test.triangle_count(), before, "frozen");
+    test.press(Key::V);
+    assert_ne!(test.triangle_count(), before, "it follows again");
 }
 
 #[test]
-fn pointers_turn_move_and_zoom_the_picture_and_nothing_beside_it() {
-    let mut bench = Bench::new("shape:cube");
-    let first = bench.viewer.orbit;
-    let (inside, beside) = (Pos2::new(300.0, 300.0), Pos2::new(990.0, 590.0));
-    bench.drag(PointerButton::Primary, inside, inside + Vec2::new(60.0, 0.0));
-    let turned = bench.viewer.orbit.viewpoint();
+fn pointers_rotate_pan_and_zoom_only_over_the_picture() {
+    let mut test = TestViewer::new("shape:cube");
+    let first = test.viewer.orbit;
+    let (inside, outside) = (Pos2::new(300.0, 300.0), Pos2::new(990.0, 590.0));
+    test.drag(PointerButton::Primary, inside, inside + Vec2::new(60.0, 0.0));
+    let turned = test.viewer.orbit.viewpoint();
     assert_eq!(turned.look_at, first.viewpoint().look_at);
     assert_ne!(turned.eye, first.viewpoint().eye);
-    bench.drag(PointerButton::Secondary, inside, inside + Vec2::new(60.0, 0.0));
-    assert_ne!(bench.viewer.orbit.viewpoint().look_at, turned.look_at);
-    let moved = bench.viewer.orbit;
-    bench.drag(PointerButton::Primary, beside, beside - Vec2::new(0.0, 60.0));
-    assert_eq!(bench.viewer.orbit, moved, "the panel is no picture");
+    test.drag(PointerButton::Secondary, inside, inside + Vec2::new(60.0, 0.0));
+    assert_ne!(test.viewer.orbit.viewpoint().look_at, turned.look_at);
+    let moved = test.viewer.orbit;
+    test.drag(PointerButton::Primary, outside, outside - Vec2::new(0.0, 60.0));
+    assert_eq!(test.viewer.orbit, moved, "the panel ignores the gesture");
     let wheel = Event::MouseWheel {
         unit: egui::MouseWheelUnit::Line,
         delta: Vec2::new(0.0, 3.0),
@@ -153,43 +153,43 @@ fn pointers_turn_move_and_zoom_the_picture_and_nothing_beside_it() {
         source: egui::MouseWheelSource::Wheel,
         modifiers: Modifiers::NONE,
     };
-    bench.frame(vec![Event::PointerMoved(inside)], vec![]);
-    bench.frame(vec![wheel], vec![]);
-    // The wheel runs out smoothly.
-    (0..120).for_each(|_| bench.frame(vec![], vec![]));
+    test.frame(vec![Event::PointerMoved(inside)], vec![]);
+    test.frame(vec![wheel], vec![]);
+    // Scrolling is smoothed over several frames.
+    (0..120).for_each(|_| test.frame(vec![], vec![]));
     let distance = |orbit: &Orbit| {
         let view = orbit.viewpoint();
         (0..3).map(|k| (view.eye[k] - view.look_at[k]).powi(2)).sum::<f32>().sqrt()
     };
-    assert!(distance(&bench.viewer.orbit) < distance(&moved), "nearer");
-    bench.press(Key::R);
-    assert_eq!(bench.viewer.orbit, first);
+    assert!(distance(&test.viewer.orbit) < distance(&moved), "nearer");
+    test.press(Key::R);
+    assert_eq!(test.viewer.orbit, first);
 }
 
 #[test]
-fn a_dropped_file_is_opened_and_one_that_cannot_be_leaves_the_old_model() {
-    let mut bench = Bench::new("shape:cube");
-    let old = bench.triangle_count();
-    bench.frame(vec![], vec!["nowhere/at-all.ply".into()]);
-    bench.rest();
-    let trouble = bench.viewer.trouble.as_ref().expect("there is no such file");
-    assert!(trouble.message().contains("at-all.ply") && trouble.hint().is_some(), "{trouble:?}");
-    assert_eq!(bench.triangle_count(), old);
-    bench.frame(vec![], vec!["shape:torus".into()]);
-    bench.rest();
-    assert!(bench.viewer.trouble.is_none() && bench.triangle_count() > old);
-    assert_eq!(bench.viewer.files.len(), 3, "all can be chosen again");
+fn dropped_files_are_opened_and_failures_keep_the_old_model() {
+    let mut test = TestViewer::new("shape:cube");
+    let old = test.triangle_count();
+    test.frame(vec![], vec!["nowhere/at-all.ply".into()]);
+    test.settle();
+    let failure = test.viewer.failure.as_ref().expect("the file does not exist");
+    assert!(failure.message().contains("at-all.ply") && failure.hint().is_some(), "{failure:?}");
+    assert_eq!(test.triangle_count(), old);
+    test.frame(vec![], vec!["shape:torus".into()]);
+    test.settle();
+    assert!(test.viewer.failure.is_none() && test.triangle_count() > old);
+    assert_eq!(test.viewer.files.len(), 3, "all can be chosen again");
 }
 
 #[test]
-fn a_view_that_moves_changes_no_level_that_is_the_same_everywhere() {
-    let mut bench = Bench::new("shape:torus");
-    bench.press(Key::OpenBracket);
-    let shown = bench.viewer.shown.as_mut().expect("it is shown");
-    let _ = shown.take_changes();
-    bench.press(Key::ArrowLeft);
-    bench.press(Key::Plus);
-    let shown = bench.viewer.shown.as_mut().expect("it is shown");
-    assert_eq!(shown.take_changes(), Changes::None);
-    assert!(bench.viewer.error_px().is_some_and(|pixels| pixels > 0.0));
+fn moving_the_camera_does_not_change_a_uniform_level() {
+    let mut test = TestViewer::new("shape:torus");
+    test.press(Key::OpenBracket);
+    let instance = test.viewer.instance.as_mut().expect("it is instance");
+    let _ = instance.take_changes();
+    test.press(Key::ArrowLeft);
+    test.press(Key::Plus);
+    let instance = test.viewer.instance.as_mut().expect("it is instance");
+    assert_eq!(instance.take_changes(), Changes::None);
+    assert!(test.viewer.error_px().is_some_and(|pixels| pixels > 0.0));
 }

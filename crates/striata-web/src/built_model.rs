@@ -1,4 +1,4 @@
-//! A model with everything that levels and views are taken from.
+//! A completely loaded model with everything needed for its levels and views.
 
 use striata::ProgressFn;
 use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
@@ -7,47 +7,47 @@ use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use striata::view::{ScreenError, Sphere};
 use striata_io::{Source, read_bytes};
 
-use crate::camera::View;
-use crate::shown::{Shown, Wish};
+use crate::shown_level::{LevelRequest, ShownLevel};
 use crate::vertices::Vertices;
+use crate::view::View;
 use crate::{Failure, coloring, limits};
 
-/// What is shown at the moment, to be shown in another form.
+/// Kind of the level shown last, to emit its triangles again in another form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Last {
+enum LastShown {
     Uniform(usize),
     View,
 }
 
-/// Mesh, steps, the table of fans and one instance of it.
+/// Mesh, collapse sequence, the table of fans, and one instance of it.
 #[derive(Debug)]
-pub(crate) struct Built {
+pub(crate) struct BuiltModel {
     refinable: RefinableMesh,
     fans: Fans,
     sphere: Sphere,
     front: Option<FanFront<ScreenError>>,
-    last: Last,
+    last: LastShown,
     indices: FanIndices,
 }
 
-impl Built {
-    /// Builds the table of a mesh's fans.
+impl BuiltModel {
+    /// Builds the fans of a mesh.
     pub(crate) fn new(refinable: RefinableMesh) -> Self {
         let fans = Fans::build(&refinable);
-        Self::of_parts(refinable, fans)
+        Self::from_parts(refinable, fans)
     }
 
-    pub(crate) fn of_parts(refinable: RefinableMesh, fans: Fans) -> Self {
+    pub(crate) fn from_parts(refinable: RefinableMesh, fans: Fans) -> Self {
         let sphere = FanScene::new(&fans, &refinable).sphere();
-        let last = Last::Uniform(refinable.sequence.step_count());
+        let last = LastShown::Uniform(refinable.sequence.step_count());
         let indices = FanIndices::default();
         Self { refinable, fans, sphere, front: None, last, indices }
     }
 
-    /// Reads a whole mesh file, not packed, and simplifies it.
+    /// Reads an uncompressed mesh file and simplifies it.
     ///
     /// # Errors
-    /// If the bytes are damaged, of no known kind, or too much for a page.
+    /// If the bytes are damaged, of an unknown format, or the mesh is too large for a page.
     pub(crate) fn from_mesh_file(
         bytes: Vec<u8>,
         name: &str,
@@ -55,14 +55,14 @@ impl Built {
     ) -> Result<Self, Failure> {
         let mesh = read_bytes(&bytes, &Source::new(name))?;
         drop(bytes);
-        Self::simplified(mesh, progress)
+        Self::simplify(mesh, progress)
     }
 
-    fn simplified(mesh: IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
+    fn simplify(mesh: IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
         limits::check_to_build(mesh.vertex_count(), mesh.triangle_count())?;
         if mesh.triangles.is_empty() {
             return Err(Failure::unsupported("the file has no triangles")
-                .with_hint("point clouds and curves cannot be simplified"));
+                .with_hint("point clouds and curves cannot be simplify"));
         }
         let built = build_sequence_with_progress(&mesh, &SequenceOptions::default(), progress)?;
         drop(mesh);
@@ -87,23 +87,23 @@ impl Built {
         Vertices::new(&mesh.positions[first..], &mesh.layers, first)
     }
 
-    /// The level that a wish means.
-    pub(crate) fn show(&mut self, wish: Wish) -> Shown {
+    /// Shows the requested level.
+    pub(crate) fn show(&mut self, request: LevelRequest) -> ShownLevel {
         let sequence = &self.refinable.sequence;
-        let split_count = match wish {
-            Wish::Detail(detail) => sequence.split_count_for_detail(detail),
-            Wish::Triangles(most) => sequence.split_count_for_triangles(most),
-            Wish::Error(most) => sequence.split_count_for_error(most),
+        let split_count = match request {
+            LevelRequest::Detail(detail) => sequence.split_count_for_detail(detail),
+            LevelRequest::Triangles(limit) => sequence.split_count_for_triangles(limit),
+            LevelRequest::Error(limit) => sequence.split_count_for_error(limit),
         };
-        self.last = Last::Uniform(split_count);
+        self.last = LastShown::Uniform(split_count);
         self.shown()
     }
 
-    /// What a camera asks for, and whether that is all that it asks for.
+    /// Refines for a camera; also returns whether repeating the request would give the same result.
     ///
     /// # Errors
-    /// Where such a camera sees nothing.
-    pub(crate) fn show_view(&mut self, view: &View) -> Result<(Shown, bool), Failure> {
+    /// If such a camera sees nothing.
+    pub(crate) fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
         let criterion = view.criterion()?.of_model(self.sphere);
         let scene = FanScene::new(&self.fans, &self.refinable);
         let front = self.front.get_or_insert_with(|| FanFront::new(&scene));
@@ -111,26 +111,26 @@ impl Built {
             0 => front.update(&scene, &criterion, usize::MAX),
             limit => front.update_to_budget(&scene, &criterion, limit as usize),
         };
-        self.last = Last::View;
+        self.last = LastShown::View;
         Ok((self.shown(), update.is_settled))
     }
 
-    /// The triangles of what was asked for last.
-    fn shown(&mut self) -> Shown {
+    /// Emits the triangles of the level shown last.
+    fn shown(&mut self) -> ShownLevel {
         self.emit(FanForm::Triangles);
         let sequence = &self.refinable.sequence;
         let (split_count, coarsest) = match (self.last, &self.front) {
-            (Last::View, Some(front)) => {
+            (LastShown::View, Some(front)) => {
                 let instance = front.instance();
                 let step_count = sequence.step_count();
                 let coarsest = (0..step_count).find(|&step| !instance.is_refined(step as u32));
                 (instance.split_count(), coarsest.unwrap_or(step_count))
             }
-            (Last::Uniform(split_count), _) => (split_count, split_count),
-            (Last::View, None) => (0, 0),
+            (LastShown::Uniform(split_count), _) => (split_count, split_count),
+            (LastShown::View, None) => (0, 0),
         };
         let group_counts = self.indices.group_ranges.iter().map(|range| range.len() as u32 / 3).collect();
-        Shown {
+        ShownLevel {
             triangles: self.indices.indices.as_chunks().0.to_vec(),
             group_counts,
             split_count,
@@ -138,21 +138,21 @@ impl Built {
         }
     }
 
-    /// Puts the triangles of what was asked for last into the order of fans, and tells the fan of each.
-    pub(crate) fn color_fans(&mut self, shown: &mut Shown) -> Vec<u32> {
+    /// Reorders the shown triangles by fan and returns the fan number of each.
+    pub(crate) fn color_fans(&mut self, shown: &mut ShownLevel) -> Vec<u32> {
         self.emit(FanForm::Fans);
         coloring::by_fans(shown, &self.indices)
     }
 
     fn emit(&mut self, form: FanForm) {
         match (self.last, &self.front) {
-            (Last::View, Some(front)) => front.instance().emit_into(&self.fans, form, &mut self.indices),
-            (Last::Uniform(split_count), _) => {
+            (LastShown::View, Some(front)) => front.instance().emit_into(&self.fans, form, &mut self.indices),
+            (LastShown::Uniform(split_count), _) => {
                 let mut level = self.fans.new_state();
                 self.fans.move_to(&mut level, split_count);
                 self.fans.emit_level_into(&level, form, &mut self.indices);
             }
-            (Last::View, None) => {}
+            (LastShown::View, None) => {}
         }
     }
 }

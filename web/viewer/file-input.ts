@@ -1,21 +1,21 @@
-/** Files that are dropped on the page or picked. */
+/** Opens files that are dropped on the page or chosen in the file dialog. */
 
-import { element, input } from './page.ts';
+import { element, input } from './dom.ts';
 
-/** Calls `open` with each file the reader gives; further files of one drop are left out. */
-export function takeFiles(open: (file: File) => void): void {
+/** Calls `open` with each file that is dropped or chosen; only the first file of a drop is used. */
+export function acceptFiles(open: (file: File) => void): void {
   const picker = input('file');
   for (const id of ['open', 'welcome-open']) element(id).addEventListener('click', () => picker.click());
   picker.addEventListener('change', () => {
     const file = picker.files?.[0];
-    // The same file can be picked again.
+    // Lets the same file be chosen again.
     picker.value = '';
     if (file) open(file);
   });
-  const shade = element('drop');
+  const overlay = element('drop');
   let depth = 0;
   const show = (isOver: boolean): void => {
-    shade.hidden = !isOver;
+    overlay.hidden = !isOver;
     if (!isOver) depth = 0;
   };
   document.addEventListener('dragenter', (event) => {

@@ -1,20 +1,20 @@
-/** Triangles in colors of their own: no two share a vertex, so each can have any color. */
+/** Triangles in individual colors: no two share a vertex, so each can have any color. */
 
 import { BufferAttribute, BufferGeometry, Color, SRGBColorSpace } from 'three';
 
-/** Colors are told by hue alone, this many of them. */
+/** Number of colors, distinguished mainly by hue. */
 const HUE_COUNT = 1024;
-/** What multiplies a number so that neighbors get hues that lie far apart: the golden ratio's share of 2^32. */
-const SCATTER = 0x9e3779b1;
+/** Multiplier that gives consecutive numbers distant hues: 2^32 divided by the golden ratio. */
+const HUE_MULTIPLIER = 0x9e3779b1;
 
-const palette = makePalette();
+const palette = createPalette();
 
-/** A geometry of its own for triangles with a number each. */
-export function painted(positions: ArrayLike<number>, indices: ArrayLike<number>, numbers: ArrayLike<number>): BufferGeometry {
+/** Builds a separate geometry in which each triangle has the color of its number. */
+export function coloredTriangles(positions: ArrayLike<number>, indices: ArrayLike<number>, numbers: ArrayLike<number>): BufferGeometry {
   const corner = { positions: new Float32Array(3 * indices.length), colors: new Uint8Array(4 * indices.length) };
   for (let at = 0; at < indices.length; at++) {
     const from = 3 * indices[at]!;
-    const hue = 3 * (Math.imul(numbers[(at / 3) | 0]!, SCATTER) >>> 22);
+    const hue = 3 * (Math.imul(numbers[(at / 3) | 0]!, HUE_MULTIPLIER) >>> 22);
     for (let i = 0; i < 3; i++) {
       corner.positions[3 * at + i] = positions[from + i]!;
       corner.colors[4 * at + i] = palette[hue + i]!;
@@ -27,13 +27,13 @@ export function painted(positions: ArrayLike<number>, indices: ArrayLike<number>
   return geometry;
 }
 
-function makePalette(): Uint8Array {
+function createPalette(): Uint8Array {
   const bytes = new Uint8Array(3 * HUE_COUNT);
   const color = new Color();
   for (let at = 0; at < HUE_COUNT; at++) {
-    // Three lightnesses, so that hues that lie near each other differ too.
+    // Three alternating lightnesses, so that similar hues differ, too.
     color.setHSL(at / HUE_COUNT, 0.62, 0.5 + 0.1 * (at % 3), SRGBColorSpace);
-    [color.r, color.g, color.b].forEach((share, i) => (bytes[3 * at + i] = Math.round(255 * share)));
+    [color.r, color.g, color.b].forEach((channel, i) => (bytes[3 * at + i] = Math.round(255 * channel)));
   }
   return bytes;
 }

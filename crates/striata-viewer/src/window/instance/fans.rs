@@ -1,35 +1,36 @@
-//! Fans that are shown: of a view or the same everywhere, at rest or on their way.
+//! An instance of fans: uniform or view-dependent, with geomorphs if requested.
 
 use std::ops::Range;
 
 use striata::model::{FanFront, FanInstance, FanMorphs, FanScene, FanTriangles};
 use striata::view::ScreenError;
 
-use super::indices::ranges_of_groups;
-use super::wish::{Achieved, Wish};
+use super::draw_indices::ranges_of_groups;
+use super::level_request::{AchievedLevel, LevelRequest};
 use crate::window::state::Goal;
 use crate::window::subject::Subject;
 
-/// Errors of fewer pixels than this are no smaller to a budget, so that what weighs them stays a number.
-const LEAST_PIXELS: f32 = 1e-6;
+/// Screen errors below this many pixels count as equal to a budget, which keeps its weights finite.
+const MIN_PIXELS: f32 = 1e-6;
 
-/// Frames that a motion takes.
+/// Duration of a geomorph, frames.
 pub(super) const MORPH_FRAMES: u16 = 24;
 
+/// State of an instance of fans.
 #[derive(Debug)]
-pub(super) struct FansShown {
+pub(super) struct ShownFans {
     front: FanFront<ScreenError>,
-    /// Where a level is the same everywhere; its split count.
+    /// Split count and instance of a uniform level; none for view-dependent levels.
     uniform: Option<(usize, FanInstance)>,
-    /// The instance that is drawn: what is wanted, and what is still on its way out.
+    /// The instance to draw: the requested level, and vertices that are still moving out.
     pub(super) drawn: FanInstance,
-    /// Its triangles, where they are not made on the GPU.
+    /// Triangles of `drawn`; none if the GPU extracts them.
     pub(super) triangles: Option<FanTriangles>,
     pub(super) morphs: Option<FanMorphs>,
 }
 
-impl FansShown {
-    /// Whatever the front begins with; its triangles are kept unless the GPU makes them.
+impl ShownFans {
+    /// Starts with the front's initial level. `has_triangles` is false if the GPU extracts the triangles.
     pub(super) fn new(scene: &FanScene<'_>, has_triangles: bool) -> Self {
         let front = FanFront::new(scene);
         let drawn = front.instance().clone();
@@ -37,11 +38,16 @@ impl FansShown {
         Self { front, uniform: None, drawn, triangles, morphs: None }
     }
 
-    /// Whether anything changed, and what came of it.
-    pub(super) fn follow(&mut self, subject: &Subject, wish: &Wish, split_count: usize) -> (bool, Achieved) {
-        let Some((scene, refinable)) = subject.fan_scene() else { return (false, Achieved::default()) };
+    /// Moves to the requested level; returns whether the picture changed, and the level reached.
+    pub(super) fn follow(
+        &mut self,
+        subject: &Subject,
+        request: &LevelRequest,
+        split_count: usize,
+    ) -> (bool, AchievedLevel) {
+        let Some((scene, refinable)) = subject.fan_scene() else { return (false, AchievedLevel::default()) };
         let mut error_px = None;
-        match (wish.goal, wish.camera) {
+        match (request.goal, request.camera) {
             (Goal::Pixels(pixels), Some(camera)) => {
                 self.uniform = None;
                 let criterion = ScreenError::new(camera, pixels).of_model(subject.sphere);
@@ -50,24 +56,24 @@ impl FansShown {
             }
             (Goal::Budget(limit), Some(camera)) => {
                 self.uniform = None;
-                let criterion = ScreenError::new(camera, LEAST_PIXELS).of_model(subject.sphere);
+                let criterion = ScreenError::new(camera, MIN_PIXELS).of_model(subject.sphere);
                 let update = self.front.update_to_budget(&scene, &criterion, limit);
                 error_px = Some(criterion.pixels() * update.threshold).filter(|pixels| pixels.is_finite());
             }
-            _ if self.uniform.as_ref().is_none_or(|(shown, _)| *shown != split_count) => {
+            _ if self.uniform.as_ref().is_none_or(|(current, _)| *current != split_count) => {
                 self.uniform = Some((split_count, FanInstance::uniform(scene.fans(), split_count)));
             }
             _ => {}
         }
-        let wanted = self.uniform.as_ref().map_or(self.front.instance(), |(_, instance)| instance);
+        let target = self.uniform.as_ref().map_or(self.front.instance(), |(_, instance)| instance);
         let was_moving = self.morphs.as_ref().is_some_and(|morphs| morphs.moving_count() > 0);
-        if wish.morphs {
+        if request.morphs {
             let morphs = self.morphs.get_or_insert_with(|| FanMorphs::new(&self.drawn, MORPH_FRAMES));
-            morphs.advance(scene.fans(), wanted);
+            morphs.advance(scene.fans(), target);
         } else {
             self.morphs = None;
         }
-        let drawn = self.morphs.as_ref().map_or(wanted, FanMorphs::drawn);
+        let drawn = self.morphs.as_ref().map_or(target, FanMorphs::drawn);
         let is_changed = self.drawn != *drawn;
         if is_changed {
             self.drawn.clone_from(drawn);
@@ -76,10 +82,10 @@ impl FansShown {
             }
         }
         let levels = refinable.sequence.levels();
-        let coarsest = (0..levels.step_count()).find(|&step| !wanted.is_refined(step as u32));
+        let coarsest = (0..levels.step_count()).find(|&step| !target.is_refined(step as u32));
         let moving_count = self.morphs.as_ref().map_or(0, FanMorphs::moving_count);
-        let achieved = Achieved {
-            split_count: wanted.split_count(),
+        let achieved = AchievedLevel {
+            split_count: target.split_count(),
             triangle_count: match self.uniform {
                 Some((split_count, _)) => levels.triangle_count_at(split_count),
                 None => self.front.triangle_count(),
@@ -92,7 +98,7 @@ impl FansShown {
         (is_changed || was_moving || moving_count > 0, achieved)
     }
 
-    /// The triangles, where they are not made on the GPU.
+    /// Writes the triangles group by group, unless the GPU extracts them.
     pub(super) fn indices_into(
         &self,
         (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),

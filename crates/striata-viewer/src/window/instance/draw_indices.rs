@@ -1,4 +1,4 @@
-//! The indices of what is shown, group by group, and which of them have changed.
+//! Index lists of the shown level, group by group, and which of them have changed.
 
 use std::ops::Range;
 
@@ -7,28 +7,28 @@ use striata::strip::RESTART;
 
 use crate::window::subject::Subject;
 
-/// Which indices are to be uploaded.
+/// Which indices must be uploaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::window) enum Changes {
-    /// As they are.
+    /// Nothing has changed.
     None,
-    /// These.
+    /// Only these ranges have changed.
     Ranges(Vec<Range<u32>>),
-    /// Any.
+    /// Everything may have changed.
     All,
 }
 
-/// Indices as they are drawn.
+/// Indices to draw.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::window) struct Form<'a> {
+pub(in crate::window) struct DrawIndices<'a> {
     pub(in crate::window) indices: &'a [u32],
-    /// A range for each group.
+    /// Index range of each group.
     pub(in crate::window) groups: &'a [Range<u32>],
-    /// Strips with restarts between them, or three indices a triangle.
+    /// Whether these are strips with restart indices, rather than a triangle list.
     pub(in crate::window) is_strips: bool,
 }
 
-/// The triangles of patterns, group by group.
+/// Writes the triangles of patterns, group by group.
 pub(super) fn patterns_into(
     instance: &PatternInstance,
     group_count: usize,
@@ -43,7 +43,7 @@ pub(super) fn patterns_into(
     indices.extend_from_slice(triangles.as_flattened());
 }
 
-/// A level's triangles by plain substitution.
+/// Writes the triangles of a level, computed by direct substitution.
 pub(super) fn list_into(
     subject: &Subject,
     split_count: usize,
@@ -59,7 +59,7 @@ pub(super) fn list_into(
     }));
 }
 
-/// All strips with restarts between them, group by group.
+/// Writes all strips with restart indices, group by group.
 pub(super) fn strips_into<M: StripModel>(
     model: &M,
     state: &M::State,
@@ -78,7 +78,7 @@ pub(super) fn strips_into<M: StripModel>(
     });
 }
 
-/// A range for each group, one after the other; `end` fills a group and says where it ends.
+/// Computes the consecutive ranges of the groups; `end` writes a group and returns where it ends.
 pub(super) fn ranges_of_groups(
     group_count: usize,
     groups: &mut Vec<Range<u32>>,
@@ -93,8 +93,8 @@ pub(super) fn ranges_of_groups(
     }
 }
 
-/// Adds changed ranges to what is to be uploaded.
-pub(super) fn note(changes: &mut Changes, mut ranges: Vec<Range<u32>>) {
+/// Adds changed ranges to those that must be uploaded.
+pub(super) fn add_ranges(changes: &mut Changes, mut ranges: Vec<Range<u32>>) {
     match changes {
         Changes::All => {}
         _ if ranges.is_empty() => {}

@@ -1,31 +1,33 @@
-//! Where in a `.striata` file its stream lies, told by the file's first bytes, so that a page fetches only that.
+//! Locates the stream in a `.striata` file from the file's first bytes, so that a page can fetch only the
+//! stream.
 
 use striata::file::FileHead;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::Failure;
 
-/// As much as is asked for first.
+/// Number of bytes to request first.
 const FIRST_BYTES: usize = 4096;
 
-/// What the first bytes of a file tell of the place of its stream.
+/// Location of the stream in a `.striata` file, as far as the first bytes of the file determine it.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StreamPlace {
-    /// First bytes of the file that it may take to know; more than were given: ask again with so many.
+    /// Number of leading bytes needed to locate the stream. If this is more than were passed, call again
+    /// with this many.
     pub needed: f64,
-    /// Where the stream begins, bytes from the file's beginning.
+    /// Offset of the stream from the beginning of the file, bytes.
     pub offset: f64,
-    /// Its bytes; 0 if the file has no stream.
+    /// Length of the stream in bytes; 0 if the file has none.
     pub length: f64,
 }
 
 #[wasm_bindgen]
 impl StreamPlace {
-    /// Looks for the stream of a `.striata` file.
+    /// Locates the stream of a `.striata` file.
     ///
     /// # Errors
-    /// Where the bytes begin no `.striata` file, or its head is damaged.
+    /// If the bytes do not begin a `.striata` file, or its header is damaged.
     pub fn find(head: &[u8]) -> Result<Self, Failure> {
         let Some(read) = FileHead::read(head)? else {
             let needed = FIRST_BYTES.max(2 * head.len()) as f64;

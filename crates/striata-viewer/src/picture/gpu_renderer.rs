@@ -1,4 +1,4 @@
-//! Shots drawn by a GPU.
+//! Draws shots with a GPU.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -11,47 +11,50 @@ use striata_gpu::{
     Painter, RejectedAdapter, Scene, Shading, Viewpoint, choose_adapter,
 };
 
-use super::drawn::Drawn;
 use super::paint::Color;
+use super::rendered_picture::Drawn;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
 use striata_command::failure::caught;
 use striata_command::hush::hushed;
 use striata_command::output::Output;
 
-/// A GPU with all that does not change from shot to shot.
+/// A GPU with everything that is shared by all shots.
 #[derive(Debug)]
-pub struct GpuArtist {
+pub struct GpuRenderer {
     gpu: Gpu,
     painter: Painter,
     canvas: Option<([u32; 2], GpuCanvas)>,
 }
 
-/// Samples a pixel; each pixel of the picture is the mean of [`SHRINK`] squared of these.
+/// Samples per pixel.
 const SAMPLES: u32 = 4;
-const SHRINK: usize = 2;
-/// Pixels of a picture that is shrunk, at most: each takes 64 bytes here and there, and the samples of larger ones do alone.
-const MOST_PIXELS: usize = 48 << 20;
+/// Downsampling factor: each final pixel is the mean of a square of this many pixels per side.
+const DOWNSAMPLING: usize = 2;
+/// Maximum number of pixels of a picture that is downsampled: each takes 64 bytes, and larger pictures
+/// look fine with samples alone.
+const MAX_DOWNSAMPLED_PIXELS: usize = 48 << 20;
 
-/// What one shot is on the GPU.
-struct Uploaded {
+/// GPU resources of one shot.
+struct UploadedShot {
     vertices: GpuVertices,
     surface: Surface,
     lines: Option<(Scene, Inspection)>,
     scene: Scene,
 }
 
+/// How the surface of a shot is drawn.
 enum Surface {
     List(GpuIndices, Range<u32>),
     Strips(GpuIndices, Vec<Range<u32>>),
     Triangles(Inspection),
 }
 
-impl GpuArtist {
-    /// Opens the best adapter that can really draw, and says which better ones cannot.
+impl GpuRenderer {
+    /// Opens the best adapter that can draw, and returns the better ones that were rejected.
     ///
     /// # Errors
-    /// If there is none.
+    /// If no adapter can draw.
     pub fn open(options: &GpuOptions, output: &Output) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
         let chosen = hushed(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
         if output.is_verbose() {
@@ -67,21 +70,21 @@ impl GpuArtist {
         Ok((Self { gpu: chosen.gpu, painter, canvas: None }, chosen.rejected))
     }
 
-    /// Its name.
+    /// Name of the adapter.
     pub fn name(&self) -> String {
         self.gpu.name()
     }
 
-    /// Makes the device unusable, as losing it does.
+    /// Destroys the device, to simulate losing it.
     #[cfg(test)]
     pub(super) fn destroy(&self) {
         self.gpu.device().destroy();
     }
 
-    /// Draws a shot, larger than asked for if the GPU can, and shrinks it.
+    /// Draws a shot, at a higher resolution if possible, and downsamples it.
     ///
     /// # Errors
-    /// If the GPU has no room, is lost, or its driver panics.
+    /// If the GPU runs out of memory, is lost, or its driver panics.
     pub(super) fn draw(
         &mut self,
         shot: &Shot<'_>,
@@ -98,8 +101,9 @@ impl GpuArtist {
         [width, height]: [usize; 2],
     ) -> Result<Drawn, GpuError> {
         let limit = self.gpu.device().limits().max_texture_dimension_2d as usize;
-        let is_small = SHRINK * width.max(height) <= limit && SHRINK * SHRINK * width * height <= MOST_PIXELS;
-        let factor = if is_small { SHRINK } else { 1 };
+        let is_small = DOWNSAMPLING * width.max(height) <= limit
+            && DOWNSAMPLING * DOWNSAMPLING * width * height <= MAX_DOWNSAMPLED_PIXELS;
+        let factor = if is_small { DOWNSAMPLING } else { 1 };
         let size = [width * factor, height * factor].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
         let canvas = match self.canvas.take() {
             Some((of_size, canvas)) if of_size == size => canvas,
@@ -107,7 +111,7 @@ impl GpuArtist {
         };
         let look = look(shot, shot.edge_opacity(camera, height), factor as f32);
         let uploaded = self.upload(shot, (camera, size), &look)?;
-        // The first frame pays for shaders and memory that nobody has touched yet.
+        // The first frame pays for shader compilation and first use of memory.
         self.frame(&canvas, &uploaded)?;
         let started = Instant::now();
         self.frame(&canvas, &uploaded)?;
@@ -115,18 +119,18 @@ impl GpuArtist {
         let picture = canvas.read(&self.gpu)?;
         self.canvas = Some((size, canvas));
         let large = Canvas::from_srgb(picture.width as usize, picture.height as usize, &picture.rgba);
-        Ok(Drawn { canvas: if factor > 1 { large.shrunk(factor) } else { large }, secs })
+        Ok(Drawn { canvas: if factor > 1 { large.downsampled(factor) } else { large }, secs })
     }
 
-    fn frame(&self, canvas: &GpuCanvas, uploaded: &Uploaded) -> Result<(), GpuError> {
+    fn frame(&self, canvas: &GpuCanvas, uploaded: &UploadedShot) -> Result<(), GpuError> {
         let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
         self.paint(&mut canvas.begin(&mut encoder, [0.0; 4]), uploaded);
         self.gpu.queue().submit([encoder.finish()]);
         self.gpu.wait()
     }
 
-    fn paint(&self, pass: &mut RenderPass<'_>, uploaded: &Uploaded) {
-        let Uploaded { vertices, surface, lines, scene } = uploaded;
+    fn paint(&self, pass: &mut RenderPass<'_>, uploaded: &UploadedShot) {
+        let UploadedShot { vertices, surface, lines, scene } = uploaded;
         match surface {
             Surface::List(indices, whole) => {
                 let drawing = Drawing::List { indices, groups: std::slice::from_ref(whole) };
@@ -147,7 +151,7 @@ impl GpuArtist {
         shot: &Shot<'_>,
         (camera, size): (&Camera, [u32; 2]),
         look: &Look,
-    ) -> Result<Uploaded, GpuError> {
+    ) -> Result<UploadedShot, GpuError> {
         let (gpu, painter) = (&self.gpu, &self.painter);
         let lines = LineTriangles::new(&shot.lines, camera, shot.vertices.vertex_count());
         let mesh = with_more_vertices(shot.vertices, &lines.positions);
@@ -181,11 +185,11 @@ impl GpuArtist {
             let triangles: (&[[u32; 3]], &[Color]) = (&lines.triangles, &lines.colors);
             Some((scene, Inspection::new(gpu, painter, &vertices, triangles)?))
         };
-        Ok(Uploaded { vertices, surface, lines, scene })
+        Ok(UploadedShot { vertices, surface, lines, scene })
     }
 }
 
-/// Work on a GPU whose panics are errors: the rasterizer can still draw the picture.
+/// Runs work on the GPU and turns panics into errors, so that the rasterizer can draw the picture instead.
 fn attempt<T>(work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
     caught(work).unwrap_or_else(|panic| Err(GpuError::Failed(panic)))
 }
@@ -204,7 +208,7 @@ fn viewpoint(camera: &Camera) -> Viewpoint {
     Viewpoint { eye: camera.eye, look_at: camera.look_at, up: camera.up, fov: camera.fov }
 }
 
-/// The mesh with vertices that lines need; their attributes are those of the first vertex, and nobody reads them.
+/// Appends vertices for lines; their attributes are copied from the first vertex and not used.
 fn with_more_vertices<'a>(mesh: &'a IndexedMesh, positions: &[[f32; 3]]) -> Cow<'a, IndexedMesh> {
     if positions.is_empty() {
         return Cow::Borrowed(mesh);

@@ -1,18 +1,18 @@
-/** A wireframe over the surface, not instead of it: what lies behind stays hidden, so that triangles can be read. */
+/** A wireframe over the surface rather than instead of it: hidden lines stay hidden, so that triangles are easy to see. */
 
 import { type BufferGeometry, type Material, Mesh, MeshBasicMaterial } from 'three';
 
-/** Pushes the surface back a little, so that lines win where both have the same depth. */
-const BEHIND = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+/** Pushes the surface back a little, so that lines win at equal depth. */
+const SURFACE_OFFSET = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 
-export class Wires {
+export class Wireframe {
   readonly #lines = new Mesh<BufferGeometry, MeshBasicMaterial>(
     undefined,
     new MeshBasicMaterial({ color: 0x17130f, wireframe: true, transparent: true, opacity: 0.28, depthWrite: false }),
   );
 
   constructor() {
-    // The model itself is culled where it is out of sight.
+    // three.js already culls the model itself.
     this.#lines.frustumCulled = false;
     this.#lines.visible = false;
   }
@@ -21,13 +21,13 @@ export class Wires {
     return this.#lines.visible;
   }
 
-  /** Draws the lines of what the model draws now; call it again when that has changed. */
+  /** Shows or hides the lines of what the model currently draws; call it again when that changes. */
   show(model: Mesh<BufferGeometry, Material | Material[]>, isShown: boolean): void {
     this.#lines.visible = isShown;
     this.#lines.geometry = model.geometry;
     if (this.#lines.parent !== model) model.add(this.#lines);
     for (const material of [model.material].flat()) {
-      if (isShown && !material.polygonOffset) Object.assign(material, BEHIND);
+      if (isShown && !material.polygonOffset) Object.assign(material, SURFACE_OFFSET);
     }
   }
 }

@@ -1,11 +1,11 @@
-//! A camera of a page as one of the library's.
+//! The camera of a page, converted to the library's.
 
 use striata::view::{Camera, ScreenError};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::Failure;
 
-/// An eye in the model's space, its screen, and what is allowed on it.
+/// A camera in model space, its screen size, and the tolerance.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -14,25 +14,25 @@ pub struct View {
     up: [f32; 3],
     tan_half_fov: f64,
     screen: [u32; 2],
-    /// Pixels that anything may be off.
+    /// Tolerated screen error, pixels.
     pub pixels: f32,
-    /// Triangles that are shown at most; 0 for no limit.
+    /// Maximum number of triangles; 0 for no limit.
     pub triangle_limit: u32,
 }
 
 #[wasm_bindgen]
 impl View {
-    /// `numbers`: eye, what it looks at, what is up (three each), tangent of half the vertical field of view, width and
-    /// height of the screen in pixels.
+    /// Creates a view from 12 `numbers`: eye, target and up (three each), tangent of half the vertical
+    /// field of view, and width and height of the screen in pixels.
     ///
     /// # Errors
-    /// Where there are not 12 of them.
+    /// If there are not 12 numbers.
     #[wasm_bindgen(constructor)]
     pub fn new(numbers: &[f64], pixels: f32, triangle_limit: u32) -> Result<Self, Failure> {
         let Ok(&[ex, ey, ez, tx, ty, tz, ux, uy, uz, tan_half_fov, width, height]) =
             <&[f64; 12]>::try_from(numbers)
         else {
-            return Err(Failure::unsupported(format!("a view takes 12 numbers, not {}", numbers.len())));
+            return Err(Failure::unsupported(format!("a view needs 12 numbers, not {}", numbers.len())));
         };
         let point = |p: [f64; 3]| p.map(|x| x as f32);
         Ok(Self {
@@ -48,8 +48,10 @@ impl View {
 }
 
 impl View {
+    /// Criterion of selective refinement for this view.
+    ///
     /// # Errors
-    /// Where such a camera sees nothing.
+    /// If such a camera sees nothing.
     pub(crate) fn criterion(&self) -> Result<ScreenError, Failure> {
         let camera = Camera::new(self.eye, self.target, self.up, self.tan_half_fov, self.screen);
         Ok(ScreenError::new(camera.map_err(Failure::unsupported)?, self.pixels))

@@ -1,7 +1,8 @@
-//! Counts from the first bytes of a file: what a list can tell of a model without reading it.
+//! Reads the counts of a model from the first bytes of its file, for the list of models.
 //!
-//! A number is told only where the head is sure of it: polygons of a PLY, for one, are triangles only if the file is just as
-//! long as triangles make it. Cost: one read of at most 64 KiB, or 1 MiB where a stream's head is that long.
+//! A count is reported only if the header proves it. For example, the faces of a PLY are counted as
+//! triangles only if the file has exactly the length that triangles give. Cost: one read of at most 64 KiB,
+//! or 1 MiB if a stream's header is that long.
 
 use std::io::{self, Read, Seek, SeekFrom};
 
@@ -9,28 +10,28 @@ use striata::file::FileHead;
 use striata_io::Format;
 use striata_stream::StreamFacts;
 
-/// Bytes that are read at first.
+/// Bytes read at first.
 const HEAD_BYTES: usize = 64 << 10;
-/// Bytes that are read where those do not do.
+/// Bytes read if the first read was too short.
 const LONG_HEAD_BYTES: usize = 1 << 20;
 
-/// What the head of a model tells.
+/// Facts from the header of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Head {
-    /// Whether the model can be shown from its first bytes on.
+pub(super) struct HeaderFacts {
+    /// Whether the model can be streamed.
     pub(super) streams: bool,
-    /// Triangles of the full mesh.
+    /// Triangle count of the full mesh, if known.
     pub(super) triangle_count: Option<u64>,
-    /// Vertices of the full mesh.
+    /// Vertex count of the full mesh, if known.
     pub(super) vertex_count: Option<u64>,
 }
 
-impl Head {
-    /// What the first bytes of a file tell; nothing where they are damaged.
+impl HeaderFacts {
+    /// Reads the facts from a file's first bytes; empty if they are damaged.
     pub(super) fn read(name: &str, file: &mut (impl Read + Seek), length: u64) -> Self {
         let read = |file: &mut _, bytes| first_bytes(file, bytes).unwrap_or_default();
         let bytes = read(file, HEAD_BYTES);
-        // Packed files tell nothing: their name says what they hold, their bytes do not.
+        // The contents of compressed files are unknown without decompressing them.
         match Format::detect(&bytes, name) {
             _ if matches!(bytes.as_slice(), [0x1f, 0x8b, ..] | [0x28, 0xb5, 0x2f, 0xfd, ..]) => None,
             Some(Format::Striata) => {
@@ -53,46 +54,47 @@ fn first_bytes(file: &mut (impl Read + Seek), count: usize) -> io::Result<Vec<u8
     Ok(bytes)
 }
 
-fn of_container(bytes: &[u8]) -> Option<Head> {
+fn of_container(bytes: &[u8]) -> Option<HeaderFacts> {
     let head = FileHead::read(bytes).ok()??;
-    Some(Head {
+    Some(HeaderFacts {
         streams: head.stream().is_some(),
         triangle_count: Some(head.summary.triangle_count as u64),
         vertex_count: Some(head.summary.vertex_count as u64),
     })
 }
 
-fn of_stream(bytes: &[u8]) -> Option<Head> {
+fn of_stream(bytes: &[u8]) -> Option<HeaderFacts> {
     let facts = StreamFacts::read(bytes).ok()??;
     let [triangle_count, vertex_count] = [facts.triangle_count, facts.vertex_count].map(|n| Some(n as u64));
-    Some(Head { streams: true, triangle_count, vertex_count })
+    Some(HeaderFacts { streams: true, triangle_count, vertex_count })
 }
 
-fn of_stl(bytes: &[u8], length: u64) -> Option<Head> {
+fn of_stl(bytes: &[u8], length: u64) -> Option<HeaderFacts> {
     let count = u64::from(u32::from_le_bytes(*bytes.get(80..84)?.first_chunk()?));
     let is_binary = length == 84 + 50 * count;
-    is_binary.then_some(Head { triangle_count: Some(count), ..Head::default() })
+    is_binary.then_some(HeaderFacts { triangle_count: Some(count), ..HeaderFacts::default() })
 }
 
-fn of_off(bytes: &[u8]) -> Option<Head> {
+fn of_off(bytes: &[u8]) -> Option<HeaderFacts> {
     let text = String::from_utf8_lossy(bytes);
     let lines = text.lines().map(|line| line.split('#').next().unwrap_or_default());
     let mut words = lines.flat_map(str::split_whitespace);
-    // Binary ones say so, and those of other dimensions have a number first.
+    // The keyword names binary files and other dimensions.
     let keyword = words.next().filter(|word| word.ends_with("OFF") && !word.contains(['4', 'n']))?;
     debug_assert!(!keyword.is_empty());
-    Some(Head { vertex_count: words.next()?.parse().ok(), ..Head::default() })
+    Some(HeaderFacts { vertex_count: words.next()?.parse().ok(), ..HeaderFacts::default() })
 }
 
-/// What a PLY's header tells.
+/// Header of a PLY file.
 #[derive(Debug, Default)]
 struct PlyHeader {
-    /// Elements in their order: name, count, bytes of the fixed properties, and of a triangle's list.
+    /// Elements in order: name, count, bytes of the fixed properties, and bytes of the list properties of
+    /// a triangle.
     elements: Vec<(String, u64, u64, u64)>,
     is_binary: bool,
 }
 
-fn of_ply(bytes: &[u8], length: u64) -> Option<Head> {
+fn of_ply(bytes: &[u8], length: u64) -> Option<HeaderFacts> {
     const END: &[u8] = b"end_header\n";
     let end = bytes.windows(END.len()).position(|window| window == END)? + END.len();
     let header = PlyHeader::parse(&String::from_utf8_lossy(&bytes[..end]))?;
@@ -103,7 +105,7 @@ fn of_ply(bytes: &[u8], length: u64) -> Option<Head> {
         .iter()
         .try_fold(end as u64, |sum, &(_, n, fixed, list)| sum.checked_add(n.checked_mul(fixed + list)?));
     let are_triangles = faces == 0 || header.is_binary && as_triangles == Some(length);
-    Some(Head {
+    Some(HeaderFacts {
         vertex_count: count("vertex"),
         triangle_count: are_triangles.then_some(faces),
         streams: false,
@@ -154,16 +156,16 @@ mod tests {
 
     use super::*;
 
-    fn head(name: &str, bytes: &[u8]) -> Head {
-        Head::read(name, &mut Cursor::new(bytes), bytes.len() as u64)
+    fn head(name: &str, bytes: &[u8]) -> HeaderFacts {
+        HeaderFacts::read(name, &mut Cursor::new(bytes), bytes.len() as u64)
     }
 
-    fn counts(head: Head) -> [Option<u64>; 2] {
+    fn counts(head: HeaderFacts) -> [Option<u64>; 2] {
         [head.triangle_count, head.vertex_count]
     }
 
     #[test]
-    fn heads_tell_what_they_are_sure_of() {
+    fn headers_report_only_certain_counts() {
         let mesh = shapes::icosphere(2, 1.0);
         let [triangles, vertices] = [mesh.triangle_count(), mesh.vertex_count()].map(|n| Some(n as u64));
         let bytes = |format| to_bytes(format, &mesh, &WriteOptions::default()).expect("a small mesh");
@@ -174,13 +176,13 @@ mod tests {
         assert_eq!(counts(head("a.glb", &bytes(Format::Glb))), [None, None]);
         let mut longer = bytes(Format::Ply);
         longer.push(0);
-        assert_eq!(counts(head("a.ply", &longer)), [None, vertices], "not as long as triangles make it");
+        assert_eq!(counts(head("a.ply", &longer)), [None, vertices], "the length does not match triangles");
         let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true));
         assert_eq!(counts(head("a.ply", &ascii.expect("a small mesh"))), [None, vertices]);
     }
 
     #[test]
-    fn damaged_heads_tell_nothing() {
+    fn damaged_headers_report_nothing() {
         for (name, bytes) in [
             ("a.striata", &b"STRIATA\0\x01\0\0\0\xff\xff\xff\xff"[..]),
             ("a.stri", b"\x89STR\x01"),
@@ -192,7 +194,7 @@ mod tests {
             ("a.stl", b"solid"),
             ("a.ply.gz", b"\x1f\x8b\x08"),
         ] {
-            assert_eq!(head(name, bytes), Head::default(), "{name}: {}", bytes.escape_ascii());
+            assert_eq!(head(name, bytes), HeaderFacts::default(), "{name}: {}", bytes.escape_ascii());
         }
         let enormous = b"ply\nformat binary_little_endian 1.0\nelement face 18446744073709551615\n\
                          property list uchar int vertex_indices\nend_header\n";

@@ -1,41 +1,42 @@
-//! A model that is read from a stream: what has arrived, any level of it, and any view.
+//! A model that is decoded from a stream: shows any level and view of what has arrived.
 //!
-//! A level has the first vertices, and the first triangles with each corner moved to where its vertex has collapsed to, so it
-//! needs no model. Views are taken from a hierarchy that grows with the stream. Both show only what has been revealed: more is decoded
-//! meanwhile, but requests are answered without new vertices and normals.
+//! A uniform level needs no model: it uses the first vertices, and the first triangles with each corner
+//! replaced by the vertex it has collapsed to. Views use a hierarchy that grows with the stream. Both show
+//! only what has been revealed: more may have been decoded, but requests are answered without new vertices
+//! and normals.
 
 use striata::mesh::Bounds;
 use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamFacts};
 
-use crate::camera::View;
-use crate::shown::{Shown, Wish};
+use crate::shown_level::{LevelRequest, ShownLevel};
 use crate::vertices::Vertices;
+use crate::view::View;
 use crate::{Failure, limits, normals};
 
-/// Bytes that the decoder gets at once.
-const PIECE_BYTES: usize = 1 << 16;
+/// Number of bytes passed to the decoder per call.
+const CHUNK_BYTES: usize = 1 << 16;
 
-/// As much of a head as is kept until it is whole.
-const MOST_HEAD_BYTES: usize = 1 << 24;
+/// Maximum size of a stream's header, which is buffered until it is complete.
+const MAX_HEAD_BYTES: usize = 1 << 24;
 
-/// A decoder, and what its head says of the whole.
+/// A stream decoder, the facts from the stream's header, and the hierarchy for views.
 #[derive(Debug, Default)]
-pub(crate) struct Streaming {
+pub(crate) struct StreamedModel {
     decoder: StreamDecoder,
     facts: Option<StreamFacts>,
-    /// The first bytes, until they hold the head.
+    /// Bytes received so far, until the header is complete.
     head: Vec<u8>,
     bounds: Option<Bounds>,
-    /// Vertices that the bounds hold.
+    /// Number of vertices included in the bounds.
     bounded_count: usize,
     hierarchy: GrowingHierarchy,
-    /// Triangles that have changed since the hierarchy last grew, with repetitions.
+    /// Triangles that have changed since the hierarchy last grew, with duplicates.
     changed: Vec<u32>,
     cut: HierarchyCut,
     revealed: Revealed,
 }
 
-/// How much levels and views may show.
+/// The part of the stream that levels and views may show.
 #[derive(Clone, Copy, Debug, Default)]
 struct Revealed {
     step_count: usize,
@@ -43,32 +44,37 @@ struct Revealed {
     triangle_count: usize,
 }
 
-impl Streaming {
+impl StreamedModel {
+    /// Appends bytes of the stream and decodes all complete chunks.
+    ///
     /// # Errors
-    /// Where the bytes are no sound stream, or the whole would not fit into a page; what came before stays.
+    /// If the bytes are not a valid stream, or the model is too large for a page. The part decoded before
+    /// stays.
     pub(crate) fn push(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         if self.facts.is_none() {
             return self.push_head(bytes);
         }
-        let result = bytes.chunks(PIECE_BYTES).try_for_each(|piece| {
-            let update = self.decoder.push(piece)?;
+        let result = bytes.chunks(CHUNK_BYTES).try_for_each(|chunk| {
+            let update = self.decoder.push(chunk)?;
             self.changed.extend(update.changed_triangles);
             Ok::<(), Failure>(())
         });
         if result.is_err() {
-            // A failed push keeps what it read before the damage, but does not report what that changed.
+            // A failed push keeps what it decoded before the damage, but does not report which triangles
+            // that changed.
             self.hierarchy = GrowingHierarchy::new();
         }
         self.grow_bounds();
         result
     }
 
-    /// Keeps bytes back until the head says what the whole is: nothing is decoded of what would not fit.
+    /// Buffers bytes until the header states the final size: nothing is decoded of a stream that is too
+    /// large.
     fn push_head(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         self.head.extend_from_slice(bytes);
         let Some(facts) = StreamFacts::read(&self.head)? else {
-            if self.head.len() > MOST_HEAD_BYTES {
-                return Err(Failure::too_large("the head of the stream is longer than a page can hold"));
+            if self.head.len() > MAX_HEAD_BYTES {
+                return Err(Failure::too_large("the header of the stream is too long"));
             }
             return Ok(());
         };
@@ -78,10 +84,10 @@ impl Streaming {
         self.push(&bytes)
     }
 
-    /// No more bytes will come: reads what those of a last, incomplete chunk tell.
+    /// Ends the stream: decodes what an incomplete last chunk contains.
     ///
     /// # Errors
-    /// Where the stream ends before its base mesh does.
+    /// If the base mesh is incomplete.
     pub(crate) fn finish(&mut self) -> Result<(), Failure> {
         if self.decoder.is_complete() {
             return Ok(());
@@ -89,12 +95,12 @@ impl Streaming {
         let result = self.decoder.finish();
         self.grow_bounds();
         let update =
-            result.map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))?;
+            result.map_err(|error| Failure::from(error).with_hint("the stream was truncated very early"))?;
         self.changed.extend(update.changed_triangles);
         Ok(())
     }
 
-    /// Grows the hierarchy to all steps that have arrived.
+    /// Extends the hierarchy by all steps that have arrived.
     pub(crate) fn grow(&mut self) {
         self.changed.sort_unstable();
         self.changed.dedup();
@@ -103,7 +109,7 @@ impl Streaming {
         self.changed.clear();
     }
 
-    /// Lets levels and views show all that has arrived.
+    /// Makes everything that has arrived available to levels and views.
     pub(crate) fn reveal(&mut self) {
         self.grow();
         self.revealed = Revealed {
@@ -141,12 +147,12 @@ impl Streaming {
         self.facts.as_ref().map_or(1, |facts| facts.group_count.max(1))
     }
 
-    /// Vertices that can be shown.
+    /// Number of revealed vertices.
     pub(crate) fn vertex_count(&self) -> usize {
         self.revealed.vertex_count
     }
 
-    /// Triangles of the finest level that can be shown.
+    /// Triangle count of the finest revealed level.
     pub(crate) fn triangle_count(&self) -> usize {
         self.revealed.triangle_count
     }
@@ -165,19 +171,19 @@ impl Streaming {
         normals
     }
 
-    /// The level that a wish means, as far as it has come.
-    pub(crate) fn show(&self, wish: Wish) -> Shown {
-        let split_count = self.split_count_for(wish);
+    /// Returns the requested level, as far as it has arrived.
+    pub(crate) fn show(&self, request: LevelRequest) -> ShownLevel {
+        let split_count = self.split_count_for(request);
         let mut triangles = Vec::new();
         self.decoder.prefix().triangles_at_into(split_count, &mut triangles);
         self.shown(&triangles, split_count, split_count)
     }
 
-    /// What a camera asks for, of what has been revealed.
+    /// Refines what has been revealed for a camera.
     ///
     /// # Errors
     /// If such a camera sees nothing.
-    pub(crate) fn show_view(&mut self, view: &View) -> Result<Shown, Failure> {
+    pub(crate) fn show_view(&mut self, view: &View) -> Result<ShownLevel, Failure> {
         let criterion = view.criterion()?;
         let mesh = self.decoder.prefix();
         let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
@@ -188,28 +194,31 @@ impl Streaming {
         Ok(self.shown(&triangles, self.cut.split_count(), coarsest))
     }
 
-    /// Triangles with their numbers, group after group; the error is that of the level that lacks the step `coarsest`.
-    fn shown(&self, numbered: &[(u32, [u32; 3])], split_count: usize, coarsest: usize) -> Shown {
+    /// Sorts triangles by group; the error is that of the level that lacks the step `coarsest`.
+    fn shown(&self, numbered: &[(u32, [u32; 3])], split_count: usize, coarsest: usize) -> ShownLevel {
         let (triangles, group_counts) =
             by_group(numbered, self.decoder.triangle_groups(), self.group_count());
         let error = self.decoder.error_at(coarsest).unwrap_or(0.0);
-        Shown { triangles, group_counts, split_count, error }
+        ShownLevel { triangles, group_counts, split_count, error }
     }
 
-    fn split_count_for(&self, wish: Wish) -> usize {
-        let there = self.revealed.step_count;
-        match wish {
-            Wish::Detail(detail) => {
+    fn split_count_for(&self, request: LevelRequest) -> usize {
+        let available = self.revealed.step_count;
+        match request {
+            LevelRequest::Detail(detail) => {
                 let step_count = self.decoder.step_count().unwrap_or(0);
                 let exact = detail.clamp(0.0, 1.0) * step_count as f64;
                 // The small term keeps `k / step_count` from rounding down to k - 1.
-                ((exact + 1e-9 * exact.max(1.0)) as usize).min(there)
+                ((exact + 1e-9 * exact.max(1.0)) as usize).min(available)
             }
-            Wish::Triangles(most) => self.decoder.prefix().split_count_for_triangles(most).min(there),
-            Wish::Error(most) => {
-                let is_farther = |s: usize| self.decoder.error_at(s).is_some_and(|e| f64::from(e) > most);
-                // Errors never rise.
-                let (mut low, mut high) = (0, there);
+            LevelRequest::Triangles(limit) => {
+                self.decoder.prefix().split_count_for_triangles(limit).min(available)
+            }
+            LevelRequest::Error(limit) => {
+                let is_farther = |s: usize| self.decoder.error_at(s).is_some_and(|e| f64::from(e) > limit);
+                // Errors never rise with the split count, so a binary search finds the first small enough
+                // one.
+                let (mut low, mut high) = (0, available);
                 while low < high {
                     let middle = low.midpoint(high);
                     if is_farther(middle) { low = middle + 1 } else { high = middle }
@@ -220,14 +229,14 @@ impl Streaming {
     }
 }
 
-/// Puts numbered triangles group after group; counts those of each group.
+/// Sorts triangles with their indices by group and counts each group's.
 fn by_group(numbered: &[(u32, [u32; 3])], groups: &[u32], group_count: usize) -> (Vec<[u32; 3]>, Vec<u32>) {
     if groups.is_empty() || group_count < 2 {
         return (numbered.iter().map(|&(_, corners)| corners).collect(), vec![numbered.len() as u32]);
     }
-    let group_of = |number: u32| groups[number as usize] as usize;
+    let group_of = |triangle: u32| groups[triangle as usize] as usize;
     let mut counts = vec![0u32; group_count];
-    numbered.iter().for_each(|&(number, _)| counts[group_of(number)] += 1);
+    numbered.iter().for_each(|&(triangle, _)| counts[group_of(triangle)] += 1);
     let mut next = Vec::with_capacity(group_count);
     let mut first = 0;
     for &count in &counts {
@@ -235,10 +244,10 @@ fn by_group(numbered: &[(u32, [u32; 3])], groups: &[u32], group_count: usize) ->
         first += count;
     }
     let mut ordered = vec![[0; 3]; numbered.len()];
-    for &(number, corners) in numbered {
-        let place = &mut next[group_of(number)];
-        ordered[*place] = corners;
-        *place += 1;
+    for &(triangle, corners) in numbered {
+        let slot = &mut next[group_of(triangle)];
+        ordered[*slot] = corners;
+        *slot += 1;
     }
     (ordered, counts)
 }

@@ -1,4 +1,4 @@
-//! Small pictures of whole meshes: a camera that stands so that all of the mesh just fits, and one for none.
+//! Thumbnails of whole meshes, and a placeholder for files that cannot be drawn.
 
 use striata::mesh::IndexedMesh;
 
@@ -6,19 +6,19 @@ use super::{Angles, Camera, Canvas, Paint, Rgba, Shot, Style, raster, with_norma
 
 const BACKGROUND: Rgba = [0.012, 0.013, 0.017, 1.0];
 const FAINT: [u8; 4] = [13, 13, 15, 255];
-/// Height of the view, radians.
+/// Vertical field of view, radians.
 const FOV: f32 = 0.45;
-/// An axis along which a mesh is flatter than this is up: it is a terrain.
-const FLAT: f32 = 0.3;
+/// A mesh flatter than this along z, relative to its other sides, is a terrain with z up.
+const MAX_TERRAIN_HEIGHT: f32 = 0.3;
 
-/// A mesh from in front, a little from the left and above.
+/// Draws a mesh from the front, slightly from the left and above.
 pub fn portrait(mesh: IndexedMesh, size: [usize; 2]) -> Canvas {
     let mesh = with_normals(mesh);
-    painted(&mesh, Paint::Surface, size)
+    draw(&mesh, Paint::Surface, size)
 }
 
-/// A picture for what cannot be drawn: a faint shape that is nobody's.
-pub fn nobody(size: [usize; 2]) -> Canvas {
+/// Draws a placeholder for models that cannot be drawn: a faint octahedron.
+pub fn placeholder(size: [usize; 2]) -> Canvas {
     let positions = [
         [1.0, 0.0, 0.0],
         [-1.0, 0.0, 0.0],
@@ -34,22 +34,22 @@ pub fn nobody(size: [usize; 2]) -> Canvas {
     let mesh = IndexedMesh::new(positions.to_vec(), triangles.collect());
     let room = size.map(|side| side / 2);
     let mut canvas = Canvas::filled(size[0], size[1], BACKGROUND);
-    canvas.lay(&painted(&mesh, Paint::Triangles(vec![FAINT; 8]), room), room[0] / 2, room[1] / 2);
+    canvas.blend(&draw(&mesh, Paint::Triangles(vec![FAINT; 8]), room), room[0] / 2, room[1] / 2);
     canvas
 }
 
-/// Drawn without a GPU: a server draws in the background, wherever it runs.
-fn painted(mesh: &IndexedMesh, paint: Paint, [width, height]: [usize; 2]) -> Canvas {
+/// Draws without a GPU, since a server draws in the background on any machine.
+fn draw(mesh: &IndexedMesh, paint: Paint, [width, height]: [usize; 2]) -> Canvas {
     let mut canvas = Canvas::filled(width, height, BACKGROUND);
     if let Some(camera) = camera(mesh, width as f32 / height as f32) {
         let is_flat = matches!(paint, Paint::Triangles(_));
         let shot = Shot::of(mesh, paint, Style { has_edges: false, is_flat });
-        canvas.lay(&raster::draw(&shot, &camera, [width, height]), 0, 0);
+        canvas.blend(&raster::draw(&shot, &camera, [width, height]), 0, 0);
     }
     canvas
 }
 
-/// A camera that sees all of the mesh and little else; none where there is nothing to see.
+/// Camera that fits the mesh; none if there is nothing to see.
 fn camera(mesh: &IndexedMesh, aspect: f32) -> Option<Camera> {
     let bounds = mesh.bounds()?;
     let size: [f32; 3] = std::array::from_fn(|axis| bounds.max[axis] - bounds.min[axis]);
@@ -57,7 +57,7 @@ fn camera(mesh: &IndexedMesh, aspect: f32) -> Option<Camera> {
     if !longest.is_finite() || longest <= 0.0 {
         return None;
     }
-    let lies_flat = size[2] < FLAT * size[0].min(size[1]);
+    let lies_flat = size[2] < MAX_TERRAIN_HEIGHT * size[0].min(size[1]);
     let (rise, up) = if lies_flat { (0.75, [0.0, 0.0, 1.0]) } else { (0.22, [0.0, 1.0, 0.0]) };
     Some(Camera::around(&mesh.positions, &Angles { turn: -0.5, rise, up, fov: FOV }, aspect))
 }
@@ -75,8 +75,8 @@ mod tests {
             let row = canvas.row_mut(y).to_vec();
             for (x, pixel) in row.iter().enumerate() {
                 if pixel.iter().zip(BACKGROUND).any(|(a, b)| (a - b).abs() > 1e-3) {
-                    for (place, [first, last]) in [x, y].into_iter().zip(&mut extent) {
-                        (*first, *last) = ((*first).min(place), (*last).max(place));
+                    for (index, [first, last]) in [x, y].into_iter().zip(&mut extent) {
+                        (*first, *last) = ((*first).min(index), (*last).max(index));
                     }
                 }
             }
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_a_single_point_are_drawn_as_nothing() {
+    fn empty_and_degenerate_meshes_give_empty_pictures() {
         for mesh in [IndexedMesh::default(), IndexedMesh::new(vec![[1.0; 3]; 3], vec![[0, 1, 2]])] {
             assert_eq!(extent(portrait(mesh, [32, 24])), [[usize::MAX, 0]; 2]);
         }
@@ -114,8 +114,8 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_drawn_gets_a_faint_shape() {
-        let [[left, right], [top, bottom]] = extent(nobody([160, 120]));
+    fn the_placeholder_is_a_faint_shape() {
+        let [[left, right], [top, bottom]] = extent(placeholder([160, 120]));
         assert!(left > 30 && right < 130 && top > 20 && bottom < 100 && right - left > 30);
     }
 }

@@ -1,24 +1,24 @@
-//! Distances as colors: how far each vertex of the original is from a level.
+//! Distance maps: how far each vertex of the original is from a level, as colors.
 
 use striata::mesh::{IndexedMesh, MeshError, TriangleTree};
 
 use super::canvas::from_srgb;
 use super::paint::Color;
 
-/// How far the vertices of a mesh are from another surface.
+/// Distance of each vertex of a mesh from another surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heat {
-    /// One distance a vertex, mesh units; 0 for those that no triangle uses.
+    /// Distance of each vertex, mesh units; 0 for vertices that no triangle uses.
     pub distances: Vec<f64>,
-    /// The largest.
+    /// Largest distance.
     pub max: f64,
 }
 
 impl Heat {
-    /// Measures all vertices of a mesh that its triangles use.
+    /// Measures the distances of all vertices that triangles use.
     ///
     /// # Errors
-    /// Where the other surface is no sound mesh.
+    /// If the other surface is not a valid mesh.
     pub fn of(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
         let tree = TriangleTree::new(level)?;
         let mut is_used = vec![false; original.vertex_count()];
@@ -31,25 +31,25 @@ impl Heat {
         Ok(Self { distances, max })
     }
 
-    /// The colors of the vertices, where `top` has the last one.
+    /// Vertex colors; distances of `top` and more get the last color.
     pub fn colors(&self, top: f64) -> Vec<Color> {
         let share = |distance: f64| if top > 0.0 { (distance / top).min(1.0) } else { 0.0 };
         self.distances.iter().map(|&distance| bytes(color_at(share(distance)))).collect()
     }
 }
 
-/// The color of a share of the largest distance, linear light: inferno backwards, so that what is near is pale and looks
-/// as much darker as the distance is larger; its darkest part would be lost among shadows.
+/// Color of a fraction of the largest distance, linear light: the inferno map in reverse, from pale for
+/// close to dark for far. Its darkest part is left out because it looks like shadow.
 pub(super) fn color_at(share: f64) -> [f32; 3] {
     const DARKEST: f64 = 0.22;
-    // Between neighbors of the map, since its own bytes make steps in the dark.
-    let place = 255.0 * (1.0 - (1.0 - DARKEST) * share.clamp(0.0, 1.0));
-    let (below, above) = (place.floor(), place.ceil());
+    // Interpolated between entries of the map, because its 8-bit colors are too coarse in the dark.
+    let position = 255.0 * (1.0 - (1.0 - DARKEST) * share.clamp(0.0, 1.0));
+    let (below, above) = (position.floor(), position.ceil());
     let [a, b] = [below, above].map(|at| {
         let color = colorous::INFERNO.eval_continuous(at / 255.0);
         [color.r, color.g, color.b].map(from_srgb)
     });
-    let weight = (place - below) as f32;
+    let weight = (position - below) as f32;
     [0, 1, 2].map(|k| a[k] + weight * (b[k] - a[k]))
 }
 
@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn distances_are_those_from_the_surface() {
+    fn distances_are_measured_from_the_surface() {
         let level = shapes::grid(1, 1);
         let flat = level.positions[0];
         let axis = (0..3).find(|&k| level.positions.iter().all(|p| p[k] == flat[k])).expect("it is flat");
@@ -76,14 +76,14 @@ mod tests {
         original.triangles.push([0, 1, 4]);
         let heat = Heat::of(&original, &level).expect("sound meshes");
         assert!((heat.max - 0.25).abs() < 1e-6 && heat.distances[..4] == [0.0; 4], "{heat:?}");
-        assert_eq!(heat.distances[5], 0.0, "no triangle uses it");
+        assert_eq!(heat.distances[5], 0.0, "no triangle uses this vertex");
         let colors = heat.colors(heat.max);
         assert_eq!((colors[0], colors[4]), (bytes(color_at(0.0)), bytes(color_at(1.0))));
         assert_eq!(heat.colors(0.0)[4], bytes(color_at(0.0)));
     }
 
     #[test]
-    fn larger_distances_are_darker_step_by_step() {
+    fn larger_distances_are_darker() {
         let light = |step: u32| {
             let [r, g, b] = color_at(f64::from(step) / 64.0);
             0.2126 * r + 0.7152 * g + 0.0722 * b

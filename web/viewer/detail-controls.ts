@@ -1,39 +1,39 @@
 /**
- * The panel's first group: by what detail is chosen, and how much of it.
+ * The panel's first group of controls: how detail is chosen (level, screen error, triangle budget), and how much of it.
  *
- * The inputs hold the state; `apply` gives it to the mesh, also to one that was opened later.
+ * The inputs are the state. `apply` passes it to the mesh, including a mesh that is opened later.
  */
 
 import type { StriataMesh } from '../src/index.ts';
-import { count, digits, percent } from './numbers.ts';
-import { element, input } from './page.ts';
+import { formatCount, formatNumber, formatPercent } from './format.ts';
+import { element, input } from './dom.ts';
 import { budgetAt, detailAt, pixelsAt, positionOfBudget, positionOfDetail } from './scales.ts';
 
 export type Mode = 'level' | 'pixels' | 'budget';
 
-/** A key press moves the slider by so much. */
+/** Slider units that one key press moves. */
 const KEY_STEP = 25;
 
-export class Detail {
-  readonly #changed: () => void;
+export class DetailControls {
+  readonly #onChange: () => void;
   #mesh: StriataMesh | null = null;
-  /** Views can be refined from when all is there. */
-  #hasViews = false;
+  /** Whether view-dependent refinement is available, which is once the model has loaded completely. */
+  #isViewAvailable = false;
   #budget: number | null = null;
 
-  /** `changed` is called after the mesh was asked for something else. */
-  constructor(changed: () => void) {
-    this.#changed = changed;
+  /** `onChange` is called after new settings were passed to the mesh. */
+  constructor(onChange: () => void) {
+    this.#onChange = onChange;
     for (const radio of this.#radios()) radio.addEventListener('change', () => this.apply());
     for (const id of ['detail', 'pixels']) input(id).addEventListener('input', () => this.apply());
-    input('budget').addEventListener('input', () => this.#slideBudget());
+    input('budget').addEventListener('input', () => this.#onBudgetSlider());
     const typed = input('budget-typed');
-    typed.addEventListener('change', () => this.#typeBudget());
+    typed.addEventListener('change', () => this.#onBudgetTyped());
     typed.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') this.#typeBudget();
+      if (event.key === 'Enter') this.#onBudgetTyped();
     });
     input('freeze').addEventListener('change', () => this.apply());
-    this.#show();
+    this.#refresh();
   }
 
   get mode(): Mode {
@@ -44,7 +44,7 @@ export class Detail {
     return this.mode === 'pixels' && input('freeze').checked;
   }
 
-  /** Whether the mode is there; view-dependent detail waits until all has come. */
+  /** Selects a mode and returns whether it is available; view-dependent detail needs a completely loaded model. */
   choose(mode: Mode): boolean {
     const radio = this.#radios().find((radio) => radio.value === mode);
     if (!radio || radio.disabled) return false;
@@ -60,31 +60,31 @@ export class Detail {
     return true;
   }
 
-  /** One step of the slider in use, towards more detail (1) or less (-1). */
-  step(towards: 1 | -1): void {
+  /** Moves the active slider by one step, towards more detail (1) or less (-1). */
+  step(direction: 1 | -1): void {
     const id = this.mode === 'level' ? 'detail' : this.mode;
     const slider = input(id);
-    slider.valueAsNumber += (this.mode === 'pixels' ? -towards : towards) * KEY_STEP;
+    slider.valueAsNumber += (this.mode === 'pixels' ? -direction : direction) * KEY_STEP;
     slider.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
-  /** Another mesh, with what is asked for now. */
-  take(mesh: StriataMesh | null): void {
+  /** Switches to another mesh and applies the current settings to it. */
+  setMesh(mesh: StriataMesh | null): void {
     this.#mesh = mesh;
-    this.#hasViews = false;
+    this.#isViewAvailable = false;
     input('freeze').checked = false;
-    if (this.mode === 'pixels') this.#check('level');
-    if (this.mode === 'budget') this.#slideBudget();
+    if (this.mode === 'pixels') this.#select('level');
+    if (this.mode === 'budget') this.#onBudgetSlider();
     else this.apply();
   }
 
-  /** All is there: views can be asked for. */
-  allowViews(): void {
-    this.#hasViews = true;
-    this.#show();
+  /** Enables view-dependent detail, after the model has loaded completely. */
+  enableViews(): void {
+    this.#isViewAvailable = true;
+    this.#refresh();
   }
 
-  /** Gives the mesh what the inputs say. */
+  /** Passes the state of the inputs to the mesh. */
   apply(): void {
     const mesh = this.#mesh;
     if (this.mode !== 'pixels') input('freeze').checked = false;
@@ -103,51 +103,51 @@ export class Detail {
         mesh.triangleBudget = this.#budget ?? mesh.fullTriangleCount;
       }
     }
-    this.#show();
-    this.#changed();
+    this.#refresh();
+    this.#onChange();
   }
 
-  /** The inputs after the mesh has changed: what a budget came to, how many triangles there are. */
-  #show(): void {
+  /** Updates the inputs and their labels. */
+  #refresh(): void {
     const { mode } = this;
     for (const row of document.querySelectorAll<HTMLElement>('#detail-set [data-mode]')) row.hidden = row.dataset.mode !== mode;
     element('freeze-row').hidden = mode !== 'pixels';
-    const isWaiting = this.#mesh !== null && !this.#hasViews;
-    for (const radio of this.#radios()) if (radio.value === 'pixels') radio.disabled = !this.#hasViews;
+    const isWaiting = this.#mesh !== null && !this.#isViewAvailable;
+    for (const radio of this.#radios()) if (radio.value === 'pixels') radio.disabled = !this.#isViewAvailable;
     const note = element('mode-note');
     note.hidden = !isWaiting;
-    note.textContent = 'Pixels can be chosen when all of the model is there.';
+    note.textContent = 'Screen error is available once the model has loaded.';
     const detail = detailAt(input('detail').valueAsNumber);
-    speak('detail', 'detail-shown', percent(detail));
-    speak('pixels', 'pixels-asked', `${digits(pixelsAt(input('pixels').valueAsNumber))} px`);
-    this.#showBudget();
+    showValue('detail', 'detail-value', formatPercent(detail));
+    showValue('pixels', 'pixels-value', `${formatNumber(pixelsAt(input('pixels').valueAsNumber))} px`);
+    this.#refreshBudget();
   }
 
-  #showBudget(): void {
+  #refreshBudget(): void {
     const typed = input('budget-typed');
     const full = this.#mesh?.fullTriangleCount ?? 0;
     if (document.activeElement !== typed) typed.value = String(this.#budget ?? full);
-    input('budget').setAttribute('aria-valuetext', `${count(this.#budget ?? full)} triangles`);
+    input('budget').setAttribute('aria-valuetext', `${formatCount(this.#budget ?? full)} triangles`);
   }
 
-  #slideBudget(): void {
+  #onBudgetSlider(): void {
     this.#budget = budgetAt(input('budget').valueAsNumber, this.#mesh?.fullTriangleCount ?? 0);
     input('budget-typed').value = String(this.#budget);
     this.apply();
   }
 
-  #typeBudget(): void {
+  #onBudgetTyped(): void {
     const typed = input('budget-typed');
     const full = this.#mesh?.fullTriangleCount ?? 0;
-    // An emptied or impossible number means all of them.
-    const asked = Number.isFinite(typed.valueAsNumber) && typed.valueAsNumber >= 1 ? Math.floor(typed.valueAsNumber) : full;
-    this.#budget = Math.min(asked, full);
+    // An empty or invalid number means no limit.
+    const requested = Number.isFinite(typed.valueAsNumber) && typed.valueAsNumber >= 1 ? Math.floor(typed.valueAsNumber) : full;
+    this.#budget = Math.min(requested, full);
     typed.value = String(this.#budget);
     input('budget').value = String(positionOfBudget(this.#budget, full));
     this.apply();
   }
 
-  #check(mode: Mode): void {
+  #select(mode: Mode): void {
     for (const radio of this.#radios()) radio.checked = radio.value === mode;
   }
 
@@ -156,14 +156,14 @@ export class Detail {
   }
 }
 
-/** Sets the slider of a detail, for pages that open at one. */
+/** Sets the detail slider, for pages that open at a given detail. */
 export function setDetail(detail: number): void {
   const slider = input('detail');
   slider.value = String(positionOfDetail(Math.min(Math.max(detail, 0), 1)));
   slider.dispatchEvent(new Event('input', { bubbles: true }));
 }
 
-function speak(id: string, shown: string, text: string): void {
+function showValue(id: string, outputId: string, text: string): void {
   input(id).setAttribute('aria-valuetext', text);
-  element(shown).textContent = text;
+  element(outputId).textContent = text;
 }

@@ -1,7 +1,7 @@
-//! Who draws: a GPU that has proved that it can, or the software rasterizer.
+//! Chooses what draws pictures: a GPU that has passed a test, or the software rasterizer.
 //!
-//! A picture is never a reason to fail. If no adapter passes its trial, or one fails later, the rasterizer draws, and one line on
-//! stderr says why.
+//! Drawing never fails because of a GPU. If no adapter passes its trial, or one fails later, the rasterizer
+//! draws instead, and one line on stderr gives the reason.
 
 use std::time::Instant;
 
@@ -14,61 +14,61 @@ use striata_command::failure::Failure;
 use striata_command::output::Output;
 
 #[cfg(feature = "gpu")]
-use super::GpuArtist;
+use super::GpuRenderer;
 
-/// The name of the rasterizer.
+/// Name of the rasterizer in messages.
 const RASTERIZER: &str = "the software rasterizer";
 
-/// Who draws.
+/// Draws shots with a GPU or the rasterizer.
 #[derive(Debug)]
 pub struct Artist {
-    /// The GPU, as long as it works.
+    /// The GPU, until it fails.
     #[cfg(feature = "gpu")]
-    gpu: Option<Box<GpuArtist>>,
+    gpu: Option<Box<GpuRenderer>>,
     #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU that fails is reported"))]
     output: Output,
 }
 
 impl Artist {
-    /// The best adapter that works, or else the rasterizer; `output` hears why.
+    /// Uses the best working adapter, or else the rasterizer; the reason is reported to `output`.
     #[cfg(feature = "gpu")]
     pub fn best(output: &Output) -> Self {
-        match GpuArtist::open(&GpuOptions::default(), output) {
-            Ok((artist, rejected)) => {
-                note_rejected(&rejected, &artist.name(), output);
-                Self { gpu: Some(Box::new(artist)), output: *output }
+        match GpuRenderer::open(&GpuOptions::default(), output) {
+            Ok((renderer, rejected)) => {
+                note_rejected(&rejected, &renderer.name(), output);
+                Self { gpu: Some(Box::new(renderer)), output: *output }
             }
             Err(error) => {
-                output.say(&format!("note: {error}; {RASTERIZER} draws instead"));
+                output.say(&format!("note: {error}; using {RASTERIZER} instead"));
                 Self::software(output)
             }
         }
     }
 
-    /// The rasterizer, since this build has no GPU support.
+    /// Uses the rasterizer, since this build has no GPU support.
     #[cfg(not(feature = "gpu"))]
     pub fn best(output: &Output) -> Self {
         Self::software(output)
     }
 
-    /// The adapter whose name contains `name`; the rasterizer if it cannot draw.
+    /// Uses the adapter whose name contains `name`, or the rasterizer if that adapter cannot draw.
     ///
     /// # Errors
-    /// If there is no such adapter.
+    /// If no adapter has this name.
     #[cfg(feature = "gpu")]
     pub fn named(name: &str, output: &Output) -> Result<Self, Failure> {
         let options = GpuOptions::default().with_adapter_name(Some(name.to_owned()));
-        match GpuArtist::open(&options, output) {
-            Ok((artist, _)) => Ok(Self { gpu: Some(Box::new(artist)), output: *output }),
+        match GpuRenderer::open(&options, output) {
+            Ok((renderer, _)) => Ok(Self { gpu: Some(Box::new(renderer)), output: *output }),
             Err(error @ GpuError::NoSuchAdapter { .. }) => Err(error.into()),
             Err(error) => {
-                output.say(&format!("note: {error}; {RASTERIZER} draws instead"));
+                output.say(&format!("note: {error}; using {RASTERIZER} instead"));
                 Ok(Self::software(output))
             }
         }
     }
 
-    /// The rasterizer.
+    /// Uses the rasterizer.
     pub fn software(output: &Output) -> Self {
         Self {
             #[cfg(feature = "gpu")]
@@ -77,24 +77,25 @@ impl Artist {
         }
     }
 
-    /// Who it is.
+    /// Name of the adapter, or of the rasterizer.
     pub fn name(&self) -> String {
         #[cfg(feature = "gpu")]
-        if let Some(artist) = &self.gpu {
-            return artist.name();
+        if let Some(renderer) = &self.gpu {
+            return renderer.name();
         }
         RASTERIZER.to_owned()
     }
 
-    /// Draws a shot with `[width, height]` pixels. If the GPU fails, the rasterizer draws this shot and all later ones.
+    /// Draws a shot with `[width, height]` pixels. If the GPU fails, the rasterizer draws this shot and
+    /// all later ones.
     pub fn draw(&mut self, shot: &Shot<'_>, camera: &Camera, size: [usize; 2]) -> Drawn {
         #[cfg(feature = "gpu")]
-        if let Some(artist) = &mut self.gpu {
-            match artist.draw(shot, camera, size) {
+        if let Some(renderer) = &mut self.gpu {
+            match renderer.draw(shot, camera, size) {
                 Ok(drawn) => return drawn,
                 Err(error) => {
-                    let name = artist.name();
-                    self.output.say(&format!("note: {name}: {error}; {RASTERIZER} draws instead"));
+                    let name = renderer.name();
+                    self.output.say(&format!("note: {name}: {error}; using {RASTERIZER} instead"));
                     self.gpu = None;
                 }
             }
@@ -108,7 +109,7 @@ impl Artist {
 #[cfg(feature = "gpu")]
 fn note_rejected(rejected: &[RejectedAdapter], chosen: &str, output: &Output) {
     for adapter in rejected {
-        output.say(&format!("note: {adapter}; {chosen} draws instead"));
+        output.say(&format!("note: {adapter}; using {chosen} instead"));
     }
 }
 
@@ -123,9 +124,9 @@ mod tests {
 
     fn on_gpu() -> Artist {
         let output = Output::quiet();
-        let (artist, _) = GpuArtist::open(&GpuOptions::default(), &output)
+        let (renderer, _) = GpuRenderer::open(&GpuOptions::default(), &output)
             .expect("an adapter; apt-get install mesa-vulkan-drivers");
-        Artist { gpu: Some(Box::new(artist)), output }
+        Artist { gpu: Some(Box::new(renderer)), output }
     }
 
     fn torus() -> (IndexedMesh, Camera) {
@@ -135,10 +136,11 @@ mod tests {
         (mesh, camera)
     }
 
-    /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and samples.
+    /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and sampling
+    /// explain.
     fn both_draw_the_same(shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
         let pictures = [on_gpu(), Artist::software(&Output::quiet())]
-            .map(|mut artist| artist.draw(shot, camera, [150, 100]).canvas);
+            .map(|mut renderer| renderer.draw(shot, camera, [150, 100]).canvas);
         let pairs = pictures[0].pixels().iter().zip(pictures[1].pixels());
         let distances: Vec<f32> =
             pairs.map(|(a, b)| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f32::max)).collect();
@@ -169,9 +171,10 @@ mod tests {
     }
 
     #[test]
-    fn both_cut_off_what_reaches_behind_the_eye() {
+    fn both_clip_triangles_behind_the_eye() {
         let (mesh, _) = torus();
-        // Inside the tube, along the ring: triangles all around, many of them across the plane of the eye.
+        // Inside the tube, along the ring: triangles all around, many of them crossing the plane of the
+        // eye.
         let camera =
             Camera { eye: [1.0, 0.0, 0.05], look_at: [0.8, 0.05, 0.6], up: [0.0, 1.0, 0.0], fov: 1.2 };
         for style in [Style::SMOOTH, Style::FACETED] {
@@ -183,10 +186,10 @@ mod tests {
     fn a_picture_is_drawn_again_if_the_device_is_lost() {
         let (mesh, camera) = torus();
         let shot = Shot::of(&mesh, Paint::Surface, Style::SMOOTH);
-        let mut artist = on_gpu();
+        let mut renderer = on_gpu();
         let expected = Artist::software(&Output::quiet()).draw(&shot, &camera, [60, 40]).canvas;
-        artist.gpu.as_ref().expect("a GPU").destroy();
-        assert_eq!(artist.draw(&shot, &camera, [60, 40]).canvas, expected);
-        assert_eq!(artist.name(), RASTERIZER);
+        renderer.gpu.as_ref().expect("a GPU").destroy();
+        assert_eq!(renderer.draw(&shot, &camera, [60, 40]).canvas, expected);
+        assert_eq!(renderer.name(), RASTERIZER);
     }
 }

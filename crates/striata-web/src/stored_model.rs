@@ -1,7 +1,8 @@
-//! Models that stand in the sections of a `.striata` file.
+//! Reads models that are stored in the sections of a `.striata` file.
 //!
-//! The library's own way to a file's mesh knows patterns too, and with them comes a tenth of what a page would fetch; so
-//! triangles are taken here from what nearly all files have. Files of patterns alone are refused, with the cure.
+//! The library's own function also decodes patterns, which would add a tenth to the wasm that a page
+//! fetches. So triangles are read here from the models that nearly all files contain; files with patterns
+//! only are rejected with a hint.
 
 use striata::file::StriataFile;
 use striata::mesh::{IndexedMesh, RefinableMesh};
@@ -9,15 +10,15 @@ use striata::model::{LodModel, StoredModel};
 use striata::strip::strip_triangles;
 
 use crate::Failure;
-use crate::built::Built;
+use crate::built_model::BuiltModel;
 
-/// Reads mesh, steps and, where they are there, fans.
+/// Reads the mesh, the collapse sequence and, if present, the fans.
 ///
 /// # Errors
-/// Where a section is unsound, or there is none that holds triangles.
-pub(crate) fn read(file: &StriataFile<'_>) -> Result<Built, Failure> {
+/// If a section is invalid, or no section contains triangles.
+pub(crate) fn read(file: &StriataFile<'_>) -> Result<BuiltModel, Failure> {
     if !file.has_collapses() {
-        return Err(of_patterns());
+        return Err(patterns_only());
     }
     let fans = file.fans().transpose()?;
     let mut mesh = IndexedMesh {
@@ -42,21 +43,23 @@ pub(crate) fn read(file: &StriataFile<'_>) -> Result<Built, Failure> {
     } else if let Some(triangles) = file.triangles().transpose()? {
         mesh.triangles = triangles.into_owned();
     } else {
-        return Err(of_patterns());
+        return Err(patterns_only());
     }
     mesh.check().map_err(Failure::corrupt)?;
     let refinable = RefinableMesh { mesh, sequence: file.sequence()? };
     let (found, expected) = (refinable.mesh.triangle_count(), file.summary().triangle_count);
     if found != expected {
-        return Err(Failure::corrupt(format!("the file holds {found} triangles, but says {expected}")));
+        return Err(Failure::corrupt(format!(
+            "the file contains {found} triangles, but its summary says {expected}"
+        )));
     }
     Ok(match fans {
-        Some(fans) => Built::of_parts(refinable, fans),
-        None => Built::new(refinable),
+        Some(fans) => BuiltModel::from_parts(refinable, fans),
+        None => BuiltModel::new(refinable),
     })
 }
 
-/// Triangles of a group begin where those of the one before end.
+/// Starts a group at the current end of the triangles.
 fn begin_group(mesh: &mut IndexedMesh, group: usize) {
     let first = mesh.triangles.len() as u32;
     if let Some(group) = mesh.groups.get_mut(group) {
@@ -64,7 +67,7 @@ fn begin_group(mesh: &mut IndexedMesh, group: usize) {
     }
 }
 
-fn of_patterns() -> Failure {
-    Failure::unsupported("the file knows its levels by patterns alone, which pages do not show")
-        .with_hint("`striata encode` makes a stream of it, and `striata build` without --model patterns a file with fans")
+fn patterns_only() -> Failure {
+    Failure::unsupported("the file contains only the patterns model, which pages cannot show")
+        .with_hint("convert it with `striata encode`, or rebuild it without --model patterns")
 }

@@ -1,0 +1,43 @@
+//! Shared state of the server.
+
+use std::sync::Arc;
+
+use axum::extract::FromRef;
+
+use super::assets::Assets;
+use super::folder::Folder;
+use super::listing::Listing;
+use super::thumbnails::Thumbnails;
+
+/// State that request handlers access, each its own part.
+#[derive(Clone, Debug)]
+pub(super) struct ServerState {
+    pub(super) folder: Arc<Folder>,
+    pub(super) listing: Arc<Listing>,
+    pub(super) thumbnails: Arc<Thumbnails>,
+    pub(super) assets: Arc<Assets>,
+}
+
+impl FromRef<ServerState> for Arc<Folder> {
+    fn from_ref(state: &ServerState) -> Self {
+        state.folder.clone()
+    }
+}
+
+impl FromRef<ServerState> for Arc<Listing> {
+    fn from_ref(state: &ServerState) -> Self {
+        state.listing.clone()
+    }
+}
+
+impl FromRef<ServerState> for Arc<Thumbnails> {
+    fn from_ref(state: &ServerState) -> Self {
+        state.thumbnails.clone()
+    }
+}
+
+impl FromRef<ServerState> for Arc<Assets> {
+    fn from_ref(state: &ServerState) -> Self {
+        state.assets.clone()
+    }
+}

@@ -1,0 +1,130 @@
+//! Thumbnails of models, each drawn once by a separate process and cached in memory.
+//!
+//! Files may be huge, damaged or malicious. So `striata thumbnail` draws them in another process, one at a
+//! time, with limits on memory and time: whatever happens to that process, the server continues, and its
+//! own memory does not grow.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use axum::body::Bytes;
+use axum::extract::State;
+use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
+use axum::http::{HeaderMap, HeaderValue, Uri};
+use axum::response::{IntoResponse, Response};
+use lru::LruCache;
+use tokio::process::Command;
+use tokio::sync::Semaphore;
+use tokio::time::timeout;
+
+use super::files::{find, not_found};
+use super::folder::{Folder, Stamp};
+use super::kinds::is_model;
+use super::thumbnail::{HEIGHT, WIDTH};
+use super::validators::{Coding, Validators};
+use crate::picture::placeholder;
+use striata_command::failure::Failure;
+
+/// Number of cached thumbnails, about 30 MB.
+const MAX_THUMBNAILS: NonZeroUsize = NonZeroUsize::new(512).expect("not 0");
+/// Maximum size of a thumbnail; larger output is rejected.
+const MAX_BYTES: usize = 1 << 20;
+/// Time limit for drawing.
+const DRAWING_TIMEOUT: Duration = Duration::from_secs(20);
+/// How long a request waits for its turn.
+const QUEUE_TIMEOUT: Duration = Duration::from_secs(60);
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// The cache of thumbnails.
+#[derive(Debug)]
+pub(super) struct Thumbnails {
+    cache: Mutex<LruCache<String, (Stamp, Thumbnail)>>,
+    turn: Semaphore,
+    /// The program that draws them: this command.
+    program: PathBuf,
+    placeholder: Bytes,
+}
+
+/// A thumbnail, or none if the model cannot be drawn.
+#[derive(Clone, Debug)]
+struct Thumbnail(Option<Bytes>);
+
+impl Thumbnails {
+    /// Creates an empty cache and draws the placeholder for models that cannot be drawn.
+    ///
+    /// # Errors
+    /// If the path of this command is unknown.
+    pub(super) fn new() -> Result<Self, Failure> {
+        let program = std::env::current_exe()
+            .map_err(|error| Failure::user(format!("cannot determine the path get this command: {error}")))?;
+        let placeholder = placeholder([WIDTH, HEIGHT]).to_png();
+        let placeholder =
+            placeholder.map_err(|error| Failure::internal(format!("cannot encode a thumbnail: {error}")))?;
+        let cache = Mutex::new(LruCache::new(MAX_THUMBNAILS));
+        Ok(Self { cache, turn: Semaphore::new(1), program, placeholder: placeholder.into() })
+    }
+
+    fn cached(&self, name: &str, stamp: Stamp) -> Option<Thumbnail> {
+        let mut cache = self.cache.lock().unwrap_or_else(PoisonError::into_inner);
+        cache.get(name).filter(|(state, _)| *state == stamp).map(|(_, picture)| picture.clone())
+    }
+
+    /// Returns the thumbnail of a file in this state, drawing it if needed; none if the queue times out.
+    async fn get(&self, name: &str, stamp: Stamp, path: &Path) -> Option<Thumbnail> {
+        if let Some(picture) = self.cached(name, stamp) {
+            return Some(picture);
+        }
+        let _turn = timeout(QUEUE_TIMEOUT, self.turn.acquire()).await.ok()?.ok()?;
+        // Another request may have drawn it meanwhile.
+        if let Some(picture) = self.cached(name, stamp) {
+            return Some(picture);
+        }
+        let picture = Thumbnail(self.draw(path).await);
+        let mut cache = self.cache.lock().unwrap_or_else(PoisonError::into_inner);
+        cache.put(name.to_owned(), (stamp, picture.clone()));
+        Some(picture)
+    }
+
+    async fn draw(&self, path: &Path) -> Option<Bytes> {
+        let mut command = Command::new(&self.program);
+        command.arg("thumbnail").arg(path).stdin(Stdio::null()).stderr(Stdio::null()).kill_on_drop(true);
+        let output = timeout(DRAWING_TIMEOUT, command.output()).await.ok()?.ok()?;
+        let png = output.stdout;
+        let is_picture = output.status.success() && png.starts_with(PNG) && png.len() <= MAX_BYTES;
+        is_picture.then(|| png.into_boxed_slice().into())
+    }
+}
+
+/// Handles requests for `pictures/PATH.png`.
+pub(super) async fn handle(
+    State(folder): State<Arc<Folder>>,
+    State(thumbnails): State<Arc<Thumbnails>>,
+    uri: Uri,
+    request: HeaderMap,
+) -> Response {
+    let found = find(&folder, uri.path(), "/pictures/", ".png").await;
+    let Some(found) = found.filter(|found| is_model(&found.name)) else { return not_found() };
+    let path = folder.path().join(&found.name);
+    let picture = thumbnails.get(&found.name, found.stamp, &path).await;
+    let is_final = picture.is_some();
+    let (png, state) = match picture {
+        Some(Thumbnail(Some(png))) => (png, "picture"),
+        _ => (thumbnails.placeholder.clone(), "placeholder"),
+    };
+    let tag = format!("{}-{state}", found.stamp.tag());
+    let validators = Validators::new(&tag, Coding::Plain, None);
+    if let Some(response) = validators.not_modified(&request) {
+        return response;
+    }
+    let mut response = png.into_response();
+    validators.apply(&mut response);
+    let headers = response.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static("image/png"));
+    if !is_final {
+        headers.insert(CACHE_CONTROL, HeaderValue::from_static("no-store"));
+    }
+    response
+}

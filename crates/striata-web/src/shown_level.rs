@@ -1,0 +1,25 @@
+//! Level requests and their results: triangles over the vertex buffer, group by group.
+
+/// A level that is shown, uniform or view-dependent.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct ShownLevel {
+    /// Corners of the triangles, group by group.
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// Triangle count of each group; there is at least one group.
+    pub(crate) group_counts: Vec<u32>,
+    /// Number of vertex splits of the level.
+    pub(crate) split_count: usize,
+    /// Largest distance from the full mesh, mesh units.
+    pub(crate) error: f32,
+}
+
+/// A request for a uniform level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum LevelRequest {
+    /// By detail: 0 is the base mesh, 1 the full mesh.
+    Detail(f64),
+    /// The finest level with at most this many triangles.
+    Triangles(usize),
+    /// The coarsest level whose error is at most this, mesh units.
+    Error(f64),
+}
