@@ -5,7 +5,7 @@ use std::time::Instant;
 use serde_json::{Value, json};
 use striata::file::{DecodeError, StriataFile};
 use striata::mesh::RefinableMesh;
-use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamFacts};
+use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamInfo};
 
 use crate::args::EffortArg;
 use crate::output::grouped;
@@ -14,7 +14,7 @@ use crate::output::grouped;
 #[derive(Debug)]
 pub struct Received {
     /// What the head says of the whole stream.
-    pub facts: StreamFacts,
+    pub facts: StreamInfo,
     /// The decoder after the last byte that was read.
     pub decoder: StreamDecoder,
     /// Bytes that were read, all that are there at most.
@@ -35,7 +35,7 @@ impl Received {
         mut is_enough: impl FnMut(&StreamDecoder) -> bool,
     ) -> Result<Self, DecodeError> {
         let found = bytes.len() as u64;
-        let Some(facts) = StreamFacts::read(bytes)? else {
+        let Some(facts) = StreamInfo::read(bytes)? else {
             return Err(DecodeError::FileLength { found, expected: found + 1 });
         };
         if found > facts.stream_bytes {
@@ -107,13 +107,13 @@ pub fn remark_on(file: &StriataFile<'_>, name: &str) -> Result<Option<String>, D
     if !file.is_stream_only() {
         return Ok(Some(format!("{name}: cut off within its stream; all else is there")));
     }
-    let whole = StreamFacts::read(stream)?.map_or(0, |facts| facts.stream_bytes);
+    let whole = StreamInfo::read(stream)?.map_or(0, |facts| facts.stream_bytes);
     let counts = [file.levels()?.step_count(), file.summary().step_count];
     Ok(Some(cut_remark(name, [stream.len() as u64, whole], counts)))
 }
 
 /// What the head of a stream says, for JSON.
-pub fn facts_in_json(facts: &StreamFacts) -> Value {
+pub fn facts_in_json(facts: &StreamInfo) -> Value {
     json!({
         "bytes": facts.stream_bytes,
         "head_bytes": facts.head_bytes,

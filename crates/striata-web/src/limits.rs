@@ -4,7 +4,7 @@
 //! whole will be, so what cannot fit is refused when it has come; the decoder itself allocates no more than the bytes that
 //! are there can pay for.
 
-use striata_stream::StreamFacts;
+use striata_stream::StreamInfo;
 
 use crate::Failure;
 
@@ -22,7 +22,7 @@ pub(crate) const MOST_FILE_BYTES: usize = 1 << 30;
 
 /// # Errors
 /// Where the whole stream would not fit.
-pub(crate) fn check_stream(facts: &StreamFacts) -> Result<(), Failure> {
+pub(crate) fn check_stream(facts: &StreamInfo) -> Result<(), Failure> {
     check_counts(facts.vertex_count, facts.triangle_count)
 }
 

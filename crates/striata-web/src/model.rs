@@ -292,7 +292,7 @@ impl Model {
         let (stage, kind) = match Format::detect(&bytes, name) {
             Some(Format::Stream) => (whole_stream(&bytes)?, Kind::Stream),
             Some(Format::Striata) => {
-                let file = striata_stream::open_cut(&bytes)?;
+                let file = striata_stream::open_truncated(&bytes)?;
                 limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
                 let stage = match file.stream() {
                     Some(stream) => whole_stream(stream?)?,
@@ -322,7 +322,7 @@ impl Model {
     }
 
     /// A number of the stream's head, or that of a model that is built.
-    fn told(&self, number: impl Fn(&striata_stream::StreamFacts) -> usize, built: usize) -> usize {
+    fn told(&self, number: impl Fn(&striata_stream::StreamInfo) -> usize, built: usize) -> usize {
         match &self.stage {
             Stage::Streaming(streaming) => streaming.facts().map_or(0, number),
             Stage::Built(_) => built,

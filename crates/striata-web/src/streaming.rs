@@ -5,7 +5,7 @@
 //! meanwhile, but requests are answered without new vertices and normals.
 
 use striata::mesh::Bounds;
-use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamFacts};
+use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamInfo};
 
 use crate::camera::View;
 use crate::shown::{Shown, Wish};
@@ -22,7 +22,7 @@ const MOST_HEAD_BYTES: usize = 1 << 24;
 #[derive(Debug, Default)]
 pub(crate) struct Streaming {
     decoder: StreamDecoder,
-    facts: Option<StreamFacts>,
+    facts: Option<StreamInfo>,
     /// The first bytes, until they hold the head.
     head: Vec<u8>,
     bounds: Option<Bounds>,
@@ -66,7 +66,7 @@ impl Streaming {
     /// Keeps bytes back until the head says what the whole is: nothing is decoded of what would not fit.
     fn push_head(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         self.head.extend_from_slice(bytes);
-        let Some(facts) = StreamFacts::read(&self.head)? else {
+        let Some(facts) = StreamInfo::read(&self.head)? else {
             if self.head.len() > MOST_HEAD_BYTES {
                 return Err(Failure::too_large("the head of the stream is longer than a page can hold"));
             }
@@ -129,7 +129,7 @@ impl Streaming {
         &self.decoder
     }
 
-    pub(crate) fn facts(&self) -> Option<&StreamFacts> {
+    pub(crate) fn facts(&self) -> Option<&StreamInfo> {
         self.facts.as_ref()
     }
 

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use striata::file::{WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata_io::Format;
-use striata_stream::{EncodedStream, StreamFacts, StreamOptions, encode_stream, file_model};
+use striata_stream::{EncodedStream, StreamInfo, StreamOptions, encode_stream, file_model};
 
 use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
@@ -124,7 +124,7 @@ struct Report {
 impl Report {
     fn new(made: &Made<'_>, (path, output_bytes): (String, usize), phases: Phases) -> Result<Self, Failure> {
         let sequence = &made.refinable.sequence;
-        let facts = StreamFacts::read(&made.stream.bytes)?.unwrap_or_default();
+        let facts = StreamInfo::read(&made.stream.bytes)?.unwrap_or_default();
         let stream = facts_in_json(&facts);
         let sizes = &made.stream.sizes;
         let vertex_count = made.mesh.vertex_count();

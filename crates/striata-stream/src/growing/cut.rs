@@ -34,7 +34,7 @@ pub struct HierarchyCut {
 #[non_exhaustive]
 pub struct CutUpdate {
     /// Number of steps for which the criterion was evaluated.
-    pub asked_count: usize,
+    pub evaluated_count: usize,
     /// Number of triangles of the cut.
     pub triangle_count: usize,
     /// Weight above which parts are refined: 1, or more if the triangle limit required it.
@@ -220,7 +220,7 @@ impl HierarchyCut {
         verdicts.clear();
         parts.extend(steps.iter().map(|&step| hierarchy.part(step)));
         criterion.weigh_all(parts, verdicts);
-        update.asked_count += steps.len();
+        update.evaluated_count += steps.len();
     }
 
     /// Refines a step and all its dependencies.
@@ -308,7 +308,7 @@ mod tests {
         let (mut hierarchy, mut cut) = (GrowingHierarchy::new(), HierarchyCut::new());
         hierarchy.grow(&PrefixMesh::default(), &[], |_| 0.0);
         let update = cut.refine(&hierarchy, &|_: &Part| 2.0, usize::MAX);
-        assert_eq!((update.asked_count, update.triangle_count), (0, 0));
+        assert_eq!((update.evaluated_count, update.triangle_count), (0, 0));
         let mut triangles = Vec::new();
         cut.triangles_into(&hierarchy, &PrefixMesh::default(), &mut triangles);
         assert!(triangles.is_empty());

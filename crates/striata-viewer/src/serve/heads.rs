@@ -7,7 +7,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 
 use striata::file::FileHead;
 use striata_io::Format;
-use striata_stream::StreamFacts;
+use striata_stream::StreamInfo;
 
 /// Bytes that are read at first.
 const HEAD_BYTES: usize = 64 << 10;
@@ -63,7 +63,7 @@ fn of_container(bytes: &[u8]) -> Option<Head> {
 }
 
 fn of_stream(bytes: &[u8]) -> Option<Head> {
-    let facts = StreamFacts::read(bytes).ok()??;
+    let facts = StreamInfo::read(bytes).ok()??;
     let [triangle_count, vertex_count] = [facts.triangle_count, facts.vertex_count].map(|n| Some(n as u64));
     Some(Head { streams: true, triangle_count, vertex_count })
 }

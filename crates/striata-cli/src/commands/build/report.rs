@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::mesh::IndexedMesh;
-use striata_stream::StreamFacts;
+use striata_stream::StreamInfo;
 
 use super::built::Built;
 use crate::args::BuildArgs;
@@ -54,7 +54,7 @@ impl Report {
         if !strips.is_null() {
             strips["secs"] = json!(phases.secs_of("strip"));
         }
-        let facts = built.models.stream.as_ref().and_then(|s| StreamFacts::read(&s.bytes).ok().flatten());
+        let facts = built.models.stream.as_ref().and_then(|s| StreamInfo::read(&s.bytes).ok().flatten());
         Self {
             path,
             shortfall: None,

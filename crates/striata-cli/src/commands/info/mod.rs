@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use striata::file::{DecodeError, FORMAT_VERSION, StriataFile};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate, weld};
 use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
-use striata_stream::{StreamDefect, StreamFacts};
+use striata_stream::{StreamDefect, StreamInfo};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
@@ -139,7 +139,7 @@ impl Report {
     /// What the head of the stream says, and how far the bytes go.
     fn add_stream(&mut self, file: &StriataFile<'_>, stream: &[u8], input: &Input) -> Result<(), Failure> {
         let damaged = |error: DecodeError| input.damaged(&error);
-        let facts = StreamFacts::read(stream).map_err(|error| damaged(error.into()))?;
+        let facts = StreamInfo::read(stream).map_err(|error| damaged(error.into()))?;
         let facts = facts.ok_or(StreamDefect::NoBase).map_err(|error| damaged(error.into()))?;
         self.add_model(ModelKind::Progressive, &[PartBytes { name: "stream", bytes: stream.len() }], None);
         let split_count = match (file.is_stream_only(), file.is_cut()) {
