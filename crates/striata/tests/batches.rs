@@ -67,7 +67,7 @@ fn on_the_surface() -> BatchOptions {
 
 /// As far as it goes.
 fn to_the_end() -> BatchOptions {
-    on_the_surface().with_least_batch(1)
+    on_the_surface().with_min_batch_size(1)
 }
 
 fn position_triangles(refinable: &RefinableMesh, mesh: &IndexedMesh) -> Vec<[u32; 3]> {
