@@ -102,7 +102,7 @@ fn cut_remark(name: &str, [read, whole]: [u64; 2], [split_count, step_count]: [u
 /// # Errors
 /// Where what is there of the stream is unsound.
 pub fn remark_on(file: &StriataFile<'_>, name: &str) -> Result<Option<String>, DecodeError> {
-    let Some(stream) = file.stream().filter(|_| file.is_cut()) else { return Ok(None) };
+    let Some(stream) = file.stream().filter(|_| file.is_truncated()) else { return Ok(None) };
     let stream = stream?;
     if !file.is_stream_only() {
         return Ok(Some(format!("{name}: cut off within its stream; all else is there")));

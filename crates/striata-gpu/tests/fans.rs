@@ -196,7 +196,7 @@ fn views_are_extracted_exactly_and_drawn_as_their_lists_are() {
             view.eye = std::array::from_fn(|k| 0.5 * view.eye[k] + 0.5 * view.look_at[k]);
             let camera: Camera = view.camera(SIZE).unwrap();
             let scene = FanScene::new(&bench.fans, &refinable);
-            let criterion = ScreenError::new(camera, pixels).of_model(scene.sphere());
+            let criterion = ScreenError::new(camera, pixels).with_model_bounds(scene.sphere());
             assert!(wanted.refine(&scene, &criterion) > 20, "{name}: the view asks for nothing");
             bench.check(&wanted, name);
 

@@ -206,7 +206,7 @@ fn run<F: Follower>(
         for (i, (placement, follower)) in places.iter().zip(&mut followers).enumerate() {
             let camera = placement.camera(&view)?;
             if camera.may_see(&placement.model) {
-                let criterion = ScreenError::new(camera, PIXELS).of_model(placement.model);
+                let criterion = ScreenError::new(camera, PIXELS).with_model_bounds(placement.model);
                 follower.update(scene, &criterion);
                 seen.push(i);
             } else {

@@ -117,12 +117,12 @@ fn loops_tell_which_fragments_overlap() {
     for (_, mesh) in fragment_cases() {
         let fragments = &mesh.fragments;
         let model = LoopPatterns::build(&mesh).unwrap();
-        let replaced_by = fragments.replaced_by();
+        let replaced_by = fragments.replacing_steps();
         let mut count = 0;
         for step in 0..fragments.step_count() as u32 {
             let mut below: Vec<u32> = model.covered(step).collect();
             below.sort_unstable();
-            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face));
+            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face));
             assert_eq!(below, makers.collect::<BTreeSet<_>>().into_iter().collect::<Vec<_>>());
             let mut above: Vec<u32> = model.covering(step).collect();
             above.sort_unstable();
@@ -207,7 +207,7 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
         for round in 0..60 {
             let condition = scattered([5, 20, 50, 80][round % 4], seed * 100 + round as u64);
             let ask = |face: Option<u32>, upper| {
-                let lower = face.and_then(|face| fragments.maker(face));
+                let lower = face.and_then(|face| fragments.creating_step(face));
                 condition(Overlap { lower, upper })
             };
             let expected = smallest_set(fragments, &sets, ask);

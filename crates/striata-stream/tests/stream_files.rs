@@ -62,7 +62,7 @@ fn a_file_may_contain_only_a_stream() {
     let file = open(&bytes).unwrap();
     let kinds: Vec<_> = file.sections().iter().map(|s| s.kind).collect();
     assert_eq!(kinds, [SectionKind::SUMMARY, SectionKind::METADATA, SectionKind::STREAM]);
-    assert!(file.is_stream_only() && !file.is_cut() && file.has_collapses());
+    assert!(file.is_stream_only() && !file.is_truncated() && file.has_collapses());
     assert_eq!(file.stream().unwrap().unwrap(), encoded.stream.bytes);
     assert_eq!(file.metadata().unwrap(), [("source".to_owned(), "torus".to_owned())]);
     let refinable = file.refinable_mesh().unwrap();
@@ -128,7 +128,7 @@ fn a_truncated_file_gives_the_beginning_of_its_stream() {
                 continue;
             }
         };
-        assert!(file.is_cut() && length >= offset);
+        assert!(file.is_truncated() && length >= offset);
         assert_eq!(file.stream().unwrap().unwrap(), &encoded.stream.bytes[..length - offset]);
         if length % 23 != 0 {
             continue;
@@ -146,7 +146,7 @@ fn a_truncated_file_gives_the_beginning_of_its_stream() {
         }
     }
     assert!(counts.len() > 20 && counts.is_sorted(), "{counts:?}");
-    assert!(open_truncated(&bytes).is_ok_and(|file| !file.is_cut()));
+    assert!(open_truncated(&bytes).is_ok_and(|file| !file.is_truncated()));
     // A file must not be longer than its header states, and a file without a stream must not be
     // truncated.
     let longer = [&bytes[..], &[0]].concat();

@@ -48,7 +48,7 @@ fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize)
     let fragments = &certain.fragments;
     let collapses = certify_collapses_in_any_state(refinable);
     assert_eq!(collapses.sequence.errors(), fragments.levels().errors());
-    let replaced_by = fragments.replaced_by();
+    let replaced_by = fragments.replacing_steps();
     let mut random = Random::new(7);
     for i in 0..count {
         let taken = random_selection(fragments, &mut random, 5 + 90 * i as u32 / count as u32);
@@ -84,7 +84,7 @@ fn random_selection(fragments: &FragmentSequence, random: &mut Random, percent: 
         if wanted || taken[step as usize] {
             taken[step as usize] = true;
             for &face in fragments.floor(step) {
-                if let Some(maker) = fragments.maker(face) {
+                if let Some(maker) = fragments.creating_step(face) {
                     taken[maker as usize] = true;
                 }
             }

@@ -132,7 +132,7 @@ fn what_a_condition_leads_to_is_the_smallest_set_that_satisfies_it() {
         for seed in 0..20 {
             let condition = |overlap: Overlap| is_whim(overlap, seed, (seed as u32 * 17) % 100);
             let smallest = smallest_set(fragments, &standing, |face, upper| {
-                condition(Overlap { lower: face.and_then(|face| fragments.maker(face)), upper })
+                condition(Overlap { lower: face.and_then(|face| fragments.creating_step(face)), upper })
             });
             instance.adapt(&patterns, &condition);
             let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_refined(step));
@@ -169,7 +169,7 @@ fn holds_what_is_wanted(patterns: &Patterns, scene: PatternScene<'_>, criterion:
     instance.adapt(patterns, &Wanted::new(scene, criterion));
     let mut expected = PatternInstance::base(patterns);
     for step in 0..patterns.fragment_count() as u32 {
-        if criterion.weigh(&scene.part(step)).is_wanted() {
+        if criterion.weigh(&scene.part(step)).should_refine() {
             expected.insert(patterns, step);
         }
     }

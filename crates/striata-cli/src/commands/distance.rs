@@ -1,7 +1,7 @@
 //! `distance`: how far two surfaces are from each other, both ways.
 
 use serde::Serialize;
-use striata::mesh::{DistanceError, DistanceOptions, OneSided, surface_distance};
+use striata::mesh::{DistanceError, DistanceOptions, OneSidedDistance, surface_distance};
 
 use crate::args::DistanceArgs;
 use striata_command::failure::Failure;
@@ -26,8 +26,8 @@ struct Way {
     mean: f64,
 }
 
-impl From<OneSided> for Way {
-    fn from(way: OneSided) -> Self {
+impl From<OneSidedDistance> for Way {
+    fn from(way: OneSidedDistance) -> Self {
         Self { max: way.max, rms: way.rms, mean: way.mean }
     }
 }

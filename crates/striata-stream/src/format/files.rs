@@ -33,13 +33,13 @@ pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::
     Ok(StriataFile::parse_with(bytes, verify)?.with_codec(&Codec))
 }
 
-/// Reads a file that may be truncated within its stream, like [`StriataFile::parse_cut`], and attaches a
+/// Reads a file that may be truncated within its stream, like [`StriataFile::parse_truncated`], and attaches a
 /// decoder.
 ///
 /// # Errors
-/// The errors of [`StriataFile::parse_cut`].
+/// The errors of [`StriataFile::parse_truncated`].
 pub fn open_truncated(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
-    Ok(StriataFile::parse_cut(bytes)?.with_codec(&Codec))
+    Ok(StriataFile::parse_truncated(bytes)?.with_codec(&Codec))
 }
 
 /// Opens a bare stream, complete or truncated, as a file that contains only this stream.
@@ -83,8 +83,8 @@ impl StreamCodec for Codec {
         Ok(info.map_or(Vec::new(), |info| info.metadata))
     }
 
-    fn decode(&self, stream: &[u8], is_cut: bool) -> Result<StreamMesh, file::DecodeError> {
-        Ok(decode(stream, is_cut)?)
+    fn decode(&self, stream: &[u8], is_truncated: bool) -> Result<StreamMesh, file::DecodeError> {
+        Ok(decode(stream, is_truncated)?)
     }
 }
 
@@ -115,14 +115,14 @@ fn read_head(bytes: &[u8]) -> Result<StreamHead, DecodeError> {
     Ok(StreamHead { stream_bytes: info.stream_bytes, summary })
 }
 
-fn decode(bytes: &[u8], is_cut: bool) -> Result<StreamMesh, DecodeError> {
+fn decode(bytes: &[u8], is_truncated: bool) -> Result<StreamMesh, DecodeError> {
     let mut decoder = StreamDecoder::new();
     for piece in bytes.chunks(PIECE_BYTES) {
         decoder.push(piece)?;
     }
     let malformed = |reason| DecodeError::Malformed { offset: bytes.len(), reason };
     if !decoder.is_complete() {
-        if !is_cut {
+        if !is_truncated {
             return Err(malformed("the stream is truncated"));
         }
         decoder.finish()?;

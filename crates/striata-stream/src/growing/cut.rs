@@ -157,7 +157,7 @@ impl HierarchyCut {
             for together in steps.chunks(EVALUATED_TOGETHER) {
                 self.evaluate(hierarchy, criterion, together, update);
                 for (at, &step) in together.iter().enumerate() {
-                    if self.evaluations.verdicts[at].is_wanted() {
+                    if self.evaluations.verdicts[at].should_refine() {
                         self.refine_step(hierarchy, step);
                         self.append_children(hierarchy, step, &mut next_steps);
                     }
@@ -184,7 +184,8 @@ impl HierarchyCut {
             self.append_children(hierarchy, parent, &mut children);
             for together in children.chunks(EVALUATED_TOGETHER) {
                 self.evaluate(hierarchy, criterion, together, update);
-                let wanted = together.iter().zip(&self.evaluations.verdicts).filter(|(_, v)| v.is_wanted());
+                let wanted =
+                    together.iter().zip(&self.evaluations.verdicts).filter(|(_, v)| v.should_refine());
                 // Weights are above 1, so they sort like their bits; of equal weights, the older step comes
                 // first.
                 queue.extend(wanted.map(|(&step, verdict)| (verdict.weight.to_bits(), !step)));

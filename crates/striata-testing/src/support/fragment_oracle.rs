@@ -33,7 +33,8 @@ pub fn random_closed_set(fragments: &FragmentSequence, percent: usize, random: &
     let mut is_taken: Vec<bool> = (0..fragments.step_count()).map(|_| random.below(100) < percent).collect();
     for step in (0..is_taken.len()).rev() {
         if is_taken[step] {
-            for maker in fragments.floor(step as u32).iter().filter_map(|&face| fragments.maker(face)) {
+            for maker in fragments.floor(step as u32).iter().filter_map(|&face| fragments.creating_step(face))
+            {
                 is_taken[maker as usize] = true;
             }
         }
@@ -47,7 +48,7 @@ pub fn closed_sets(fragments: &FragmentSequence) -> Vec<u32> {
     assert!(step_count <= 16, "{step_count} steps have too many sets");
     let needs: Vec<u32> = (0..step_count as u32)
         .map(|step| {
-            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face));
+            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face));
             makers.fold(0, |all, maker| all | 1 << maker)
         })
         .collect();
@@ -62,11 +63,11 @@ pub fn smallest_set(
     closed_sets: &[u32],
     is_coarse: impl Fn(Option<u32>, u32) -> bool,
 ) -> u32 {
-    let replaced_by = fragments.replaced_by();
+    let replaced_by = fragments.replacing_steps();
     let base_count = fragments.base_face_count() as u32;
     let is_taken = |set: u32, step: u32| set >> step & 1 == 1;
     let is_fine = |set: u32| {
-        let is_there = |face: u32| face < base_count || is_taken(set, fragments.maker(face).unwrap());
+        let is_there = |face: u32| face < base_count || is_taken(set, fragments.creating_step(face).unwrap());
         let mut faces = (0..replaced_by.len() as u32).filter(|&face| is_there(face));
         let has_coarse_face = faces.any(|face| {
             let upper = replaced_by[face as usize];

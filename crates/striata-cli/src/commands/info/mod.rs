@@ -142,7 +142,7 @@ impl Report {
         let facts = StreamInfo::read(stream).map_err(|error| damaged(error.into()))?;
         let facts = facts.ok_or(StreamDefect::NoBase).map_err(|error| damaged(error.into()))?;
         self.add_model(ModelKind::Progressive, &[PartBytes { name: "stream", bytes: stream.len() }], None);
-        let split_count = match (file.is_stream_only(), file.is_cut()) {
+        let split_count = match (file.is_stream_only(), file.is_truncated()) {
             (true, _) => file.levels().map_err(damaged)?.step_count(),
             (false, false) => facts.step_count,
             (false, true) => Received::read_all(stream).map_err(damaged)?.decoder.split_count(),
@@ -150,7 +150,7 @@ impl Report {
         let mut described = facts_in_json(&facts);
         described["read_bytes"] = json!(stream.len());
         described["split_count"] = json!(split_count);
-        described["is_complete"] = json!(!file.is_cut());
+        described["is_complete"] = json!(!file.is_truncated());
         self.stream = Some(described);
         Ok(())
     }

@@ -35,7 +35,7 @@ impl LoopPatterns {
         let corners: Vec<[u32; 3]> = fragments.faces().iter().map(|face| face.corners).collect();
         // What covers each triangle that is there, as far as simplification has come.
         let mut covering = vec![NO_STEP; corners.len()];
-        let replaced_by = fragments.replaced_by();
+        let replaced_by = fragments.replacing_steps();
         let is_of_full = |face: &u32| replaced_by[*face as usize] == NO_STEP;
         let full = (0..corners.len() as u32).filter(is_of_full);
         let mut builder =

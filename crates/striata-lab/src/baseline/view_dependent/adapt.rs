@@ -107,14 +107,14 @@ impl<C: Criterion> Pass<'_, C> {
     #[inline]
     fn ask(&self, step: u32) -> (bool, f32) {
         let verdict = self.criterion.weigh(&self.model.parts[step as usize]);
-        (verdict.is_wanted(), self.due(verdict))
+        (verdict.should_refine(), self.due(verdict))
     }
 
     /// What lasts for one view only is due at once.
     fn due(&self, verdict: Verdict) -> f32 {
         // Where sums of motion are coarse it lasts rather less.
-        let due = (self.state.elapsed + f64::from(verdict.lasts * (1.0 - 1e-4))) as f32;
-        if verdict.lasts > 0.0 { due.next_down() } else { ASK }
+        let due = (self.state.elapsed + f64::from(verdict.motion_margin * (1.0 - 1e-4))) as f32;
+        if verdict.motion_margin > 0.0 { due.next_down() } else { ASK }
     }
 
     /// Asks whatever is due of the active vertices: verdicts tell of a view, so that they hold whatever changes then.
@@ -153,7 +153,7 @@ impl<C: Criterion> Pass<'_, C> {
         self.criterion.weigh_all(&block.parts, &mut block.verdicts);
         for (&Question { place, kind, step }, &verdict) in block.asked.iter().zip(&block.verdicts) {
             self.state.active[place as usize].due[kind] = self.due(verdict);
-            match (kind, verdict.is_wanted()) {
+            match (kind, verdict.should_refine()) {
                 (0, true) => self.wanted.push(step),
                 (1, false) => self.unwanted.push(step),
                 _ => {}

@@ -49,7 +49,8 @@ pub(super) struct Cost {
 pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
     let frames = Path::Orbit.frames(&models.refinable.mesh);
     let camera = frames[FRAME].camera().map_err(|error| Failure::internal(error.to_string()))?;
-    let screens = PIXELS.map(|pixels| ScreenError::new(camera, pixels).of_model(models.scene().sphere()));
+    let screens =
+        PIXELS.map(|pixels| ScreenError::new(camera, pixels).with_model_bounds(models.scene().sphere()));
     let mut buffer = Vec::new();
     let mut rows = Vec::new();
     for (pixels, screen) in PIXELS.into_iter().zip(&screens) {

@@ -44,13 +44,13 @@ impl FansShown {
         match (wish.goal, wish.camera) {
             (Goal::Pixels(pixels), Some(camera)) => {
                 self.uniform = None;
-                let criterion = ScreenError::new(camera, pixels).of_model(subject.sphere);
+                let criterion = ScreenError::new(camera, pixels).with_model_bounds(subject.sphere);
                 self.front.update(&scene, &criterion, usize::MAX);
                 error_px = Some(pixels);
             }
             (Goal::Budget(limit), Some(camera)) => {
                 self.uniform = None;
-                let criterion = ScreenError::new(camera, LEAST_PIXELS).of_model(subject.sphere);
+                let criterion = ScreenError::new(camera, LEAST_PIXELS).with_model_bounds(subject.sphere);
                 let update = self.front.update_to_budget(&scene, &criterion, limit);
                 error_px = Some(criterion.pixels() * update.threshold).filter(|pixels| pixels.is_finite());
             }

@@ -141,11 +141,11 @@ impl<C: Criterion + Clone> FanFront<C> {
             for (&at, verdict) in asked.places.iter().zip(&asked.verdicts) {
                 let step = self.steps[at as usize];
                 // What lasts for no number is asked again at once.
-                self.due[at as usize] = self.due_after(verdict.lasts.max(0.0));
+                self.due[at as usize] = self.due_after(verdict.motion_margin.max(0.0));
                 let was_wanted = self.wanted.has(step);
-                self.hear(scene.fans, step, verdict.is_wanted());
+                self.hear(scene.fans, step, verdict.should_refine());
                 // One that was wanted before waits already.
-                if verdict.is_wanted() && !was_wanted && !self.instance.is_refined(step) {
+                if verdict.should_refine() && !was_wanted && !self.instance.is_refined(step) {
                     self.late_splits.push(step);
                     if is_whole {
                         self.split_late(scene.fans, change_limit, &mut update);

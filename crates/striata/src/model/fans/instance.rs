@@ -121,7 +121,7 @@ impl FanInstance {
             verdicts.clear();
             criterion.weigh_all(&parts, &mut verdicts);
             for (step, verdict) in std::mem::take(&mut steps).into_iter().zip(&verdicts) {
-                if verdict.is_wanted() {
+                if verdict.should_refine() {
                     if self.taken.has(step) {
                         self.split_into(fans, step, &mut undone);
                     }

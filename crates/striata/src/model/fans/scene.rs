@@ -40,7 +40,7 @@ impl<'a> FanScene<'a> {
         self.bounds.part(step, self.positions[self.fans.center_vertex(step)])
     }
 
-    /// A sphere around all positions, for [`ScreenError::of_model`](crate::view::ScreenError::of_model). Walks all of them:
+    /// A sphere around all positions, for [`ScreenError::with_model_bounds`](crate::view::ScreenError::with_model_bounds). Walks all of them:
     /// keep it.
     pub fn sphere(&self) -> Sphere {
         let mut corners = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];

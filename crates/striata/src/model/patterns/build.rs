@@ -61,7 +61,8 @@ impl Patterns {
         let mut ancestry = Ancestry::new(fragments.step_count());
         for step in 0..fragments.step_count() as u32 {
             let (way, up) = places.share(step, &rules, &rules_of);
-            let below = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face)).collect();
+            let below =
+                fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face)).collect();
             let down = ancestry.add(below);
             drafts.push(Draft { rule: rules_of[step as usize], way: ways.find(way), up, down });
         }
@@ -137,7 +138,7 @@ impl<'a> Places<'a> {
     fn new(fragments: &'a FragmentSequence) -> Self {
         Self {
             fragments,
-            replaced_by: fragments.replaced_by(),
+            replaced_by: fragments.replacing_steps(),
             ceilings: Vec::with_capacity(fragments.faces().len() - fragments.base_face_count()),
             half_edges: vec![0; fragments.faces().len()],
         }
