@@ -221,7 +221,7 @@ thread_local! {
 
 /// Runs `work`; the error is the message of a panic, which nobody else reports.
 #[cfg(feature = "gpu")]
-pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+pub fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     let before = IS_CAUGHT.replace(true);
     // What a panic leaves half-done is dropped by the callers.
     let result = catch_unwind(AssertUnwindSafe(work));
@@ -292,8 +292,8 @@ mod tests {
     #[cfg(feature = "gpu")]
     #[test]
     fn a_panic_that_is_caught_becomes_the_first_line_of_its_message() {
-        assert_eq!(caught(|| 7), Ok(7));
-        assert_eq!(caught(|| panic!("lost {}\nand more", "device")), Err::<(), _>("lost device".into()));
+        assert_eq!(catch_panic(|| 7), Ok(7));
+        assert_eq!(catch_panic(|| panic!("lost {}\nand more", "device")), Err::<(), _>("lost device".into()));
     }
 
     #[test]

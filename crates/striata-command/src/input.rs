@@ -83,7 +83,7 @@ impl Input {
     ///
     /// # Errors
     /// Where there is not.
-    pub fn expect_there(path: &Path) -> Result<(), Failure> {
+    pub fn check_exists(path: &Path) -> Result<(), Failure> {
         if path == Path::new("-") || Shape::named(path)?.is_some() {
             return Ok(());
         }

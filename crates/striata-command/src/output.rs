@@ -173,7 +173,7 @@ pub fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// A number with thin groups of three digits, for people.
-pub fn grouped(number: usize) -> String {
+pub fn format_count(number: usize) -> String {
     let digits = number.to_string();
     let mut out = String::new();
     for (i, digit) in digits.chars().enumerate() {
@@ -186,12 +186,12 @@ pub fn grouped(number: usize) -> String {
 }
 
 /// So many of something, for people.
-pub fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{} {}", grouped(count), if count == 1 { one } else { many })
+pub fn format_noun_count(count: usize, one: &str, many: &str) -> String {
+    format!("{} {}", format_count(count), if count == 1 { one } else { many })
 }
 
 /// A size in bytes for people.
-pub fn sized(bytes: usize) -> String {
+pub fn format_bytes(bytes: usize) -> String {
     match bytes {
         0..10_000 => format!("{bytes} B"),
         10_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
@@ -200,7 +200,7 @@ pub fn sized(bytes: usize) -> String {
 }
 
 /// A length in mesh units for people: digits that tell something at any scale.
-pub fn measured(length: f64) -> String {
+pub fn format_length(length: f64) -> String {
     match length.abs() {
         size if size == 0.0 || (1e-4..1e7).contains(&size) => format!("{length:.6}"),
         _ => format!("{length:.3e}"),
@@ -208,7 +208,7 @@ pub fn measured(length: f64) -> String {
 }
 
 /// A duration for people.
-pub fn lasted(secs: f64) -> String {
+pub fn format_duration(secs: f64) -> String {
     if secs < 0.001 {
         format!("{:.0} µs", secs * 1e6)
     } else if secs < 1.0 {
@@ -270,18 +270,18 @@ mod tests {
 
     #[test]
     fn numbers_are_grouped_by_three() {
-        assert_eq!(grouped(0), "0");
-        assert_eq!(grouped(999), "999");
-        assert_eq!(grouped(1000), "1,000");
-        assert_eq!(grouped(1_234_567), "1,234,567");
+        assert_eq!(format_count(0), "0");
+        assert_eq!(format_count(999), "999");
+        assert_eq!(format_count(1000), "1,000");
+        assert_eq!(format_count(1_234_567), "1,234,567");
     }
 
     #[test]
     fn lengths_tell_something_at_any_scale() {
-        assert_eq!(measured(0.0), "0.000000");
-        assert_eq!(measured(1.25), "1.250000");
-        assert_eq!(measured(8.76e-11), "8.760e-11");
-        assert_eq!(measured(7.07e29), "7.070e29");
+        assert_eq!(format_length(0.0), "0.000000");
+        assert_eq!(format_length(1.25), "1.250000");
+        assert_eq!(format_length(8.76e-11), "8.760e-11");
+        assert_eq!(format_length(7.07e29), "7.070e29");
     }
 
     #[test]

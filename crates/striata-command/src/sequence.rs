@@ -95,7 +95,7 @@ impl Steps {
 
 /// A mesh with its steps.
 #[derive(Debug)]
-pub struct Sequenced {
+pub struct SimplifiedSteps {
     /// The steps.
     pub steps: Steps,
     /// Why there are no more.
@@ -108,7 +108,7 @@ pub struct Sequenced {
     floors: Option<FragmentedMesh>,
 }
 
-impl Sequenced {
+impl SimplifiedSteps {
     /// The steps as fragments; where errors are guaranteed, so are those of single floors.
     ///
     /// # Errors
@@ -188,12 +188,16 @@ impl SequencePlan {
     ///
     /// # Errors
     /// Where an option is out of range.
-    pub fn run(&self, welded: Welded, progress: &mut ProgressFn<'_>) -> Result<Sequenced, SimplifyError> {
+    pub fn run(
+        &self,
+        welded: Welded,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifiedSteps, SimplifyError> {
         match self {
             Self::Quadric { options, promise: Promise::Estimates, batches } => {
                 let (built, batches) = collapses(welded, options.clone(), *batches, progress)?;
                 let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
-                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, batches, floors: None })
+                Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: false, batches, floors: None })
             }
             Self::Quadric { options, promise, batches } => {
                 // Estimates would stop it elsewhere.
@@ -209,7 +213,7 @@ impl SequencePlan {
                     None => (Steps::Fragments(built.fragmented), None),
                 };
                 let stop_reason = built.stop_reason;
-                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, batches: None, floors })
+                Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: true, batches: None, floors })
             }
         }
     }
@@ -240,7 +244,7 @@ fn certified(
     max_error: Option<f64>,
     promise: Promise,
     progress: &mut ProgressFn<'_>,
-) -> Result<Sequenced, SimplifyError> {
+) -> Result<SimplifiedSteps, SimplifyError> {
     let refinable = match promise {
         Promise::AnyState => certify_collapses_in_any_state_with_progress(&built.refinable, progress)?,
         _ => certify_collapses_with_progress(&built.refinable, progress)?,
@@ -253,7 +257,7 @@ fn certified(
     }
     let stop_reason = if first > 0 { StopReason::ErrorLimit } else { built.stop_reason };
     let steps = Steps::Collapses(refinable.without_levels_below(first));
-    Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, batches, floors: None })
+    Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: true, batches, floors: None })
 }
 
 impl SequenceArgs {

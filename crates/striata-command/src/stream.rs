@@ -8,11 +8,11 @@ use striata::mesh::RefinableMesh;
 use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamInfo};
 
 use crate::args::EffortArg;
-use crate::output::grouped;
+use crate::output::format_count;
 
 /// What some bytes of a stream have told.
 #[derive(Debug)]
-pub struct Received {
+pub struct DecodedStream {
     /// What the head says of the whole stream.
     pub facts: StreamInfo,
     /// The decoder after the last byte that was read.
@@ -25,7 +25,7 @@ pub struct Received {
     pub decode_secs: f64,
 }
 
-impl Received {
+impl DecodedStream {
     /// Reads chunk by chunk until there is no more or it is enough.
     ///
     /// # Errors
@@ -90,8 +90,8 @@ fn end_within(bytes: &[u8], end: Option<u64>) -> usize {
 }
 
 fn cut_remark(name: &str, [read, whole]: [u64; 2], [split_count, step_count]: [usize; 2]) -> String {
-    let [read, whole] = [read, whole].map(|bytes| grouped(usize::try_from(bytes).unwrap_or(usize::MAX)));
-    let [split_count, step_count] = [grouped(split_count), grouped(step_count)];
+    let [read, whole] = [read, whole].map(|bytes| format_count(usize::try_from(bytes).unwrap_or(usize::MAX)));
+    let [split_count, step_count] = [format_count(split_count), format_count(step_count)];
     format!(
         "{name}: cut off after {read} of {whole} bytes: {split_count} of {step_count} vertex splits are there"
     )

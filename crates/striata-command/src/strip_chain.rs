@@ -54,7 +54,7 @@ pub struct StripPlan {
 
 /// Strips, and how long the stripifiers took to make them.
 #[derive(Clone, Debug)]
-pub struct Stripped {
+pub struct TimedStrips {
     /// The strips.
     pub strips: StripSet,
     /// Seconds.
@@ -81,7 +81,7 @@ impl StripPlan {
     ///
     /// # Errors
     /// Where the mesh's parts do not fit together.
-    pub fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<Stripped, MeshError> {
+    pub fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<TimedStrips, MeshError> {
         let started = Instant::now();
         let mut strips = StripSet::new();
         for (i, &stripifier) in self.chain.stripifiers.iter().enumerate() {
@@ -103,7 +103,7 @@ impl StripPlan {
             };
             strips = stripify_from(mesh, &strips, &options, &mut spent)?;
         }
-        Ok(Stripped { strips, secs: started.elapsed().as_secs_f64() })
+        Ok(TimedStrips { strips, secs: started.elapsed().as_secs_f64() })
     }
 }
 

@@ -5,8 +5,8 @@ use striata::mesh::{IndexedMesh, MeshError};
 use striata::strip::{RESTART, fifo_cache_cost, lru_cache_cost};
 use striata_strip::strip_count_bound;
 
-use crate::output::{Table, grouped, lasted};
-use crate::strip_chain::{StripChain, Stripped};
+use crate::output::{Table, format_count, format_duration};
+use crate::strip_chain::{StripChain, TimedStrips};
 
 /// What strips cost.
 #[derive(Clone, Debug, Serialize)]
@@ -63,7 +63,7 @@ impl StripReport {
     pub fn new(
         algorithm: String,
         mesh: &IndexedMesh,
-        stripped: &Stripped,
+        stripped: &TimedStrips,
         cache_size: usize,
     ) -> Result<Self, MeshError> {
         let cost = stripped.strips.cost();
@@ -109,26 +109,26 @@ impl StripReport {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
         row("algorithm", self.algorithm.clone());
-        row("triangles", grouped(self.triangle_count));
+        row("triangles", format_count(self.triangle_count));
         if self.degenerate_triangle_count > 0 {
-            row("degenerate, left out", grouped(self.degenerate_triangle_count));
+            row("degenerate, left out", format_count(self.degenerate_triangle_count));
         }
-        row("components", grouped(self.component_count));
-        row("strips", grouped(self.strip_count));
+        row("components", format_count(self.component_count));
+        row("strips", format_count(self.strip_count));
         if let Some(bound) = self.strip_count_bound {
-            row("strips, at the very least", grouped(bound));
+            row("strips, at the very least", format_count(bound));
         }
-        row("swaps", grouped(self.swap_count));
-        row("restarts", grouped(self.restart_count));
-        row("indices", grouped(self.index_count));
+        row("swaps", format_count(self.swap_count));
+        row("restarts", format_count(self.restart_count));
+        row("indices", format_count(self.index_count));
         row("indices a triangle", format!("{:.4}", self.indices_per_triangle));
-        row("longest strip, indices", grouped(self.longest_strip));
+        row("longest strip, indices", format_count(self.longest_strip));
         let size = self.cache_size;
         row(&format!("misses a triangle, FIFO {size}"), format!("{:.4}", self.acmr));
         row(&format!("misses a vertex, FIFO {size}"), format!("{:.4}", self.atvr));
         row(&format!("misses a triangle, LRU {size}"), format!("{:.4}", self.acmr_lru));
         row(&format!("misses a vertex, LRU {size}"), format!("{:.4}", self.atvr_lru));
-        row("time of the stripifier", lasted(self.stripify_secs));
+        row("time of the stripifier", format_duration(self.stripify_secs));
         table.to_text()
     }
 }

@@ -11,9 +11,9 @@ use crate::args::DecodeArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{Floor, Reached, remark, shortfall};
-use striata_command::output::{Output, grouped, lasted, measured};
+use striata_command::output::{Output, format_count, format_duration, format_length};
 use striata_command::save::{Drawn, format_of, is_stdout, save};
-use striata_command::stream::{Received, effort_name};
+use striata_command::stream::{DecodedStream, effort_name};
 
 #[derive(Serialize)]
 struct Report {
@@ -53,7 +53,8 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let step_count = file.summary().step_count;
     let target = args.level.level.target(full_mesh(&args.level.level, &file, &input)?);
     let target = target.map(|target| in_splits(target, step_count));
-    let received = Received::read(stream, |decoder| target.is_some_and(|target| is_enough(decoder, target)));
+    let received =
+        DecodedStream::read(stream, |decoder| target.is_some_and(|target| is_enough(decoder, target)));
     let received = received.map_err(|error| input.damaged(&error))?;
     let refinable = received.refinable().map_err(|error| input.damaged(&error))?;
     let decoded = match target {
@@ -79,12 +80,12 @@ struct Decoded {
 }
 
 impl Decoded {
-    fn of_all(refinable: RefinableMesh, received: &Received) -> Self {
+    fn of_all(refinable: RefinableMesh, received: &DecodedStream) -> Self {
         let (split_count, error) = (received.decoder.split_count(), received.decoder.error());
         Self { mesh: refinable.mesh, split_count, error: error.unwrap_or_default(), shortfall: None }
     }
 
-    fn at_level(refinable: &RefinableMesh, received: &Received, target: Target) -> Self {
+    fn at_level(refinable: &RefinableMesh, received: &DecodedStream, target: Target) -> Self {
         let (split_count, end) = resolve(target, received, refinable.sequence.levels());
         let mesh = replay(refinable, split_count).without_unused_vertices();
         let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
@@ -100,7 +101,7 @@ impl Decoded {
 }
 
 impl Report {
-    fn new(decoded: Decoded, received: &Received, started: Instant) -> Self {
+    fn new(decoded: Decoded, received: &DecodedStream, started: Instant) -> Self {
         Self {
             vertex_count: decoded.mesh.vertex_count(),
             triangle_count: decoded.mesh.triangle_count(),
@@ -121,12 +122,12 @@ impl Report {
     fn to_text(&self) -> String {
         format!(
             "{} triangles, {} vertices, split {} of {}, error {}; decoded in {} ({:.2} M triangles/s){}",
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.split_count),
-            grouped(self.step_count),
-            measured(self.error.into()),
-            lasted(self.decode_secs),
+            format_count(self.triangle_count),
+            format_count(self.vertex_count),
+            format_count(self.split_count),
+            format_count(self.step_count),
+            format_length(self.error.into()),
+            format_duration(self.decode_secs),
             self.triangles_per_sec / 1e6,
             self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
         )

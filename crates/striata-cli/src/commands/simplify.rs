@@ -17,9 +17,9 @@ use striata_command::level::{
     Floor, FullMesh, LevelRow, Reached, Wanted, check_paths, check_strict, remark, shortfall,
     table_of_levels, wanted_levels,
 };
-use striata_command::output::{Bar, Output, grouped, lasted, measured};
+use striata_command::output::{Bar, Output, format_count, format_duration, format_length};
 use striata_command::save::{Drawn, LevelFiles, format_of, is_stdout, name_of};
-use striata_command::sequence::{Limits, SequencePlan, Sequenced, StepKind, limit_in_units};
+use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
 
 /// Samples of each surface for the way back.
 const REVERSE_SAMPLES: usize = 100_000;
@@ -169,7 +169,7 @@ fn limits(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Limits {
 /// Makes levels of a mesh.
 enum Maker<'a> {
     /// The mesh has been simplified once, as far as any level needs.
-    Sequenced(Box<Sequenced>),
+    Sequenced(Box<SimplifiedSteps>),
     /// Vertices may lie anywhere: each level is a simplification of its own.
     Optimal(&'a IndexedMesh, SequenceOptions),
 }
@@ -214,8 +214,8 @@ impl<'a> Maker<'a> {
 }
 
 /// One level of a sequence; the coarsest if none is asked for.
-fn level_of(sequenced: &Sequenced, target: Option<Target>) -> Simplified {
-    let Sequenced { steps, stop_reason: end_reason, .. } = sequenced;
+fn level_of(sequenced: &SimplifiedSteps, target: Option<Target>) -> Simplified {
+    let SimplifiedSteps { steps, stop_reason: end_reason, .. } = sequenced;
     let (levels, end_reason) = (steps.levels(), *end_reason);
     let (split_count, stop_reason) = match target {
         None => (0, end_reason),
@@ -265,17 +265,17 @@ impl Report {
         let share = |error: f64| if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
         let kind = if self.error_is_guaranteed { "guaranteed " } else { "" };
         let reverse = level.reverse_error.flatten().map_or_else(String::new, |error| {
-            format!(", back {} (sampled, {:.4} %)", measured(error), share(error))
+            format!(", back {} (sampled, {:.4} %)", format_length(error), share(error))
         });
         let shortfall = level.shortfall.as_ref().map(|shortfall| format!("\n{}", remark(None, shortfall)));
         format!(
             "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}, {}, {}{}",
-            grouped(before),
-            grouped(level.triangle_count),
-            measured(level.error),
+            format_count(before),
+            format_count(level.triangle_count),
+            format_length(level.error),
             share(level.error),
             level.stop_reason.replace('_', " "),
-            lasted(self.secs),
+            format_duration(self.secs),
             shortfall.unwrap_or_default()
         )
     }
@@ -285,8 +285,8 @@ impl LevelsReport {
     fn to_text(&self, before: usize) -> String {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(LevelReport::row).collect();
         let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
-        let secs = lasted(self.secs);
-        format!("{}{} triangles in all, errors {kind}, {secs}", table_of_levels(&rows), grouped(before))
+        let secs = format_duration(self.secs);
+        format!("{}{} triangles in all, errors {kind}, {secs}", table_of_levels(&rows), format_count(before))
     }
 }
 

@@ -13,7 +13,7 @@ use crate::strip_lists::StripLists;
 use striata_command::args::FormatArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, counted, grouped};
+use striata_command::output::{Output, format_count, format_noun_count};
 use striata_command::save::{Drawn, format_of, is_stdout, save};
 use striata_command::strip_report::StripReport;
 
@@ -95,13 +95,13 @@ impl Report {
             let plain = match self.plain_group_count {
                 None | Some(0) => String::new(),
                 Some(groups) => {
-                    let groups = counted(groups, "group", "groups");
+                    let groups = format_noun_count(groups, "group", "groups");
                     format!("; {groups} of single triangles, which take fewer")
                 }
             };
             text.push_str(&format!(
                 "{name}: {} indices, strips joined by degenerate triangles{plain}\n",
-                grouped(count)
+                format_count(count)
             ));
         }
         text

@@ -10,7 +10,7 @@ use striata_strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks_wit
 use crate::args::StripArgs;
 use striata_command::clock::peak_rss_bytes;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, Table, grouped, lasted, sized};
+use striata_command::output::{Output, Table, format_bytes, format_count, format_duration};
 use striata_command::save::{format_of, is_stdout};
 use striata_command::shapes::Shape;
 
@@ -163,22 +163,22 @@ impl Report {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
         row("algorithm", self.algorithm.clone());
-        row("triangles", grouped(self.triangle_count));
+        row("triangles", format_count(self.triangle_count));
         if self.degenerate_triangle_count > 0 {
             row("degenerate, left out", self.degenerate_triangle_count.to_string());
         }
-        row("strips", grouped(self.strip_count));
-        row("swaps", grouped(self.swap_count));
-        row("indices", grouped(self.index_count));
+        row("strips", format_count(self.strip_count));
+        row("swaps", format_count(self.swap_count));
+        row("indices", format_count(self.index_count));
         row("indices a triangle", format!("{:.4}", self.indices_per_triangle));
-        row("longest strip, indices", grouped(self.longest_strip));
-        row("blocks", grouped(self.block_count as usize));
-        row("triangles at once, most", grouped(self.peak_window_triangles));
-        row("triangles waiting, most", grouped(self.peak_held_triangles));
-        row("time to cut into blocks", lasted(self.read_secs));
-        row("time of the stripifier", lasted(self.stripify_secs));
+        row("longest strip, indices", format_count(self.longest_strip));
+        row("blocks", format_count(self.block_count as usize));
+        row("triangles at once, most", format_count(self.peak_window_triangles));
+        row("triangles waiting, most", format_count(self.peak_held_triangles));
+        row("time to cut into blocks", format_duration(self.read_secs));
+        row("time of the stripifier", format_duration(self.stripify_secs));
         if let Some(bytes) = self.peak_rss_bytes {
-            row("memory, most", sized(bytes as usize));
+            row("memory, most", format_bytes(bytes as usize));
         }
         table.to_text()
     }

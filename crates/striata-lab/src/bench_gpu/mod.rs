@@ -17,8 +17,8 @@ use self::report::{MeshReport, Report};
 use self::stage::Stage;
 use crate::args::BenchGpuArgs;
 use striata_command::args::Viewport;
+use striata_command::driver_messages::without_driver_messages;
 use striata_command::failure::Failure;
-use striata_command::hush::hushed;
 use striata_command::input::Input;
 use striata_command::output::Output;
 
@@ -30,7 +30,7 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let entries = ways::entries(&args.way_names())?;
     let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
-    let gpu = hushed(output, || Gpu::new(&options))?;
+    let gpu = without_driver_messages(output, || Gpu::new(&options))?;
     // All are opened first: a file that is not there is told before any work.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let (Viewport(size), plan) = (args.size, args.strip_plan());

@@ -6,15 +6,15 @@ use striata::mesh::IndexedMesh;
 use striata::strip::{RESTART, StripSet};
 
 use striata_command::failure::Failure;
-use striata_command::strip_chain::Stripped;
+use striata_command::strip_chain::TimedStrips;
 
-type Stripify = fn(&IndexedMesh) -> Result<Stripped, Failure>;
+type Stripify = fn(&IndexedMesh) -> Result<TimedStrips, Failure>;
 
 /// Each with its name.
 pub(super) const PEERS: [(&str, Stripify); 1] = [("meshoptimizer", meshoptimizer)];
 
 /// The triangles first put into the order that its stripifier wants; the time is that of both.
-fn meshoptimizer(mesh: &IndexedMesh) -> Result<Stripped, Failure> {
+fn meshoptimizer(mesh: &IndexedMesh) -> Result<TimedStrips, Failure> {
     by_group(mesh, |indices, vertex_count| {
         let ordered = meshopt::optimize_vertex_cache_strip(indices, vertex_count);
         meshopt::stripify(&ordered, vertex_count, RESTART)
@@ -24,7 +24,7 @@ fn meshoptimizer(mesh: &IndexedMesh) -> Result<Stripped, Failure> {
 fn by_group(
     mesh: &IndexedMesh,
     stripify: impl Fn(&[u32], usize) -> meshopt::Result<Vec<u32>>,
-) -> Result<Stripped, Failure> {
+) -> Result<TimedStrips, Failure> {
     let started = Instant::now();
     let mut joined = Vec::new();
     for group in mesh.groups_or_whole() {
@@ -45,5 +45,5 @@ fn by_group(
         }
         strips.end_group();
     }
-    Ok(Stripped { strips, secs })
+    Ok(TimedStrips { strips, secs })
 }

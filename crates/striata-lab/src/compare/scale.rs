@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// Which values an axis shows, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +65,7 @@ impl Scale {
     /// A tick as it is written.
     pub(super) fn label(value: f64) -> String {
         if value >= 1000.0 {
-            return grouped(value.round() as usize);
+            return format_count(value.round() as usize);
         }
         // Ticks have few digits; what arithmetic left behind them is not shown.
         let text = format!("{value:.6}");

@@ -9,8 +9,8 @@ use super::plot::{Chart, Series};
 use super::scale::Scale;
 use striata_command::args::StripSearchArgs;
 use striata_command::failure::Failure;
-use striata_command::output::{grouped, lasted};
-use striata_command::strip_chain::{StripChain, StripPlan, Stripped};
+use striata_command::output::{format_count, format_duration};
+use striata_command::strip_chain::{StripChain, StripPlan, TimedStrips};
 use striata_command::strip_report::StripReport;
 
 /// Runs of what ends by itself; the quickest is told.
@@ -38,7 +38,7 @@ pub(super) fn measure(
 ) -> Result<Vec<StripifierRow>, Failure> {
     let wanted = canonical_triangles(&proper_triangles(mesh));
     let mut rows = Vec::new();
-    let mut push = |name: &str, budget_secs, made: &Stripped| {
+    let mut push = |name: &str, budget_secs, made: &TimedStrips| {
         check(name, &made.strips, &wanted)?;
         let report = StripReport::new(name.to_owned(), mesh, made, 16)?;
         rows.push(StripifierRow { report, budget_secs, secs: made.secs });
@@ -66,7 +66,7 @@ pub(super) fn measure(
     Ok(rows)
 }
 
-fn quickest(mut run: impl FnMut() -> Result<Stripped, Failure>) -> Result<Stripped, Failure> {
+fn quickest(mut run: impl FnMut() -> Result<TimedStrips, Failure>) -> Result<TimedStrips, Failure> {
     let mut best = run()?;
     for _ in 1..RUN_COUNT {
         let made = run()?;
@@ -116,10 +116,10 @@ pub(super) fn table(rows: &[StripifierRow]) -> Vec<Vec<String>> {
         table.push(vec![
             report.algorithm.clone(),
             row.budget(),
-            lasted(row.secs),
-            grouped(report.strip_count),
-            grouped(report.swap_count),
-            grouped(report.index_count),
+            format_duration(row.secs),
+            format_count(report.strip_count),
+            format_count(report.swap_count),
+            format_count(report.index_count),
             format!("{:.4}", report.indices_per_triangle),
             format!("{:.4}", report.acmr_16),
             format!("{:.4}", report.atvr_16),

@@ -14,7 +14,7 @@ use super::plot::{Chart, Series};
 use super::scale::Scale;
 use striata_command::args::StripSearchArgs;
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 use striata_command::strip_chain::StripPlan;
 
 /// The tunnelling stripifiers: identities that follow each flip, and the baseline without.
@@ -121,7 +121,7 @@ pub(super) fn table(rows: &[TunnelRow]) -> Vec<Vec<String>> {
     for of_length in rows.chunk_by(|a, b| a.max_length == b.max_length) {
         let mut cells = vec![of_length[0].max_length.to_string()];
         for row in of_length {
-            let range = format!("{}–{}", grouped(row.min), grouped(row.max));
+            let range = format!("{}–{}", format_count(row.min), format_count(row.max));
             cells.extend([tenths(row.mean), range, tenths(row.std)]);
         }
         table.push(cells);
@@ -132,7 +132,7 @@ pub(super) fn table(rows: &[TunnelRow]) -> Vec<Vec<String>> {
 /// A number with one digit after the point, thousands grouped.
 fn tenths(number: f64) -> String {
     let tenths = (number * 10.0).round() as usize;
-    format!("{}.{}", grouped(tenths / 10), tenths % 10)
+    format!("{}.{}", format_count(tenths / 10), tenths % 10)
 }
 
 /// The same as a chart and a table.

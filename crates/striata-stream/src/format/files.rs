@@ -33,8 +33,8 @@ pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::
     Ok(StriataFile::parse_with(bytes, verify)?.with_codec(&Codec))
 }
 
-/// Reads a file that may be truncated within its stream, like [`StriataFile::parse_truncated`], and attaches a
-/// decoder.
+/// Reads a file that may be truncated within its stream, like [`StriataFile::parse_truncated`], and
+/// attaches a decoder.
 ///
 /// # Errors
 /// The errors of [`StriataFile::parse_truncated`].

@@ -15,8 +15,8 @@ use super::drawn::Drawn;
 use super::paint::Color;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
-use striata_command::failure::caught;
-use striata_command::hush::hushed;
+use striata_command::driver_messages::without_driver_messages;
+use striata_command::failure::catch_panic;
 use striata_command::output::Output;
 
 /// A GPU with all that does not change from shot to shot.
@@ -53,7 +53,7 @@ impl GpuArtist {
     /// # Errors
     /// If there is none.
     pub fn open(options: &GpuOptions, output: &Output) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
-        let chosen = hushed(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
+        let chosen = without_driver_messages(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
         if output.is_verbose() {
             let info = chosen.gpu.info();
             output.say(&format!(
@@ -187,7 +187,7 @@ impl GpuArtist {
 
 /// Work on a GPU whose panics are errors: the rasterizer can still draw the picture.
 fn attempt<T>(work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
-    caught(work).unwrap_or_else(|panic| Err(GpuError::Failed(panic)))
+    catch_panic(work).unwrap_or_else(|panic| Err(GpuError::Failed(panic)))
 }
 
 fn look(shot: &Shot<'_>, edge_opacity: f32, factor: f32) -> Look {

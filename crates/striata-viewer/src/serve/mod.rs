@@ -37,7 +37,7 @@ use options::Options;
 use pictures::Pictures;
 use site::Site;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, grouped};
+use striata_command::output::{Output, format_count};
 
 #[derive(Serialize)]
 struct Report {
@@ -58,7 +58,7 @@ pub fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
 /// # Errors
 /// If it cannot be served.
 pub fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
-    striata_command::input::Input::expect_there(file)?;
+    striata_command::input::Input::check_exists(file)?;
     if !cfg!(feature = "window") {
         output.say(
             "this build of striata has no window (`--features full` adds it): the browser shows the model",
@@ -148,7 +148,7 @@ fn announce(folder: &Folder, address: SocketAddr, models: usize, output: &Output
     let report = Report { url: base_url(address), models };
     let what = match folder.only() {
         Some(name) => name.to_owned(),
-        None => format!("{} models of {}", grouped(models), folder.path().display()),
+        None => format!("{} models of {}", format_count(models), folder.path().display()),
     };
     output.data(&report, &format!("{}\n", url_to_open(folder, address)))?;
     output.say(&format!("serves {what}; Ctrl-C ends it"));

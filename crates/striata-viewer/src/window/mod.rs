@@ -45,7 +45,7 @@ use striata_command::output::Output;
 /// # Errors
 /// Where there is no display or no device, a file is not there, or the screenshot cannot be made.
 pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
-    args.files.iter().try_for_each(|path| Input::expect_there(path))?;
+    args.files.iter().try_for_each(|path| Input::check_exists(path))?;
     #[cfg(feature = "serve")]
     if args.browser {
         return show_in_browser(&args.files, output);

@@ -11,7 +11,7 @@ use super::state::{Background, Colors, GoalKind};
 use super::subject::Subject;
 use super::viewer::{Place, Viewer};
 use super::{frustum, help, plots};
-use striata_command::output::{grouped, measured, sized};
+use striata_command::output::{format_bytes, format_count, format_length};
 
 /// Width of the panel, points.
 const WIDTH: f32 = 300.0;
@@ -172,17 +172,20 @@ fn facts(viewer: &Viewer, ui: &mut Ui) {
         row(
             "file",
             match subject.file_bytes {
-                Some(bytes) => format!("{}, {}", subject.kind, sized(bytes)),
+                Some(bytes) => format!("{}, {}", subject.kind, format_bytes(bytes)),
                 None => subject.kind.to_owned(),
             },
         );
-        row("triangles", format!("{}, base {}", grouped(mesh.triangle_count()), levels.triangle_count_at(0)));
-        row("vertices", grouped(mesh.vertex_count()));
+        row(
+            "triangles",
+            format!("{}, base {}", format_count(mesh.triangle_count()), levels.triangle_count_at(0)),
+        );
+        row("vertices", format_count(mesh.vertex_count()));
         if mesh.groups.len() > 1 {
-            row("groups", grouped(mesh.groups.len()));
+            row("groups", format_count(mesh.groups.len()));
         }
-        row("diagonal", measured(subject.bounds.diagonal()));
-        row("largest error", measured(levels.error_at(0).into()));
+        row("diagonal", format_length(subject.bounds.diagonal()));
+        row("largest error", format_length(levels.error_at(0).into()));
     });
 }
 
@@ -230,9 +233,12 @@ fn level(viewer: &mut Viewer, ui: &mut Ui) {
         };
         let share =
             100.0 * achieved.triangle_count as f64 / subject.steps.mesh().triangle_count().max(1) as f64;
-        row("triangles", format!("{} ({share:.1}%)", grouped(achieved.triangle_count)));
-        row("splits", format!("{} of {}", grouped(achieved.split_count), grouped(levels.step_count())));
-        row("error", measured(achieved.error.into()));
+        row("triangles", format!("{} ({share:.1}%)", format_count(achieved.triangle_count)));
+        row(
+            "splits",
+            format!("{} of {}", format_count(achieved.split_count), format_count(levels.step_count())),
+        );
+        row("error", format_length(achieved.error.into()));
         row(
             "on screen",
             match error_px {

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use egui::{Color32, RichText, Ui};
 use egui_plot::{Line, Plot, PlotPoints};
 
-use striata_command::output::{grouped, lasted, sized};
+use striata_command::output::{format_bytes, format_count, format_duration};
 
 /// Frames that are kept.
 const FRAMES: usize = 240;
@@ -58,7 +58,7 @@ impl History {
 /// Shows the three plots below each other.
 pub(super) fn show(ui: &mut Ui, history: &History) {
     let last = history.last().copied().unwrap_or_default();
-    let frame = format!("{} · level {}", lasted(last.frame_secs), lasted(last.level_secs));
+    let frame = format!("{} · level {}", format_duration(last.frame_secs), format_duration(last.level_secs));
     let blue = Color32::from_rgb(86, 156, 255);
     let orange = Color32::from_rgb(240, 146, 60);
     let green = Color32::from_rgb(70, 176, 110);
@@ -68,9 +68,9 @@ pub(super) fn show(ui: &mut Ui, history: &History) {
     ];
     plot(ui, "frame, ms", &frame, frame_lines);
     let triangles = vec![Line::new("triangles", history.points(|s| s.triangle_count as f64)).color(green)];
-    plot(ui, "triangles", &grouped(last.triangle_count), triangles);
+    plot(ui, "triangles", &format_count(last.triangle_count), triangles);
     let bytes = vec![Line::new("bytes", history.points(|s| s.uploaded_bytes as f64)).color(orange)];
-    plot(ui, "uploaded", &sized(last.uploaded_bytes as usize), bytes);
+    plot(ui, "uploaded", &format_bytes(last.uploaded_bytes as usize), bytes);
 }
 
 fn plot(ui: &mut Ui, name: &'static str, value: &str, lines: Vec<Line<'static>>) {

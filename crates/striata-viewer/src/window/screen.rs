@@ -8,8 +8,8 @@ use striata_gpu::{ChosenAdapter, Gpu, GpuError, GpuOptions, Picture, choose_from
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-use striata_command::failure::{Failure, caught};
-use striata_command::hush::hushed;
+use striata_command::driver_messages::without_driver_messages;
+use striata_command::failure::{Failure, catch_panic};
 use striata_command::output::Output;
 
 /// A window that can be painted.
@@ -53,7 +53,7 @@ impl Screen {
         output: &Output,
     ) -> Result<Self, Failure> {
         let display = Box::new(event_loop.owned_display_handle());
-        let found = hushed(output, || caught(|| find(&window, display)));
+        let found = without_driver_messages(output, || catch_panic(|| find(&window, display)));
         let Found { instance, surface, chosen } = found.unwrap_or_else(|panic| Err(no_device(&panic)))?;
         let ChosenAdapter { gpu, made: mut config, rejected } = chosen;
         for adapter in rejected {

@@ -64,7 +64,7 @@ pub trait StreamCodec: Debug + Sync {
     /// Decodes a stream. `is_truncated` allows the stream to be truncated.
     ///
     /// # Errors
-    /// [`DecodeError`] if the stream is invalid, is truncated although `is_truncated` is false, or ends before
-    /// its base mesh is complete.
+    /// [`DecodeError`] if the stream is invalid, is truncated although `is_truncated` is false, or ends
+    /// before its base mesh is complete.
     fn decode(&self, stream: &[u8], is_truncated: bool) -> Result<StreamMesh, DecodeError>;
 }

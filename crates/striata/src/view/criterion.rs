@@ -58,8 +58,8 @@ pub trait Criterion {
         verdicts.extend(parts.iter().map(|part| self.weigh(part)));
     }
 
-    /// How far the view has moved since an earlier one, in the unit of [`Verdict::motion_margin`]; infinite if
-    /// verdicts of the earlier view say nothing about this one.
+    /// How far the view has moved since an earlier one, in the unit of [`Verdict::motion_margin`]; infinite
+    /// if verdicts of the earlier view say nothing about this one.
     ///
     /// Motions add up: a verdict is valid as long as their sum does not exceed its margin.
     fn motion_since(&self, _earlier: &Self) -> f32

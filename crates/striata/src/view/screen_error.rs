@@ -32,8 +32,8 @@ pub struct Fovea {
 
 /// Refines the parts that are inside the frustum, face the camera, and exceed the pixel tolerance.
 ///
-/// With [`with_model_bounds`](Self::with_model_bounds), each verdict states for how much camera motion it remains valid
-/// \[Hop97\].
+/// With [`with_model_bounds`](Self::with_model_bounds), each verdict states for how much camera motion
+/// it remains valid \[Hop97\].
 ///
 /// Stored errors are estimates unless they were certified for any state
 /// ([`certify_collapses_in_any_state`](crate::simplify::certify_collapses_in_any_state)), so the actual

@@ -13,7 +13,7 @@ use striata_command::clock::Phases;
 use striata_command::failure::Failure;
 use striata_command::level::{Floor, Reached, shortfall};
 use striata_command::output::Bar;
-use striata_command::sequence::{SequencePlan, Sequenced, StepKind, Steps};
+use striata_command::sequence::{SequencePlan, SimplifiedSteps, StepKind, Steps};
 use striata_command::strip_chain::StripPlan;
 use striata_command::strip_report::StripReport;
 
@@ -104,13 +104,13 @@ pub(crate) fn build(
     let strips = stripped.as_ref().map(|stripped| &stripped.strips);
     let models = Models::build(&plan.models, &sequenced, (strips, stream), bar)?;
     let order = plan.sequence.order();
-    let Sequenced { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
+    let SimplifiedSteps { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
     Ok(Built { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
 }
 
 /// The stream, where it is asked for; the mesh is in its order afterwards, so that all models number levels as it does.
 pub(super) fn stream_of(
-    sequenced: &mut Sequenced,
+    sequenced: &mut SimplifiedSteps,
     plan: &BuildPlan,
 ) -> Result<Option<EncodedStream>, Failure> {
     let (Steps::Collapses(refinable), Some(batches)) = (&mut sequenced.steps, &sequenced.batches) else {

@@ -8,7 +8,7 @@ use striata_stream::StreamInfo;
 use super::built::Built;
 use crate::args::BuildArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
-use striata_command::output::{Table, grouped, lasted, measured, sized};
+use striata_command::output::{Table, format_bytes, format_count, format_duration, format_length};
 use striata_command::save::CHOSEN_NAME;
 use striata_command::stream::facts_in_json;
 use striata_command::strip_report::StripReport;
@@ -89,23 +89,23 @@ impl Report {
         let share = if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
-        let triangles = |at| grouped(sequence.triangle_count_at(at));
+        let triangles = |at| format_count(sequence.triangle_count_at(at));
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
-        row("levels", grouped(last + 1));
+        row("levels", format_count(last + 1));
         let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
-        row("error of the base", format!("{} ({share:.3} % of the diagonal), {kind}", measured(error)));
+        row("error of the base", format!("{} ({share:.3} % of the diagonal), {kind}", format_length(error)));
         if let Some(StripReport { algorithm, strip_count, indices_per_triangle, .. }) = &built.strip_report {
-            let strips = format!("{} ({algorithm})", grouped(*strip_count));
+            let strips = format!("{} ({algorithm})", format_count(*strip_count));
             row("strips", format!("{strips}, {indices_per_triangle:.3} indices a triangle"));
         }
         for (name, model) in &self.models {
             let bytes = model["bytes"].as_u64().unwrap_or(0) as usize;
             let per_vertex = model["bytes_per_vertex"].as_f64().unwrap_or(0.0);
-            row(name, format!("{}, {per_vertex:.1} bytes a vertex", sized(bytes)));
+            row(name, format!("{}, {per_vertex:.1} bytes a vertex", format_bytes(bytes)));
         }
         let chosen = if args.output.is_none() { CHOSEN_NAME } else { "" };
-        row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
-        row("time", lasted(self.secs));
+        row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
+        row("time", format_duration(self.secs));
         let shortfall =
             self.shortfall.as_ref().map(|shortfall| format!("the base was not reached: {shortfall}"));
         table.to_text() + &shortfall.unwrap_or_default()

@@ -19,7 +19,7 @@ use levels::Level;
 use pictures::Picture;
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, grouped, lasted, sized};
+use striata_command::output::{Output, format_bytes, format_count, format_duration};
 use striata_viewer::picture::Artist;
 
 /// The bust of Nefertiti; `assets/README.md` at the root of the repository says where it comes from.
@@ -80,9 +80,9 @@ fn render_page(
     let sequence = &built.refinable().sequence;
     let intro = format!(
         "The bust of Nefertiti, {} triangles, became one file of {} that holds {} levels.",
-        grouped(sequence.triangle_count_at(sequence.step_count())),
-        sized(file_bytes),
-        grouped(sequence.step_count() + 1),
+        format_count(sequence.triangle_count_at(sequence.step_count())),
+        format_bytes(file_bytes),
+        format_count(sequence.step_count() + 1),
     );
     let content = page::Content {
         intro: &intro,
@@ -104,8 +104,8 @@ impl Report {
         format!(
             "{}\nsimplified in {}, all done in {}\n",
             table.to_text(),
-            lasted(phases.secs_of("simplify")),
-            lasted(self.secs)
+            format_duration(phases.secs_of("simplify")),
+            format_duration(self.secs)
         )
     }
 }

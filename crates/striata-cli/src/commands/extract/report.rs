@@ -14,7 +14,7 @@ use striata_command::failure::Failure;
 use striata_command::level::{
     Floor, LevelRow, Reached, Wanted, check_strict, remark, shortfall, table_of_levels,
 };
-use striata_command::output::{grouped, lasted, measured};
+use striata_command::output::{format_count, format_duration, format_length};
 use striata_command::save::name_of;
 
 /// Of several levels.
@@ -121,13 +121,13 @@ impl Report {
         let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
             "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}{}",
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.split_count),
-            grouped(step_count),
-            measured(self.error.into()),
+            format_count(self.triangle_count),
+            format_count(self.vertex_count),
+            format_count(self.split_count),
+            format_count(step_count),
+            format_length(self.error.into()),
             self.stop_reason.replace('_', " "),
-            lasted(self.seek_secs),
+            format_duration(self.seek_secs),
             self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
         )
     }
@@ -137,7 +137,7 @@ impl LevelsReport {
     pub(super) fn to_text(&self) -> String {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
         let model = self.levels.first().map_or("", |level| level.model);
-        format!("{}from {model} in {}", table_of_levels(&rows), lasted(self.secs))
+        format!("{}from {model} in {}", table_of_levels(&rows), format_duration(self.secs))
     }
 }
 

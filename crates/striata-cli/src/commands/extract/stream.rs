@@ -17,9 +17,9 @@ use striata_command::input::Input;
 use striata_command::level::{
     Floor, LevelRow, Reached, Wanted, check_strict, remark, shortfall, table_of_levels, wanted_levels,
 };
-use striata_command::output::{Output, grouped, lasted, measured};
+use striata_command::output::{Output, format_count, format_duration, format_length};
 use striata_command::save::{LevelFiles, name_of};
-use striata_command::stream::Received;
+use striata_command::stream::DecodedStream;
 
 /// Of several levels.
 #[derive(Serialize)]
@@ -76,7 +76,7 @@ pub(super) fn run(
     let targets = wanted.iter().map(target).collect::<Result<Vec<_>, Failure>>()?;
     // One pass, as far as the finest level needs.
     let are_enough = |decoder: &StreamDecoder| targets.iter().all(|&target| is_enough(decoder, target));
-    let received = Received::read(stream, are_enough).map_err(damaged)?;
+    let received = DecodedStream::read(stream, are_enough).map_err(damaged)?;
     let refinable = received.refinable().map_err(damaged)?;
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut reports = Vec::new();
@@ -133,15 +133,15 @@ impl Report {
     fn to_text(&self) -> String {
         format!(
             "{} triangles, {} vertices, split {} of {}, error {}, {}; {} of {} bytes decoded in {}{}",
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.split_count),
-            grouped(self.step_count),
-            measured(self.error.into()),
+            format_count(self.triangle_count),
+            format_count(self.vertex_count),
+            format_count(self.split_count),
+            format_count(self.step_count),
+            format_length(self.error.into()),
             self.stop_reason.replace('_', " "),
-            grouped(self.read_bytes),
-            grouped(usize::try_from(self.stream_bytes).unwrap_or(usize::MAX)),
-            lasted(self.seek_secs),
+            format_count(self.read_bytes),
+            format_count(usize::try_from(self.stream_bytes).unwrap_or(usize::MAX)),
+            format_duration(self.seek_secs),
             self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
         )
     }
@@ -163,7 +163,7 @@ impl LevelsReport {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
         let (read, whole) =
             self.levels.first().map_or((0, 0), |level| (level.read_bytes, level.stream_bytes));
-        let whole = grouped(usize::try_from(whole).unwrap_or(usize::MAX));
-        format!("{}{} of {whole} bytes decoded", table_of_levels(&rows), grouped(read))
+        let whole = format_count(usize::try_from(whole).unwrap_or(usize::MAX));
+        format!("{}{} of {whole} bytes decoded", table_of_levels(&rows), format_count(read))
     }
 }

@@ -10,7 +10,7 @@ use striata_command::args::LevelArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::FullMesh;
-use striata_command::stream::Received;
+use striata_command::stream::DecodedStream;
 
 /// Why a level is no finer where the bytes end before it.
 const INPUT_ENDED: &str = "input_ended";
@@ -89,7 +89,11 @@ pub(in crate::commands) fn is_enough(decoder: &StreamDecoder, target: Target) ->
 }
 
 /// The level that comes nearest to the target, and why it comes no nearer.
-pub(in crate::commands) fn resolve(target: Target, received: &Received, levels: &Levels) -> (usize, End) {
+pub(in crate::commands) fn resolve(
+    target: Target,
+    received: &DecodedStream,
+    levels: &Levels,
+) -> (usize, End) {
     let is_whole = received.decoder.is_complete();
     if let (false, Target::Error(error)) = (is_whole, target) {
         // To its levels what has come is the full mesh, without error.

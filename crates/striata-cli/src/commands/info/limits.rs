@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use striata::mesh::{RefinableMesh, Semantic, Statistics, Welded};
 
-use striata_command::output::{counted, grouped};
+use striata_command::output::{format_count, format_noun_count};
 
 /// Parts with at most this many triangles are counted as tiny.
 const TINY_PART: usize = 16;
@@ -87,10 +87,10 @@ impl Seams {
 
     /// The rows of the table.
     pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
-        let inner = grouped(self.inner_edge_count);
-        let mut rows = vec![("seam edges", format!("{} of {inner}", grouped(self.seam_edge_count)))];
+        let inner = format_count(self.inner_edge_count);
+        let mut rows = vec![("seam edges", format!("{} of {inner}", format_count(self.seam_edge_count)))];
         if self.split_position_count > 0 {
-            let [split, all] = [self.split_position_count, self.position_count].map(grouped);
+            let [split, all] = [self.split_position_count, self.position_count].map(format_count);
             let causes = listed(&self.causes);
             rows.push(("split positions", format!("{split} of {all}, by {causes}")));
             let per_position = self.wedges_per_position;
@@ -143,8 +143,8 @@ impl Parts {
             return Vec::new();
         }
         let counts = [self.smallest_triangle_count, self.median_triangle_count, self.largest_triangle_count];
-        let [smallest, median, largest] = counts.map(grouped);
-        let tiny = grouped(self.tiny_count);
+        let [smallest, median, largest] = counts.map(format_count);
+        let tiny = format_count(self.tiny_count);
         vec![
             ("triangles per part", format!("{smallest} to {largest}, median {median}")),
             ("tiny parts", format!("{tiny} of at most {TINY_PART} triangles")),
@@ -152,7 +152,7 @@ impl Parts {
     }
 
     fn note(&self) -> Option<String> {
-        let [count, least] = [self.count, self.least_triangle_count].map(grouped);
+        let [count, least] = [self.count, self.least_triangle_count].map(format_count);
         (self.count > 1).then(|| {
             format!(
                 "{count} parts are not connected: a level of fewer than {least} triangles cannot show all of them, and a part \
@@ -179,15 +179,15 @@ impl Steps {
     /// The rows of the table.
     pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
         let mut rows = vec![
-            ("steps across seams", grouped(self.crossing_count)),
-            ("steps without triangles", grouped(self.empty_count)),
+            ("steps across seams", format_count(self.crossing_count)),
+            ("steps without triangles", format_count(self.empty_count)),
         ];
         if self.vanished_part_count > 0 {
-            let left = grouped(self.part_count - self.vanished_part_count);
-            let from = counted(self.all_parts_triangle_count, "triangle", "triangles");
+            let left = format_count(self.part_count - self.vanished_part_count);
+            let from = format_noun_count(self.all_parts_triangle_count, "triangle", "triangles");
             rows.push((
                 "parts in the base",
-                format!("{left} of {}; all from {from} on", grouped(self.part_count)),
+                format!("{left} of {}; all from {from} on", format_count(self.part_count)),
             ));
         }
         rows
@@ -205,18 +205,20 @@ pub(super) fn notes(
     notes.extend(parts.and_then(Parts::note));
     let Some(statistics) = statistics else { return notes };
     if statistics.non_manifold_edge_count > 0 {
-        let edges = counted(statistics.non_manifold_edge_count, "edge has", "edges have");
+        let edges = format_noun_count(statistics.non_manifold_edge_count, "edge has", "edges have");
         notes.push(format!(
             "{edges} more than two triangles: simplification removes them like others, but a stream keeps their positions \
              at every level."
         ));
     }
     if statistics.duplicate_triangle_count > 0 {
-        let triangles = counted(statistics.duplicate_triangle_count, "triangle repeats", "triangles repeat");
+        let triangles =
+            format_noun_count(statistics.duplicate_triangle_count, "triangle repeats", "triangles repeat");
         notes.push(format!("{triangles} the positions of another one: each copy counts against a target."));
     }
     if statistics.degenerate_triangle_count > 0 {
-        let triangles = counted(statistics.degenerate_triangle_count, "triangle has", "triangles have");
+        let triangles =
+            format_noun_count(statistics.degenerate_triangle_count, "triangle has", "triangles have");
         notes.push(format!(
             "{triangles} no area; those with two corners at one position are dropped before simplification."
         ));

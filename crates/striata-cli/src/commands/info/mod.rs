@@ -17,8 +17,10 @@ use crate::args::InfoArgs;
 use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, Table, counted, grouped, lasted, measured, sized};
-use striata_command::stream::{Received, facts_in_json};
+use striata_command::output::{
+    Output, Table, format_bytes, format_count, format_duration, format_length, format_noun_count,
+};
+use striata_command::stream::{DecodedStream, facts_in_json};
 
 /// Defects that the text names one by one; JSON lists more of them.
 const SPELLED_OUT: usize = 5;
@@ -145,7 +147,7 @@ impl Report {
         let split_count = match (file.is_stream_only(), file.is_truncated()) {
             (true, _) => file.levels().map_err(damaged)?.step_count(),
             (false, false) => facts.step_count,
-            (false, true) => Received::read_all(stream).map_err(damaged)?.decoder.split_count(),
+            (false, true) => DecodedStream::read_all(stream).map_err(damaged)?.decoder.split_count(),
         };
         let mut described = facts_in_json(&facts);
         described["read_bytes"] = json!(stream.len());
@@ -229,11 +231,11 @@ impl Report {
     fn to_text(&self, name: &str) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
-        let size = self.file_bytes.map_or_else(String::new, |bytes| format!(", {}", sized(bytes)));
+        let size = self.file_bytes.map_or_else(String::new, |bytes| format!(", {}", format_bytes(bytes)));
         row("file", format!("{name} ({}{size})", self.kind));
-        row("triangles", grouped(self.triangle_count));
-        row("vertices", grouped(self.vertex_count));
-        let number = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), grouped);
+        row("triangles", format_count(self.triangle_count));
+        row("vertices", format_count(self.vertex_count));
+        let number = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), format_count);
         row("positions", number(self.position_count));
         row("connected parts", number(self.component_count));
         for (name, value) in self.parts.iter().flat_map(Parts::rows) {
@@ -259,13 +261,13 @@ impl Report {
         };
         row("attributes", or_none(names(&self.attributes)));
         row("materials", or_none(self.materials.join(", ")));
-        row("diagonal", measured(self.diagonal));
+        row("diagonal", format_length(self.diagonal));
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
-            row("levels", grouped(step_count + 1));
+            row("levels", format_count(step_count + 1));
             let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
             let triangles = base["triangle_count"].as_u64().unwrap_or(0) as usize;
-            let triangles = counted(triangles, "triangle", "triangles");
-            row("base", format!("{triangles}, {kind} {}", measured(error.into())));
+            let triangles = format_noun_count(triangles, "triangle", "triangles");
+            row("base", format!("{triangles}, {kind} {}", format_length(error.into())));
         }
         for (name, value) in self.steps.iter().flat_map(Steps::rows) {
             row(name, value);
@@ -275,11 +277,11 @@ impl Report {
             row(model, format!("{bytes_per_vertex:.1} bytes a vertex"));
         }
         if let Some(stream) = &self.stream {
-            let number = |key: &str| grouped(stream[key].as_u64().unwrap_or(0) as usize);
+            let number = |key: &str| format_count(stream[key].as_u64().unwrap_or(0) as usize);
             let effort = stream["effort"].as_str().unwrap_or_default();
             let exact = if stream["is_lossless"] == true { ", lossless" } else { "" };
             let [bits, chunks] = [number("grid_bits"), number("chunk_count")];
-            let step = measured(stream["grid_step"].as_f64().unwrap_or(0.0));
+            let step = format_length(stream["grid_step"].as_f64().unwrap_or(0.0));
             row("stream", format!("{effort} effort, {bits} bits (step {step}){exact}, {chunks} chunks"));
             let [read, whole] = [number("read_bytes"), number("bytes")];
             let [split_count, step_count] = [number("split_count"), number("step_count")];
@@ -304,11 +306,11 @@ impl Report {
 
 fn text_of_cost(cost: &ModelCost) -> String {
     let instance = match cost.instance_bytes {
-        Some(bytes) => format!(", {} an instance", sized(bytes)),
+        Some(bytes) => format!(", {} an instance", format_bytes(bytes)),
         None => String::new(),
     };
-    let bytes = format!("{}, {:.1} bytes a vertex", sized(cost.bytes), cost.bytes_per_vertex);
-    format!("{bytes}{instance}, built in {}", lasted(cost.build_secs))
+    let bytes = format!("{}, {:.1} bytes a vertex", format_bytes(cost.bytes), cost.bytes_per_vertex);
+    format!("{bytes}{instance}, built in {}", format_duration(cost.build_secs))
 }
 
 fn or_none(names: String) -> String {

@@ -15,7 +15,7 @@ use striata_command::args::{Coloring, Count, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{Floor, FullMesh, Reached, shortfall};
-use striata_command::output::{Bar, Output, grouped};
+use striata_command::output::{Bar, Output, format_count};
 use striata_command::sequence::{SequencePlan, Steps};
 use striata_viewer::picture::with_normals;
 
@@ -122,7 +122,7 @@ impl<'a> Source<'a> {
     /// Where its strips cannot be made.
     pub(super) fn triangles(&self, count: Count) -> Result<Figure, Failure> {
         let title = match count {
-            Count::Number(count) => grouped(count),
+            Count::Number(count) => format_count(count),
             Count::Share(share) => format!("{} %", (100_000.0 * share).round() / 1000.0),
         };
         let target = Target::Triangles(count.of_triangles(self.full().triangle_count));

@@ -10,7 +10,7 @@ use super::followers::{NAMES, UNIFORM};
 use super::report::{PathReport, READING, ViewsReport};
 use super::{costs, memory};
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// Points that many frames are put together to.
 const BIN_COUNT: usize = 16;
@@ -30,7 +30,7 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
              same everywhere, as fine as the nearest point in the picture asks for, which is found beforehand. {READING} Of \
              each frame the quickest of several rounds counts, in which models take turns.{}",
             report.missing(),
-            screen = grouped(report.screen_px as usize),
+            screen = format_count(report.screen_px as usize),
         ),
         blocks: Vec::new(),
     }];

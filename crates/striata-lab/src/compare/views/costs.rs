@@ -9,7 +9,7 @@ use striata::view::ScreenError;
 use super::followers::{FANS, KEPT, Models, NAMES, RIVAL, STATELESS, View};
 use super::paths::Path;
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// Pixels allowed, coarse ones last.
 const PIXELS: [f32; 8] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
@@ -100,7 +100,7 @@ pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
             found.map_or_else(|| "-".to_owned(), text)
         };
         let mut cells = vec![row.pixels.to_string()];
-        cells.extend(SHOWN.map(|i| cell(i, |cost| grouped(cost.triangles))));
+        cells.extend(SHOWN.map(|i| cell(i, |cost| format_count(cost.triangles))));
         cells.extend(REFINED.map(|i| cell(i, |cost| format!("{:.3}", cost.follow_ms))));
         cells.extend(EMITTED.map(|i| cell(i, |cost| format!("{:.3}", cost.emission_ms))));
         table.push(cells);

@@ -8,7 +8,7 @@ use super::figures::Figures;
 use super::followers::{FANS, Models, NAMES};
 use super::memory::{self, MemoryRow};
 use super::paths::Path;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// What was measured of one mesh.
 #[derive(Clone, Debug, Serialize)]
@@ -124,9 +124,9 @@ impl FollowerReport {
             format!("{:.2}", figures.frame_ratio_to_fans),
             ms(figures.worst_ms),
             ms(figures.first_ms),
-            grouped(figures.triangles.round() as usize),
-            grouped(figures.asked_per_frame.round() as usize),
-            grouped(figures.changes_per_frame.round() as usize),
+            format_count(figures.triangles.round() as usize),
+            format_count(figures.asked_per_frame.round() as usize),
+            format_count(figures.changes_per_frame.round() as usize),
             figures.changes_per_sec.map_or_else(|| "-".to_owned(), |count| format!("{:.1}", count / 1e6)),
             pixels(figures.max_error_px),
             pixels(figures.p99_error_px),
