@@ -16,7 +16,7 @@ fuzz_target!(|data: &[u8]| {
     let _ = read_all(data, Verify::WhenRead);
     let _ = read_all(&with_correct_checksums(data), Verify::All);
     // A truncated file contains only the beginning of its stream.
-    if let Ok(mesh) = striata_stream::open_cut(&data[..data.len() * 7 / 8]).and_then(|file| file.mesh()) {
+    if let Ok(mesh) = striata_stream::open_truncated(&data[..data.len() * 7 / 8]).and_then(|file| file.mesh()) {
         assert_eq!(mesh.check(), Ok(()));
     }
 });
@@ -125,7 +125,7 @@ fn check_front(refinable: &RefinableMesh, fans: &Fans) {
         ([x, y, z - 300.0 * far], usize::MAX),
     ] {
         let Ok(camera) = Camera::new(eye, sphere.center, [0.1, 1.0, 0.2], 0.5, [640, 480]) else { continue };
-        let criterion = ScreenError::new(camera, 0.2).with_silhouettes(0.01).of_model(sphere);
+        let criterion = ScreenError::new(camera, 0.2).with_silhouettes(0.01).with_model_bounds(sphere);
         front.update(&scene, &criterion, limit);
         check_corners(refinable, fans, &front);
         front.update_to_budget(&scene, &criterion, refinable.mesh.triangle_count() / 2);

@@ -232,7 +232,7 @@ thread_local! {
 
 /// Runs `work` and returns the first line of the message if it panics; the panic is not reported otherwise.
 #[cfg(feature = "gpu")]
-pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+pub fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     let before = IS_CAUGHT.replace(true);
     // Callers drop whatever state a panic leaves inconsistent.
     let result = catch_unwind(AssertUnwindSafe(work));

@@ -170,7 +170,7 @@ impl Input {
     pub fn striata(&self) -> Result<StriataFile<'_>, Failure> {
         let parsed = match &self.content {
             Content::File(file) if file.format == Format::Striata => {
-                striata_stream::open_cut(file.bytes.as_slice())
+                striata_stream::open_truncated(file.bytes.as_slice())
             }
             Content::File(file) if file.format == Format::Stream => {
                 striata_stream::open_stream(file.bytes.as_slice())

@@ -8,7 +8,7 @@ use striata::simplify::{StopReason, Target};
 
 use crate::args::{Count, Level, LevelArgs, LevelsArgs};
 use crate::failure::Failure;
-use crate::output::{Table, counted, grouped, measured};
+use crate::output::{Table, format_count, format_length, format_noun_count};
 
 /// Placeholder for the level in the name of an output file.
 const PLACEHOLDER: &str = "{}";
@@ -201,12 +201,12 @@ pub fn shortfall(target: Target, reached: ReachedLevel, limit: &CoarseningLimit)
     let ReachedLevel { vertex_count, triangle_count, stop_reason } = reached;
     let (requested, found) = match target {
         Target::Triangles(n) if triangle_count > n => (
-            format!("at most {}", counted(n, "triangle", "triangles")),
-            format!("{} are left", grouped(triangle_count)),
+            format!("at most {}", format_noun_count(n, "triangle", "triangles")),
+            format!("{} are left", format_count(triangle_count)),
         ),
         Target::Vertices(n) if vertex_count > n => (
-            format!("at most {}", counted(n, "vertex", "vertices")),
-            format!("{} are left", grouped(vertex_count)),
+            format!("at most {}", format_noun_count(n, "vertex", "vertices")),
+            format!("{} are left", format_count(vertex_count)),
         ),
         Target::SplitCount(n) if stop_reason == StopReason::FullMesh => {
             return Some(format!("there are fewer than {} vertex splits; this is the full mesh", grouped(n)));
@@ -214,7 +214,7 @@ pub fn shortfall(target: Target, reached: ReachedLevel, limit: &CoarseningLimit)
         Target::SplitCount(_) | Target::Detail(_)
             if matches!(stop_reason, StopReason::BaseReached | StopReason::ErrorLimit) =>
         {
-            ("a coarser level".to_owned(), format!("{} triangles are left", grouped(triangle_count)))
+            ("a coarser level".to_owned(), format!("{} triangles are left", format_count(triangle_count)))
         }
         _ => return None,
     };
@@ -269,9 +269,9 @@ pub fn table_of_levels(rows: &[LevelRow<'_>]) -> String {
     for row in rows {
         table.row(vec![
             row.name.to_owned(),
-            grouped(row.triangle_count),
-            grouped(row.vertex_count),
-            measured(row.error),
+            format_count(row.triangle_count),
+            format_count(row.vertex_count),
+            format_length(row.error),
             row.path.to_owned(),
         ]);
     }

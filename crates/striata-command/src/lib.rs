@@ -10,10 +10,10 @@
 
 pub mod args;
 pub mod clock;
+#[cfg(feature = "gpu")]
+pub mod driver_messages;
 pub mod failure;
 pub mod fan_cover;
-#[cfg(feature = "gpu")]
-pub mod hush;
 pub mod input;
 pub mod level;
 pub mod output;

@@ -95,7 +95,7 @@ impl Steps {
 
 /// A mesh with its simplification steps.
 #[derive(Debug)]
-pub struct Sequenced {
+pub struct SimplifiedSteps {
     /// The steps.
     pub steps: Steps,
     /// Why simplification stopped.
@@ -193,7 +193,7 @@ impl SequencePlan {
             Self::Quadric { options, guarantee: ErrorGuarantee::None, batches } => {
                 let (built, batches) = collapses(welded, options.clone(), *batches, progress)?;
                 let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
-                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, batches, floors: None })
+                Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: false, batches, floors: None })
             }
             Self::Quadric { options, guarantee, batches } => {
                 // Applied to estimates, the limit would stop simplification at a different step.
@@ -209,7 +209,7 @@ impl SequencePlan {
                     None => (Steps::Fragments(built.fragmented), None),
                 };
                 let stop_reason = built.stop_reason;
-                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, batches: None, floors })
+                Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: true, batches: None, floors })
             }
         }
     }
@@ -253,7 +253,7 @@ fn certified(
     }
     let stop_reason = if first > 0 { StopReason::ErrorLimit } else { built.stop_reason };
     let steps = Steps::Collapses(refinable.without_levels_below(first));
-    Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, batches, floors: None })
+    Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: true, batches, floors: None })
 }
 
 impl SequenceArgs {

@@ -5,10 +5,10 @@ use std::time::Instant;
 use serde_json::{Value, json};
 use striata::file::{DecodeError, StriataFile};
 use striata::mesh::RefinableMesh;
-use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamFacts};
+use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamInfo};
 
 use crate::args::EffortArg;
-use crate::output::grouped;
+use crate::output::format_count;
 
 /// The decoded part of a stream.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ impl Received {
         mut is_enough: impl FnMut(&StreamDecoder) -> bool,
     ) -> Result<Self, DecodeError> {
         let found = bytes.len() as u64;
-        let Some(facts) = StreamFacts::read(bytes)? else {
+        let Some(facts) = StreamInfo::read(bytes)? else {
             return Err(DecodeError::FileLength { found, expected: found + 1 });
         };
         if found > facts.stream_bytes {
@@ -109,7 +109,7 @@ pub fn truncation_note(file: &StriataFile<'_>, name: &str) -> Result<Option<Stri
     if !file.is_stream_only() {
         return Ok(Some(format!("{name}: cut off within its stream; everything else is complete")));
     }
-    let whole = StreamFacts::read(stream)?.map_or(0, |facts| facts.stream_bytes);
+    let whole = StreamInfo::read(stream)?.map_or(0, |facts| facts.stream_bytes);
     let counts = [file.levels()?.step_count(), file.summary().step_count];
     Ok(Some(truncation_text(name, [stream.len() as u64, whole], counts)))
 }

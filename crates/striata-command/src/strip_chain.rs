@@ -55,7 +55,7 @@ pub struct StripPlan {
 
 /// Strips, with the time that it took to make them.
 #[derive(Clone, Debug)]
-pub struct Stripped {
+pub struct TimedStrips {
     /// The strips.
     pub strips: StripSet,
     /// Time spent by all stripifiers, seconds.
@@ -105,7 +105,7 @@ impl StripPlan {
             };
             strips = stripify_from(mesh, &strips, &options, &mut spent)?;
         }
-        Ok(Stripped { strips, secs: started.elapsed().as_secs_f64() })
+        Ok(TimedStrips { strips, secs: started.elapsed().as_secs_f64() })
     }
 }
 

@@ -5,8 +5,8 @@ use striata::mesh::{IndexedMesh, MeshError};
 use striata::strip::{RESTART, fifo_cache_cost, lru_cache_cost};
 use striata_strip::strip_count_bound;
 
-use crate::output::{Table, grouped, lasted};
-use crate::strip_chain::{StripChain, Stripped};
+use crate::output::{Table, format_count, format_duration};
+use crate::strip_chain::{StripChain, TimedStrips};
 
 /// Costs of the strips of a mesh.
 #[derive(Clone, Debug, Serialize)]
@@ -63,7 +63,7 @@ impl StripReport {
     pub fn new(
         algorithm: String,
         mesh: &IndexedMesh,
-        stripped: &Stripped,
+        stripped: &TimedStrips,
         cache_size: usize,
     ) -> Result<Self, MeshError> {
         let cost = stripped.strips.cost();
@@ -109,7 +109,7 @@ impl StripReport {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
         row("algorithm", self.algorithm.clone());
-        row("triangles", grouped(self.triangle_count));
+        row("triangles", format_count(self.triangle_count));
         if self.degenerate_triangle_count > 0 {
             row("degenerate triangles skipped", grouped(self.degenerate_triangle_count));
         }

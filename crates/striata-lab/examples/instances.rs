@@ -213,7 +213,7 @@ fn run<F: Follower>(
         for (i, (placement, follower)) in placements.iter().zip(&mut followers).enumerate() {
             let camera = placement.camera(&view)?;
             if camera.may_see(&placement.model) {
-                let criterion = ScreenError::new(camera, PIXELS).of_model(placement.model);
+                let criterion = ScreenError::new(camera, PIXELS).with_model_bounds(placement.model);
                 follower.update(scene, &criterion);
                 visible.push(i);
             } else {

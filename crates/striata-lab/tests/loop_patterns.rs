@@ -119,12 +119,12 @@ fn loops_contain_the_overlapping_fragments() {
     for (_, mesh) in fragment_cases() {
         let fragments = &mesh.fragments;
         let model = LoopPatterns::build(&mesh).unwrap();
-        let replaced_by = fragments.replaced_by();
+        let replaced_by = fragments.replacing_steps();
         let mut count = 0;
         for step in 0..fragments.step_count() as u32 {
             let mut below: Vec<u32> = model.covered(step).collect();
             below.sort_unstable();
-            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face));
+            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face));
             assert_eq!(below, makers.collect::<BTreeSet<_>>().into_iter().collect::<Vec<_>>());
             let mut above: Vec<u32> = model.covering(step).collect();
             above.sort_unstable();

@@ -230,7 +230,7 @@ fn incremental_adaptation_agrees_with_full_adaptation() {
             let (turn, near) = (frame as f32 * 0.02, 1.2 + (frame as f32 * 0.05).sin());
             let eye = [turn.cos() * near * far, 0.4 * far, turn.sin() * near * far];
             let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.577, [600, 600]).unwrap();
-            let criterion = ScreenError::new(camera, 40.0).of_model(whole);
+            let criterion = ScreenError::new(camera, 40.0).with_model_bounds(whole);
             if frame % 50 == 40 {
                 model.move_to(&mut followed, model.step_count() / 3);
                 model.move_to(&mut fresh, model.step_count() / 3);
@@ -260,7 +260,7 @@ fn long_journeys_do_not_extend_verdicts() {
     let model = ViewDependentMeshes::build(&refinable).unwrap();
     let see = |eye: [f32; 3]| {
         let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
-        ScreenError::new(camera, 1.0).of_model(Sphere { center: [0.0; 3], radius: 1.1 })
+        ScreenError::new(camera, 1.0).with_model_bounds(Sphere { center: [0.0; 3], radius: 1.1 })
     };
     let (mut followed, mut fresh) = (model.base_state(), model.base_state());
     for far in [10.0, 1e4, 1e6, 1e8] {
@@ -325,9 +325,9 @@ fn parts_enclose_everything_below() {
             };
             for triangle in refinable.mesh.triangles.iter().filter(|t| t.iter().any(|v| is_below(&v))) {
                 let corners = triangle.map(|v| refinable.mesh.positions[v as usize]);
-                assert!(corners.iter().all(|&p| part.sphere.holds(p)), "step {step}");
+                assert!(corners.iter().all(|&p| part.sphere.contains(p)), "step {step}");
                 let normal = NormalCone::of_triangles([corners].into_iter());
-                assert!(normal == NormalCone::ALL || part.cone.holds(normal.axis), "step {step}");
+                assert!(normal == NormalCone::ALL || part.cone.contains(normal.axis), "step {step}");
                 narrow_count += usize::from(part.cone.cos > 0.5);
             }
         }

@@ -68,10 +68,10 @@ mod wedges;
 mod writer;
 
 pub use format::error::{DecodeError, StreamDefect};
-pub use format::facts::StreamFacts;
-pub use format::files::{file_model, open, open_cut, open_stream, open_with};
-pub use format::form::{Effort, StreamVersion};
+pub use format::files::{file_model, open, open_stream, open_truncated, open_with};
 pub use format::grid::GridError;
+pub use format::info::StreamInfo;
+pub use format::version::{Effort, StreamVersion};
 pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use layers::options::{LayerBitsError, LayerOptions};
 pub use reader::decode::{StreamDecoder, StreamUpdate};

@@ -202,7 +202,7 @@ fn a_view_refines_the_same_steps_as_fans() {
                 let criterion = camera(prefix, &mut random, pixels);
                 let update = cut.refine(hierarchy, &criterion, usize::MAX);
                 // Without the tree, so that a step that the tree hides would be missed.
-                let is_wanted = |step| criterion.weigh(&hierarchy.part(step)).is_wanted();
+                let is_wanted = |step| criterion.weigh(&hierarchy.part(step)).should_refine();
                 let expected = FanInstance::refined(&fans, is_wanted);
                 let is_same =
                     (0..prefix.added.len() as u32).all(|s| expected.is_refined(s) == cut.is_refined(s));

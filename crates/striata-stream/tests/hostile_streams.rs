@@ -7,7 +7,7 @@ use striata_testing::support;
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, replay, shapes};
 use striata::simplify::{BatchOptions, build_batches};
 use striata_stream::{
-    DecodeError, Effort, Precision, StreamDecoder, StreamDefect, StreamFacts, StreamOptions, encode_stream,
+    DecodeError, Effort, Precision, StreamDecoder, StreamDefect, StreamInfo, StreamOptions, encode_stream,
 };
 use support::{Random, soup, with_seams_and_groups};
 
@@ -122,8 +122,8 @@ fn triangle() -> IndexedMesh {
 /// The first chunk of a stream of one triangle.
 fn base_of_a_triangle() -> Vec<u8> {
     let bytes = stream_of(&triangle(), &StreamOptions::default());
-    let facts = StreamFacts::read(&bytes).unwrap().unwrap();
-    bytes[facts.head_bytes as usize..].to_vec()
+    let info = StreamInfo::read(&bytes).unwrap().unwrap();
+    bytes[info.head_bytes as usize..].to_vec()
 }
 
 #[test]
@@ -226,7 +226,7 @@ fn changed_bytes_with_valid_checksums_do_no_harm() {
             for precision in [Precision::Bits(10), Precision::Lossless] {
                 let options = StreamOptions::default().with_effort(effort).with_precision(precision);
                 let bytes = stream_of(&mesh, &options);
-                let head_bytes = StreamFacts::read(&bytes).unwrap().unwrap().head_bytes as usize;
+                let head_bytes = StreamInfo::read(&bytes).unwrap().unwrap().head_bytes as usize;
                 for round in 0..250 {
                     let mut damaged = bytes.clone();
                     let range = if round % 2 == 0 { 0..head_bytes } else { head_bytes..bytes.len() };
@@ -246,7 +246,7 @@ fn every_truncation_of_a_small_stream_is_a_prefix() {
     let streams = [&surface, &meshes::asset(3, 8)]
         .map(|mesh| EFFORTS.map(|effort| stream_of(mesh, &StreamOptions::default().with_effort(effort))));
     for bytes in streams.as_flattened() {
-        let facts = StreamFacts::read(bytes).unwrap().unwrap();
+        let info = StreamInfo::read(bytes).unwrap().unwrap();
         let mut whole = StreamDecoder::new();
         whole.push(bytes).unwrap();
         let (mut splits, mut error) = (0, f32::INFINITY);
@@ -255,10 +255,10 @@ fn every_truncation_of_a_small_stream_is_a_prefix() {
             decoder.push(&bytes[..length]).unwrap();
             assert!(!decoder.is_complete());
             if decoder.finish().is_err() {
-                assert!((length as u64) < facts.base_bytes, "{length}");
+                assert!((length as u64) < info.base_bytes, "{length}");
                 continue;
             }
-            assert!(length as u64 >= facts.base_bytes && decoder.split_count() >= splits);
+            assert!(length as u64 >= info.base_bytes && decoder.split_count() >= splits);
             splits = decoder.split_count();
             assert!(decoder.error().is_some_and(|now| now <= error));
             error = decoder.error().unwrap();
@@ -272,9 +272,9 @@ fn every_truncation_of_a_small_stream_is_a_prefix() {
             }
         }
         assert!(splits > 10 && whole.error() == Some(0.0));
-        assert_eq!(whole.bytes_for(0), Some(facts.base_bytes));
-        assert_eq!(whole.bytes_for(facts.step_count), Some(facts.stream_bytes));
-        assert_eq!(whole.bytes_for(facts.step_count + 1), None);
+        assert_eq!(whole.bytes_for(0), Some(info.base_bytes));
+        assert_eq!(whole.bytes_for(info.step_count), Some(info.stream_bytes));
+        assert_eq!(whole.bytes_for(info.step_count + 1), None);
     }
 }
 
@@ -289,11 +289,11 @@ fn unusual_valid_meshes_are_decoded() {
     let count = 5000u32;
     let mut tip = IndexedMesh::default();
     for i in 0..count {
-        let place = |i: u32| {
+        let point = |i: u32| {
             let (angle, far) = (i as f32 / count as f32, 1.0 + (i % 7) as f32 / 9.0);
             [far * (0.5 - angle), far * angle * (1.0 - angle), 1.0]
         };
-        tip.positions.extend([[0.0; 3], place(i), place((i + 1) % count)]);
+        tip.positions.extend([[0.0; 3], point(i), point((i + 1) % count)]);
         tip.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
     }
     tip.layers.push(AttributeLayer::from_f32(

@@ -7,7 +7,9 @@ use striata::mesh::{RefinableMesh, canonical_triangles, replay, shapes};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{BatchOptions, build_batches};
 use striata::strip::stripify;
-use striata_stream::{EncodedStream, StreamOptions, encode_stream, file_model, open, open_cut, open_stream};
+use striata_stream::{
+    EncodedStream, StreamOptions, encode_stream, file_model, open, open_stream, open_truncated,
+};
 use support::with_seams_and_groups;
 
 struct Encoded {
@@ -60,7 +62,7 @@ fn a_file_may_contain_only_a_stream() {
     let file = open(&bytes).unwrap();
     let kinds: Vec<_> = file.sections().iter().map(|s| s.kind).collect();
     assert_eq!(kinds, [SectionKind::SUMMARY, SectionKind::METADATA, SectionKind::STREAM]);
-    assert!(file.is_stream_only() && !file.is_cut() && file.has_collapses());
+    assert!(file.is_stream_only() && !file.is_truncated() && file.has_collapses());
     assert_eq!(file.stream().unwrap().unwrap(), encoded.stream.bytes);
     assert_eq!(file.metadata().unwrap(), [("source".to_owned(), "torus".to_owned())]);
     let refinable = file.refinable_mesh().unwrap();
@@ -115,7 +117,7 @@ fn a_truncated_file_gives_the_beginning_of_its_stream() {
     for length in 0..bytes.len() {
         let part = &bytes[..length];
         assert!(open(part).is_err(), "{length}");
-        let file = match open_cut(part) {
+        let file = match open_truncated(part) {
             Ok(file) => file,
             Err(error) => {
                 assert!(
@@ -126,7 +128,7 @@ fn a_truncated_file_gives_the_beginning_of_its_stream() {
                 continue;
             }
         };
-        assert!(file.is_cut() && length >= offset);
+        assert!(file.is_truncated() && length >= offset);
         assert_eq!(file.stream().unwrap().unwrap(), &encoded.stream.bytes[..length - offset]);
         if length % 23 != 0 {
             continue;
@@ -144,13 +146,13 @@ fn a_truncated_file_gives_the_beginning_of_its_stream() {
         }
     }
     assert!(counts.len() > 20 && counts.is_sorted(), "{counts:?}");
-    assert!(open_cut(&bytes).is_ok_and(|file| !file.is_cut()));
+    assert!(open_truncated(&bytes).is_ok_and(|file| !file.is_truncated()));
     // A file must not be longer than its header states, and a file without a stream must not be
     // truncated.
     let longer = [&bytes[..], &[0]].concat();
-    assert!(matches!(open_cut(&longer), Err(DecodeError::FileLength { .. })));
+    assert!(matches!(open_truncated(&longer), Err(DecodeError::FileLength { .. })));
     let plain = to_striata(&encoded.refinable, &[], &WriteOptions::default()).unwrap();
-    assert!(matches!(open_cut(&plain[..plain.len() - 1]), Err(DecodeError::FileLength { .. })));
+    assert!(matches!(open_truncated(&plain[..plain.len() - 1]), Err(DecodeError::FileLength { .. })));
 }
 
 #[test]
@@ -167,7 +169,7 @@ fn damaged_files_do_no_harm() {
             }
         }
         // The end of a truncated file is not checked, so any valid mesh is acceptable.
-        let cut = open_cut(&hurt[..hurt.len() - 1]);
+        let cut = open_truncated(&hurt[..hurt.len() - 1]);
         if let Ok(mesh) = cut.and_then(|file| file.mesh()) {
             mesh.check().unwrap();
         }

@@ -406,18 +406,18 @@ fn streams_have_the_same_bits_on_every_machine() {
 #[test]
 fn decodes_streams_of_the_first_version() {
     let mesh = stored_surface();
-    let nearest = |place: [f32; 3]| {
-        let off = |v: &usize| (0..3).map(|a| (mesh.positions[*v][a] - place[a]).powi(2)).sum::<f32>();
+    let nearest = |point: [f32; 3]| {
+        let off = |v: &usize| (0..3).map(|a| (mesh.positions[*v][a] - point[a]).powi(2)).sum::<f32>();
         let nearest = (0..mesh.positions.len()).min_by(|v, w| off(v).total_cmp(&off(w))).unwrap();
         (nearest, off(&nearest).sqrt())
     };
     // Vertices of one position have the same nearest vertex.
-    let position: Vec<u32> = mesh.positions.iter().map(|&place| nearest(place).0 as u32).collect();
+    let position: Vec<u32> = mesh.positions.iter().map(|&point| nearest(point).0 as u32).collect();
     for name in KEPT {
         let bytes = std::fs::read(stored_path(StreamVersion::One, name)).expect("stored stream");
         let decoder = read(&bytes);
         let decoded = decoder.refinable_mesh().unwrap();
-        let found: Vec<(usize, f32)> = decoded.mesh.positions.iter().map(|&place| nearest(place)).collect();
+        let found: Vec<(usize, f32)> = decoded.mesh.positions.iter().map(|&point| nearest(point)).collect();
         let most = if name == "exact" { 0.0 } else { mesh.diagonal() as f32 / 4096.0 };
         assert!(found.iter().all(|&(_, off)| off <= most), "{name}: a vertex has moved");
         assert_eq!(

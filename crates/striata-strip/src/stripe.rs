@@ -30,7 +30,7 @@ pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
 /// Grows a strip from both ends of a seed; `strip` becomes its triangles in no order.
 fn grow(seed: u32, free: &mut FreeTriangles<'_>, strip: &mut Vec<u32>, links: &mut StripLinks<'_>) {
     strip.clear();
-    free.take(seed);
+    free.mark_used(seed);
     strip.push(seed);
     let Some(exit) = poorest(free, [3 * seed, 3 * seed + 1, 3 * seed + 2]) else { return };
     let first_turns_next = walk(exit, false, free, strip, links);
@@ -56,9 +56,9 @@ fn walk(
     links: &mut StripLinks<'_>,
 ) -> bool {
     let mut first_turns_next = None;
-    while let Some(enter) = free.beyond(exit) {
+    while let Some(enter) = free.free_entry_across(exit) {
         links.join(exit);
-        free.take(enter / 3);
+        free.mark_used(enter / 3);
         strip.push(enter / 3);
         let (straight, turned) = if turns_next {
             (next_side(enter), prev_side(enter))
@@ -75,9 +75,10 @@ fn walk(
 
 /// Of some sides the one that leads to the poorest free triangle, the first of equals.
 fn poorest<const N: usize>(free: &FreeTriangles<'_>, exits: [u32; N]) -> Option<u32> {
-    let open = exits.into_iter().filter_map(|exit| free.beyond(exit).map(|enter| (exit, enter / 3)));
+    let open =
+        exits.into_iter().filter_map(|exit| free.free_entry_across(exit).map(|enter| (exit, enter / 3)));
     open.min_by_key(|&(_, triangle)| {
-        let beyond = (3 * triangle..3 * triangle + 3).filter_map(|side| free.beyond(side));
+        let beyond = (3 * triangle..3 * triangle + 3).filter_map(|side| free.free_entry_across(side));
         (free.neighbor_count(triangle), beyond.map(|enter| free.neighbor_count(enter / 3)).min())
     })
     .map(|(exit, _)| exit)

@@ -4,7 +4,7 @@
 //! stream states its final size, so a stream that cannot fit is rejected as soon as its header has arrived.
 //! The decoder itself never allocates more than the bytes received so far justify.
 
-use striata_stream::StreamFacts;
+use striata_stream::StreamInfo;
 
 use crate::Failure;
 

@@ -296,7 +296,7 @@ impl Model {
         let (stage, kind) = match Format::detect(&bytes, name) {
             Some(Format::Stream) => (whole_stream(&bytes)?, Kind::Stream),
             Some(Format::Striata) => {
-                let file = striata_stream::open_cut(&bytes)?;
+                let file = striata_stream::open_truncated(&bytes)?;
                 limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
                 let stage = match file.stream() {
                     Some(stream) => whole_stream(stream?)?,

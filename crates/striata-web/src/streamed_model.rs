@@ -6,7 +6,7 @@
 //! and normals.
 
 use striata::mesh::Bounds;
-use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamFacts};
+use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamInfo};
 
 use crate::shown_level::{LevelRequest, ShownLevel};
 use crate::vertices::Vertices;
@@ -135,7 +135,7 @@ impl StreamedModel {
         &self.decoder
     }
 
-    pub(crate) fn facts(&self) -> Option<&StreamFacts> {
+    pub(crate) fn facts(&self) -> Option<&StreamInfo> {
         self.facts.as_ref()
     }
 

@@ -49,7 +49,7 @@ fn errors_hold_for_random_sets(refinable: &RefinableMesh, count: usize, sample_c
     let fragments = &certain.fragments;
     let collapses = certify_collapses_in_any_state(refinable);
     assert_eq!(collapses.sequence.errors(), fragments.levels().errors());
-    let replaced_by = fragments.replaced_by();
+    let replaced_by = fragments.replacing_steps();
     let mut random = Random::new(7);
     for i in 0..count {
         let selected = random_selection(fragments, &mut random, 5 + 90 * i as u32 / count as u32);

@@ -45,7 +45,7 @@ impl Walk {
             }
         }
         let camera = Camera::new(self.eye, self.to, [0.1, 1.0, 0.2], 0.5, [800, 600]).unwrap();
-        ScreenError::new(camera, pixels).of_model(self.sphere)
+        ScreenError::new(camera, pixels).with_model_bounds(self.sphere)
     }
 }
 
@@ -279,7 +279,7 @@ fn a_long_journey_does_not_extend_verdicts() {
     let mut fresh = FanInstance::full(&fans);
     let see = |eye: [f32; 3]| {
         let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
-        ScreenError::new(camera, 1.0).of_model(scene.sphere())
+        ScreenError::new(camera, 1.0).with_model_bounds(scene.sphere())
     };
     for far in [10.0, 1e4, 1e6, 1e8] {
         front.update(&scene, &see([far, 0.5, 1.0]), usize::MAX);
@@ -297,7 +297,7 @@ fn changes_at_once(refinable: &RefinableMesh, pixels: f32, scale: f32) -> usize 
     let scene = FanScene::new(&fans, refinable);
     let eye = [0.0, 0.0, 3.0 * scale];
     let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
-    let criterion = ScreenError::new(camera, pixels).of_model(scene.sphere());
+    let criterion = ScreenError::new(camera, pixels).with_model_bounds(scene.sphere());
     FanFront::new(&scene).update(&scene, &criterion, usize::MAX).changes()
 }
 
@@ -334,7 +334,7 @@ struct Numberless(f32);
 
 impl Criterion for Numberless {
     fn weigh(&self, _: &Part) -> Verdict {
-        Verdict { weight: self.0, lasts: f32::NAN }
+        Verdict { weight: self.0, motion_margin: f32::NAN }
     }
 
     fn motion_since(&self, _: &Self) -> f32 {

@@ -90,7 +90,7 @@ fn a_stream_alone_needs_a_decoder() {
     let refinable = make();
     let bytes = stream_alone(&refinable, &[7; 5000]);
     let cut = &bytes[..bytes.len() - 1];
-    for file in [StriataFile::parse(&bytes).unwrap(), StriataFile::parse_cut(cut).unwrap()] {
+    for file in [StriataFile::parse(&bytes).unwrap(), StriataFile::parse_truncated(cut).unwrap()] {
         assert!(file.is_stream_only());
         assert_eq!(file.summary().vertex_count, refinable.mesh.vertex_count());
         assert_eq!(file.mesh().unwrap_err(), DecodeError::NoStreamCodec);

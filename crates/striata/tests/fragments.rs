@@ -47,9 +47,9 @@ proptest! {
 fn faces_know_their_creator_and_replacement() {
     for case in surface_cases().take(3) {
         let fragments = FragmentedMesh::from_collapses(&case.refinable).fragments;
-        let replaced_by = fragments.replaced_by();
+        let replaced_by = fragments.replacing_steps();
         for step in 0..fragments.step_count() as u32 {
-            assert!(fragments.ceiling(step).all(|face| fragments.maker(face) == Some(step)));
+            assert!(fragments.ceiling(step).all(|face| fragments.creating_step(face) == Some(step)));
             assert!(fragments.floor(step).iter().all(|&face| replaced_by[face as usize] == step));
         }
         let full = fragment_faces(&fragments, |_| true);

@@ -133,7 +133,7 @@ fn adapting_yields_the_smallest_set_that_satisfies_a_condition() {
         for seed in 0..20 {
             let condition = |overlap: Overlap| random_condition(overlap, seed, (seed as u32 * 17) % 100);
             let smallest = smallest_set(fragments, &standing, |face, upper| {
-                condition(Overlap { lower: face.and_then(|face| fragments.maker(face)), upper })
+                condition(Overlap { lower: face.and_then(|face| fragments.creating_step(face)), upper })
             });
             instance.adapt(&patterns, &condition);
             let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_refined(step));
@@ -171,7 +171,7 @@ fn check_wanted_set(patterns: &Patterns, scene: PatternScene<'_>, criterion: &im
     instance.adapt(patterns, &Wanted::new(scene, criterion));
     let mut expected = PatternInstance::base(patterns);
     for step in 0..patterns.fragment_count() as u32 {
-        if criterion.weigh(&scene.part(step)).is_wanted() {
+        if criterion.weigh(&scene.part(step)).should_refine() {
             expected.insert(patterns, step);
         }
     }

@@ -86,7 +86,7 @@ impl DecodedLevel {
         Self { mesh: refinable.mesh, split_count, error: error.unwrap_or_default(), shortfall: None }
     }
 
-    fn at_level(refinable: &RefinableMesh, received: &Received, target: Target) -> Self {
+    fn at_level(refinable: &RefinableMesh, received: &DecodedStream, target: Target) -> Self {
         let (split_count, end) = resolve(target, received, refinable.sequence.levels());
         let mesh = replay(refinable, split_count).without_unused_vertices();
         let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
@@ -125,12 +125,12 @@ impl Report {
     fn to_text(&self) -> String {
         format!(
             "{} triangles, {} vertices, split {} of {}, error {}; decoded in {} ({:.2} M triangles/s){}",
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.split_count),
-            grouped(self.step_count),
-            measured(self.error.into()),
-            lasted(self.decode_secs),
+            format_count(self.triangle_count),
+            format_count(self.vertex_count),
+            format_count(self.split_count),
+            format_count(self.step_count),
+            format_length(self.error.into()),
+            format_duration(self.decode_secs),
             self.triangles_per_sec / 1e6,
             self.shortfall
                 .as_ref()

@@ -1,12 +1,12 @@
 //! `distance`: measures the distance between two surfaces in both directions.
 
 use serde::Serialize;
-use striata::mesh::{DistanceError, DistanceOptions, OneSided, surface_distance};
+use striata::mesh::{DistanceError, DistanceOptions, OneSidedDistance, surface_distance};
 
 use crate::args::DistanceArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, Table, measured};
+use striata_command::output::{Output, Table, format_length};
 
 #[derive(Serialize)]
 struct Report {
@@ -81,12 +81,17 @@ impl Report {
             let share = if self.diagonal > 0.0 { way.rms / self.diagonal } else { 0.0 };
             table.row(vec![
                 name.to_owned(),
-                measured(way.max),
-                measured(way.rms),
-                measured(way.mean),
+                format_length(way.max),
+                format_length(way.rms),
+                format_length(way.mean),
                 format!("{:.5} %", 100.0 * share),
             ]);
         }
-        format!("{}{} samples; diagonal {}\n", table.to_text(), self.sample_count, measured(self.diagonal))
+        format!(
+            "{}{} samples; diagonal {}\n",
+            table.to_text(),
+            self.sample_count,
+            format_length(self.diagonal)
+        )
     }
 }

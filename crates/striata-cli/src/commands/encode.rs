@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use striata::file::{WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata_io::Format;
-use striata_stream::{EncodedStream, StreamFacts, StreamOptions, encode_stream, file_model};
+use striata_stream::{EncodedStream, StreamInfo, StreamOptions, encode_stream, file_model};
 
 use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};

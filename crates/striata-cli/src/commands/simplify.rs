@@ -277,12 +277,12 @@ impl Report {
             level.shortfall.as_ref().map(|shortfall| format!("\n{}", shortfall_note(None, shortfall)));
         format!(
             "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}, {}, {}{}",
-            grouped(before),
-            grouped(level.triangle_count),
-            measured(level.error),
+            format_count(before),
+            format_count(level.triangle_count),
+            format_length(level.error),
             share(level.error),
             level.stop_reason.replace('_', " "),
-            lasted(self.secs),
+            format_duration(self.secs),
             shortfall.unwrap_or_default()
         )
     }

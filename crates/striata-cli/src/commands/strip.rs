@@ -101,7 +101,7 @@ impl Report {
             };
             text.push_str(&format!(
                 "{name}: {} indices, strips joined by degenerate triangles{plain}\n",
-                grouped(count)
+                format_count(count)
             ));
         }
         text

@@ -10,7 +10,7 @@ use striata_strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks_wit
 use crate::args::StripArgs;
 use striata_command::clock::peak_rss_bytes;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, Table, grouped, lasted, sized};
+use striata_command::output::{Output, Table, format_bytes, format_count, format_duration};
 use striata_command::save::{format_of, is_stdout};
 use striata_command::shapes::Shape;
 
@@ -171,7 +171,7 @@ impl Report {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
         row("algorithm", self.algorithm.clone());
-        row("triangles", grouped(self.triangle_count));
+        row("triangles", format_count(self.triangle_count));
         if self.degenerate_triangle_count > 0 {
             row("degenerate triangles skipped", self.degenerate_triangle_count.to_string());
         }

@@ -18,8 +18,8 @@ use self::report::{MeshReport, Report};
 use self::timings::Timings;
 use crate::args::BenchGpuArgs;
 use striata_command::args::Viewport;
+use striata_command::driver_messages::without_driver_messages;
 use striata_command::failure::Failure;
-use striata_command::hush::hushed;
 use striata_command::input::Input;
 use striata_command::output::Output;
 

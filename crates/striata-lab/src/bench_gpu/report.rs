@@ -10,7 +10,7 @@ use super::timings::{Cost, Spread, Timings};
 use super::ways;
 use crate::args::BenchGpuArgs;
 use striata_command::args::Viewport;
-use striata_command::output::{Table, grouped, lasted, sized};
+use striata_command::output::{Table, format_bytes, format_count, format_duration};
 
 /// Results of all meshes on one adapter.
 #[derive(Serialize)]
@@ -65,10 +65,10 @@ impl MeshReport {
         text.push_str(&format!(
             "\n{}: {} triangles, {} vertices, base {}; {} strips; best of {}\n",
             self.name,
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.base_triangle_count),
-            grouped(self.strip_count),
+            format_count(self.triangle_count),
+            format_count(self.vertex_count),
+            format_count(self.base_triangle_count),
+            format_count(self.strip_count),
             self.rounds,
         ));
         let head = ["way", "frame", "95 %", "update", "95 %", "GPU", "95 %", "sent", "indices", "on the GPU"];
@@ -78,7 +78,8 @@ impl MeshReport {
             let [update, update_most] = way.update_secs.cells();
             let dash = || "-".to_owned();
             let [gpu, gpu_most] = way.gpu_secs.map_or_else(|| [dash(), dash()], Spread::cells);
-            let sent = if way.is_resident { dash() } else { sized(way.uploaded_bytes.round() as usize) };
+            let sent =
+                if way.is_resident { dash() } else { format_bytes(way.uploaded_bytes.round() as usize) };
             table.row(vec![
                 way.name.to_owned(),
                 frame,
@@ -88,8 +89,8 @@ impl MeshReport {
                 gpu,
                 gpu_most,
                 sent,
-                grouped(way.index_count.round() as usize),
-                sized(way.gpu_bytes),
+                format_count(way.index_count.round() as usize),
+                format_bytes(way.gpu_bytes),
             ]);
         }
         text.push_str(&table.to_text());

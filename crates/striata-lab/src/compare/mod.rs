@@ -47,7 +47,7 @@ use self::views::ViewsReport;
 use crate::args::{CompareArgs, Part, StripifierArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Bar, Output, Table, counted, lasted, to_stdout};
+use striata_command::output::{Bar, Output, Table, format_duration, format_noun_count, to_stdout};
 use striata_command::save::is_stdout;
 
 #[derive(Serialize)]
@@ -190,7 +190,7 @@ impl Report {
         if !self.assets_summary.is_empty() {
             text.push_str(&assets::summary_text(&self.assets_summary, text_of));
         }
-        text.push_str(&format!("{}; all measured in {}\n", self.machine, lasted(self.secs)));
+        text.push_str(&format!("{}; all measured in {}\n", self.machine, format_duration(self.secs)));
         text
     }
 
@@ -208,13 +208,16 @@ impl MeshReport {
     fn summary(&self) -> String {
         // The bound does not apply to `cheapest`, which also joins strips at vertices.
         let bound = self.strips.as_ref().map_or_else(String::new, |strips| {
-            format!("; at least {} along its edges", counted(strips.strip_count_bound, "strip", "strips"))
+            format!(
+                "; at least {} along its edges",
+                format_noun_count(strips.strip_count_bound, "strip", "strips")
+            )
         });
         format!(
             "{}, {}, {}{bound}",
-            counted(self.triangle_count, "triangle", "triangles"),
-            counted(self.vertex_count, "vertex", "vertices"),
-            counted(self.component_count, "component", "components"),
+            format_noun_count(self.triangle_count, "triangle", "triangles"),
+            format_noun_count(self.vertex_count, "vertex", "vertices"),
+            format_noun_count(self.component_count, "component", "components"),
         )
     }
 

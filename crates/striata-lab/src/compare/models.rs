@@ -20,8 +20,8 @@ use super::timed_model::{TimedModel, run_rounds};
 use super::walks::{Pace, WalkReport};
 use crate::args::ModelArgs;
 use striata_command::failure::Failure;
-use striata_command::output::{Bar, grouped, lasted};
-use striata_command::strip_chain::Stripped;
+use striata_command::output::{Bar, format_count, format_duration};
+use striata_command::strip_chain::TimedStrips;
 use striata_command::strip_report::StripReport;
 
 /// Bytes of a position, which the papers count per vertex.
@@ -199,7 +199,7 @@ impl TimedModel {
 impl Basis {
     fn new(
         refinable: &RefinableMesh,
-        (stripped, strips): (&Stripped, StripReport),
+        (stripped, strips): (&TimedStrips, StripReport),
         sequence_secs: f64,
         (frames, rounds): (usize, usize),
     ) -> Self {
@@ -228,7 +228,7 @@ impl Basis {
             grouped(self.base_triangle_count),
             grouped(self.strips.strip_count),
             self.strips.algorithm,
-            grouped(self.strips.index_count),
+            format_count(self.strips.index_count),
             self.plain_bytes as f64 / self.vertex_count.max(1) as f64,
         )
     }
@@ -310,7 +310,7 @@ pub(super) fn table(report: &ModelsReport) -> Vec<Vec<String>> {
             per_vertex(row.paper_bytes),
             format!("{:.2}", row.paper_ratio_to_plain),
             per_vertex(row.state_bytes),
-            lasted(row.build_secs),
+            format_duration(row.build_secs),
             row.sweep_ns_per_step.map_or_else(|| "-".to_owned(), nanos),
             precise_duration(row.seek_secs),
         ]);
@@ -322,7 +322,7 @@ pub(super) fn table(report: &ModelsReport) -> Vec<Vec<String>> {
 pub(super) fn walk_table(report: &ModelsReport, pace: Pace) -> Vec<Vec<String>> {
     let head = ["model", "extraction", "with sending", "indices", "strips", "triangles"];
     let mut table = vec![head.map(str::to_owned).to_vec()];
-    let rounded = |number: f64| grouped(number.round() as usize);
+    let rounded = |number: f64| format_count(number.round() as usize);
     for row in &report.rows {
         let walk = row.walk(pace);
         table.push(vec![
@@ -338,7 +338,7 @@ pub(super) fn walk_table(report: &ModelsReport, pace: Pace) -> Vec<Vec<String>> 
 }
 
 fn nanos(ns: f64) -> String {
-    if ns < 1000.0 { format!("{ns:.1}") } else { grouped(ns.round() as usize) }
+    if ns < 1000.0 { format!("{ns:.1}") } else { format_count(ns.round() as usize) }
 }
 
 /// Formats a duration with enough digits to distinguish fast models.

@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::models::{ModelRow, ModelsReport};
 use super::page::{Block, Section};
 use super::walks::Pace;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// Explanation of the table.
 pub(super) const READING: &str = "theirs as published, ours of this run; MB = 10^6 bytes, positions included";
@@ -218,8 +218,8 @@ pub(super) fn table(rows: &[PaperRow]) -> Vec<Vec<String>> {
 
 fn digits(value: f64, unit: &str) -> String {
     match unit {
-        "" => grouped(value.round() as usize),
-        "s" if value >= 100.0 => grouped(value.round() as usize),
+        "" => format_count(value.round() as usize),
+        "s" if value >= 100.0 => format_count(value.round() as usize),
         "ms" | "MB" => format!("{value:.3}"),
         _ => format!("{value:.2}"),
     }

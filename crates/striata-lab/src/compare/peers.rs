@@ -6,9 +6,9 @@ use striata::mesh::IndexedMesh;
 use striata::strip::{RESTART, StripSet};
 
 use striata_command::failure::Failure;
-use striata_command::strip_chain::Stripped;
+use striata_command::strip_chain::TimedStrips;
 
-type Stripify = fn(&IndexedMesh) -> Result<Stripped, Failure>;
+type Stripify = fn(&IndexedMesh) -> Result<TimedStrips, Failure>;
 
 /// The stripifiers by name.
 pub(super) const PEERS: [(&str, Stripify); 1] = [("meshoptimizer", meshoptimizer)];
@@ -24,7 +24,7 @@ fn meshoptimizer(mesh: &IndexedMesh) -> Result<Stripped, Failure> {
 fn by_group(
     mesh: &IndexedMesh,
     stripify: impl Fn(&[u32], usize) -> meshopt::Result<Vec<u32>>,
-) -> Result<Stripped, Failure> {
+) -> Result<TimedStrips, Failure> {
     let started = Instant::now();
     let mut joined = Vec::new();
     for group in mesh.groups_or_whole() {
@@ -45,5 +45,5 @@ fn by_group(
         }
         strips.end_group();
     }
-    Ok(Stripped { strips, secs })
+    Ok(TimedStrips { strips, secs })
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// The range of values that an axis shows, and its ticks.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +65,7 @@ impl Scale {
     /// The label of a tick.
     pub(super) fn label(value: f64) -> String {
         if value >= 1000.0 {
-            return grouped(value.round() as usize);
+            return format_count(value.round() as usize);
         }
         // Ticks have few digits; this hides rounding errors behind them.
         let text = format!("{value:.6}");

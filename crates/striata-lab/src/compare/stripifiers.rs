@@ -9,8 +9,8 @@ use super::plot::{Chart, Series};
 use super::scale::Scale;
 use striata_command::args::StripSearchArgs;
 use striata_command::failure::Failure;
-use striata_command::output::{grouped, lasted};
-use striata_command::strip_chain::{StripChain, StripPlan, Stripped};
+use striata_command::output::{format_count, format_duration};
+use striata_command::strip_chain::{StripChain, StripPlan, TimedStrips};
 use striata_command::strip_report::StripReport;
 
 /// Number of runs of stripifiers without a time budget; the fastest one is reported.
@@ -116,10 +116,10 @@ pub(super) fn table(rows: &[StripifierRow]) -> Vec<Vec<String>> {
         table.push(vec![
             report.algorithm.clone(),
             row.budget(),
-            lasted(row.secs),
-            grouped(report.strip_count),
-            grouped(report.swap_count),
-            grouped(report.index_count),
+            format_duration(row.secs),
+            format_count(report.strip_count),
+            format_count(report.swap_count),
+            format_count(report.index_count),
             format!("{:.4}", report.indices_per_triangle),
             format!("{:.4}", report.acmr_16),
             format!("{:.4}", report.atvr_16),

@@ -15,7 +15,7 @@ use super::plot::{Chart, Series};
 use super::scale::Scale;
 use striata_command::args::StripSearchArgs;
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 use striata_command::strip_chain::StripPlan;
 
 /// The tunneling stripifiers: with identities that follow each flip, and the static baseline.
@@ -122,7 +122,7 @@ pub(super) fn table(rows: &[TunnelRow]) -> Vec<Vec<String>> {
     for of_length in rows.chunk_by(|a, b| a.max_length == b.max_length) {
         let mut cells = vec![of_length[0].max_length.to_string()];
         for row in of_length {
-            let range = format!("{}–{}", grouped(row.min), grouped(row.max));
+            let range = format!("{}–{}", format_count(row.min), format_count(row.max));
             cells.extend([tenths(row.mean), range, tenths(row.std)]);
         }
         table.push(cells);

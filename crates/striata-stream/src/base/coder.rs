@@ -29,7 +29,7 @@ pub(crate) struct BaseLimits {
     pub(crate) position_count: u32,
     pub(crate) triangle_count: u32,
     /// Number of vertices beyond one per position.
-    pub(crate) wedges_beyond: u32,
+    pub(crate) extra_wedges: u32,
 }
 
 /// A surface vertex that has been coded.
@@ -99,7 +99,7 @@ pub(crate) fn code_base<C: Coder>(
         original,
         limits,
         index_of_vertex: vec![NONE; original.vertex_count()],
-        index_of_position: vec![NONE; original.places.len()],
+        index_of_position: vec![NONE; original.grid_points.len()],
         coded: Vec::new(),
         positions: Vec::new(),
         grid_points: Vec::new(),
@@ -282,7 +282,7 @@ impl<C: Coder> BaseCoder<'_, C> {
             return Err(SurfaceDefect::Position(count));
         }
         let (guess, context) = self.predict(gate);
-        let coordinates = self.original.places.get(original as usize).copied().unwrap_or(guess);
+        let coordinates = self.original.grid_points.get(original as usize).copied().unwrap_or(guess);
         let grid_point = [0, 1, 2].map(|a| {
             let residual = coordinates[a].wrapping_sub(guess[a]);
             guess[a].wrapping_add(self.residuals.signed(self.coder, context, residual))
@@ -333,7 +333,7 @@ impl<C: Coder> BaseCoder<'_, C> {
             position_of_copy: rest.iter().map(|coded| coded.position).collect(),
             triangles: self.triangles.iter().map(|t| t.map(|v| new_indices[v as usize])).collect(),
             opposite: self.opposite,
-            places: self.grid_points,
+            grid_points: self.grid_points,
             ..Base::default()
         };
         let vertices = first.iter().chain(&rest).map(|coded| coded.original).collect();

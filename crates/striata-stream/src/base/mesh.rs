@@ -15,11 +15,11 @@ pub(crate) struct Base {
     /// For each corner (three per triangle), the corner across the edge that it faces.
     pub(crate) opposite: Vec<u32>,
     /// Grid coordinates of each position.
-    pub(crate) places: Vec<[i32; 3]>,
+    pub(crate) grid_points: Vec<[i32; 3]>,
     /// First mesh vertex (wedge) of each position, followed by the number of mesh vertices.
     pub(crate) first_vertex: Vec<u32>,
     /// Mesh vertices of each triangle's corners; `NONE` in virtual triangles.
-    pub(crate) shown: Vec<[u32; 3]>,
+    pub(crate) corner_vertices: Vec<[u32; 3]>,
     /// Group of each triangle.
     pub(crate) groups: Vec<u32>,
 }
@@ -55,14 +55,14 @@ impl Base {
     }
 
     /// Returns the grid coordinates of each surface vertex; zeros for virtual ones.
-    pub(crate) fn surface_places(&self) -> Vec<[i32; 3]> {
+    pub(crate) fn surface_grid_points(&self) -> Vec<[i32; 3]> {
         let virtual_points = std::iter::repeat_n([0; 3], self.virtual_count as usize);
-        virtual_points.chain(self.position_of_copy.iter().map(|&p| self.places[p as usize])).collect()
+        virtual_points.chain(self.position_of_copy.iter().map(|&p| self.grid_points[p as usize])).collect()
     }
 
     /// Returns the grid coordinates of a surface vertex that is not virtual.
-    pub(crate) fn place(&self, vertex: u32) -> [i32; 3] {
-        self.places[self.position_of_copy[(vertex - self.virtual_count) as usize] as usize]
+    pub(crate) fn grid_point(&self, vertex: u32) -> [i32; 3] {
+        self.grid_points[self.position_of_copy[(vertex - self.virtual_count) as usize] as usize]
     }
 
     /// Returns one surface vertex for each position.
@@ -70,7 +70,7 @@ impl Base {
     /// # Errors
     /// [`SurfaceDefect::Position`] if a vertex has an unknown position, or a position has no vertex.
     pub(crate) fn vertex_of_position(&self) -> Result<Vec<u32>, SurfaceDefect> {
-        let mut vertices = vec![NONE; self.places.len()];
+        let mut vertices = vec![NONE; self.grid_points.len()];
         for (copy, &position) in self.position_of_copy.iter().enumerate().rev() {
             let vertex = vertices.get_mut(position as usize).ok_or(SurfaceDefect::Position(position))?;
             *vertex = self.virtual_count + copy as u32;
@@ -82,14 +82,14 @@ impl Base {
     }
 
     /// Fills in one mesh vertex per position and a single group, for meshes without seams or groups.
-    pub(crate) fn show_positions(&mut self) {
-        self.first_vertex = (0..=self.places.len() as u32).collect();
+    pub(crate) fn use_one_vertex_per_position(&mut self) {
+        self.first_vertex = (0..=self.grid_points.len() as u32).collect();
         self.groups = vec![0; self.triangles.len()];
-        let shown = self.triangles.iter().map(|t| {
+        let corner_vertices = self.triangles.iter().map(|t| {
             let positions = t.map(|v| self.position_of(v));
             if positions.contains(&NONE) { [NONE; 3] } else { positions }
         });
-        self.shown = shown.collect();
+        self.corner_vertices = corner_vertices.collect();
     }
 }
 
@@ -105,7 +105,7 @@ mod tests {
             position_of_copy: vec![0, 1],
             triangles: vec![[1, 0, 0], [2, 0, 0]],
             opposite: vec![3, 2, 1, 0, 5, 4],
-            places: vec![[0; 3], [9; 3]],
+            grid_points: vec![[0; 3], [9; 3]],
             ..Base::default()
         };
         assert_eq!(cones.surface().map(|_| ()), Err(SurfaceDefect::Corners(0)));
@@ -114,7 +114,7 @@ mod tests {
             position_of_copy: vec![0, 1],
             triangles: vec![[1, 2, 0], [2, 1, 0]],
             opposite: vec![4, 3, 5, 1, 0, 2],
-            places: vec![[0; 3], [9; 3]],
+            grid_points: vec![[0; 3], [9; 3]],
             ..Base::default()
         };
         assert_eq!(pillow.surface().map(|s| s.vertex_count()), Ok(3));

@@ -5,9 +5,9 @@
 //! | `mesh.rs` | [`Base`](mesh::Base): the base mesh and its surface |
 //! | `coder.rs` | coding of its triangles and positions |
 //! | `wedges.rs` | coding of its wedges and groups |
-//! | `hoods.rs` | neighborhoods of its vertices, for predicting attributes |
+//! | `neighborhoods.rs` | neighborhoods of its vertices, for predicting attributes |
 
 pub(crate) mod coder;
-pub(crate) mod hoods;
 pub(crate) mod mesh;
+pub(crate) mod neighborhoods;
 mod wedges;

@@ -1,7 +1,7 @@
 //! Cuts coded as sequences of binary decisions: the length, then the rank of the run among the free runs of
 //! that length, in falling order of edge lengths.
 
-use super::scene::Scene;
+use super::split_context::SplitContext;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::topology::rings::Neighbor;
 use crate::topology::surface::{Cut, NONE, triangle_of};
@@ -59,12 +59,12 @@ impl ChainCuts {
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         edges: Edges<'_>,
         actual: Option<Cut>,
     ) -> Option<(usize, usize)> {
         let n = edges.corners.len();
-        let max_length = (scene.max_patch as usize).min(n - 1);
+        let max_length = (split_context.max_patch as usize).min(n - 1);
         let actual_length = actual.map_or(0, |cut| cut.length as usize);
         let mut length = 1;
         while length < max_length {
@@ -74,7 +74,7 @@ impl ChainCuts {
             }
             length += 1;
         }
-        self.find_starts(scene, edges, length);
+        self.find_starts(split_context, edges, length);
         let actual_first = actual.map_or(NONE, |cut| cut.first);
         let key = (n.min(MAX_CODED - 1) * MAX_CODED + length.min(MAX_CODED - 1)) * MAX_CODED;
         let mut rank = 0;
@@ -91,18 +91,18 @@ impl ChainCuts {
     }
 
     /// Lists where a run of free triangles can start, with its score.
-    fn find_starts(&mut self, scene: &Scene<'_>, edges: Edges<'_>, length: usize) {
+    fn find_starts(&mut self, split_context: &SplitContext<'_>, edges: Edges<'_>, length: usize) {
         let Edges { corners, neighbors, position } = edges;
         let n = corners.len();
         self.spokes.clear();
         self.spokes.extend(corners.iter().zip(neighbors).map(|(&corner, neighbor)| {
-            let is_virtual = scene.surface.is_virtual(neighbor.vertex);
-            let end = neighbor.place;
+            let is_virtual = split_context.surface.is_virtual(neighbor.vertex);
+            let end = neighbor.grid_point;
             let square = (0..3).map(|a| (i64::from(end[a]) - i64::from(position[a])).pow(2)).sum::<i64>();
             Spoke {
                 square: if is_virtual { 0 } else { square },
                 is_virtual,
-                is_free: !scene.is_claimed(triangle_of(corner)),
+                is_free: !split_context.is_claimed(triangle_of(corner)),
             }
         }));
         self.starts.clear();

@@ -1,12 +1,12 @@
 //! [`FlagModel`]: codes whether a vertex splits, by mixing the predictions of many small contexts.
 
-use crate::entropy::{AdaptiveBit, Coder, Mixer, Rate, Refiner, log_odds};
+use crate::entropy::{AdaptiveBit, Coder, Mixer, ProbabilityMap, Rate, log_odds};
 
 /// Number of values of each context.
 const CONTEXT_SIZE: usize = 1024;
 /// Number of weight sets of the mixer, and of contexts of the final refinement.
 const WEIGHT_SETS: usize = 32;
-const REFINER_CONTEXTS: usize = 64;
+const MAP_CONTEXTS: usize = 64;
 /// The weight 1 of a mixer.
 const WEIGHT_ONE: i32 = 1 << 16;
 /// Limit on the magnitude of the additional log-odds.
@@ -21,7 +21,7 @@ pub(super) struct FlagContext<const N: usize> {
     /// Weight set of the mixer, below 32.
     pub(super) weight_set: usize,
     /// Context in which the mixed result is refined, below 64.
-    pub(super) refiner_context: usize,
+    pub(super) map_context: usize,
 }
 
 /// Mixes the predictions of `N - 1` contexts and an additional one.
@@ -29,7 +29,7 @@ pub(super) struct FlagContext<const N: usize> {
 pub(super) struct FlagModel<const N: usize> {
     bits: Vec<AdaptiveBit>,
     mixer: Mixer<N>,
-    refiner: Refiner,
+    probability_map: ProbabilityMap,
 }
 
 impl<const N: usize> FlagModel<N> {
@@ -40,7 +40,7 @@ impl<const N: usize> FlagModel<N> {
         Self {
             bits: vec![AdaptiveBit::new(Rate::Steady); (N - 1) * CONTEXT_SIZE],
             mixer: Mixer::new(WEIGHT_SETS, first),
-            refiner: Refiner::new(REFINER_CONTEXTS),
+            probability_map: ProbabilityMap::new(MAP_CONTEXTS),
         }
     }
 
@@ -54,10 +54,10 @@ impl<const N: usize> FlagModel<N> {
         }
         inputs[N - 1] = context.log_odds.clamp(-LOG_ODDS_LIMIT, LOG_ODDS_LIMIT);
         let mixed = self.mixer.mix(&inputs, context.weight_set);
-        let p_one = self.refiner.refine(mixed, context.refiner_context);
+        let p_one = self.probability_map.refine(mixed, context.map_context);
         let flag = coder.bit(actual, p_one);
         self.mixer.update(flag);
-        self.refiner.update(flag);
+        self.probability_map.update(flag);
         for (table, &context) in self.bits.chunks_exact_mut(CONTEXT_SIZE).zip(&context.contexts) {
             table[context].update(flag);
         }

@@ -1,20 +1,20 @@
 //! Gathers the ring of a vertex: its neighbors, their state and history, and their positions.
 
 use super::ring::{Ring, Spoke, mean};
-use super::scene::Scene;
+use super::split_context::SplitContext;
 use super::vertex_history::VertexHistories;
-use crate::refine::walk::Fate;
+use crate::refine::walk::VisitState;
 use crate::topology::surface::{next, triangle_of};
 
 impl Ring {
     /// Gathers the ring of a vertex. All accesses to scattered memory are made here, in one pass.
     pub(super) fn gather(
         &mut self,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         history: &VertexHistories,
         (vertex, corners): (u32, &[u32]),
     ) {
-        let here = scene.places[vertex as usize];
+        let here = split_context.grid_points[vertex as usize];
         self.magnitudes = 0;
         self.spokes.clear();
         self.states = [0; 4];
@@ -22,30 +22,30 @@ impl Ring {
         self.free = 0;
         let mut density = 0;
         for &corner in corners {
-            let vertex = scene.surface.vertex(next(corner));
-            let is_claimed = scene.is_claimed(triangle_of(corner));
+            let vertex = split_context.surface.vertex(next(corner));
+            let is_claimed = split_context.is_claimed(triangle_of(corner));
             self.free += usize::from(!is_claimed);
             let mut spoke = Spoke { vertex, is_claimed, ..Spoke::default() };
-            if scene.surface.is_virtual(vertex) {
+            if split_context.surface.is_virtual(vertex) {
                 (spoke.is_virtual, spoke.state, spoke.age, spoke.valence) = (true, 1, 3, 9);
             } else {
-                let state = scene.walk.fate(vertex);
+                let state = split_context.walk.visit_state(vertex);
                 let vertex_history = history.of(vertex);
                 spoke.state = match state {
-                    Fate::Open => 0,
-                    Fate::Stays => 1,
-                    Fate::Splits => 2,
-                    Fate::New => 3,
+                    VisitState::Unvisited => 0,
+                    VisitState::Unsplit => 1,
+                    VisitState::Splits => 2,
+                    VisitState::Created => 3,
                 };
                 spoke.age = history.age(vertex);
                 spoke.valence = vertex_history.valence;
                 // Vertices created in this stretch have no coordinates yet, but do not occur in its rings.
-                let place = scene.places.get(vertex as usize).copied().unwrap_or(here);
-                spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
+                let grid_point = split_context.grid_points.get(vertex as usize).copied().unwrap_or(here);
+                spoke.step = std::array::from_fn(|a| grid_point[a].wrapping_sub(here[a]));
                 self.magnitudes |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
                 self.states[usize::from(spoke.state & 3)] += 1;
                 self.young += usize::from(spoke.age == 1);
-                if matches!(state, Fate::Stays | Fate::Splits) {
+                if matches!(state, VisitState::Unsplit | VisitState::Splits) {
                     density += i64::from(vertex_history.density);
                 }
             }

@@ -13,7 +13,7 @@
 //! | `quick.rs` | [`quick::QuickModel`]: flags and cuts for the fast and default efforts |
 //! | `chain_cuts.rs` | cuts as sequences of binary decisions |
 //! | `ranked_cuts.rs` | cuts as two symbols, by rank |
-//! | `scene.rs` | [`Scene`]: what both sides know when a vertex is coded |
+//! | `split_context.rs` | [`SplitContext`]: what both sides know when a vertex is coded |
 //! | `ring.rs` | [`Ring`]: measures of a vertex's ring |
 //! | `gather.rs` | gathers a ring from surface, walk and history |
 //! | `patch.rs` | features of a run of triangles as a whole |
@@ -33,8 +33,8 @@ mod patch;
 pub(crate) mod quick;
 mod ranked_cuts;
 mod ring;
-mod scene;
 mod softmax;
+mod split_context;
 mod vertex_history;
 
 #[cfg(test)]
@@ -44,10 +44,10 @@ use cut_model::{CutModel, MAX_RUN};
 use flags::{FlagContext, FlagModel};
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::format::form::Effort;
+use crate::format::version::Effort;
 use crate::topology::surface::{Cut, Surface, next, triangle_of};
 use ring::Ring;
-pub(crate) use scene::Scene;
+pub(crate) use split_context::SplitContext;
 use vertex_history::{VertexHistories, VertexHistory};
 
 /// Number of mixer inputs for flags coded from the history, and from the ring; the last input is not a
@@ -125,7 +125,7 @@ impl ConnectivityModel {
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         (vertex, corners): (u32, &[u32]),
         actual: Option<Cut>,
     ) -> Option<Cut> {
@@ -138,14 +138,14 @@ impl ConnectivityModel {
             self.prefilter[filter].update(splits);
             self.recent_flags = self.recent_flags << 1 | usize::from(splits);
             self.history.record_flag(vertex, i32::from(vertex_history.density), splits);
-            return if splits { self.cut(coder, scene, (vertex, corners), actual) } else { None };
+            return if splits { self.cut(coder, split_context, (vertex, corners), actual) } else { None };
         }
-        self.examine(scene, vertex, corners, vertex_history);
+        self.examine(split_context, vertex, corners, vertex_history);
         let splits = self.cuts.run_count() > 0
             && self.code_flag_from_ring(coder, vertex, vertex_history, actual.is_some());
         self.prefilter[filter].update(splits);
         self.history.record_flag(vertex, self.ring.density, splits);
-        splits.then(|| self.code_examined_cut(coder, scene, (vertex, corners), actual)).flatten()
+        splits.then(|| self.code_examined_cut(coder, split_context, (vertex, corners), actual)).flatten()
     }
 
     /// Codes whether a vertex splits from its history.
@@ -170,42 +170,48 @@ impl ConnectivityModel {
     pub(super) fn cut<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         (vertex, corners): (u32, &[u32]),
         actual: Option<Cut>,
     ) -> Option<Cut> {
-        self.examine(scene, vertex, corners, self.history.of(vertex));
-        self.code_examined_cut(coder, scene, (vertex, corners), actual)
+        self.examine(split_context, vertex, corners, self.history.of(vertex));
+        self.code_examined_cut(coder, split_context, (vertex, corners), actual)
     }
 
     /// Codes the cut of a vertex whose ring has been examined.
     fn code_examined_cut<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         (vertex, corners): (u32, &[u32]),
         actual: Option<Cut>,
     ) -> Option<Cut> {
-        let (first, length) = self.code_run(coder, scene, corners, actual)?;
+        let (first, length) = self.code_run(coder, split_context, corners, actual)?;
         let cut = Cut { first: corners[first], length: length as u32 };
         self.history.record_split(vertex, &self.ring, (first, length));
         Some(cut)
     }
 
     /// Gathers and measures the ring of a vertex, and scores its runs.
-    fn examine(&mut self, scene: &Scene<'_>, vertex: u32, corners: &[u32], vertex_history: VertexHistory) {
-        self.ring.gather(scene, &self.history, (vertex, corners));
+    fn examine(
+        &mut self,
+        split_context: &SplitContext<'_>,
+        vertex: u32,
+        corners: &[u32],
+        vertex_history: VertexHistory,
+    ) {
+        self.ring.gather(split_context, &self.history, (vertex, corners));
         if self.ring.free > 0 {
             self.ring.measure();
         }
-        self.cuts.score(&self.ring, vertex_history.valence.into(), scene.max_patch as usize);
+        self.cuts.score(&self.ring, vertex_history.valence.into(), split_context.max_patch as usize);
     }
 
     /// Codes a cut as the index of its first corner and its length; returns `None` only for a damaged stream.
     fn code_run<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         corners: &[u32],
         actual: Option<Cut>,
     ) -> Option<(usize, usize)> {
@@ -214,9 +220,9 @@ impl ConnectivityModel {
             debug_assert!(first.is_some(), "a cut begins with a corner of its vertex");
             (first.unwrap_or(0), cut.length as usize)
         });
-        let can_be_long = (scene.max_patch as usize).min(corners.len().saturating_sub(1)) > MAX_RUN;
+        let can_be_long = (split_context.max_patch as usize).min(corners.len().saturating_sub(1)) > MAX_RUN;
         if can_be_long && self.is_long.code(coder, actual.is_some_and(|(_, length)| length > MAX_RUN)) {
-            return code_long_run(coder, scene, corners, actual.unwrap_or((0, 0)));
+            return code_long_run(coder, split_context, corners, actual.unwrap_or((0, 0)));
         }
         (self.cuts.run_count() > 0).then(|| self.cuts.code(coder, &self.ring, actual, self.is_thorough))
     }
@@ -256,7 +262,7 @@ impl ConnectivityModel {
             ],
             log_odds: 256,
             weight_set: free * 4 + splits.min(3),
-            refiner_context: around * 4 + age,
+            map_context: around * 4 + age,
         };
         let splits_now = self.history_flags.code(coder, &context, actual);
         self.recent_flags = self.recent_flags << 1 | usize::from(splits_now);
@@ -301,7 +307,7 @@ impl ConnectivityModel {
             ],
             log_odds: log_sum,
             weight_set: run * 4 + splits.min(3),
-            refiner_context: around * 4 + claimed.min(3),
+            map_context: around * 4 + claimed.min(3),
         };
         let splits_now = self.ring_flags.code(coder, &context, actual);
         self.recent_flags = self.recent_flags << 1 | usize::from(splits_now);
@@ -312,19 +318,19 @@ impl ConnectivityModel {
 /// Codes a run that is too long for the cut model: rare, and only if the encoder was given such steps.
 fn code_long_run<C: Coder>(
     coder: &mut C,
-    scene: &Scene<'_>,
+    split_context: &SplitContext<'_>,
     corners: &[u32],
     (first, length): (usize, usize),
 ) -> Option<(usize, usize)> {
     let n = corners.len();
     let bits = (usize::BITS - n.leading_zeros()).min(24);
     let first = (coder.raw(first as u32, bits) as usize).min(n - 1);
-    let length = (coder.raw(length as u32, bits) as usize).min(n - 1).min(scene.max_patch as usize);
+    let length = (coder.raw(length as u32, bits) as usize).min(n - 1).min(split_context.max_patch as usize);
     // A run ends where the free triangles end.
     let is_free = |k: &usize| {
         let corner = corners[(first + k) % n];
-        let is_outside = scene.surface.is_virtual(scene.surface.vertex(next(corner)));
-        !scene.is_claimed(triangle_of(corner)) && (*k == 0 || !is_outside)
+        let is_outside = split_context.surface.is_virtual(split_context.surface.vertex(next(corner)));
+        !split_context.is_claimed(triangle_of(corner)) && (*k == 0 || !is_outside)
     };
     let length = (0..length).take_while(is_free).count();
     (length > 0).then_some((first, length))

@@ -12,9 +12,9 @@
 use super::chain_cuts::{ChainCuts, Edges};
 use super::learned_cuts::{LearnedCuts, Spoke as LearnedSpoke};
 use super::ranked_cuts::{self, Edge, RankedCuts};
-use super::scene::Scene;
+use super::split_context::SplitContext;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::positions::Surroundings;
 use crate::refine::walk::Walk;
 use crate::topology::rings::{Neighbor, Rings};
@@ -167,16 +167,16 @@ impl QuickModel {
                 self.records[vertex as usize].split = self.batch;
             }
         }
-        walk.pass(visited);
+        walk.skip(visited);
         self.recent_flags = recent_flags;
         walk.rest().is_empty()
     }
 
     /// Finds the corners and neighbors around the vertices that split.
-    pub(crate) fn find_rings(&mut self, surface: &Surface, places: &[[i32; 3]]) {
+    pub(crate) fn find_rings(&mut self, surface: &Surface, grid_points: &[[i32; 3]]) {
         self.begins.clear();
         self.rings.find(surface, &self.splits);
-        self.rings.look(surface, places);
+        self.rings.look_up_neighbors(surface, grid_points);
     }
 
     /// Codes the cut of a vertex that splits, and appends the corners of its patch; returns false if no cut
@@ -184,23 +184,23 @@ impl QuickModel {
     pub(crate) fn cut<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         (split, actual): (usize, Option<Cut>),
         patch: &mut Vec<u32>,
     ) -> bool {
         let n = self.rings.of(split).len();
         let is_short = (2..=ranked_cuts::MAX_RING).contains(&n);
         let run = match self.cuts {
-            Cuts::Ranked(_) if is_short => self.ranked_run(coder, scene, (split, actual)),
-            Cuts::Learned(_) if is_short => self.learned_run(coder, scene, (split, actual)),
+            Cuts::Ranked(_) if is_short => self.ranked_run(coder, split_context, (split, actual)),
+            Cuts::Learned(_) if is_short => self.learned_run(coder, split_context, (split, actual)),
             _ => {
-                let kept = scene.places[self.splits[split] as usize];
+                let kept = split_context.grid_points[self.splits[split] as usize];
                 let edges = Edges {
                     corners: self.rings.of(split),
                     neighbors: self.rings.neighbors(split),
                     position: kept,
                 };
-                self.chains.code(coder, scene, edges, actual)
+                self.chains.code(coder, split_context, edges, actual)
             }
         };
         let Some((start, length)) = run else { return false };
@@ -219,15 +219,15 @@ impl QuickModel {
     fn ranked_run<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         (split, actual): (usize, Option<Cut>),
     ) -> Option<(usize, usize)> {
         let ring = self.rings.of(split);
-        let kept = scene.places[self.splits[split] as usize];
+        let kept = split_context.grid_points[self.splits[split] as usize];
         let mut edges = [Edge::default(); ranked_cuts::MAX_RING];
         for ((edge, &corner), neighbor) in edges.iter_mut().zip(ring).zip(self.rings.neighbors(split)) {
-            let is_virtual = scene.surface.is_virtual(neighbor.vertex);
-            let square = (0..3).map(|a| i64::from(neighbor.place[a] - kept[a]).pow(2)).sum::<i64>();
+            let is_virtual = split_context.surface.is_virtual(neighbor.vertex);
+            let square = (0..3).map(|a| i64::from(neighbor.grid_point[a] - kept[a]).pow(2)).sum::<i64>();
             *edge = Edge {
                 square: if is_virtual { 0 } else { square },
                 missing_triangles: if is_virtual {
@@ -236,31 +236,31 @@ impl QuickModel {
                     6 - self.records[neighbor.vertex as usize].triangle_count.min(15) as i8
                 },
                 is_virtual,
-                is_free: !scene.is_claimed(triangle_of(corner)),
+                is_free: !split_context.is_claimed(triangle_of(corner)),
             };
         }
         let Cuts::Ranked(cuts) = &mut self.cuts else { return None };
-        cuts.code(coder, &edges[..ring.len()], scene.max_patch as usize, run_in_ring(actual, ring))
+        cuts.code(coder, &edges[..ring.len()], split_context.max_patch as usize, run_in_ring(actual, ring))
     }
 
     /// Codes a cut by the learned model; returns its start in the ring and its length.
     fn learned_run<C: Coder>(
         &mut self,
         coder: &mut C,
-        scene: &Scene<'_>,
+        split_context: &SplitContext<'_>,
         (split, actual): (usize, Option<Cut>),
     ) -> Option<(usize, usize)> {
         let ring = self.rings.of(split);
         let vertex = self.splits[split];
-        let here = scene.places[vertex as usize];
+        let here = split_context.grid_points[vertex as usize];
         let mut spokes = [LearnedSpoke::default(); ranked_cuts::MAX_RING];
         for ((spoke, &corner), neighbor) in spokes.iter_mut().zip(ring).zip(self.rings.neighbors(split)) {
-            let is_free = !scene.is_claimed(triangle_of(corner));
-            *spoke = if scene.surface.is_virtual(neighbor.vertex) {
+            let is_free = !split_context.is_claimed(triangle_of(corner));
+            *spoke = if split_context.surface.is_virtual(neighbor.vertex) {
                 LearnedSpoke { valence: 9, history: 13, is_virtual: true, is_free, ..LearnedSpoke::default() }
             } else {
                 LearnedSpoke {
-                    step: std::array::from_fn(|a| neighbor.place[a].wrapping_sub(here[a])),
+                    step: std::array::from_fn(|a| neighbor.grid_point[a].wrapping_sub(here[a])),
                     valence: self.records[neighbor.vertex as usize].triangle_count,
                     history: self.history(neighbor.vertex),
                     is_virtual: false,
@@ -268,7 +268,8 @@ impl QuickModel {
                 }
             };
         }
-        let limits = (usize::from(self.records[vertex as usize].triangle_count), scene.max_patch as usize);
+        let limits =
+            (usize::from(self.records[vertex as usize].triangle_count), split_context.max_patch as usize);
         let Cuts::Learned(cuts) = &mut self.cuts else { return None };
         cuts.code(coder, &mut spokes[..ring.len()], limits, run_in_ring(actual, ring))
     }
@@ -286,10 +287,10 @@ impl QuickModel {
 
     /// Visits the surroundings of each vertex that the cuts will create, in order, before any split is
     /// applied. `patches` contains the corners of all patches, and `ends` the end of each patch.
-    pub(crate) fn look_around(
+    pub(crate) fn for_each_surroundings(
         &self,
         surface: &Surface,
-        places: &[[i32; 3]],
+        grid_points: &[[i32; 3]],
         (patches, ends): (&[u32], &[u32]),
         mut visit: impl FnMut(&Surroundings),
     ) {
@@ -299,8 +300,14 @@ impl QuickModel {
             let patch = &patches[first..end as usize];
             first = end as usize;
             let neighbors = self.rings.neighbors(split as usize);
-            let kept = places[self.splits[split as usize] as usize];
-            look_around(surface, places, (neighbors, begin as usize), (patch, kept), &mut around);
+            let kept = grid_points[self.splits[split as usize] as usize];
+            gather_surroundings(
+                surface,
+                grid_points,
+                (neighbors, begin as usize),
+                (patch, kept),
+                &mut around,
+            );
             visit(&around);
         }
     }
@@ -344,9 +351,9 @@ fn run_in_ring(cut: Option<Cut>, ring: &[u32]) -> (usize, usize) {
 
 /// Gathers the surroundings of the vertex that takes over a patch.
 #[inline]
-fn look_around(
+fn gather_surroundings(
     surface: &Surface,
-    places: &[[i32; 3]],
+    grid_points: &[[i32; 3]],
     (neighbors, begin): (&[Neighbor], usize),
     (patch, [x, y, z]): (&[u32], [i32; 3]),
     around: &mut Surroundings,
@@ -358,7 +365,7 @@ fn look_around(
     };
     let neighbor = |at: usize| {
         let neighbor = &neighbors[wrap(at)];
-        point(neighbor.vertex, neighbor.place)
+        point(neighbor.vertex, neighbor.grid_point)
     };
     around.ring[0] = [x, y, z, 1];
     around.across[0] = neighbor(begin + n - 1);
@@ -366,7 +373,7 @@ fn look_around(
     for (at, &corner) in patch.iter().enumerate().take(capacity) {
         around.ring[at + 1] = neighbor(begin + at);
         let across = surface.vertex(surface.opposite(corner));
-        around.across[at + 1] = point(across, places[across as usize]);
+        around.across[at + 1] = point(across, grid_points[across as usize]);
     }
     if let Some(last) = around.ring.get_mut(patch.len() + 1) {
         *last = neighbor(begin + patch.len());

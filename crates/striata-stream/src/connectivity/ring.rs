@@ -180,7 +180,7 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scene::Scene;
+    use super::super::split_context::SplitContext;
     use super::super::tests::surface_of;
     use super::super::vertex_history::VertexHistories;
     use super::*;
@@ -196,7 +196,7 @@ mod tests {
         let mut surface = surface_of(&triangles, 8, 1);
         let [x, y] = [500, 866];
         let hexagon = [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]];
-        let places: Vec<[i32; 3]> =
+        let grid_points: Vec<[i32; 3]> =
             [[0; 3], [70, 80, 90]].into_iter().chain(hexagon.map(|[x, y]| [70 + x, 80 + y, 90])).collect();
         let mut walk = Walk::new(WalkOrder::Near);
         walk.begin(&surface);
@@ -204,9 +204,10 @@ mod tests {
         history.begin_batch(&surface);
         let corners: Vec<u32> = surface.ring(1).collect();
         surface.set_mark(triangle_of(corners[2]), walk.batch());
-        let scene = Scene { surface: &surface, places: &places, walk: &walk, max_patch: 5 };
+        let split_context =
+            SplitContext { surface: &surface, grid_points: &grid_points, walk: &walk, max_patch: 5 };
         let mut ring = Ring::default();
-        ring.gather(&scene, &history, (1, &corners));
+        ring.gather(&split_context, &history, (1, &corners));
         ring.measure();
         assert_eq!((ring.free, ring.free_run, ring.states), (5, 5, [6, 0, 0, 0]));
         assert!((ring.height - MIN_HEIGHT).abs() <= 1);
@@ -218,7 +219,7 @@ mod tests {
         }
         // Around a vertex of the rim, the hole counts as virtual.
         let corners: Vec<u32> = surface.ring(2).collect();
-        ring.gather(&scene, &history, (2, &corners));
+        ring.gather(&split_context, &history, (2, &corners));
         ring.measure();
         let open: Vec<_> = ring.spokes.iter().filter(|s| s.is_virtual).collect();
         assert!(open.len() == 1 && open[0].step == [0; 3] && open[0].area == 0);

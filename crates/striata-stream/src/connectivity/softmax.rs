@@ -3,7 +3,7 @@
 //! Scores are natural logarithms in 1/65536. Their exponentials come from a table that is computed at
 //! compile time by integer arithmetic.
 
-use crate::entropy::{Coder, Refiner, log_odds, log2_q8};
+use crate::entropy::{Coder, ProbabilityMap, log_odds, log2_q8};
 
 /// The score 1.
 pub(super) const SCORE_ONE: i32 = 1 << 16;
@@ -47,7 +47,7 @@ const MAX_GUESSES: usize = 3;
 /// Codes one of several candidates.
 #[derive(Clone, Debug)]
 pub(super) struct ChoiceModel {
-    refiner: Refiner,
+    probability_map: ProbabilityMap,
 }
 
 /// The candidates to choose from.
@@ -63,7 +63,7 @@ pub(super) struct Candidates<'a> {
 impl ChoiceModel {
     /// Creates an untrained model.
     pub(super) fn new() -> Self {
-        Self { refiner: Refiner::new(MAX_GUESSES * 3) }
+        Self { probability_map: ProbabilityMap::new(MAX_GUESSES * 3) }
     }
 
     /// Codes the index of a candidate. The weights are modified temporarily and then restored.
@@ -85,9 +85,9 @@ impl ChoiceModel {
         while count < guesses.min(MAX_GUESSES) && count + 1 < weights.len() && found.is_none() {
             let (best, weight) = most_likely(weights);
             let p_one = probability(u64::from(weight), left);
-            let p_one = self.refiner.refine(log_odds(p_one), count * 3 + size);
+            let p_one = self.probability_map.refine(log_odds(p_one), count * 3 + size);
             let is_hit = coder.bit(actual == best, p_one);
-            self.refiner.update(is_hit);
+            self.probability_map.update(is_hit);
             tried[count] = (best, weight);
             count += 1;
             if is_hit {

@@ -12,7 +12,7 @@ const MAX_PATCH: u32 = 15;
 /// A minimal refiner with made-up coordinates.
 struct TestRefiner {
     surface: Surface,
-    places: Vec<[i32; 3]>,
+    grid_points: Vec<[i32; 3]>,
     walk: Walk,
     model: ConnectivityModel,
     corners: Vec<u32>,
@@ -20,10 +20,10 @@ struct TestRefiner {
 }
 
 impl TestRefiner {
-    fn new(surface: Surface, places: Vec<[i32; 3]>, effort: Effort) -> Self {
+    fn new(surface: Surface, grid_points: Vec<[i32; 3]>, effort: Effort) -> Self {
         let walk = Walk::new(if effort == Effort::Small { WalkOrder::Near } else { WalkOrder::Numbers });
         let model = ConnectivityModel::new(effort);
-        Self { surface, places, walk, model, corners: Vec::new(), visited_count: 0 }
+        Self { surface, grid_points, walk, model, corners: Vec::new(), visited_count: 0 }
     }
 
     /// Codes one batch in which `choose` selects the splits. Returns the decoded splits; they are applied
@@ -31,7 +31,7 @@ impl TestRefiner {
     fn batch<C: Coder>(
         &mut self,
         coder: &mut C,
-        mut choose: impl FnMut(&Scene<'_>, u32) -> Option<Cut>,
+        mut choose: impl FnMut(&SplitContext<'_>, u32) -> Option<Cut>,
     ) -> Vec<Cut> {
         self.walk.begin(&self.surface);
         self.model.begin_batch(&self.surface);
@@ -43,19 +43,19 @@ impl TestRefiner {
                 all.append(&mut pending);
             }
             let Some(vertex) = vertex else { return all };
-            let (surface, places, walk) = (&self.surface, self.places.as_slice(), &self.walk);
-            let scene = Scene { surface, places, walk, max_patch: MAX_PATCH };
-            let actual = choose(&scene, vertex);
+            let (surface, grid_points, walk) = (&self.surface, self.grid_points.as_slice(), &self.walk);
+            let split_context = SplitContext { surface, grid_points, walk, max_patch: MAX_PATCH };
+            let actual = choose(&split_context, vertex);
             self.corners = self.surface.ring(vertex).collect();
             let ring = (vertex, self.corners.as_slice());
             let cut = if self.model.is_thorough() {
-                self.model.code(coder, &scene, ring, actual)
+                self.model.code(coder, &split_context, ring, actual)
             } else if self.model.flag(coder, vertex, actual.is_some()) {
-                self.model.cut(coder, &scene, ring, actual)
+                self.model.cut(coder, &split_context, ring, actual)
             } else {
                 None
             };
-            self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
+            self.walk.record_visit(&self.surface, vertex, &self.corners, cut.is_some());
             self.visited_count += 1;
             for corner in cut.into_iter().flat_map(|cut| run(&self.surface, cut)).collect::<Vec<_>>() {
                 self.surface.set_mark(triangle_of(corner), self.walk.batch());
@@ -74,9 +74,9 @@ impl TestRefiner {
             let is_known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
             let ring: Vec<u32> =
                 self.surface.ring(v).map(|c| self.surface.vertex(next(c))).filter(is_known).collect();
-            let [a, b] = [0, ring.len() / 2].map(|i| self.places.get(ring[i] as usize).copied());
+            let [a, b] = [0, ring.len() / 2].map(|i| self.grid_points.get(ring[i] as usize).copied());
             let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
-            self.places
+            self.grid_points
                 .push([0, 1, 2].map(|i| a[i].midpoint(b[i]).wrapping_add((v as i32 * 37 + i as i32) % 5)));
         }
     }
@@ -99,8 +99,8 @@ fn run(surface: &Surface, cut: Cut) -> Vec<u32> {
 
 /// Returns a random cut around a vertex, sometimes a long one; `None` for some vertices, or if the cut is
 /// not free.
-fn random_cut(scene: &Scene<'_>, vertex: u32, random: &mut Random) -> Option<Cut> {
-    let corners: Vec<u32> = scene.surface.ring(vertex).collect();
+fn random_cut(split_context: &SplitContext<'_>, vertex: u32, random: &mut Random) -> Option<Cut> {
+    let corners: Vec<u32> = split_context.surface.ring(vertex).collect();
     let n = corners.len();
     if n < 2 || random.below(4) != 0 {
         return None;
@@ -109,9 +109,9 @@ fn random_cut(scene: &Scene<'_>, vertex: u32, random: &mut Random) -> Option<Cut
     let shortest = if most > MAX_RUN { MAX_RUN } else { 0 };
     let length = 1 + shortest as u32 + random.below(most.min(shortest + 4) as u32 - shortest as u32);
     let cut = Cut { first: corners[random.below(n as u32) as usize], length };
-    let run = run(scene.surface, cut);
-    let is_free = run.iter().all(|&c| !scene.is_claimed(triangle_of(c)));
-    let is_virtual = |&c: &u32| scene.surface.is_virtual(scene.surface.vertex(next(c)));
+    let run = run(split_context.surface, cut);
+    let is_free = run.iter().all(|&c| !split_context.is_claimed(triangle_of(c)));
+    let is_virtual = |&c: &u32| split_context.surface.is_virtual(split_context.surface.vertex(next(c)));
     (is_free && !run[1..].iter().any(is_virtual)).then_some(cut)
 }
 
@@ -125,11 +125,11 @@ fn double_cone(side_count: u32) -> IndexedMesh {
 
 fn closed(mesh: &IndexedMesh) -> (Surface, Vec<[i32; 3]>) {
     let closed = crate::topology::cutting::close(&mesh.triangles, mesh.positions.len());
-    let virtual_places = (0..closed.surface.virtual_count()).map(|_| [0; 3]);
-    let places =
+    let virtual_points = (0..closed.surface.virtual_count()).map(|_| [0; 3]);
+    let grid_points =
         closed.vertex_of_copy.iter().map(|&v| mesh.positions[v as usize].map(|x| (x * 900.0) as i32));
-    let places = virtual_places.chain(places).collect();
-    (closed.surface, places)
+    let grid_points = virtual_points.chain(grid_points).collect();
+    (closed.surface, grid_points)
 }
 
 /// Result of writing random splits.
@@ -139,12 +139,14 @@ struct EncodedSplits {
     refiner: TestRefiner,
 }
 
-fn write(surface: &Surface, places: &[[i32; 3]], effort: Effort, seed: u64) -> EncodedSplits {
+fn write(surface: &Surface, grid_points: &[[i32; 3]], effort: Effort, seed: u64) -> EncodedSplits {
     let mut random = Random::new(seed);
-    let mut refiner = TestRefiner::new(surface.clone(), places.to_vec(), effort);
+    let mut refiner = TestRefiner::new(surface.clone(), grid_points.to_vec(), effort);
     let mut writer = RangeWriter::new();
     let batches = (0..7)
-        .map(|_| refiner.batch(&mut writer, |scene, vertex| random_cut(scene, vertex, &mut random)))
+        .map(|_| {
+            refiner.batch(&mut writer, |split_context, vertex| random_cut(split_context, vertex, &mut random))
+        })
         .collect();
     EncodedSplits { bytes: writer.finish().0, batches, refiner }
 }
@@ -154,13 +156,14 @@ fn random_splits_round_trip() {
     let meshes =
         [double_cone(20), shapes::torus(9, 6, 1.0, 0.4), shapes::grid(6, 5), shapes::icosphere(1, 1.0)];
     for (seed, mesh) in meshes.iter().enumerate() {
-        let (surface, places) = closed(mesh);
+        let (surface, grid_points) = closed(mesh);
         for effort in [Effort::Default, Effort::Small] {
-            let EncodedSplits { bytes, batches, refiner } = write(&surface, &places, effort, seed as u64);
+            let EncodedSplits { bytes, batches, refiner } =
+                write(&surface, &grid_points, effort, seed as u64);
             assert!(batches.iter().all(|batch| batch.len() > 2), "almost no vertex splits");
             assert!(batches.iter().flatten().any(|cut| cut.length as usize > MAX_RUN) || seed > 0);
             let mut reader = RangeReader::new(&bytes, true);
-            let mut other = TestRefiner::new(surface.clone(), places.clone(), effort);
+            let mut other = TestRefiner::new(surface.clone(), grid_points.clone(), effort);
             for batch in &batches {
                 assert_eq!(&other.batch(&mut reader, |_, _| None), batch, "{effort:?}");
             }
@@ -171,9 +174,9 @@ fn random_splits_round_trip() {
 
 #[test]
 fn histories_match_the_surface() {
-    let (surface, places) = closed(&shapes::grid(6, 5));
+    let (surface, grid_points) = closed(&shapes::grid(6, 5));
     for effort in [Effort::Default, Effort::Small] {
-        let EncodedSplits { refiner, .. } = write(&surface, &places, effort, 8);
+        let EncodedSplits { refiner, .. } = write(&surface, &grid_points, effort, 8);
         for vertex in refiner.surface.virtual_count()..refiner.surface.vertex_count() as u32 {
             let valence = refiner.surface.ring(vertex).count();
             let free = refiner.surface.ring(vertex);
@@ -190,9 +193,9 @@ fn histories_match_the_surface() {
 
 #[test]
 fn streams_are_the_same_on_every_machine() {
-    let (surface, places) = closed(&shapes::grid(9, 7));
+    let (surface, grid_points) = closed(&shapes::grid(9, 7));
     let found = [Effort::Default, Effort::Small].map(|effort| {
-        let EncodedSplits { bytes, .. } = write(&surface, &places, effort, 3);
+        let EncodedSplits { bytes, .. } = write(&surface, &grid_points, effort, 3);
         (bytes.len(), crc32fast::hash(&bytes))
     });
     assert_eq!(found, [(217, 131_253_625), (204, 4_022_687_919)]);
@@ -202,20 +205,21 @@ fn streams_are_the_same_on_every_machine() {
 fn arbitrary_bytes_split_any_surface() {
     let pillow = surface_of(&[[0, 1, 2], [0, 2, 1]], 3, 0);
     let holes = surface_of(&[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], 4, 2);
-    let (grid, places) = closed(&shapes::grid(4, 4));
+    let (grid, grid_points) = closed(&shapes::grid(4, 4));
     let far = [1 << 24, -(1 << 24), 0, i32::MAX, i32::MIN];
     let mut random = Random::new(77);
     for (at, surface) in [pillow, holes, grid].into_iter().enumerate() {
         for effort in [Effort::Default, Effort::Small] {
             for _ in 0..20 {
                 let bytes: Vec<u8> = (0..400).map(|_| random.next_u64() as u8).collect();
-                let mut places = places.clone();
+                let mut grid_points = grid_points.clone();
                 if at < 2 || random.below(2) == 0 {
                     let mut number = || far[random.below(5) as usize];
-                    places = (0..surface.vertex_count()).map(|_| [number(), number(), number()]).collect();
+                    grid_points =
+                        (0..surface.vertex_count()).map(|_| [number(), number(), number()]).collect();
                 }
                 let mut reader = RangeReader::new(&bytes, true);
-                let mut refiner = TestRefiner::new(surface.clone(), places, effort);
+                let mut refiner = TestRefiner::new(surface.clone(), grid_points, effort);
                 for _ in 0..6 {
                     for cut in refiner.batch(&mut reader, |_, _| None) {
                         assert!((1..=MAX_PATCH).contains(&cut.length));
@@ -229,18 +233,20 @@ fn arbitrary_bytes_split_any_surface() {
 #[test]
 fn regular_splits_become_cheap() {
     // Every vertex with an even index loses the two triangles at its longest edge.
-    let (surface, places) = closed(&shapes::torus(40, 20, 1.0, 0.4));
-    let mut refiner = TestRefiner::new(surface, places, Effort::Small);
+    let (surface, grid_points) = closed(&shapes::torus(40, 20, 1.0, 0.4));
+    let mut refiner = TestRefiner::new(surface, grid_points, Effort::Small);
     let mut writer = RangeWriter::new();
-    let cuts = refiner.batch(&mut writer, |scene, vertex| {
-        let corners: Vec<u32> = scene.surface.ring(vertex).collect();
+    let cuts = refiner.batch(&mut writer, |split_context, vertex| {
+        let corners: Vec<u32> = split_context.surface.ring(vertex).collect();
         let square = |c: u32| {
-            let [a, b] = [vertex, scene.surface.vertex(next(c))].map(|v| scene.places[v as usize]);
+            let [a, b] = [vertex, split_context.surface.vertex(next(c))]
+                .map(|v| split_context.grid_points[v as usize]);
             (0..3).map(|i| i64::from(a[i] - b[i]).pow(2)).sum::<i64>()
         };
         let longest = corners.iter().copied().max_by_key(|&c| (square(c), c))?;
-        let cut = Cut { first: previous(scene.surface.opposite(previous(longest))), length: 2 };
-        let is_free = run(scene.surface, cut).iter().all(|&c| !scene.is_claimed(triangle_of(c)));
+        let cut = Cut { first: previous(split_context.surface.opposite(previous(longest))), length: 2 };
+        let is_free =
+            run(split_context.surface, cut).iter().all(|&c| !split_context.is_claimed(triangle_of(c)));
         (is_free && vertex.is_multiple_of(2)).then_some(cut)
     });
     let bits = writer.finish().0.len() as f64 * 8.0;
@@ -251,8 +257,8 @@ fn regular_splits_become_cheap() {
 
 #[test]
 fn histories_follow_renumbered_vertices() {
-    let (surface, places) = closed(&shapes::grid(6, 5));
-    let EncodedSplits { mut refiner, .. } = write(&surface, &places, Effort::Default, 8);
+    let (surface, grid_points) = closed(&shapes::grid(6, 5));
+    let EncodedSplits { mut refiner, .. } = write(&surface, &grid_points, Effort::Default, 8);
     let count = refiner.surface.vertex_count() as u32;
     let history = &mut refiner.model.history;
     history.begin_batch(&refiner.surface);

@@ -2,9 +2,9 @@
 //!
 //! Each prediction is given as log-odds. Their weighted sum is the log-odds of the mixed prediction; after
 //! the decision, each weight moves along the gradient that lowers its coding cost \[Mah05\]. A small
-//! context selects among sets of weights, each of which learns quickly at first. [`Refiner`] then corrects
-//! the mixed probability by what has actually followed similar predictions in another small context, which
-//! a weighted sum cannot express.
+//! context selects among sets of weights, each of which learns quickly at first. [`ProbabilityMap`] then
+//! corrects the mixed probability by what has actually followed similar predictions in another small
+//! context, which a weighted sum cannot express.
 
 use super::logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, probability};
 
@@ -84,7 +84,7 @@ const INTERVAL_WIDTH: i32 = LOG_ODDS_ONE / 2;
 
 /// Maps predicted probabilities to observed ones, per context (an adaptive probability map).
 #[derive(Clone, Debug)]
-pub(crate) struct Refiner {
+pub(crate) struct ProbabilityMap {
     /// For each context, the observed probability at each interval boundary of log-odds, in 1/65536.
     steps: Vec<[u16; INTERVALS + 1]>,
     /// Context and lower boundary of the last decision, and its distance above that boundary.
@@ -93,7 +93,7 @@ pub(crate) struct Refiner {
     above: i32,
 }
 
-impl Refiner {
+impl ProbabilityMap {
     /// Starts with the identity in every context.
     pub(crate) fn new(context_count: usize) -> Self {
         let middle = INTERVALS as i32 / 2;
@@ -160,9 +160,9 @@ mod tests {
     }
 
     #[test]
-    fn refiner_corrects_predictions_of_one_context() {
+    fn probability_map_corrects_predictions_of_one_context() {
         let mut random = Random::new(8);
-        let mut refiner = Refiner::new(2);
+        let mut probability_map = ProbabilityMap::new(2);
         let (mut plain, mut refined) = ([0.0; 2], [0.0; 2]);
         for at in 0..40_000 {
             let p = 2000 + random.below(60_000);
@@ -171,8 +171,8 @@ mod tests {
             let predicted = log_odds(p) / (1 + context as i32);
             let bit = random.below(65536) < p;
             plain[context] += cost(probability(predicted), bit);
-            refined[context] += cost(refiner.refine(predicted, context), bit);
-            refiner.update(bit);
+            refined[context] += cost(probability_map.refine(predicted, context), bit);
+            probability_map.update(bit);
         }
         assert!(refined[0] < plain[0] * 1.005, "{refined:?} for {plain:?}");
         assert!(refined[1] < plain[1] * 0.975, "{refined:?} for {plain:?}");
@@ -181,14 +181,14 @@ mod tests {
     #[test]
     fn extreme_inputs_stay_in_range() {
         let mut mixer = Mixer::new(1, [WEIGHT_LIMIT; 4]);
-        let mut refiner = Refiner::new(1);
+        let mut probability_map = ProbabilityMap::new(1);
         for at in 0..3000 {
             let sign = if at % 3 == 0 { -1 } else { 1 };
             let mixed = mixer.mix(&[LOG_ODDS_LIMIT * sign; 4], 0);
             assert!((1..65536).contains(&mixer.p_one()));
-            assert!((1..65536).contains(&refiner.refine(mixed, 0)));
+            assert!((1..65536).contains(&probability_map.refine(mixed, 0)));
             mixer.update(at % 2 == 0);
-            refiner.update(at % 5 == 0);
+            probability_map.update(at % 5 == 0);
         }
     }
 }

@@ -12,7 +12,7 @@
 //! | `range.rs` | the range coder: [`RangeWriter`], [`RangeReader`] |
 //! | `adaptive.rs` | [`AdaptiveBit`]: the probability of one decision, learned quickly at first |
 //! | `logistic.rs` | conversion between probabilities and log-odds, by integer tables |
-//! | `mixer.rs` | [`Mixer`]: online mixing of several predictions; [`Refiner`]: correction of the result |
+//! | `mixer.rs` | [`Mixer`]: online mixing of predictions; [`ProbabilityMap`]: correction of the result |
 //! | `wide_mixer.rs` | [`WideMixer`]: a mixer in 16-bit lanes |
 //! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen symbols |
 //! | `quick_symbol.rs` | [`QuickSymbol`]: one of sixteen symbols, in 16-bit lanes |
@@ -34,7 +34,7 @@ pub(crate) use adaptive::{AdaptiveBit, Rate};
 pub(crate) use coder::{Coder, PART_COUNT, Part, QuickShares};
 pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixed_number::MixedNumber;
-pub(crate) use mixer::{Mixer, Refiner};
+pub(crate) use mixer::{Mixer, ProbabilityMap};
 pub(crate) use number::{AdaptiveNumber, code_uniform};
 pub(crate) use quick_symbol::{QuickSymbol, code_by_two, code_shares};
 pub(crate) use range::{RangeReader, RangeWriter};

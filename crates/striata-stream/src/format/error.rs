@@ -83,7 +83,7 @@ impl From<StreamDefect> for file::DecodeError {
 pub enum StreamDefect {
     /// The batches split too few vertices each, so that decoding would take far too long.
     #[error("the stream has {batch_count} batches or more, too many for the number of its splits")]
-    Batches {
+    TooManyBatches {
         /// Number of batches decoded so far.
         batch_count: u32,
     },
@@ -98,13 +98,13 @@ pub enum StreamDefect {
     Base(#[from] SurfaceDefect),
     /// A position lies outside the grid.
     #[error("position {position} lies outside the grid")]
-    Place {
+    OffGrid {
         /// Index of the position, in stream order.
         position: usize,
     },
     /// The chunks decoded so far create more vertices than chunks of their size may.
     #[error("chunk {chunk} creates more vertices than its length allows")]
-    Wedges {
+    TooManyVertices {
         /// Index of the chunk; chunk 0 contains the base mesh.
         chunk: usize,
     },
@@ -132,7 +132,7 @@ pub enum StreamDefect {
     },
     /// A step creates a triangle with two corners at one position.
     #[error("step {step} creates a triangle with two corners at one position")]
-    Step {
+    DegenerateTriangle {
         /// Index of the step, from 0.
         step: usize,
     },

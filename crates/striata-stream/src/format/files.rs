@@ -6,7 +6,7 @@ use striata::file::{
 };
 
 use crate::format::error::{DecodeError, StreamDefect};
-use crate::format::facts::StreamFacts;
+use crate::format::info::StreamInfo;
 use crate::reader::decode::StreamDecoder;
 
 /// Number of bytes passed to a decoder at a time. The decoder moves pending bytes after each chunk, so
@@ -33,13 +33,13 @@ pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::
     Ok(StriataFile::parse_with(bytes, verify)?.with_codec(&Codec))
 }
 
-/// Reads a file that may be truncated within its stream, like [`StriataFile::parse_cut`], and attaches a
-/// decoder.
+/// Reads a file that may be truncated within its stream, like [`StriataFile::parse_truncated`], and
+/// attaches a decoder.
 ///
 /// # Errors
-/// The errors of [`StriataFile::parse_cut`].
-pub fn open_cut(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
-    Ok(StriataFile::parse_cut(bytes)?.with_codec(&Codec))
+/// The errors of [`StriataFile::parse_truncated`].
+pub fn open_truncated(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
+    Ok(StriataFile::parse_truncated(bytes)?.with_codec(&Codec))
 }
 
 /// Opens a bare stream, complete or truncated, as a file that contains only this stream.
@@ -58,15 +58,15 @@ pub fn open_stream(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
 /// # Errors
 /// [`EncodeError::Model`] if the length differs from the one in the stream's header.
 pub fn file_model(stream: &[u8]) -> Result<FileModel<'_>, EncodeError> {
-    let facts = StreamFacts::read(stream).ok().flatten().unwrap_or_default();
+    let info = StreamInfo::read(stream).ok().flatten().unwrap_or_default();
     let model = FileModel::Progressive(StoredStream {
         bytes: stream,
-        vertex_count: facts.vertex_count,
-        triangle_count: facts.triangle_count,
-        step_count: facts.step_count,
-        group_count: facts.group_count,
+        vertex_count: info.vertex_count,
+        triangle_count: info.triangle_count,
+        step_count: info.step_count,
+        group_count: info.group_count,
     });
-    let (found, expected) = (stream.len(), usize::try_from(facts.stream_bytes).unwrap_or(usize::MAX));
+    let (found, expected) = (stream.len(), usize::try_from(info.stream_bytes).unwrap_or(usize::MAX));
     if found != expected {
         return Err(EncodeError::Model { model: model.kind(), what: "bytes", found, expected });
     }
@@ -79,50 +79,50 @@ impl StreamCodec for Codec {
     }
 
     fn metadata(&self, stream: &[u8]) -> Result<Vec<(String, String)>, file::DecodeError> {
-        let facts = StreamFacts::read(stream)?;
-        Ok(facts.map_or(Vec::new(), |facts| facts.metadata))
+        let info = StreamInfo::read(stream)?;
+        Ok(info.map_or(Vec::new(), |info| info.metadata))
     }
 
-    fn decode(&self, stream: &[u8], is_cut: bool) -> Result<StreamMesh, file::DecodeError> {
-        Ok(decode(stream, is_cut)?)
+    fn decode(&self, stream: &[u8], is_truncated: bool) -> Result<StreamMesh, file::DecodeError> {
+        Ok(decode(stream, is_truncated)?)
     }
 }
 
 fn read_head(bytes: &[u8]) -> Result<StreamHead, DecodeError> {
     let found = bytes.len() as u64;
-    let Some(facts) = StreamFacts::read(bytes)? else {
+    let Some(info) = StreamInfo::read(bytes)? else {
         return Err(DecodeError::FileLength { found, expected: found + 1 });
     };
-    if facts.stream_bytes < found {
-        return Err(DecodeError::FileLength { found, expected: facts.stream_bytes });
+    if info.stream_bytes < found {
+        return Err(DecodeError::FileLength { found, expected: info.stream_bytes });
     }
-    let base = usize::try_from(facts.base_bytes).ok().and_then(|length| bytes.get(..length));
+    let base = usize::try_from(info.base_bytes).ok().and_then(|length| bytes.get(..length));
     let Some(base) = base else {
         return Err(StreamDefect::NoBase.into());
     };
     let mut decoder = StreamDecoder::new();
     decoder.push(base)?;
     let mut summary = Summary::default();
-    summary.vertex_count = facts.vertex_count;
-    summary.position_count = facts.position_count;
-    summary.triangle_count = facts.triangle_count;
-    summary.group_count = facts.group_count;
-    summary.step_count = facts.step_count;
-    summary.base_position_count = facts.position_count - facts.step_count;
+    summary.vertex_count = info.vertex_count;
+    summary.position_count = info.position_count;
+    summary.triangle_count = info.triangle_count;
+    summary.group_count = info.group_count;
+    summary.step_count = info.step_count;
+    summary.base_position_count = info.position_count - info.step_count;
     summary.base_vertex_count = decoder.positions().len();
     summary.base_triangle_count = decoder.triangles().len();
-    summary.error_max = facts.error_max;
-    Ok(StreamHead { stream_bytes: facts.stream_bytes, summary })
+    summary.error_max = info.error_max;
+    Ok(StreamHead { stream_bytes: info.stream_bytes, summary })
 }
 
-fn decode(bytes: &[u8], is_cut: bool) -> Result<StreamMesh, DecodeError> {
+fn decode(bytes: &[u8], is_truncated: bool) -> Result<StreamMesh, DecodeError> {
     let mut decoder = StreamDecoder::new();
     for piece in bytes.chunks(PIECE_BYTES) {
         decoder.push(piece)?;
     }
     let malformed = |reason| DecodeError::Malformed { offset: bytes.len(), reason };
     if !decoder.is_complete() {
-        if !is_cut {
+        if !is_truncated {
             return Err(malformed("the stream is truncated"));
         }
         decoder.finish()?;

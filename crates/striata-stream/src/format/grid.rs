@@ -35,14 +35,14 @@ pub enum GridError {
     },
     /// Even the finest grid exceeds the tolerance.
     #[error(
-        "a tolerance of {tolerance} requested, but even the finest grid is off by up to {least}; \
+        "a tolerance of {tolerance} requested, but even the finest grid is off by up to {min_tolerance}; \
          use exact positions instead"
     )]
     Tolerance {
         /// The requested tolerance, mesh units.
         tolerance: f64,
         /// The smallest tolerance that can be guaranteed, mesh units.
-        least: f64,
+        min_tolerance: f64,
     },
     /// A parameter of the grid is out of range.
     #[error("the grid's {what} is {value}, which is out of range")]
@@ -72,7 +72,7 @@ impl Axis {
     }
 
     /// Returns the position of a grid coordinate; always finite.
-    pub(crate) fn place(self, q: i32) -> f32 {
+    pub(crate) fn position(self, q: i32) -> f32 {
         let position = f64::from(self.origin) + f64::from(q) * self.step;
         position.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32
     }
@@ -159,8 +159,12 @@ impl PositionGrid {
         // Quantizing costs up to half a step per axis, rounding the position half a float.
         let step = 2.0 * tolerance / 3f64.sqrt() * (1.0 - 1e-12) - float_step(largest);
         let grid = Self::over(bounds, step.max(0.0), MAX_BITS);
-        let least = grid.largest_distance(largest);
-        if least > tolerance { Err(GridError::Tolerance { tolerance, least }) } else { Ok(grid) }
+        let min_tolerance = grid.largest_distance(largest);
+        if min_tolerance > tolerance {
+            Err(GridError::Tolerance { tolerance, min_tolerance })
+        } else {
+            Ok(grid)
+        }
     }
 
     fn over(bounds: &Bounds, least_step: f64, bits: u32) -> Self {
@@ -187,13 +191,13 @@ impl PositionGrid {
     }
 
     /// Returns the position of a grid point; always finite.
-    pub(crate) fn place(&self, point: [i32; 3]) -> [f32; 3] {
-        [0, 1, 2].map(|a| self.axis(a).place(point[a]))
+    pub(crate) fn position(&self, point: [i32; 3]) -> [f32; 3] {
+        [0, 1, 2].map(|a| self.axis(a).position(point[a]))
     }
 
     /// Whether a point lies on the grid.
     #[inline]
-    pub(crate) fn holds(&self, point: [i32; 3]) -> bool {
+    pub(crate) fn contains(&self, point: [i32; 3]) -> bool {
         (point[0] | point[1] | point[2]) as u32 >> self.bits == 0
     }
 
@@ -212,14 +216,14 @@ impl PositionGrid {
 
 /// Maps a float to an integer such that the order is preserved; a bijection on bit patterns.
 #[inline]
-pub(crate) fn ordered(x: f32) -> i32 {
+pub(crate) fn float_to_ordered(x: f32) -> i32 {
     let bits = x.to_bits() as i32;
     bits ^ (((bits >> 31) as u32) >> 1) as i32
 }
 
-/// Maps an integer from [`ordered`] back to its float.
+/// Maps an integer from [`float_to_ordered`] back to its float.
 #[inline]
-pub(crate) fn from_ordered(x: i32) -> f32 {
+pub(crate) fn ordered_to_float(x: i32) -> f32 {
     f32::from_bits((x ^ (((x >> 31) as u32) >> 1) as i32) as u32)
 }
 
@@ -227,13 +231,13 @@ pub(crate) fn from_ordered(x: i32) -> f32 {
 /// larger.
 #[inline]
 pub(crate) fn exact_correction(exact: f32, decoded: f32) -> i32 {
-    ordered(exact).wrapping_sub(ordered(decoded))
+    float_to_ordered(exact).wrapping_sub(float_to_ordered(decoded))
 }
 
 /// Returns the exact coordinate, given the decoded one and the result of [`exact_correction`].
 #[inline]
 pub(crate) fn corrected(decoded: f32, correction: i32) -> f32 {
-    from_ordered(ordered(decoded).wrapping_add(correction))
+    ordered_to_float(float_to_ordered(decoded).wrapping_add(correction))
 }
 
 /// Codes the corrections from grid points to exact positions.
@@ -256,7 +260,7 @@ impl CorrectionModel {
         point: [i32; 3],
         exact: [f32; 3],
     ) -> [f32; 3] {
-        let decoded = grid.place(point);
+        let decoded = grid.position(point);
         [0, 1, 2].map(|a| {
             // The context is the number of floats within a step, which is larger for small coordinates.
             let floats = (grid.step / float_step(decoded[a])).min(f64::from(i32::MAX)) as u32;
@@ -308,7 +312,7 @@ mod tests {
                 for &p in cloud {
                     let q = grid.quantize(p);
                     assert!(q.iter().all(|&x| (0..1i64 << grid.bits).contains(&i64::from(x))));
-                    let position = grid.place(q);
+                    let position = grid.position(q);
                     assert_eq!(grid.quantize(position), q, "cloud {index}, {bits} bits, {p:?}, {grid:?}");
                     let largest = grid.largest_distance(
                         bounds.min.iter().chain(&bounds.max).fold(0.0, |m, x| x.abs().max(m)),
@@ -341,10 +345,13 @@ mod tests {
                 match PositionGrid::from_tolerance(&bounds, tolerance) {
                     Ok(grid) => {
                         for &p in &cloud {
-                            assert!(distance(grid.place(grid.quantize(p)), p) <= tolerance, "{grid:?} {p:?}");
+                            assert!(
+                                distance(grid.position(grid.quantize(p)), p) <= tolerance,
+                                "{grid:?} {p:?}"
+                            );
                         }
                     }
-                    Err(GridError::Tolerance { least, .. }) => assert!(least > tolerance),
+                    Err(GridError::Tolerance { min_tolerance, .. }) => assert!(min_tolerance > tolerance),
                     Err(GridError::NoTolerance { .. }) => assert_eq!(tolerance, 0.0),
                     Err(other) => panic!("{other}"),
                 }
@@ -374,7 +381,7 @@ mod tests {
             assert!(bad.check().is_err(), "{bad:?}");
         }
         let extreme = PositionGrid { origin: [f32::MAX; 3], step: 6e38, bits: 24 };
-        assert!(extreme.place([i32::MAX, i32::MIN, 5]).iter().all(|x| x.is_finite()));
+        assert!(extreme.position([i32::MAX, i32::MIN, 5]).iter().all(|x| x.is_finite()));
     }
 
     #[test]
@@ -384,7 +391,8 @@ mod tests {
             let [a, b] = [(); 2].map(|()| f32::from_bits(random.next_u64() as u32));
             assert_eq!(corrected(a, exact_correction(b, a)).to_bits(), b.to_bits());
         }
-        let rising = [f32::NEG_INFINITY, -2.0, -1e-40, -0.0, 0.0, 1e-40, 2.0, f32::INFINITY].map(ordered);
+        let rising =
+            [f32::NEG_INFINITY, -2.0, -1e-40, -0.0, 0.0, 1e-40, 2.0, f32::INFINITY].map(float_to_ordered);
         assert!(rising.windows(2).all(|w| w[0] < w[1]));
         assert_eq!(exact_correction(0.0, -0.0), 1);
     }

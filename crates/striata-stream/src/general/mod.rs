@@ -9,7 +9,7 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `complex.rs` | [`Complex`]: triangles indexed by position |
-//! | `step.rs` | [`KnownStep`]: a step as the writer knows it; [`CodedStep`]: a step as both sides know it |
+//! | `step.rs` | [`ReferenceStep`]: a step as the writer knows it; [`CodedStep`]: as both sides know it |
 //! | `model.rs` | models of the split position, moved triangles, new triangles and new position |
 //! | `wedges.rs` | models of the wedges and groups |
 //! | `batch.rs` | coding a general batch within the loop that writer and reader share |
@@ -30,13 +30,13 @@ use step::CodedStep;
 
 /// State of general batches: the models, and the triangles while a batch is in progress.
 #[derive(Clone, Debug)]
-pub(super) struct General {
+pub(super) struct GeneralBatches {
     is_general: AdaptiveBit,
     count: AdaptiveNumber,
     model: GeneralModel,
     wedges: GeneralWedgeModel,
     /// Grid coordinates of each position.
-    places: Vec<[i32; 3]>,
+    grid_points: Vec<[i32; 3]>,
     /// The triangles, only during a general batch.
     complex: Complex,
     /// Number of steps left in the current batch.
@@ -44,15 +44,15 @@ pub(super) struct General {
     step: CodedStep,
 }
 
-impl General {
-    /// Creates untrained models; `places` are the grid coordinates of the base positions.
-    pub(super) fn new(places: Vec<[i32; 3]>) -> Self {
+impl GeneralBatches {
+    /// Creates untrained models; `grid_points` are the grid coordinates of the base positions.
+    pub(super) fn new(grid_points: Vec<[i32; 3]>) -> Self {
         Self {
             is_general: AdaptiveBit::new(Rate::Steady),
             count: AdaptiveNumber::new(1, Rate::Steady),
             model: GeneralModel::new(),
             wedges: GeneralWedgeModel::new(),
-            places,
+            grid_points,
             complex: Complex::default(),
             steps_left: 0,
             step: CodedStep::default(),
@@ -60,13 +60,13 @@ impl General {
     }
 
     /// Whether a general batch is in progress.
-    pub(super) fn is_under_way(&self) -> bool {
+    pub(super) fn is_active(&self) -> bool {
         self.steps_left > 0
     }
 
     /// Appends the grid coordinates of a position created by a surface split.
-    pub(super) fn push_place(&mut self, place: [i32; 3]) {
-        self.places.push(place);
+    pub(super) fn push_grid_point(&mut self, grid_point: [i32; 3]) {
+        self.grid_points.push(grid_point);
     }
 
     /// Codes the number of general steps of the next batch, or 0 if it is a batch of surface splits.

@@ -8,7 +8,7 @@
 use std::collections::HashMap;
 
 use super::complex::Complex;
-use super::step::{Born, CodedStep, KnownStep};
+use super::step::{CodedStep, NewTriangle, ReferenceStep};
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 
 /// Rings with more triangles than this are not sorted.
@@ -94,7 +94,7 @@ impl GeneralModel {
         &mut self,
         coder: &mut C,
         position_count: u32,
-        actual: Option<&KnownStep>,
+        actual: Option<&ReferenceStep>,
     ) -> u32 {
         let actual = actual.map_or(0, |step| step.split);
         let newest = position_count - 1;
@@ -117,7 +117,7 @@ impl GeneralModel {
         &mut self,
         coder: &mut C,
         complex: &Complex,
-        (actual, out): (Option<&KnownStep>, &mut CodedStep),
+        (actual, out): (Option<&ReferenceStep>, &mut CodedStep),
     ) {
         out.moved.clear();
         out.fan.clear();
@@ -154,21 +154,23 @@ impl GeneralModel {
         }
     }
 
-    /// Codes the triangles that the step creates; fills in `born` and `known`.
-    pub(super) fn born<C: Coder>(
+    /// Codes the triangles that the step creates; fills in `new_triangles` and `reference_triangles`.
+    pub(super) fn new_triangles<C: Coder>(
         &mut self,
         coder: &mut C,
         complex: &Complex,
-        (actual, out): (Option<&KnownStep>, &mut CodedStep),
+        (actual, out): (Option<&ReferenceStep>, &mut CodedStep),
     ) {
-        out.born.clear();
-        out.known.clear();
+        out.new_triangles.clear();
+        out.reference_triangles.clear();
         self.find_thirds(complex, out.split);
         let rank_of = |thirds: &[(u8, u32)], third: u32| thirds.iter().position(|t| t.1 == third);
-        let mut remaining: Vec<usize> = (0..actual.map_or(0, |step| step.born.len())).collect();
+        let mut remaining: Vec<usize> = (0..actual.map_or(0, |step| step.new_triangles.len())).collect();
         if let Some(step) = actual {
             let thirds = &self.thirds;
-            remaining.sort_by_key(|&at| rank_of(thirds, step.born[at].born.third).unwrap_or(usize::MAX));
+            remaining.sort_by_key(|&at| {
+                rank_of(thirds, step.new_triangles[at].triangle.third).unwrap_or(usize::MAX)
+            });
         }
         let context = usize::from(out.fan.is_empty());
         let count =
@@ -176,7 +178,9 @@ impl GeneralModel {
         let others = complex.position_count() as u32;
         for at in 0..count as usize {
             let actual_index = remaining.get(at).copied();
-            let actual = actual_index.and_then(|index| Some(actual?.born[index].born)).unwrap_or_default();
+            let actual = actual_index
+                .and_then(|index| Some(actual?.new_triangles[index].triangle))
+                .unwrap_or_default();
             let actual_rank = rank_of(&self.thirds, actual.third).unwrap_or(self.thirds.len());
             let class = usize::from(self.thirds.first().map_or(2, |third| third.0)).min(2);
             let rank = self.rank.unsigned(coder, class, actual_rank as u32) as usize;
@@ -191,8 +195,8 @@ impl GeneralModel {
             // If the neighbors suggest a winding, the bit says whether it agrees; otherwise it is the
             // winding itself.
             let agrees = self.is_forward[context].code(coder, actual.is_forward == (context != 1));
-            out.born.push(Born { third, is_forward: agrees == (context != 1) });
-            out.known.push(actual_index.unwrap_or(0));
+            out.new_triangles.push(NewTriangle { third, is_forward: agrees == (context != 1) });
+            out.reference_triangles.push(actual_index.unwrap_or(0));
         }
     }
 
@@ -243,33 +247,33 @@ impl GeneralModel {
         }
     }
 
-    /// Codes the grid coordinates of the new position; `places` are those of all positions so far.
-    pub(super) fn place<C: Coder>(
+    /// Codes the grid coordinates of the new position; `grid_points` are those of all positions so far.
+    pub(super) fn grid_point<C: Coder>(
         &mut self,
         coder: &mut C,
-        (complex, places): (&Complex, &[[i32; 3]]),
-        (actual, out): (Option<&KnownStep>, &mut CodedStep),
+        (complex, grid_points): (&Complex, &[[i32; 3]]),
+        (actual, out): (Option<&ReferenceStep>, &mut CodedStep),
     ) {
         let mut around = vec![out.split];
         around.extend(out.fan.iter().flat_map(|&corner| complex.edge(corner)));
-        around.extend(out.born.iter().map(|born| born.third));
+        around.extend(out.new_triangles.iter().map(|triangle| triangle.third));
         around.sort_unstable();
         around.dedup();
         let is_isolated = around.len() == 1;
         let (kind, guess, size) = match self.isolated.last() {
             _ if !is_isolated => {
-                let (guess, size) = mean_position(&around, places);
+                let (guess, size) = mean_position(&around, grid_points);
                 (usize::from(around.len() < 4), guess, size)
             }
-            Some(&last) if self.follows_isolated => (2, places[last as usize], self.isolated_size),
-            _ => (3, places[out.split as usize], self.isolated_size),
+            Some(&last) if self.follows_isolated => (2, grid_points[last as usize], self.isolated_size),
+            _ => (3, grid_points[out.split as usize], self.isolated_size),
         };
         let mut largest = 0;
         for (axis, guess) in guess.into_iter().enumerate() {
-            let residual = actual.map_or(0, |step| step.place[axis].wrapping_sub(guess));
+            let residual = actual.map_or(0, |step| step.grid_point[axis].wrapping_sub(guess));
             let residual = self.residuals.signed(coder, kind * SIZE_CLASSES + size, residual);
             largest = largest.max(residual.unsigned_abs());
-            out.place[axis] = guess.wrapping_add(residual);
+            out.grid_point[axis] = guess.wrapping_add(residual);
         }
         if is_isolated {
             self.isolated_size = ((largest | 1).ilog2() as usize).min(SIZE_CLASSES - 1);
@@ -280,12 +284,13 @@ impl GeneralModel {
 }
 
 /// Returns the mean of some positions, and the binary logarithm of their mean distance from it.
-fn mean_position(around: &[u32], places: &[[i32; 3]]) -> ([i32; 3], usize) {
+fn mean_position(around: &[u32], grid_points: &[[i32; 3]]) -> ([i32; 3], usize) {
     let count = around.len() as i64;
-    let sum = |axis: usize| around.iter().map(|&p| i64::from(places[p as usize][axis])).sum::<i64>();
+    let sum = |axis: usize| around.iter().map(|&p| i64::from(grid_points[p as usize][axis])).sum::<i64>();
     let mean = [0, 1, 2].map(|axis| sum(axis).div_euclid(count));
-    let distance =
-        |p: u32| (0..3).map(|a| (i64::from(places[p as usize][a]) - mean[a]).unsigned_abs()).sum::<u64>();
+    let distance = |p: u32| {
+        (0..3).map(|a| (i64::from(grid_points[p as usize][a]) - mean[a]).unsigned_abs()).sum::<u64>()
+    };
     let mean_distance = around.iter().map(|&p| distance(p)).sum::<u64>() / count as u64;
     (mean.map(|x| x as i32), ((mean_distance | 1).ilog2() as usize).min(SIZE_CLASSES - 1))
 }

@@ -5,14 +5,14 @@ use std::ops::Range;
 
 /// A triangle that a step creates: its corners are the new position, the split position, and a third one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Born {
+pub(crate) struct NewTriangle {
     /// The third position.
     pub(crate) third: u32,
     /// Whether the winding is (new, split, third) rather than (new, third, split).
     pub(crate) is_forward: bool,
 }
 
-impl Born {
+impl NewTriangle {
     /// Puts values for the new, the split and the third position into the order of the triangle's corners.
     pub(crate) fn ordered(self, [new, split, third]: [u32; 3]) -> [u32; 3] {
         if self.is_forward { [new, split, third] } else { [new, third, split] }
@@ -21,11 +21,11 @@ impl Born {
 
 /// A triangle that a step creates, as the writer knows it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct KnownBorn {
+pub(crate) struct ReferenceTriangle {
     /// Its third position and winding.
-    pub(crate) born: Born,
+    pub(crate) triangle: NewTriangle,
     /// Vertex of the input mesh at its corner at the new position.
-    pub(crate) own: u32,
+    pub(crate) wedge: u32,
     /// Vertices of the stream at its other corners: at the split position, and at the third.
     pub(crate) others: [u32; 2],
     /// Its group.
@@ -34,25 +34,25 @@ pub(crate) struct KnownBorn {
 
 /// A general step as the writer knows it.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct KnownStep {
+pub(crate) struct ReferenceStep {
     /// The position that splits.
     pub(crate) split: u32,
     /// Corners that move to the new position, in ascending order, each with its vertex of the input mesh
     /// after the step.
     pub(crate) moved: Vec<(u32, u32)>,
     /// Triangles that the step creates.
-    pub(crate) born: Vec<KnownBorn>,
+    pub(crate) new_triangles: Vec<ReferenceTriangle>,
     /// Vertices of the input mesh at the new position.
     pub(crate) wedges: Range<u32>,
     /// Vertex of the stream to which each of them collapses.
     pub(crate) targets: Vec<u32>,
     /// Grid coordinates of the new position.
-    pub(crate) place: [i32; 3],
+    pub(crate) grid_point: [i32; 3],
     /// Exact coordinates of the new position, mesh units.
     pub(crate) exact: [f32; 3],
 }
 
-impl KnownStep {
+impl ReferenceStep {
     /// Whether a corner moves to the new position.
     pub(crate) fn moves(&self, corner: u32) -> bool {
         self.moved.binary_search_by_key(&corner, |moved| moved.0).is_ok()
@@ -64,7 +64,7 @@ impl KnownStep {
     }
 
     /// Returns the vertex of the input mesh that a moved corner has after the step.
-    pub(crate) fn shown(&self, corner: u32) -> Option<u32> {
+    pub(crate) fn wedge_at(&self, corner: u32) -> Option<u32> {
         let at = self.moved.binary_search_by_key(&corner, |moved| moved.0).ok()?;
         Some(self.moved[at].1)
     }
@@ -80,15 +80,15 @@ pub(crate) struct CodedStep {
     /// The same corners, sorted so that neighbors follow each other where possible.
     pub(crate) fan: Vec<u32>,
     /// Triangles that the step creates.
-    pub(crate) born: Vec<Born>,
+    pub(crate) new_triangles: Vec<NewTriangle>,
     /// For each of them, its index among the writer's triangles.
-    pub(crate) known: Vec<usize>,
+    pub(crate) reference_triangles: Vec<usize>,
     /// Grid coordinates of the new position.
-    pub(crate) place: [i32; 3],
+    pub(crate) grid_point: [i32; 3],
     /// Vertex of the stream to which each wedge of the new position collapses.
     pub(crate) targets: Vec<u32>,
     /// The writer's vertex of each wedge; meaningless for a reader.
-    pub(crate) named: Vec<u32>,
+    pub(crate) reference_wedges: Vec<u32>,
     /// Wedge at each corner of the fan, then at the new corner of each new triangle.
     pub(crate) wedges: Vec<u32>,
     /// Vertices at the other two corners of each new triangle: at the split position, and at the third.
@@ -99,10 +99,10 @@ pub(crate) struct CodedStep {
 
 impl CodedStep {
     /// Fills in wedges and groups for meshes with one vertex per position and no groups.
-    pub(crate) fn show_positions(&mut self) {
+    pub(crate) fn use_one_vertex_per_position(&mut self) {
         self.targets = vec![self.split];
-        self.wedges = vec![0; self.fan.len() + self.born.len()];
-        self.others = self.born.iter().map(|born| [self.split, born.third]).collect();
-        self.groups = vec![0; self.born.len()];
+        self.wedges = vec![0; self.fan.len() + self.new_triangles.len()];
+        self.others = self.new_triangles.iter().map(|triangle| [self.split, triangle.third]).collect();
+        self.groups = vec![0; self.new_triangles.len()];
     }
 }

@@ -7,9 +7,9 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::complex::Complex;
-use super::step::{CodedStep, KnownBorn, KnownStep};
+use super::step::{CodedStep, ReferenceStep, ReferenceTriangle};
 use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
-use crate::refine::growth::Growth;
+use crate::refine::growth::GrowingMesh;
 use crate::topology::surface::NONE;
 use crate::wedges::model::WedgeModel;
 
@@ -23,7 +23,7 @@ pub(super) struct LevelBefore<'a> {
     /// The triangles over positions.
     pub(super) complex: &'a Complex,
     /// The triangles over vertices.
-    pub(super) growth: &'a Growth,
+    pub(super) growth: &'a GrowingMesh,
     /// Maximum number of wedges of the new position beyond the first.
     pub(super) max_extra_wedges: u64,
 }
@@ -91,11 +91,11 @@ impl GeneralWedgeModel {
         &mut self,
         coder: &mut C,
         LevelBefore { complex, growth, max_extra_wedges }: LevelBefore<'_>,
-        (actual, out): (Option<&KnownStep>, &mut CodedStep),
+        (actual, out): (Option<&ReferenceStep>, &mut CodedStep),
         wedges: &mut WedgeModel,
     ) {
         out.targets.clear();
-        out.named.clear();
+        out.reference_wedges.clear();
         out.wedges.clear();
         out.others.clear();
         out.groups.clear();
@@ -104,12 +104,12 @@ impl GeneralWedgeModel {
         for at in 0..out.fan.len() {
             let corner = out.fan[at];
             let target = growth.triangles[corner as usize / 3][corner as usize % 3];
-            let actual_wedge = actual.and_then(|step| step.shown(corner)).unwrap_or(NONE);
+            let actual_wedge = actual.and_then(|step| step.wedge_at(corner)).unwrap_or(NONE);
             previous = self.code_wedge(coder, (actual_wedge, target), previous, out);
             out.wedges.push(previous);
         }
-        for at in 0..out.born.len() {
-            let actual_triangle = actual.map(|step| step.born[out.known[at]]);
+        for at in 0..out.new_triangles.len() {
+            let actual_triangle = actual.map(|step| step.new_triangles[out.reference_triangles[at]]);
             self.code_triangle(coder, (complex, growth), (actual_triangle, at), (out, wedges));
         }
         self.code_unused_wedges(coder, (growth, max_extra_wedges), actual, out);
@@ -124,7 +124,7 @@ impl GeneralWedgeModel {
         previous: u32,
         out: &mut CodedStep,
     ) -> u32 {
-        let is_actual = |wedge: u32| out.named[wedge as usize] == actual_wedge;
+        let is_actual = |wedge: u32| out.reference_wedges[wedge as usize] == actual_wedge;
         let repeats_previous = &mut self.repeats_previous[usize::from(out.fan.is_empty())];
         let can_repeat = previous != NONE && out.targets[previous as usize] == target;
         if can_repeat && repeats_previous.code(coder, is_actual(previous)) {
@@ -146,7 +146,7 @@ impl GeneralWedgeModel {
         let new = out.targets.len() as u32;
         others.push(new);
         out.targets.push(target);
-        out.named.push(actual_wedge);
+        out.reference_wedges.push(actual_wedge);
         new
     }
 
@@ -154,11 +154,11 @@ impl GeneralWedgeModel {
     fn code_triangle<C: Coder>(
         &mut self,
         coder: &mut C,
-        (complex, growth): (&Complex, &Growth),
-        (actual_triangle, at): (Option<KnownBorn>, usize),
+        (complex, growth): (&Complex, &GrowingMesh),
+        (actual_triangle, at): (Option<ReferenceTriangle>, usize),
         (out, wedges): (&mut CodedStep, &mut WedgeModel),
     ) {
-        let third = out.born[at].third;
+        let third = out.new_triangles[at].third;
         let [mut by_split, mut by_third] = [None; 2];
         let mut group = None;
         // Neighbors across the edge to the third position. The last one found counts: one that stays, if any.
@@ -189,7 +189,7 @@ impl GeneralWedgeModel {
         let third = self.choose(coder, ChoiceKind::Third, choices, actual[1]);
         out.others.push([split, third]);
         let previous = out.wedges.last().copied().unwrap_or(NONE);
-        let actual_wedge = actual_triangle.map_or(NONE, |triangle| triangle.own);
+        let actual_wedge = actual_triangle.map_or(NONE, |triangle| triangle.wedge);
         let wedge = self.code_wedge(coder, (actual_wedge, split), previous, out);
         out.wedges.push(wedge);
         let last = out.groups.last().copied().or(growth.groups.last().copied());
@@ -206,11 +206,11 @@ impl GeneralWedgeModel {
     fn code_unused_wedges<C: Coder>(
         &mut self,
         coder: &mut C,
-        (growth, max_extra_wedges): (&Growth, u64),
-        actual: Option<&KnownStep>,
+        (growth, max_extra_wedges): (&GrowingMesh, u64),
+        actual: Option<&ReferenceStep>,
         out: &mut CodedStep,
     ) {
-        let mut used = out.named.clone();
+        let mut used = out.reference_wedges.clone();
         used.sort_unstable();
         let wedges = actual.map_or(0..0, |step| step.wedges.clone());
         let mut unused = wedges.filter(|wedge| used.binary_search(wedge).is_err());
@@ -226,7 +226,7 @@ impl GeneralWedgeModel {
             let target = next.and_then(|wedge| actual?.target_of(wedge)).unwrap_or(NONE);
             let guesses = [out.targets.last().copied(), Some(all.start), None];
             out.targets.push(self.choose(coder, ChoiceKind::Target, (guesses, all.clone()), target));
-            out.named.push(next.unwrap_or(NONE));
+            out.reference_wedges.push(next.unwrap_or(NONE));
         }
     }
 }

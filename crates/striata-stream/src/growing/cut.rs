@@ -34,7 +34,7 @@ pub struct HierarchyCut {
 #[non_exhaustive]
 pub struct CutUpdate {
     /// Number of steps for which the criterion was evaluated.
-    pub asked_count: usize,
+    pub evaluated_count: usize,
     /// Number of triangles of the cut.
     pub triangle_count: usize,
     /// Weight above which parts are refined: 1, or more if the triangle limit required it.
@@ -157,7 +157,7 @@ impl HierarchyCut {
             for together in steps.chunks(EVALUATED_TOGETHER) {
                 self.evaluate(hierarchy, criterion, together, update);
                 for (at, &step) in together.iter().enumerate() {
-                    if self.evaluations.verdicts[at].is_wanted() {
+                    if self.evaluations.verdicts[at].should_refine() {
                         self.refine_step(hierarchy, step);
                         self.append_children(hierarchy, step, &mut next_steps);
                     }
@@ -184,7 +184,8 @@ impl HierarchyCut {
             self.append_children(hierarchy, parent, &mut children);
             for together in children.chunks(EVALUATED_TOGETHER) {
                 self.evaluate(hierarchy, criterion, together, update);
-                let wanted = together.iter().zip(&self.evaluations.verdicts).filter(|(_, v)| v.is_wanted());
+                let wanted =
+                    together.iter().zip(&self.evaluations.verdicts).filter(|(_, v)| v.should_refine());
                 // Weights are above 1, so they sort like their bits; of equal weights, the older step comes
                 // first.
                 queue.extend(wanted.map(|(&step, verdict)| (verdict.weight.to_bits(), !step)));
@@ -220,7 +221,7 @@ impl HierarchyCut {
         verdicts.clear();
         parts.extend(steps.iter().map(|&step| hierarchy.part(step)));
         criterion.weigh_all(parts, verdicts);
-        update.asked_count += steps.len();
+        update.evaluated_count += steps.len();
     }
 
     /// Refines a step and all its dependencies.
@@ -308,7 +309,7 @@ mod tests {
         let (mut hierarchy, mut cut) = (GrowingHierarchy::new(), HierarchyCut::new());
         hierarchy.grow(&PrefixMesh::default(), &[], |_| 0.0);
         let update = cut.refine(&hierarchy, &|_: &Part| 2.0, usize::MAX);
-        assert_eq!((update.asked_count, update.triangle_count), (0, 0));
+        assert_eq!((update.evaluated_count, update.triangle_count), (0, 0));
         let mut triangles = Vec::new();
         cut.triangles_into(&hierarchy, &PrefixMesh::default(), &mut triangles);
         assert!(triangles.is_empty());

@@ -1,14 +1,14 @@
 //! Attribute values of a stream, and the neighborhoods in which those of new vertices are coded.
 
-use crate::base::hoods::BaseHoods;
+use crate::base::neighborhoods::BaseNeighborhoods;
 use crate::entropy::Coder;
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
 use crate::layers::model::LayerModel;
 use crate::layers::ring_fit::RingFit;
-use crate::refine::growth::Growth;
-use crate::refine::source::Plan;
+use crate::refine::growth::GrowingMesh;
+use crate::refine::source::EncoderInput;
 use crate::topology::surface::{NONE, Surface, next, previous};
 use crate::wedges::split::SplitWedges;
 
@@ -35,7 +35,7 @@ pub(crate) struct Attributes {
 struct FittedRing {
     fit: RingFit,
     ring: Vec<u32>,
-    places: Vec<[i32; 3]>,
+    grid_points: Vec<[i32; 3]>,
 }
 
 /// Maximum number of corners around a position that are used for all its vertices together.
@@ -47,9 +47,9 @@ pub(crate) struct AttributeContext<'a> {
     /// The surface, including the split.
     pub(crate) surface: &'a Surface,
     /// The mesh without the new position.
-    pub(crate) growth: &'a Growth,
+    pub(crate) growth: &'a GrowingMesh,
     /// Grid coordinates of each vertex of the surface.
-    pub(crate) places: &'a [[i32; 3]],
+    pub(crate) grid_points: &'a [[i32; 3]],
     /// Corners at the position, starting with the one in A and ending with the one in B.
     pub(crate) corners: &'a [u32],
     /// Wedges that the corners refer to, unless each position has exactly one vertex.
@@ -60,7 +60,7 @@ pub(crate) struct AttributeContext<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RingVertex {
     pub(crate) vertex: u32,
-    pub(crate) place: [i32; 3],
+    pub(crate) grid_point: [i32; 3],
 }
 
 /// A vertex that a general step adds.
@@ -76,7 +76,7 @@ pub(crate) struct GeneralVertex {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NewVertex {
     /// Grid coordinates of the position.
-    pub(crate) place: [i32; 3],
+    pub(crate) grid_point: [i32; 3],
     /// Index of the vertex within the position.
     pub(crate) wedge: u32,
     /// The vertex that it collapses to.
@@ -87,8 +87,11 @@ pub(crate) struct NewVertex {
 pub(crate) type Actual<'a> = Option<(&'a [LayerValues], u32)>;
 
 /// Returns a writer's layers and the index of the current vertex in the source mesh.
-pub(crate) fn actual_layers(plan: Option<&dyn Plan>, vertex: impl FnOnce(&dyn Plan) -> u32) -> Actual<'_> {
-    plan.map(|plan| (plan.layers(), vertex(plan)))
+pub(crate) fn actual_layers(
+    input: Option<&dyn EncoderInput>,
+    vertex: impl FnOnce(&dyn EncoderInput) -> u32,
+) -> Actual<'_> {
+    input.map(|input| (input.layers(), vertex(input)))
 }
 
 impl Attributes {
@@ -121,15 +124,15 @@ impl Attributes {
     pub(crate) fn base_vertex<C: Coder>(
         &mut self,
         coder: &mut C,
-        (hoods, place): (&BaseHoods<'_>, [i32; 3]),
+        (neighborhoods, grid_point): (&BaseNeighborhoods<'_>, [i32; 3]),
         (vertex, wedge): (u32, u32),
         actual: Actual<'_>,
     ) {
         let before = vertex.checked_sub(1);
-        let FittedRing { fit, ring, places } = &mut self.own;
+        let FittedRing { fit, ring, grid_points } = &mut self.own;
         if self.version > StreamVersion::One {
-            let normal = hoods.gather(vertex, ring, places);
-            fit.measure(place, places, false);
+            let normal = neighborhoods.gather(vertex, ring, grid_points);
+            fit.measure(grid_point, grid_points, false);
             fit.normal = normal;
         }
         let mut neighborhood = LayerNeighborhood::new(ring.first().copied().or(before), ring, fit);
@@ -139,7 +142,7 @@ impl Attributes {
     }
 
     /// Prepares for coding the vertices of a new position in order.
-    pub(crate) fn begin_position(&mut self, around: AttributeContext<'_>, place: [i32; 3]) {
+    pub(crate) fn begin_position(&mut self, around: AttributeContext<'_>, grid_point: [i32; 3]) {
         self.by_wedge.clear();
         self.wedge_end = 0;
         let Some(split_wedges) = around.split_wedges.filter(|split_wedges| split_wedges.targets.len() > 1)
@@ -155,7 +158,7 @@ impl Attributes {
                 .filter(|at| split_wedges.wedges[*at] != NONE)
                 .take(MOST_CORNERS);
             let is_closed = self.whole.gather(around, corners, last);
-            self.whole.fit.measure(place, &self.whole.places, is_closed);
+            self.whole.fit.measure(grid_point, &self.whole.grid_points, is_closed);
         }
     }
 
@@ -164,7 +167,7 @@ impl Attributes {
         &mut self,
         coder: &mut C,
         around: AttributeContext<'_>,
-        NewVertex { place, wedge, target }: NewVertex,
+        NewVertex { grid_point, wedge, target }: NewVertex,
         actual: Actual<'_>,
     ) {
         let last = around.corners.len() - 1;
@@ -181,7 +184,7 @@ impl Attributes {
         let neighborhood = if is_hidden {
             LayerNeighborhood { is_hidden, ..self.whole.neighborhood(target) }
         } else {
-            self.own.fit.measure(place, &self.own.places, is_closed);
+            self.own.fit.measure(grid_point, &self.own.grid_points, is_closed);
             self.own.neighborhood(target)
         };
         let neighborhood = match around.split_wedges {
@@ -200,18 +203,18 @@ impl Attributes {
     pub(crate) fn general_position<'a, C: Coder>(
         &mut self,
         coder: &mut C,
-        place: [i32; 3],
+        grid_point: [i32; 3],
         vertices: &[GeneralVertex],
         actual: impl Fn(usize) -> Actual<'a>,
     ) {
         let has_several = vertices.len() > 1;
         if has_several {
             let all = vertices.iter().flat_map(|vertex| &vertex.ring).take(MOST_CORNERS);
-            self.whole.set(all.copied(), place);
+            self.whole.set(all.copied(), grid_point);
         }
         for (wedge, vertex) in vertices.iter().enumerate() {
             let is_hidden = has_several && vertex.ring.is_empty();
-            self.own.set(vertex.ring.iter().copied(), place);
+            self.own.set(vertex.ring.iter().copied(), grid_point);
             let neighborhood = if is_hidden {
                 LayerNeighborhood { is_hidden, ..self.whole.neighborhood(vertex.target) }
             } else {
@@ -230,16 +233,16 @@ impl Attributes {
 
 impl FittedRing {
     /// Replaces the ring by these vertices, in no particular order.
-    fn set(&mut self, vertices: impl Iterator<Item = RingVertex>, place: [i32; 3]) {
+    fn set(&mut self, vertices: impl Iterator<Item = RingVertex>, grid_point: [i32; 3]) {
         self.ring.clear();
-        self.places.clear();
+        self.grid_points.clear();
         for there in vertices {
             if !self.ring.contains(&there.vertex) {
                 self.ring.push(there.vertex);
-                self.places.push(there.place);
+                self.grid_points.push(there.grid_point);
             }
         }
-        self.fit.measure(place, &self.places, false);
+        self.fit.measure(grid_point, &self.grid_points, false);
     }
 
     /// Returns the neighborhood of a vertex with this ring.
@@ -256,7 +259,7 @@ impl FittedRing {
         last: usize,
     ) -> bool {
         self.ring.clear();
-        self.places.clear();
+        self.grid_points.clear();
         for at in corners {
             let Some(shown) = other_vertices(around, at) else { continue };
             let corner = around.corners[at];
@@ -268,7 +271,7 @@ impl FittedRing {
                 }
                 if self.ring.last() != Some(&vertex) {
                     self.ring.push(vertex);
-                    self.places.push(around.places[surface_vertex as usize]);
+                    self.grid_points.push(around.grid_points[surface_vertex as usize]);
                 }
             }
         }

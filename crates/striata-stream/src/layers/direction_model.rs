@@ -8,7 +8,7 @@
 //! usually best; if not, the mean is.
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::directions::{Octahedron, scaled};
 use crate::layers::history::LayerHistory;
 use crate::layers::layer_neighborhood::{BASE_KIND, KINDS, LayerNeighborhood, LayerValues};
@@ -401,7 +401,7 @@ mod tests {
     #[test]
     fn mirrored_neighbors_are_exact_on_a_sphere() {
         let grid = Octahedron::new(12);
-        let place = |d: [f64; 3]| -> [i32; 3] { d.map(|x| (x * 2000.0) as i32) };
+        let grid_point = |d: [f64; 3]| -> [i32; 3] { d.map(|x| (x * 2000.0) as i32) };
         let unit = |x: f64, y: f64| {
             let length = (x * x + y * y + 1.0).sqrt();
             [x / length, y / length, 1.0 / length]
@@ -412,7 +412,7 @@ mod tests {
         let point = |d: [f64; 3]| grid.point(d.map(|x| (x * 1e6) as i64));
         let values = LayerValues::from_integers(ring.iter().flat_map(|&d| point(d)).collect(), 2);
         let mut fit = RingFit::default();
-        fit.measure(place(here), &ring.map(place), true);
+        fit.measure(grid_point(here), &ring.map(grid_point), true);
         let neighborhood = LayerNeighborhood::new(Some(0), &[0, 1, 2, 3], &fit);
         let estimates = Estimates::of(grid, &values, (&neighborhood, fit.normal));
         let off = |d: [i64; 3]| {

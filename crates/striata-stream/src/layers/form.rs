@@ -9,7 +9,7 @@
 use striata::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
 
 use super::options::LayerOptions;
-use crate::format::grid::{Axis, from_ordered, ordered};
+use crate::format::grid::{Axis, float_to_ordered, ordered_to_float};
 
 /// Data type of a layer's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub(crate) enum Transform {
     Exact,
 }
 
-/// Description of a layer without its numbers, as stored in the head of a stream.
+/// Description of a layer without its numbers, as stored in the header of a stream.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LayerForm {
     /// Meaning of the layer.
@@ -116,7 +116,7 @@ impl LayerForm {
                     .flat_map(|v| v.iter().zip(axes).map(|(&x, a)| a.quantize(x, limit)))
                     .collect()
             }
-            (_, LayerData::F32(numbers)) => numbers.iter().map(|&x| ordered(x)).collect(),
+            (_, LayerData::F32(numbers)) => numbers.iter().map(|&x| float_to_ordered(x)).collect(),
             (_, LayerData::U8(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
             (_, LayerData::U16(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
             (_, LayerData::U32(numbers)) => numbers.iter().map(|&x| x as i32).collect(),
@@ -145,9 +145,9 @@ impl LayerForm {
             }
             (Transform::Uniform { axes, .. }, LayerData::F32(out)) => {
                 let vertices = integers.chunks_exact(axes.len());
-                out.extend(vertices.flat_map(|v| v.iter().zip(axes).map(|(&q, axis)| axis.place(q))));
+                out.extend(vertices.flat_map(|v| v.iter().zip(axes).map(|(&q, axis)| axis.position(q))));
             }
-            (_, LayerData::F32(out)) => out.extend(integers.iter().map(|&x| from_ordered(x))),
+            (_, LayerData::F32(out)) => out.extend(integers.iter().map(|&x| ordered_to_float(x))),
             (_, LayerData::U8(out)) => out.extend(integers.iter().map(|&x| x.clamp(0, 0xFF) as u8)),
             (_, LayerData::U16(out)) => out.extend(integers.iter().map(|&x| x.clamp(0, 0xFFFF) as u16)),
             (_, LayerData::U32(out)) => out.extend(integers.iter().map(|&x| x as u32)),

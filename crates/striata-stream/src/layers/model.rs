@@ -11,7 +11,7 @@
 use striata::mesh::Semantic;
 
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::direction_model::DirectionModel;
 use crate::layers::form::{LayerForm, NumberType, Transform};
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
@@ -210,7 +210,7 @@ mod tests {
     struct Site {
         target: Option<u32>,
         ring: Vec<u32>,
-        place: [i32; 3],
+        grid_point: [i32; 3],
     }
 
     /// Points of a grid in random order, each surrounded by the nearest earlier ones.
@@ -218,25 +218,25 @@ mod tests {
         let mut random = Random::new(seed);
         let mut order: Vec<u32> = (0..side * side).collect();
         (1..order.len()).rev().for_each(|i| order.swap(i, random.below(i as u32 + 1) as usize));
-        let place = |cell: u32| {
+        let grid_point = |cell: u32| {
             let (x, y) = ((cell % side) as i32 * 40, (cell / side) as i32 * 40);
             [x, y, (x * x + y * y) / (40 * side as i32)]
         };
         let mut sites: Vec<Site> = Vec::new();
         for &cell in &order {
-            let here = place(cell);
+            let here = grid_point(cell);
             let distance = |other: [i32; 3]| (other[0] - here[0]).pow(2) + (other[1] - here[1]).pow(2);
             let mut near: Vec<u32> = (0..sites.len() as u32).collect();
-            near.sort_by_key(|&v| (distance(sites[v as usize].place), v));
+            near.sort_by_key(|&v| (distance(sites[v as usize].grid_point), v));
             near.truncate(6);
             let target = near.first().copied();
             let quadrant = |v: u32| {
-                let p = sites[v as usize].place;
+                let p = sites[v as usize].grid_point;
                 let (x, y) = (f64::from(p[0] - here[0]), f64::from(p[1] - here[1]));
                 if y >= 0.0 { -x / (x.abs() + y.abs()) } else { 2.0 + x / (x.abs() + y.abs()) }
             };
             near.sort_by(|&a, &b| quadrant(a).total_cmp(&quadrant(b)));
-            sites.push(Site { target, ring: near, place: here });
+            sites.push(Site { target, ring: near, grid_point: here });
         }
         sites
     }
@@ -248,7 +248,10 @@ mod tests {
     /// Layers that vary smoothly with the position.
     fn smooth_layers(sites: &[Site]) -> Vec<AttributeLayer> {
         let of = |f: &dyn Fn(f32, f32) -> Vec<f32>| -> Vec<f32> {
-            sites.iter().flat_map(|s| f(s.place[0] as f32 / 1000.0, s.place[1] as f32 / 1000.0)).collect()
+            sites
+                .iter()
+                .flat_map(|s| f(s.grid_point[0] as f32 / 1000.0, s.grid_point[1] as f32 / 1000.0))
+                .collect()
         };
         let unit = |x: f32, y: f32| {
             let length = (x * x + y * y + 0.3).sqrt();
@@ -276,7 +279,7 @@ mod tests {
             layer(
                 Semantic::Joints(0),
                 4,
-                LayerData::U8(sites.iter().flat_map(|s| joints(s.place[0] as f32 / 1000.0)).collect()),
+                LayerData::U8(sites.iter().flat_map(|s| joints(s.grid_point[0] as f32 / 1000.0)).collect()),
             ),
             AttributeLayer::from_f32(
                 Semantic::Weights(0),
@@ -286,7 +289,9 @@ mod tests {
             layer(
                 Semantic::Generic("part".into()),
                 1,
-                LayerData::U32(sites.iter().map(|s| if s.place[1] < 300 { u32::MAX } else { 12 }).collect()),
+                LayerData::U32(
+                    sites.iter().map(|s| if s.grid_point[1] < 300 { u32::MAX } else { 12 }).collect(),
+                ),
             ),
         ]
     }
@@ -323,8 +328,8 @@ mod tests {
         let mut values: Vec<_> = forms.iter().map(|form| LayerValues::new(form.integer_count())).collect();
         let mut fit = RingFit::default();
         for (vertex, site) in sites.iter().enumerate() {
-            let places: Vec<_> = site.ring.iter().map(|&v| sites[v as usize].place).collect();
-            fit.measure(site.place, &places, true);
+            let grid_points: Vec<_> = site.ring.iter().map(|&v| sites[v as usize].grid_point).collect();
+            fit.measure(site.grid_point, &grid_points, true);
             let neighborhood = LayerNeighborhood::new(site.target, &site.ring, &fit);
             model.code(coder, &mut values, &neighborhood, actual.map(|layers| (layers, vertex as u32)));
         }

@@ -6,7 +6,7 @@
 //! spread around the prediction and how well the surrounding vertices could be predicted.
 
 use crate::entropy::Coder;
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::{LayerForm, NumberType, Transform};
 use crate::layers::history::LayerHistory;
 use crate::layers::layer_neighborhood::{KINDS, LayerNeighborhood, LayerValues};

@@ -2,7 +2,7 @@
 
 use crate::entropy::MixedNumber;
 use crate::entropy::{AdaptiveNumber, Coder, Rate, log2_q8};
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::layer_neighborhood::KINDS;
 
 /// Number of half-octave buckets for expected sizes.

@@ -140,8 +140,8 @@ mod tests {
         let mut random = Random::new(8);
         for scale in [20, 1000, 1 << 20] {
             for count in 4..9 {
-                let mut place = || [(); 3].map(|()| random.below(scale) as i32);
-                let ring: Vec<_> = (0..count).map(|_| place()).collect();
+                let mut grid_point = || [(); 3].map(|()| random.below(scale) as i32);
+                let ring: Vec<_> = (0..count).map(|_| grid_point()).collect();
                 let center: [i32; 3] =
                     std::array::from_fn(|a| ring.iter().take(3).map(|p| p[a]).sum::<i32>() / 3);
                 let fit = fitted(center, &ring);
@@ -174,9 +174,9 @@ mod tests {
         for count in 0..40 {
             for _ in 0..50 {
                 let bits = random.below(32);
-                let mut place = || [(); 3].map(|()| (random.next_u64() as u32 >> bits) as i32);
-                let ring: Vec<_> = (0..count).map(|_| place()).collect();
-                assert_eq!(fitted(place(), &ring).weights.len(), count);
+                let mut grid_point = || [(); 3].map(|()| (random.next_u64() as u32 >> bits) as i32);
+                let ring: Vec<_> = (0..count).map(|_| grid_point()).collect();
+                assert_eq!(fitted(grid_point(), &ring).weights.len(), count);
             }
             assert_eq!(fitted([1; 3], &vec![[7; 3]; count]).weights.len(), count);
             assert_eq!(fitted([i32::MAX; 3], &vec![[i32::MIN; 3]; count]).weights.len(), count);

@@ -9,7 +9,8 @@
 
 use super::axis::{Axis, AxisCoder, CONTEXTS, DISTANCES, Masses, SIZES, SPREADS};
 use crate::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q8, log2_q16, probability,
+    AdaptiveBit, AdaptiveNumber, Coder, ProbabilityMap, Rate, WideMixer, log_odds, log2_q8, log2_q16,
+    probability,
 };
 
 /// Number of counters that give inputs to the mixers.
@@ -58,7 +59,7 @@ pub(super) struct AxisModel<const VECTORS: usize> {
     mixer: WideMixer<VECTORS>,
     /// A second mixer, for the thorough effort.
     other: Option<WideMixer<VECTORS>>,
-    refiner: Option<Refiner>,
+    probability_map: Option<ProbabilityMap>,
 }
 
 impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KINDS, WIDTHS>
@@ -78,7 +79,7 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
             by_distance: bits(DISTANCES),
             mixer: WideMixer::new(DEPTHS * CONTEXTS, first),
             other: is_thorough.then(|| WideMixer::new(SIZES, first)),
-            refiner: is_thorough.then(|| Refiner::new(DEPTHS)),
+            probability_map: is_thorough.then(|| ProbabilityMap::new(DEPTHS)),
         }
     }
 
@@ -187,8 +188,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         if let Some(other) = &mut self.other {
             odds = (odds + other.mix(inputs, axis.size)) >> 1;
         }
-        let p_one = match &mut self.refiner {
-            Some(refiner) => refiner.refine(odds, depth),
+        let p_one = match &mut self.probability_map {
+            Some(probability_map) => probability_map.refine(odds, depth),
             None => probability(odds).clamp(24, 65_512),
         };
         let bit = coder.bit(bit, p_one);
@@ -196,8 +197,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         if let Some(other) = &mut self.other {
             other.update(inputs, bit);
         }
-        if let Some(refiner) = &mut self.refiner {
-            refiner.update(bit);
+        if let Some(probability_map) = &mut self.probability_map {
+            probability_map.update(bit);
         }
         counters.into_iter().for_each(|counter| counter.update(bit));
         bit

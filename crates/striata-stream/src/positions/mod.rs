@@ -41,7 +41,7 @@ mod quick;
 mod residual;
 
 use crate::entropy::Coder;
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::topology::neighborhood::Neighborhood;
 pub(super) use ahead::Surroundings;
 use cells::CellModel;

@@ -4,7 +4,7 @@ use striata::mesh::{IndexedMesh, Random, shapes};
 
 use super::{CellModel, MixedModel, PositionModel, Surroundings};
 use crate::entropy::{Coder, RangeReader, RangeWriter};
-use crate::format::form::{Effort, StreamVersion};
+use crate::format::version::{Effort, StreamVersion};
 use crate::topology::cutting::close;
 use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::{NONE, Surface, next};

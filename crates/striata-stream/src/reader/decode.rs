@@ -10,12 +10,14 @@ use crate::base::coder::BaseLimits;
 use crate::base::mesh::Base;
 use crate::entropy::RangeReader;
 use crate::format::error::{DecodeError, StreamDefect};
-use crate::format::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_wedges_beyond};
+use crate::format::header::{
+    ChunkEntry, FIXED_HEADER_BYTES, GroupName, StreamHeader, header_length, max_extra_wedges,
+};
 use crate::layers::form::LayerForm;
 use crate::reader::prefix::PrefixMesh;
-use crate::refine::growth::Growth;
+use crate::refine::growth::GrowingMesh;
 use crate::refine::parameters::StreamParameters;
-use crate::refine::refiner::{Ended, Refiner};
+use crate::refine::refiner::{CodingResult, MeshRefiner};
 use crate::refine::source::ReaderSource;
 
 /// The changes that one call to the decoder made. To apply them, append [`vertices`](Self::vertices) to
@@ -61,10 +63,10 @@ pub struct StreamDecoder {
     waiting: Vec<u8>,
     /// Number of bytes decoded so far.
     read: u64,
-    /// The decoded head, once it has arrived.
-    head: Option<Head>,
+    /// The decoded header, once it has arrived.
+    header: Option<StreamHeader>,
     /// The refinement loop, once the base mesh has been decoded.
-    refiner: Option<Box<Refiner>>,
+    refiner: Option<Box<MeshRefiner>>,
     /// Number of chunks decoded so far.
     chunk_count: usize,
     /// Whether decoding has ended, by an error or by [`finish`](Self::finish); no more bytes are
@@ -100,23 +102,23 @@ impl StreamDecoder {
         Ok(self.update_since(before))
     }
 
-    /// Decodes the head and every complete chunk.
+    /// Decodes the header and every complete chunk.
     fn read_all(&mut self, mut bytes: &[u8]) -> Result<(), DecodeError> {
-        if self.head.is_none() {
-            let Some(length) = head_length(bytes)?.filter(|&n| n <= bytes.len()) else { return Ok(()) };
-            self.head = Some(Head::from_bytes(&bytes[..length])?);
+        if self.header.is_none() {
+            let Some(length) = header_length(bytes)?.filter(|&n| n <= bytes.len()) else { return Ok(()) };
+            self.header = Some(StreamHeader::from_bytes(&bytes[..length])?);
             self.read += length as u64;
             bytes = &bytes[length..];
         }
-        while let Some(row) = self.next_row().filter(|row| row.bytes as usize <= bytes.len()) {
-            let (chunk, rest) = bytes.split_at(row.bytes as usize);
-            self.check_chunk(chunk, row)?;
-            self.read_chunk(chunk, row, (rest.len(), true))?;
-            self.read += u64::from(row.bytes);
+        while let Some(entry) = self.next_entry().filter(|entry| entry.bytes as usize <= bytes.len()) {
+            let (chunk, rest) = bytes.split_at(entry.bytes as usize);
+            self.check_chunk(chunk, entry)?;
+            self.read_chunk(chunk, entry, (rest.len(), true))?;
+            self.read += u64::from(entry.bytes);
             self.chunk_count += 1;
             bytes = rest;
         }
-        if self.next_row().is_some() {
+        if self.next_entry().is_some() {
             return Ok(());
         }
         self.check_counts()?;
@@ -155,39 +157,39 @@ impl StreamDecoder {
     pub fn finish(&mut self) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
         let before = self.sizes();
-        if self.head.is_none() {
-            let (found, expected) = (self.waiting.len() as u64, FIXED_BYTES as u64);
+        if self.header.is_none() {
+            let (found, expected) = (self.waiting.len() as u64, FIXED_HEADER_BYTES as u64);
             return Err(DecodeError::FileLength { found, expected: expected.max(found + 1) });
         }
         if self.chunk_count == 0 {
             return Err(StreamDefect::NoBase.into());
         }
         self.is_over = true;
-        if let Some(row) = self.next_row() {
+        if let Some(entry) = self.next_entry() {
             let rest = std::mem::take(&mut self.waiting);
-            let result = self.read_chunk(&rest, row, (0, false));
+            let result = self.read_chunk(&rest, entry, (0, false));
             self.catch_up();
             result?;
         }
         Ok(self.update_since(before))
     }
 
-    /// Returns the table row of the next chunk to decode, if any.
-    fn next_row(&self) -> Option<Row> {
-        self.head.as_ref()?.rows.get(self.chunk_count).copied()
+    /// Returns the table entry of the next chunk to decode, if any.
+    fn next_entry(&self) -> Option<ChunkEntry> {
+        self.header.as_ref()?.chunks.get(self.chunk_count).copied()
     }
 
     /// Compares a chunk's checksum with the one in the table.
-    fn check_chunk(&self, chunk: &[u8], row: Row) -> Result<(), StreamDefect> {
+    fn check_chunk(&self, chunk: &[u8], entry: ChunkEntry) -> Result<(), StreamDefect> {
         let found = crc32fast::hash(chunk);
-        if found == row.checksum {
+        if found == entry.checksum {
             return Ok(());
         }
         Err(StreamDefect::Checksum {
             chunk: self.chunk_count,
             offset: self.read,
             found,
-            expected: row.checksum,
+            expected: entry.checksum,
         })
     }
 
@@ -195,29 +197,33 @@ impl StreamDecoder {
     fn read_chunk(
         &mut self,
         bytes: &[u8],
-        row: Row,
+        entry: ChunkEntry,
         (more, is_complete): (usize, bool),
     ) -> Result<(), StreamDefect> {
         let mut reader = RangeReader::new(bytes, is_complete);
-        let most_wedges = most_wedges_beyond(self.body_bytes() + bytes.len() as u64);
+        let most_wedges = max_extra_wedges(self.body_bytes() + bytes.len() as u64);
         let Some(refiner) = &mut self.refiner else {
             return self.read_base(&mut reader, (most_wedges, more));
         };
         refiner.limit_wedges(most_wedges);
-        while refiner.split_count() < row.split_count as usize {
-            let most = row.split_count as usize - refiner.split_count();
-            if refiner.stretch(&mut reader, &mut ReaderSource, most)? == Ended::Whole {
+        while refiner.split_count() < entry.split_count as usize {
+            let most = entry.split_count as usize - refiner.split_count();
+            if refiner.stretch(&mut reader, &mut ReaderSource, most)? == CodingResult::Complete {
                 continue;
             }
             // A complete chunk never runs out of data unless it is invalid.
-            return if is_complete { Err(StreamDefect::Wedges { chunk: self.chunk_count }) } else { Ok(()) };
+            return if is_complete {
+                Err(StreamDefect::TooManyVertices { chunk: self.chunk_count })
+            } else {
+                Ok(())
+            };
         }
         Ok(())
     }
 
     /// Number of bytes in the chunks that have been decoded.
     fn body_bytes(&self) -> u64 {
-        self.head.as_ref().map_or(0, |head| self.read - head.length)
+        self.header.as_ref().map_or(0, |header| self.read - header.length)
     }
 
     /// Decodes the base mesh and sets up the refiner.
@@ -226,39 +232,39 @@ impl StreamDecoder {
         reader: &mut RangeReader<'_>,
         (most_wedges, more): (u64, usize),
     ) -> Result<(), StreamDefect> {
-        let Some(head) = &self.head else { return Ok(()) };
+        let Some(header) = &self.header else { return Ok(()) };
         let parameters = StreamParameters {
-            version: head.version,
-            has_general: head.has_general,
-            effort: head.effort,
-            grid: head.grid,
-            is_exact: head.is_exact,
-            max_patch: head.max_patch,
-            position_count: head.position_count,
+            version: header.version,
+            has_general: header.has_general,
+            effort: header.effort,
+            grid: header.grid,
+            is_exact: header.is_exact,
+            max_patch: header.max_patch,
+            position_count: header.position_count,
             base: BaseLimits {
-                position_count: head.position_count - head.step_count,
-                triangle_count: head.most_base_triangles(),
-                wedges_beyond: u32::try_from(most_wedges).unwrap_or(u32::MAX),
+                position_count: header.position_count - header.step_count,
+                triangle_count: header.max_base_triangles(),
+                extra_wedges: u32::try_from(most_wedges).unwrap_or(u32::MAX),
             },
-            vertex_count: head.vertex_count,
-            group_count: head.groups.len() as u32,
-            layers: head.layers.clone(),
+            vertex_count: header.vertex_count,
+            group_count: header.groups.len() as u32,
+            layers: header.layers.clone(),
         };
-        let mut refiner = Refiner::begin(reader, &Base::default(), &parameters, &mut ReaderSource)?;
-        // Enough for any real stream. If the head claims far more steps than there are bytes, the bytes
+        let mut refiner = MeshRefiner::begin(reader, &Base::default(), &parameters, &mut ReaderSource)?;
+        // Enough for any real stream. If the header claims far more steps than there are bytes, the bytes
         // limit what we reserve.
-        refiner.reserve((head.step_count as usize).min(more));
+        refiner.reserve((header.step_count as usize).min(more));
         self.refiner = Some(Box::new(refiner));
         Ok(())
     }
 
-    /// Checks that a completely decoded stream has the counts that its head promises.
+    /// Checks that a completely decoded stream has the counts that its header promises.
     fn check_counts(&self) -> Result<(), StreamDefect> {
-        let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Ok(()) };
+        let (Some(header), Some(growth)) = (&self.header, self.growth()) else { return Ok(()) };
         let counts = [
-            ("vertices", growth.positions.len(), head.vertex_count),
-            ("triangles", growth.triangle_count(), head.triangle_count),
-            ("steps", growth.added.len(), head.step_count),
+            ("vertices", growth.positions.len(), header.vertex_count),
+            ("triangles", growth.triangle_count(), header.triangle_count),
+            ("steps", growth.added.len(), header.step_count),
         ];
         for (what, found, expected) in counts {
             if found != expected as usize {
@@ -276,7 +282,7 @@ impl StreamDecoder {
     }
 
     /// Returns the mesh decoded so far.
-    fn growth(&self) -> Option<&Growth> {
+    fn growth(&self) -> Option<&GrowingMesh> {
         self.refiner.as_ref().map(|refiner| &refiner.level.growth)
     }
 
@@ -312,7 +318,7 @@ impl StreamDecoder {
     /// # Panics
     /// If the range extends past the vertices decoded so far.
     pub fn layers_of(&self, vertices: Range<usize>) -> Vec<AttributeLayer> {
-        let (Some(head), Some(refiner)) = (&self.head, &self.refiner) else { return Vec::new() };
+        let (Some(header), Some(refiner)) = (&self.header, &self.refiner) else { return Vec::new() };
         let Some(attributes) = refiner.attributes() else { return Vec::new() };
         let layer = |(index, form): (usize, &LayerForm)| {
             let mut layer = form.empty_layer();
@@ -320,7 +326,7 @@ impl StreamDecoder {
             form.append(&attributes.integers(index)[vertices.start * n..vertices.end * n], &mut layer.data);
             layer
         };
-        head.layers.iter().enumerate().map(layer).collect()
+        header.layers.iter().enumerate().map(layer).collect()
     }
 
     /// Triangles of the level decoded so far, in decoding order.
@@ -365,38 +371,38 @@ impl StreamDecoder {
         self.refiner.as_ref().map_or(0, |refiner| refiner.split_count())
     }
 
-    /// Number of vertex splits in the whole stream, or `None` before its head has been decoded.
+    /// Number of vertex splits in the whole stream, or `None` before its header has been decoded.
     pub fn step_count(&self) -> Option<usize> {
-        self.head.as_ref().map(|head| head.step_count as usize)
+        self.header.as_ref().map(|header| header.step_count as usize)
     }
 
     /// Whether the whole stream has been decoded.
     pub fn is_complete(&self) -> bool {
-        self.head.is_some() && self.next_row().is_none()
+        self.header.is_some() && self.next_entry().is_none()
     }
 
-    /// Number of bytes from the beginning of the stream needed to decode a level. `None` before the head
+    /// Number of bytes from the beginning of the stream needed to decode a level. `None` before the header
     /// has been decoded, or if the stream has no such level.
     pub fn bytes_for(&self, split_count: usize) -> Option<u64> {
-        let head = self.head.as_ref()?;
-        let chunks = head.rows.partition_point(|row| (row.split_count as usize) < split_count) + 1;
-        let bytes: u64 = head.rows.get(..chunks)?.iter().map(|row| u64::from(row.bytes)).sum();
-        Some(bytes + head.length)
+        let header = self.header.as_ref()?;
+        let chunks = header.chunks.partition_point(|entry| (entry.split_count as usize) < split_count) + 1;
+        let bytes: u64 = header.chunks.get(..chunks)?.iter().map(|entry| u64::from(entry.bytes)).sum();
+        Some(bytes + header.length)
     }
 
     /// Upper bound, according to the sequence, of the current level's distance to the full mesh, in mesh
-    /// units; 0 at the full mesh. `None` before the head has been decoded.
+    /// units; 0 at the full mesh. `None` before the header has been decoded.
     pub fn error(&self) -> Option<f32> {
-        let head = self.head.as_ref()?;
-        Some(head.rows.get(self.chunk_count).map_or(0.0, |row| row.error))
+        let header = self.header.as_ref()?;
+        Some(header.chunks.get(self.chunk_count).map_or(0.0, |entry| entry.error))
     }
 
     /// Upper bound, according to the sequence, of a level's distance to the full mesh, in mesh units.
-    /// `None` before the head has been decoded.
+    /// `None` before the header has been decoded.
     pub fn error_at(&self, split_count: usize) -> Option<f32> {
-        let head = self.head.as_ref()?;
-        let chunk = head.rows.partition_point(|row| row.split_count as usize <= split_count);
-        Some(head.rows.get(chunk).map_or(0.0, |row| row.error))
+        let header = self.header.as_ref()?;
+        let chunk = header.chunks.partition_point(|entry| entry.split_count as usize <= split_count);
+        Some(header.chunks.get(chunk).map_or(0.0, |entry| entry.error))
     }
 
     /// Returns the mesh decoded so far with its collapse sequence, from which every kind of model can be
@@ -404,19 +410,19 @@ impl StreamDecoder {
     ///
     /// `None` before the base mesh has been decoded.
     pub fn refinable_mesh(&self) -> Option<RefinableMesh> {
-        let (head, growth) = (self.head.as_ref()?, self.growth()?);
+        let (header, growth) = (self.header.as_ref()?, self.growth()?);
         let (triangles, groups) = self.grouped_triangles();
         let mesh = IndexedMesh {
             positions: growth.positions.clone(),
             triangles,
             groups,
             layers: self.layers_of(0..growth.positions.len()),
-            appearance: head.appearance.clone(),
+            appearance: header.appearance.clone(),
         };
         let step_count = growth.added.len();
         let error_of = |step: usize| {
-            let chunk = head.rows.partition_point(|row| row.split_count as usize <= step);
-            head.rows.get(chunk).map_or(0.0, |row| row.error)
+            let chunk = header.chunks.partition_point(|entry| entry.split_count as usize <= step);
+            header.chunks.get(chunk).map_or(0.0, |entry| entry.error)
         };
         let sequence = CollapseSequence::from_parts(SequenceParts {
             base_position_count: growth.first_vertex.len() - 1 - step_count,
@@ -431,8 +437,8 @@ impl StreamDecoder {
 
     /// Returns the triangles sorted by group, and the groups.
     fn grouped_triangles(&self) -> (Vec<[u32; 3]>, Vec<TriangleGroup>) {
-        let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Default::default() };
-        if head.groups.len() < 2 {
+        let (Some(header), Some(growth)) = (&self.header, self.growth()) else { return Default::default() };
+        if header.groups.len() < 2 {
             let count = growth.triangles.len() as u32;
             let group = |name: &GroupName| TriangleGroup {
                 name: name.name.clone(),
@@ -440,13 +446,13 @@ impl StreamDecoder {
                 first: 0,
                 count,
             };
-            return (growth.triangles.clone(), head.groups.iter().map(group).collect());
+            return (growth.triangles.clone(), header.groups.iter().map(group).collect());
         }
-        let mut counts = vec![0u32; head.groups.len()];
+        let mut counts = vec![0u32; header.groups.len()];
         growth.groups.iter().for_each(|&g| counts[g as usize] += 1);
         let mut first = 0;
         let mut groups = Vec::with_capacity(counts.len());
-        for (name, &count) in head.groups.iter().zip(&counts) {
+        for (name, &count) in header.groups.iter().zip(&counts) {
             groups.push(TriangleGroup { name: name.name.clone(), material: name.material, first, count });
             first += count;
         }

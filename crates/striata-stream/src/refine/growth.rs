@@ -1,7 +1,7 @@
 //! The mesh built so far: the triangles of a level and the collapse sequence that leads to it.
 //!
 //! If each position has exactly one vertex, the triangle list follows from the surface. It is then
-//! updated once for many splits ([`Growth::catch_up`]), because updating it after each split would incur
+//! updated once for many splits ([`GrowingMesh::catch_up`]), because updating it after each split would incur
 //! a cache miss for every triangle of a patch.
 
 use std::ops::Range;
@@ -14,7 +14,7 @@ use crate::wedges::split::SplitWedges;
 /// Triangles and steps, which grow with each split. Vertices are numbered in stream order: the base
 /// first, then step by step.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Growth {
+pub(crate) struct GrowingMesh {
     /// Positions of the vertices, in mesh units.
     pub(crate) positions: Vec<[f32; 3]>,
     /// Corners of each triangle of the level, in coding order, as of the last
@@ -33,7 +33,7 @@ pub(crate) struct Growth {
     /// First vertex of each position, followed by the vertex count.
     pub(crate) first_vertex: Vec<u32>,
     /// Number of triangles of general steps in excess of two per step.
-    triangles_beyond: usize,
+    excess_triangles: usize,
     /// Position of each vertex of the surface; [`NONE`] for virtual vertices.
     position_of: Vec<u32>,
     /// Number of surface triangles whose vertices are completely coded, and how many of them are in the
@@ -46,7 +46,7 @@ pub(crate) struct Growth {
     outdated: Vec<u32>,
 }
 
-impl Growth {
+impl GrowingMesh {
     /// Starts with a base mesh: its non-virtual triangles in surface order, with their groups and the
     /// vertices that their corners refer to.
     pub(crate) fn of_base(base: &Base, surface: &mut Surface, group_count: u32) -> Self {
@@ -55,11 +55,11 @@ impl Growth {
             group_count,
             first_vertex: base.first_vertex.clone(),
             position_of: virtual_vertices.chain(base.position_of_copy.iter().copied()).collect(),
-            complete_triangles: base.shown.len() as u32,
-            listed_triangles: base.shown.len() as u32,
+            complete_triangles: base.corner_vertices.len() as u32,
+            listed_triangles: base.corner_vertices.len() as u32,
             ..Self::default()
         };
-        for (t, (&shown, &group)) in base.shown.iter().zip(&base.groups).enumerate() {
+        for (t, (&shown, &group)) in base.corner_vertices.iter().zip(&base.groups).enumerate() {
             if shown[0] == NONE {
                 surface.set_label(t as u32, NONE);
             } else {
@@ -86,8 +86,8 @@ impl Growth {
 
     /// Number of vertices in excess of one per position, plus triangles in excess of two per general
     /// step. A reader limits their sum by the number of bytes.
-    pub(crate) fn beyond(&self) -> usize {
-        self.vertex_count() as usize - (self.first_vertex.len() - 1) + self.triangles_beyond
+    pub(crate) fn excess_count(&self) -> usize {
+        self.vertex_count() as usize - (self.first_vertex.len() - 1) + self.excess_triangles
     }
 
     /// Returns the vertices at the position of a vertex of the surface.
@@ -141,15 +141,15 @@ impl Growth {
             self.changed.push(corner / 3);
         }
         let wedges = &step.wedges[step.fan.len()..];
-        for (at, born) in step.born.iter().enumerate() {
+        for (at, triangle) in step.new_triangles.iter().enumerate() {
             let [split, third] = step.others[at];
-            self.triangles.push(born.ordered([first + wedges[at], split, third]));
+            self.triangles.push(triangle.ordered([first + wedges[at], split, third]));
             if self.group_count > 1 {
                 self.groups.push(step.groups[at]);
             }
         }
-        self.triangles_beyond += step.born.len().saturating_sub(2);
-        self.added.push(step.born.len() as u8);
+        self.excess_triangles += step.new_triangles.len().saturating_sub(2);
+        self.added.push(step.new_triangles.len() as u8);
     }
 
     /// Appends a triangle to the list and labels the surface triangle with its index.

@@ -4,7 +4,7 @@ use super::parameters::StreamParameters;
 use crate::connectivity::ConnectivityModel;
 use crate::connectivity::quick::QuickModel;
 use crate::format::grid::CorrectionModel;
-use crate::general::General;
+use crate::general::GeneralBatches;
 use crate::layers::attributes::Attributes;
 use crate::positions::PositionModel;
 use crate::topology::surface::Surface;
@@ -53,7 +53,7 @@ pub(crate) struct Models {
     /// Attribute layers, if there are any.
     pub(crate) attributes: Option<Attributes>,
     /// General batches, if there are any.
-    pub(crate) general: Option<General>,
+    pub(crate) general: Option<GeneralBatches>,
 }
 
 impl Models {

@@ -2,12 +2,12 @@
 
 use super::walk::WalkOrder;
 use crate::base::coder::BaseLimits;
-use crate::format::form::{Effort, StreamVersion};
 use crate::format::grid::PositionGrid;
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
 
 /// Parameters of a stream that both sides know before the first bit: a writer chooses them, a reader
-/// finds them in the head.
+/// finds them in the header.
 #[derive(Clone, Debug)]
 pub(crate) struct StreamParameters {
     /// Version of the bitstream format.

@@ -1,8 +1,8 @@
 //! The state of a refinement apart from its models.
 
-use super::growth::Growth;
+use super::growth::GrowingMesh;
 use super::walk::Walk;
-use crate::connectivity::Scene;
+use crate::connectivity::SplitContext;
 use crate::format::grid::PositionGrid;
 use crate::topology::rings::Rings;
 use crate::topology::surface::{Cut, Surface, triangle_of};
@@ -14,11 +14,11 @@ pub(crate) struct Level {
     /// The surface, including all splits done so far.
     pub(crate) surface: Surface,
     /// Grid coordinates of each vertex of the surface.
-    pub(crate) places: Vec<[i32; 3]>,
+    pub(crate) grid_points: Vec<[i32; 3]>,
     /// The grid that these coordinates refer to.
     pub(crate) grid: PositionGrid,
     /// The mesh that the surface represents.
-    pub(crate) growth: Growth,
+    pub(crate) growth: GrowingMesh,
 }
 
 /// Progress within the current batch.
@@ -65,14 +65,19 @@ pub(crate) struct Stretch {
 impl Level {
     /// Returns the context in which a vertex is visited.
     #[inline]
-    pub(crate) fn scene<'a>(&'a self, walk: &'a Walk, limits: &Limits) -> Scene<'a> {
-        Scene { surface: &self.surface, places: &self.places, walk, max_patch: limits.max_patch }
+    pub(crate) fn split_context<'a>(&'a self, walk: &'a Walk, limits: &Limits) -> SplitContext<'a> {
+        SplitContext {
+            surface: &self.surface,
+            grid_points: &self.grid_points,
+            walk,
+            max_patch: limits.max_patch,
+        }
     }
 
     /// Reserves memory for a number of splits.
     pub(crate) fn reserve(&mut self, steps: usize) {
         self.surface.reserve(steps);
-        self.places.reserve(steps);
+        self.grid_points.reserve(steps);
         self.growth.reserve(steps);
     }
 }

@@ -5,19 +5,19 @@
 //! splits to come; the reader's source knows nothing. As long as models only use data that has already
 //! been coded, the two sides cannot disagree.
 
-use super::growth::Growth;
+use super::growth::GrowingMesh;
 use super::models::{Connectivity, Models};
 use super::parameters::StreamParameters;
 use super::parts::{Batch, Level, Limits, Stretch};
 use super::source::Source;
 use super::walk::Walk;
 use crate::base::coder::code_base;
-use crate::base::hoods::BaseHoods;
 use crate::base::mesh::Base;
+use crate::base::neighborhoods::BaseNeighborhoods;
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::format::grid::CorrectionModel;
-use crate::general::General;
+use crate::general::GeneralBatches;
 use crate::layers::attributes::{Attributes, actual_layers};
 use crate::positions::PositionModel;
 use crate::topology::surface::NONE;
@@ -29,16 +29,16 @@ const STRETCH: usize = 1024;
 
 /// How a stretch of the stream ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ended {
+pub(crate) enum CodingResult {
     /// Everything was coded.
-    Whole,
+    Complete,
     /// The data ended early. All vertices that are complete remain valid.
-    Short,
+    OutOfData,
 }
 
 /// A surface under refinement, with all models.
 #[derive(Clone, Debug)]
-pub(crate) struct Refiner {
+pub(crate) struct MeshRefiner {
     /// The mesh and surface refined so far.
     pub(crate) level: Level,
     /// The adaptive models.
@@ -51,7 +51,7 @@ pub(crate) struct Refiner {
     pub(super) stretch: Stretch,
 }
 
-impl Refiner {
+impl MeshRefiner {
     /// Codes the base mesh, including its counts, and starts the refinement from it.
     ///
     /// # Errors
@@ -63,14 +63,16 @@ impl Refiner {
         source: &mut impl Source,
     ) -> Result<Self, StreamDefect> {
         let (mut base, order) = code_base(coder, known, parameters.base)?;
-        if let Some(follower) = source.follower() {
-            follower.order_base(&base, &order);
+        if let Some(observer) = source.observer() {
+            observer.order_base(&base, &order);
         }
         if coder.overran() {
             return Err(StreamDefect::NoBase);
         }
-        if let Some(position) = base.places.iter().position(|&place| !parameters.grid.holds(place)) {
-            return Err(StreamDefect::Place { position });
+        if let Some(position) =
+            base.grid_points.iter().position(|&grid_point| !parameters.grid.contains(grid_point))
+        {
+            return Err(StreamDefect::OffGrid { position });
         }
         let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
@@ -78,15 +80,15 @@ impl Refiner {
             parameters.has_wedges().then(|| WedgeModel::new(parameters.vertex_count, parameters.version));
         match &mut wedges {
             Some(model) => {
-                if let Some(follower) = source.follower() {
-                    vertex_of_position.iter().for_each(|&vertex| follower.name_base(vertex));
+                if let Some(observer) = source.observer() {
+                    vertex_of_position.iter().for_each(|&vertex| observer.name_base(vertex));
                 }
-                let most = parameters.base.position_count.saturating_add(parameters.base.wedges_beyond);
+                let most = parameters.base.position_count.saturating_add(parameters.base.extra_wedges);
                 let counts = (parameters.vertex_count.min(most), parameters.group_count);
                 coder.part(Part::Wedges);
-                base.code_wedges(coder, model, source.plan(), (counts, &vertex_of_position));
+                base.code_wedges(coder, model, source.input(), (counts, &vertex_of_position));
             }
-            None => base.show_positions(),
+            None => base.use_one_vertex_per_position(),
         }
         let mut models = Models {
             connectivity: Connectivity::new(&surface, parameters),
@@ -94,15 +96,16 @@ impl Refiner {
             corrections: parameters.is_exact.then(CorrectionModel::new),
             wedges,
             attributes: Attributes::new(&parameters.layers, (parameters.effort, parameters.version)),
-            general: parameters.has_general.then(|| General::new(base.places.clone())),
+            general: parameters.has_general.then(|| GeneralBatches::new(base.grid_points.clone())),
         };
-        let growth = Growth::of_base(&base, &mut surface, parameters.group_count);
-        let mut level = Level { surface, places: base.surface_places(), grid: parameters.grid, growth };
+        let growth = GrowingMesh::of_base(&base, &mut surface, parameters.group_count);
+        let mut level =
+            Level { surface, grid_points: base.surface_grid_points(), grid: parameters.grid, growth };
         base_values(coder, source, (&base, &vertex_of_position), (&mut level, &mut models));
         let limits = Limits {
             max_patch: parameters.max_patch,
             visits_left: parameters.most_visits(),
-            most_wedges: parameters.base.wedges_beyond.into(),
+            most_wedges: parameters.base.extra_wedges.into(),
         };
         let batch = Batch { walk: Walk::new(parameters.walk_order()), is_under_way: false, split_count: 0 };
         Ok(Self { level, models, batch, limits, stretch: Stretch::default() })
@@ -114,26 +117,26 @@ impl Refiner {
         coder: &mut C,
         source: &mut impl Source,
         most: usize,
-    ) -> Result<Ended, StreamDefect> {
+    ) -> Result<CodingResult, StreamDefect> {
         if !self.batch.is_under_way {
             self.spend_visits(self.level.surface.vertex_count() as u64)?;
-            if let Some(follower) = source.follower() {
-                follower.begin_batch();
+            if let Some(observer) = source.observer() {
+                observer.begin_batch();
             }
             self.batch.is_under_way = true;
             if self.begin_general(coder, source)? {
-                return self.general_stretch(coder, source, most);
+                return self.continue_general(coder, source, most);
             }
             self.batch.walk.begin(&self.level.surface);
             self.models.connectivity.begin_batch(&self.level.surface);
             self.batch.split_count = 0;
-        } else if self.models.general.as_ref().is_some_and(General::is_under_way) {
-            return self.general_stretch(coder, source, most);
+        } else if self.models.general.as_ref().is_some_and(GeneralBatches::is_active) {
+            return self.continue_general(coder, source, most);
         }
         coder.part(Part::Connectivity);
         self.code_splits(coder, source, most.min(STRETCH));
         if coder.overran() {
-            return Ok(Ended::Short);
+            return Ok(CodingResult::OutOfData);
         }
         self.batch.split_count += self.stretch.split_count();
         if !self.batch.is_under_way && self.batch.split_count == 0 {
@@ -156,11 +159,11 @@ impl Refiner {
             corners.extend_from_slice(&patches[start..end]);
             corners.push(a + 4);
             start = end;
-            if self.code_vertex(coder, source, vertex)? == Ended::Short {
-                return Ok(Ended::Short);
+            if self.code_vertex(coder, source, vertex)? == CodingResult::OutOfData {
+                return Ok(CodingResult::OutOfData);
             }
         }
-        Ok(Ended::Whole)
+        Ok(CodingResult::Complete)
     }
 
     /// Counts visits to vertices or triangles against the stream's limit.
@@ -170,7 +173,7 @@ impl Refiner {
     pub(crate) fn spend_visits(&mut self, visits: u64) -> Result<(), StreamDefect> {
         let batch_count = self.batch.walk.batch();
         let left = self.limits.visits_left.checked_sub(visits);
-        self.limits.visits_left = left.ok_or(StreamDefect::Batches { batch_count })?;
+        self.limits.visits_left = left.ok_or(StreamDefect::TooManyBatches { batch_count })?;
         Ok(())
     }
 
@@ -189,9 +192,9 @@ impl Refiner {
             if let Connectivity::Quick(model) = &mut models.connectivity {
                 model.split(surface, patch.len(), kept);
             }
-            batch.walk.born(kept);
-            if let Some(follower) = source.follower() {
-                follower.born(vertex, kept);
+            batch.walk.record_split(kept);
+            if let Some(observer) = source.observer() {
+                observer.split_applied(vertex, kept);
             }
         }
     }
@@ -241,23 +244,23 @@ fn base_values<C: Coder>(
     (base, vertex_of_position): (&Base, &[u32]),
     (level, models): (&mut Level, &mut Models),
 ) {
-    let hoods = BaseHoods::new(base);
+    let neighborhoods = BaseNeighborhoods::new(base);
     for (position, &vertex) in vertex_of_position.iter().enumerate() {
-        let place = base.places[position];
+        let grid_point = base.grid_points[position];
         coder.part(Part::Base);
         let exact = match &mut models.corrections {
             Some(model) => {
-                let exact = source.plan().map_or([0.0; 3], |plan| plan.exact(vertex));
-                model.code(coder, &level.grid, place, exact)
+                let exact = source.input().map_or([0.0; 3], |input| input.exact(vertex));
+                model.code(coder, &level.grid, grid_point, exact)
             }
-            None => level.grid.place(place),
+            None => level.grid.position(grid_point),
         };
         let wedges = base.first_vertex[position]..base.first_vertex[position + 1];
         level.growth.positions.extend(wedges.clone().map(|_| exact));
         if let Some(attributes) = &mut models.attributes {
             for (wedge, new) in (0..).zip(wedges) {
-                let actual = actual_layers(source.plan(), |plan| plan.wedges(vertex).start + wedge);
-                attributes.base_vertex(coder, (&hoods, place), (new, wedge), actual);
+                let actual = actual_layers(source.input(), |input| input.wedges(vertex).start + wedge);
+                attributes.base_vertex(coder, (&neighborhoods, grid_point), (new, wedge), actual);
             }
         }
     }

@@ -4,17 +4,17 @@ use std::ops::Range;
 
 use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
-use crate::general::step::{CodedStep, KnownStep};
+use crate::general::step::{CodedStep, ReferenceStep};
 use crate::layers::layer_neighborhood::LayerValues;
 use crate::topology::surface::{Cut, Surface};
 
-/// One side of a stream. A writer has a plan, a reader has none.
+/// One side of a stream. A writer has input, a reader has none.
 pub(crate) trait Source {
     /// Returns the data to encode, or `None` in a reader.
-    fn plan(&self) -> Option<&dyn Plan>;
+    fn input(&self) -> Option<&dyn EncoderInput>;
 
     /// Returns the observer to notify of what has been coded, if there is one.
-    fn follower(&mut self) -> Option<&mut dyn CodingObserver>;
+    fn observer(&mut self) -> Option<&mut dyn CodingObserver>;
 }
 
 /// The source of a reader, which knows nothing in advance.
@@ -22,19 +22,19 @@ pub(crate) struct ReaderSource;
 
 impl Source for ReaderSource {
     #[inline]
-    fn plan(&self) -> Option<&dyn Plan> {
+    fn input(&self) -> Option<&dyn EncoderInput> {
         None
     }
 
     #[inline]
-    fn follower(&mut self) -> Option<&mut dyn CodingObserver> {
+    fn observer(&mut self) -> Option<&mut dyn CodingObserver> {
         None
     }
 }
 
 /// The data that a writer encodes. Vertices, corners and triangles are those of the reader's surface
 /// unless stated otherwise.
-pub(crate) trait Plan {
+pub(crate) trait EncoderInput {
     /// Returns how a vertex splits in this batch, if it does.
     fn cut(&self, vertex: u32) -> Option<Cut>;
 
@@ -83,17 +83,17 @@ pub(crate) trait CodingObserver {
     fn begin_batch(&mut self);
 
     /// `vertex` has been split off `kept`.
-    fn born(&mut self, vertex: u32, kept: u32);
+    fn split_applied(&mut self, vertex: u32, kept: u32);
 
     /// The corners around a new vertex are about to be coded, in the order of A, its patch and B.
     fn refine(&mut self, vertex: u32, corners: &[u32]);
 
     /// The next step of a general batch begins. Returns the data to encode for it.
-    fn general_step(&mut self) -> KnownStep;
+    fn general_step(&mut self) -> ReferenceStep;
 
     /// The current step of a general batch has been applied.
-    fn born_general(&mut self, step: &CodedStep);
+    fn general_step_applied(&mut self, step: &CodedStep);
 
     /// A general batch has ended, and the surface has been rebuilt.
-    fn rebuilt(&mut self, surface: &Surface);
+    fn surface_rebuilt(&mut self, surface: &Surface);
 }

@@ -1,14 +1,14 @@
 //! Selection of the vertices that split, and of how they split.
 
 use super::models::Connectivity;
-use super::refiner::Refiner;
+use super::refiner::MeshRefiner;
 use super::source::Source;
 use crate::entropy::Coder;
 
 /// Number of vertices found to split before their cuts are coded.
 const GROUP_SIZE: usize = 24;
 
-impl Refiner {
+impl MeshRefiner {
     /// Codes which vertices split and how, up to `most` splits or the end of the batch.
     pub(super) fn code_splits<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.stretch.clear();
@@ -30,10 +30,10 @@ impl Refiner {
             };
             stretch.corners.clear();
             stretch.corners.extend(level.surface.ring(vertex));
-            let scene = level.scene(&batch.walk, limits);
-            let actual = source.plan().and_then(|plan| plan.cut(vertex));
-            let cut = model.code(coder, &scene, (vertex, &stretch.corners), actual);
-            batch.walk.settle(&level.surface, vertex, &stretch.corners, cut.is_some());
+            let split_context = level.split_context(&batch.walk, limits);
+            let actual = source.input().and_then(|input| input.cut(vertex));
+            let cut = model.code(coder, &split_context, (vertex, &stretch.corners), actual);
+            batch.walk.record_visit(&level.surface, vertex, &stretch.corners, cut.is_some());
             if let Some(cut) = cut {
                 stretch.push_split(&mut level.surface, cut, batch.walk.batch());
             }
@@ -53,9 +53,9 @@ impl Refiner {
                     batch.is_under_way = false;
                     break;
                 };
-                let actual = source.plan().is_some_and(|plan| plan.cut(vertex).is_some());
+                let actual = source.input().is_some_and(|input| input.cut(vertex).is_some());
                 let splits = model.flag(coder, vertex, actual);
-                batch.walk.settle(&level.surface, vertex, &[], splits);
+                batch.walk.record_visit(&level.surface, vertex, &[], splits);
                 if splits {
                     stretch.group.push(vertex);
                 }
@@ -63,10 +63,10 @@ impl Refiner {
             stretch.rings.find(&level.surface, &stretch.group);
             for at in 0..stretch.group.len() {
                 let vertex = stretch.group[at];
-                let scene = level.scene(&batch.walk, limits);
-                let actual = source.plan().and_then(|plan| plan.cut(vertex));
+                let split_context = level.split_context(&batch.walk, limits);
+                let actual = source.input().and_then(|input| input.cut(vertex));
                 let corners = stretch.rings.of(at);
-                let Some(cut) = model.cut(coder, &scene, (vertex, corners), actual) else { continue };
+                let Some(cut) = model.cut(coder, &split_context, (vertex, corners), actual) else { continue };
                 stretch.push_split(&mut level.surface, cut, batch.walk.batch());
             }
         }
@@ -76,13 +76,13 @@ impl Refiner {
     fn code_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         let Self { level, models, batch, limits, stretch } = self;
         let Connectivity::Quick(model) = &mut models.connectivity else { return };
-        let does_split = |vertex| source.plan().is_some_and(|plan| plan.cut(vertex).is_some());
+        let does_split = |vertex| source.input().is_some_and(|input| input.cut(vertex).is_some());
         batch.is_under_way = !model.flags(coder, &mut batch.walk, most, does_split);
-        model.find_rings(&level.surface, &level.places);
+        model.find_rings(&level.surface, &level.grid_points);
         for split in 0..model.splits().len() {
-            let scene = level.scene(&batch.walk, limits);
-            let actual = source.plan().and_then(|plan| plan.cut(model.splits()[split]));
-            if model.cut(coder, &scene, (split, actual), &mut stretch.patches) {
+            let split_context = level.split_context(&batch.walk, limits);
+            let actual = source.input().and_then(|input| input.cut(model.splits()[split]));
+            if model.cut(coder, &split_context, (split, actual), &mut stretch.patches) {
                 stretch.close_split(&mut level.surface, batch.walk.batch());
             }
         }

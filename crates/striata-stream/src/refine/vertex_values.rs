@@ -2,16 +2,16 @@
 //! attributes.
 
 use super::models::Connectivity;
-use super::refiner::{Ended, Refiner};
+use super::refiner::{CodingResult, MeshRefiner};
 use super::source::Source;
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::layers::attributes::{AttributeContext, NewVertex, actual_layers};
 use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::next;
-use crate::wedges::model::SplitContext;
+use crate::wedges::model::WedgeContext;
 
-impl Refiner {
+impl MeshRefiner {
     /// Prepares the predictions of the next vertices' positions in one go. Returns false if the model
     /// predicts them one by one.
     pub(super) fn predict_ahead(&mut self, first: u32) -> bool {
@@ -19,7 +19,9 @@ impl Refiner {
         let Connectivity::Quick(model) = &models.connectivity else { return false };
         let Some(positions) = models.positions.ahead(first) else { return false };
         let patches = (stretch.patches.as_slice(), stretch.ends.as_slice());
-        model.look_around(&level.surface, &level.places, patches, |around| positions.look_ahead(around));
+        model.for_each_surroundings(&level.surface, &level.grid_points, patches, |around| {
+            positions.look_ahead(around)
+        });
         true
     }
 
@@ -27,17 +29,17 @@ impl Refiner {
     /// overlap.
     pub(super) fn prefetch(&self, first: u32) {
         let surface = &self.level.surface;
-        let place = |vertex: u32| self.level.places.get(vertex as usize).map_or(0, |place| place[0]);
+        let grid_x = |vertex: u32| self.level.grid_points.get(vertex as usize).map_or(0, |point| point[0]);
         let mut sum = 0;
         for (vertex, patch) in (first..).zip(self.stretch.patches()) {
             let a = surface.corner_of(vertex);
             for &corner in patch {
-                sum ^= place(surface.vertex(next(corner)));
-                sum ^= place(surface.vertex(surface.opposite(corner)));
+                sum ^= grid_x(surface.vertex(next(corner)));
+                sum ^= grid_x(surface.vertex(surface.opposite(corner)));
             }
             for corner in [a, a + 4] {
-                sum ^= place(surface.vertex(next(corner)));
-                sum ^= place(surface.vertex(surface.opposite(corner)));
+                sum ^= grid_x(surface.vertex(next(corner)));
+                sum ^= grid_x(surface.vertex(surface.opposite(corner)));
             }
         }
         std::hint::black_box(sum);
@@ -49,37 +51,42 @@ impl Refiner {
         coder: &mut C,
         source: &mut impl Source,
         vertex: u32,
-    ) -> Result<Ended, StreamDefect> {
+    ) -> Result<CodingResult, StreamDefect> {
         let Self { level, models, stretch, .. } = self;
         let corners = &stretch.corners;
-        let neighborhood = Neighborhood { surface: &level.surface, coords: &level.places, vertex, corners };
+        let neighborhood =
+            Neighborhood { surface: &level.surface, coords: &level.grid_points, vertex, corners };
         coder.part(Part::Positions);
-        let actual = source.plan().map_or([0; 3], |plan| plan.coords(vertex));
-        let place = models.positions.code(coder, &neighborhood, actual);
-        if !level.grid.holds(place) {
+        let actual = source.input().map_or([0; 3], |input| input.coords(vertex));
+        let grid_point = models.positions.code(coder, &neighborhood, actual);
+        if !level.grid.contains(grid_point) {
             let position = level.growth.first_vertex.len() - 1;
-            return if coder.overran() { Ok(Ended::Short) } else { Err(StreamDefect::Place { position }) };
+            return if coder.overran() {
+                Ok(CodingResult::OutOfData)
+            } else {
+                Err(StreamDefect::OffGrid { position })
+            };
         }
         let position = match &mut models.corrections {
             Some(model) => {
-                let exact = source.plan().map_or([0.0; 3], |plan| plan.exact(vertex));
-                model.code(coder, &level.grid, place, exact)
+                let exact = source.input().map_or([0.0; 3], |input| input.exact(vertex));
+                model.code(coder, &level.grid, grid_point, exact)
             }
-            None => level.grid.place(place),
+            None => level.grid.position(grid_point),
         };
-        level.places.push(place);
+        level.grid_points.push(grid_point);
         if let Some(general) = &mut models.general {
-            general.push_place(place);
+            general.push_grid_point(grid_point);
         }
         coder.part(Part::Wedges);
         self.code_wedges_and_attributes(coder, source, vertex);
         let Self { level, models, limits, stretch, .. } = self;
-        let beyond = level.growth.beyond() as u64 + stretch.shown.targets.len() as u64;
-        if coder.overran() || beyond > limits.most_wedges + 1 {
+        let excess = level.growth.excess_count() as u64 + stretch.shown.targets.len() as u64;
+        if coder.overran() || excess > limits.most_wedges + 1 {
             if let Some(attributes) = &mut models.attributes {
                 attributes.truncate(level.growth.positions.len());
             }
-            return Ok(Ended::Short);
+            return Ok(CodingResult::OutOfData);
         }
         match &models.wedges {
             Some(_) => {
@@ -87,7 +94,7 @@ impl Refiner {
             }
             None => level.growth.add(&level.surface, &stretch.corners, position),
         }
-        Ok(Ended::Whole)
+        Ok(CodingResult::Complete)
     }
 
     /// Codes which vertices the corners around a new vertex refer to, and their attributes.
@@ -95,31 +102,32 @@ impl Refiner {
         let Self { level, models, limits, stretch, .. } = self;
         let (surface, growth, corners) = (&level.surface, &level.growth, &stretch.corners);
         if let Some(model) = &mut models.wedges {
-            if let Some(follower) = source.follower() {
-                follower.refine(vertex, corners);
+            if let Some(observer) = source.observer() {
+                observer.refine(vertex, corners);
             }
-            let most_beyond = limits.most_wedges.saturating_sub(growth.beyond() as u64);
-            let split = SplitContext { surface, growth, corners, source: &*source, most_beyond };
+            let most_beyond = limits.most_wedges.saturating_sub(growth.excess_count() as u64);
+            let split = WedgeContext { surface, growth, corners, source: &*source, most_beyond };
             model.code(coder, &split, &mut stretch.shown);
-            if let Some(follower) = source.follower() {
-                follower.name(&stretch.shown.source_vertices);
+            if let Some(observer) = source.observer() {
+                observer.name(&stretch.shown.source_vertices);
             }
         }
         let Some(attributes) = &mut models.attributes else { return };
         let split_wedges = models.wedges.as_ref().map(|_| &stretch.shown);
-        let around = AttributeContext { surface, growth, places: &level.places, corners, split_wedges };
-        let place = level.places[vertex as usize];
+        let around =
+            AttributeContext { surface, growth, grid_points: &level.grid_points, corners, split_wedges };
+        let grid_point = level.grid_points[vertex as usize];
         if split_wedges.is_none() {
             let kept = surface.vertex(next(corners[0]));
-            let actual = actual_layers(source.plan(), |plan| plan.wedges(vertex).start);
+            let actual = actual_layers(source.input(), |input| input.wedges(vertex).start);
             let target = growth.wedges(kept).start;
-            attributes.vertex(coder, around, NewVertex { place, wedge: 0, target }, actual);
+            attributes.vertex(coder, around, NewVertex { grid_point, wedge: 0, target }, actual);
             return;
         }
-        attributes.begin_position(around, place);
+        attributes.begin_position(around, grid_point);
         for (wedge, &target) in (0..).zip(&stretch.shown.targets) {
-            let actual = actual_layers(source.plan(), |_| stretch.shown.source_vertices[wedge as usize]);
-            attributes.vertex(coder, around, NewVertex { place, wedge, target }, actual);
+            let actual = actual_layers(source.input(), |_| stretch.shown.source_vertices[wedge as usize]);
+            attributes.vertex(coder, around, NewVertex { grid_point, wedge, target }, actual);
         }
     }
 }

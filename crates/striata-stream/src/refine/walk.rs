@@ -22,15 +22,15 @@ use crate::topology::surface::{NONE, Surface, next};
 
 /// State of a vertex in the current batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Fate {
+pub(crate) enum VisitState {
     /// Not visited yet.
-    Open,
+    Unvisited,
     /// Visited; it does not split.
-    Stays,
+    Unsplit,
     /// Visited; it splits.
     Splits,
     /// Created in this batch.
-    New,
+    Created,
 }
 
 /// Order in which vertices are visited.
@@ -62,7 +62,7 @@ pub(crate) struct Walk {
     /// Number of vertices at the beginning of the batch.
     end: u32,
     /// For each vertex created in the batch, in walk order, the vertex it was split off.
-    born: Vec<u32>,
+    split_parents: Vec<u32>,
     /// Whether the queue may contain virtual vertices.
     is_renumbered: bool,
 }
@@ -88,7 +88,7 @@ impl Walk {
     /// Begins a batch.
     pub(crate) fn begin(&mut self, surface: &Surface) {
         self.batch += 1;
-        self.insert_born();
+        self.insert_created();
         let last_end = std::mem::replace(&mut self.end, surface.vertex_count() as u32);
         self.seed = surface.virtual_count();
         self.head = 0;
@@ -105,28 +105,28 @@ impl Walk {
 
     /// Inserts the last batch's new vertices into the queue, each directly after the vertex it was split
     /// off.
-    fn insert_born(&mut self) {
-        let (mut from, mut left) = (self.queue.len(), self.born.len());
+    fn insert_created(&mut self) {
+        let (mut from, mut left) = (self.queue.len(), self.split_parents.len());
         self.queue.resize(from + left, 0);
         // From back to front, so that each vertex moves only once.
         while left > 0 && from > 0 {
             from -= 1;
             let vertex = self.queue[from];
-            if self.born[left - 1] == vertex {
+            if self.split_parents[left - 1] == vertex {
                 self.queue[from + left] = self.end + left as u32 - 1;
                 left -= 1;
             }
             self.queue[from + left] = vertex;
         }
         debug_assert_eq!(left, 0, "splits follow the order of the walk");
-        self.born.clear();
+        self.split_parents.clear();
     }
 
     /// Records that a vertex of the walk was split. The new vertex has the next index.
     #[inline]
-    pub(crate) fn born(&mut self, kept: u32) {
+    pub(crate) fn record_split(&mut self, kept: u32) {
         if self.order == WalkOrder::Families {
-            self.born.push(kept);
+            self.split_parents.push(kept);
         }
     }
 
@@ -140,8 +140,8 @@ impl Walk {
             // No vertex has been visited yet.
             return;
         }
-        let old_count = self.end as usize + self.born.len();
-        self.insert_born();
+        let old_count = self.end as usize + self.split_parents.len();
+        self.insert_created();
         let mut new_of_old = vec![NONE; old_count];
         for (new, &old) in old_of_new.iter().enumerate() {
             if let Some(new_of_old) = new_of_old.get_mut(old as usize) {
@@ -170,15 +170,15 @@ impl Walk {
 
     /// Returns the state of a vertex that is not virtual.
     #[inline]
-    pub(crate) fn fate(&self, vertex: u32) -> Fate {
+    pub(crate) fn visit_state(&self, vertex: u32) -> VisitState {
         if vertex >= self.end {
-            return Fate::New;
+            return VisitState::Created;
         }
         let seen = self.seen.get(vertex as usize).copied().unwrap_or(0);
         match seen.wrapping_sub(4 * self.batch) {
-            STAYS => Fate::Stays,
-            SPLITS => Fate::Splits,
-            _ => Fate::Open,
+            STAYS => VisitState::Unsplit,
+            SPLITS => VisitState::Splits,
+            _ => VisitState::Unvisited,
         }
     }
 
@@ -189,7 +189,7 @@ impl Walk {
     }
 
     /// Advances past a number of vertices without recording whether they split.
-    pub(crate) fn pass(&mut self, count: usize) {
+    pub(crate) fn skip(&mut self, count: usize) {
         self.head += count;
     }
 
@@ -220,7 +220,7 @@ impl Walk {
 
     /// Records whether a vertex splits. Breadth first, also queues its neighbors, which follow the
     /// `corners` around it.
-    pub(crate) fn settle(&mut self, surface: &Surface, vertex: u32, corners: &[u32], splits: bool) {
+    pub(crate) fn record_visit(&mut self, surface: &Surface, vertex: u32, corners: &[u32], splits: bool) {
         if self.seen.len() <= vertex as usize {
             self.seen.resize(self.end as usize, 0);
         }
@@ -261,7 +261,7 @@ mod tests {
     /// Splits a vertex with a patch of one triangle.
     fn split(walk: &mut Walk, surface: &mut Surface, vertex: u32) -> u32 {
         let corner = surface.corner_of(vertex);
-        walk.born(vertex);
+        walk.record_split(vertex);
         surface.split(&[corner])
     }
 
@@ -284,7 +284,7 @@ mod tests {
         }
         walk.begin(&surface);
         assert_eq!(walk.rest()[..5], [1, count + 2, 2, count, count + 3]);
-        walk.pass(2);
+        walk.skip(2);
         assert_eq!(walk.next_vertex(), Some(2));
         assert_eq!(walk.rest().len(), surface.vertex_count() - 4);
     }
@@ -299,15 +299,15 @@ mod tests {
                 let mut all = Vec::new();
                 while let Some(vertex) = walk.next_vertex() {
                     let corners: Vec<u32> = surface.ring(vertex).collect();
-                    assert_eq!(walk.fate(vertex), Fate::Open);
-                    walk.settle(&surface, vertex, &corners, false);
-                    assert_eq!(walk.fate(vertex), Fate::Stays);
+                    assert_eq!(walk.visit_state(vertex), VisitState::Unvisited);
+                    walk.record_visit(&surface, vertex, &corners, false);
+                    assert_eq!(walk.visit_state(vertex), VisitState::Unsplit);
                     all.push(vertex);
                 }
                 all.sort_unstable();
                 assert_eq!(all, (1..surface.vertex_count() as u32).collect::<Vec<_>>());
                 let new = split(&mut walk, &mut surface, 3);
-                assert_eq!(walk.fate(new), Fate::New);
+                assert_eq!(walk.visit_state(new), VisitState::Created);
             }
         }
     }

@@ -26,7 +26,7 @@ pub(crate) struct Neighbor {
     /// Index of the vertex.
     pub(crate) vertex: u32,
     /// Its grid coordinates.
-    pub(crate) place: [i32; 3],
+    pub(crate) grid_point: [i32; 3],
 }
 
 impl Rings {
@@ -74,11 +74,11 @@ impl Rings {
     }
 
     /// Looks up the grid coordinates of all neighbors in one pass, so that cache misses overlap.
-    pub(crate) fn look(&mut self, surface: &Surface, places: &[[i32; 3]]) {
+    pub(crate) fn look_up_neighbors(&mut self, surface: &Surface, grid_points: &[[i32; 3]]) {
         self.neighbors.clear();
         self.neighbors.extend(self.corners.iter().map(|&corner| {
             let vertex = surface.vertex(next(corner));
-            Neighbor { vertex, place: places[vertex as usize] }
+            Neighbor { vertex, grid_point: grid_points[vertex as usize] }
         }));
     }
 
@@ -90,7 +90,7 @@ impl Rings {
     }
 
     /// Returns the neighbors of one of the vertices in the order of its corners, after
-    /// [`look`](Self::look).
+    /// [`look_up_neighbors`](Self::look_up_neighbors).
     #[inline]
     pub(crate) fn neighbors(&self, at: usize) -> &[Neighbor] {
         &self.neighbors[self.range(at)]
@@ -116,15 +116,15 @@ mod tests {
         let mesh = shapes::grid(9, 7);
         let surface = close(&mesh.triangles, mesh.positions.len()).surface;
         let vertices: Vec<u32> = (0..surface.vertex_count() as u32).collect();
-        let places: Vec<[i32; 3]> = vertices.iter().map(|&v| [7 * v as i32, 0, 0]).collect();
+        let grid_points: Vec<[i32; 3]> = vertices.iter().map(|&v| [7 * v as i32, 0, 0]).collect();
         assert!(surface.ring(0).count() > SHORT_RING);
         let mut rings = Rings::default();
         for vertices in [&vertices[..], &vertices[5..6], &[], &vertices[3..14]] {
             rings.find(&surface, vertices);
-            rings.look(&surface, &places);
+            rings.look_up_neighbors(&surface, &grid_points);
             for (at, &vertex) in vertices.iter().enumerate() {
                 assert_eq!(rings.of(at), surface.ring(vertex).collect::<Vec<_>>());
-                let around = rings.neighbors(at).iter().map(|n| (n.vertex, n.place[0] as u32));
+                let around = rings.neighbors(at).iter().map(|n| (n.vertex, n.grid_point[0] as u32));
                 let expected = surface.ring(vertex).map(|c| surface.vertex(next(c)));
                 assert!(around.eq(expected.map(|v| (v, 7 * v))));
             }

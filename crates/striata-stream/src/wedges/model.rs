@@ -11,9 +11,9 @@ use std::ops::Range;
 
 use super::split::SplitWedges;
 use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
-use crate::format::form::StreamVersion;
+use crate::format::version::StreamVersion;
 use crate::general::step::CodedStep;
-use crate::refine::growth::Growth;
+use crate::refine::growth::GrowingMesh;
 use crate::refine::source::Source;
 use crate::topology::surface::{NONE, Surface, next, previous, triangle_of};
 use crate::wedges::hidden::HiddenWedges;
@@ -83,9 +83,9 @@ impl ValueKind {
 const VALUE_KINDS: usize = ValueKind::BaseGroup as usize + 1;
 
 /// Everything that is known about a split when its wedges are coded.
-pub(crate) struct SplitContext<'a, S> {
+pub(crate) struct WedgeContext<'a, S> {
     pub(crate) surface: &'a Surface,
-    pub(crate) growth: &'a Growth,
+    pub(crate) growth: &'a GrowingMesh,
     /// Corners at the new position, starting with the one in A and ending with the one in B.
     pub(crate) corners: &'a [u32],
     pub(crate) source: &'a S,
@@ -93,20 +93,20 @@ pub(crate) struct SplitContext<'a, S> {
     pub(crate) most_beyond: u64,
 }
 
-impl<S: Source> SplitContext<'_, S> {
+impl<S: Source> WedgeContext<'_, S> {
     /// Returns the source mesh's vertex that a corner refers to; 0 in a reader, where it is ignored.
     fn wedge(&self, corner: u32) -> u32 {
-        self.source.plan().map_or(0, |plan| plan.wedge(corner))
+        self.source.input().map_or(0, |input| input.wedge(corner))
     }
 
     /// Returns the stream's vertex that a corner refers to; 0 in a reader, where it is ignored.
     fn vertex_at(&self, corner: u32) -> u32 {
-        self.source.plan().map_or(0, |plan| plan.vertex_at(corner))
+        self.source.input().map_or(0, |input| input.vertex_at(corner))
     }
 
     /// Returns the group of the triangle at a corner; 0 in a reader, where it is ignored.
     fn group(&self, corner: u32) -> u32 {
-        self.source.plan().map_or(0, |plan| plan.group(triangle_of(corner)))
+        self.source.input().map_or(0, |input| input.group(triangle_of(corner)))
     }
 }
 
@@ -140,7 +140,7 @@ impl WedgeModel {
     }
 
     /// Updates the corner counts for a general step that `growth` does not include yet.
-    pub(crate) fn follow_general(&mut self, growth: &Growth, step: &CodedStep) {
+    pub(crate) fn follow_general(&mut self, growth: &GrowingMesh, step: &CodedStep) {
         let first = growth.vertex_count();
         for &corner in &step.fan {
             self.hidden.remove_corner(growth.triangles[corner as usize / 3][corner as usize % 3]);
@@ -221,7 +221,7 @@ impl WedgeModel {
     pub(crate) fn code<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        split: &SplitContext<'_, S>,
+        split: &WedgeContext<'_, S>,
         out: &mut SplitWedges,
     ) {
         let corners = split.corners;
@@ -244,12 +244,12 @@ impl WedgeModel {
     fn code_cornerless<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        split: &SplitContext<'_, S>,
+        split: &WedgeContext<'_, S>,
         out: &mut SplitWedges,
     ) {
-        let SplitContext { surface, growth, corners, source, .. } = *split;
+        let WedgeContext { surface, growth, corners, source, .. } = *split;
         let kept = growth.wedges(surface.vertex(next(corners[0])));
-        let left = source.plan().map_or(0..0, |plan| plan.wedges(surface.vertex(corners[0])));
+        let left = source.input().map_or(0..0, |input| input.wedges(surface.vertex(corners[0])));
         let mut actual =
             left.filter(|wedge| !self.wedge_of.contains_key(wedge)).collect::<Vec<_>>().into_iter();
         let shown = out.targets.len();
@@ -272,7 +272,7 @@ impl WedgeModel {
             if count > 0 && (is_full || !self.has_more[context].code(coder, more.is_some())) {
                 break;
             }
-            let target = more.and_then(|wedge| Some(source.plan()?.target(wedge))).unwrap_or(NONE);
+            let target = more.and_then(|wedge| Some(source.input()?.target(wedge))).unwrap_or(NONE);
             let guesses = [out.targets.last().copied(), None];
             let target = self.choose(coder, (ValueKind::Target, 0), (guesses, kept.clone()), target);
             out.targets.push(target);
@@ -281,8 +281,8 @@ impl WedgeModel {
     }
 
     /// Updates the corner counts for the split.
-    fn count_corners<S: Source>(&mut self, split: &SplitContext<'_, S>, out: &SplitWedges) {
-        let SplitContext { surface, growth, corners, .. } = *split;
+    fn count_corners<S: Source>(&mut self, split: &WedgeContext<'_, S>, out: &SplitWedges) {
+        let WedgeContext { surface, growth, corners, .. } = *split;
         let first = growth.vertex_count();
         for (at, (&corner, &wedge)) in corners.iter().zip(&out.wedges).enumerate() {
             if wedge == NONE {
@@ -303,10 +303,10 @@ impl WedgeModel {
     fn code_patch<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        split: &SplitContext<'_, S>,
+        split: &WedgeContext<'_, S>,
         out: &mut SplitWedges,
     ) {
-        let SplitContext { surface, growth, corners, .. } = *split;
+        let WedgeContext { surface, growth, corners, .. } = *split;
         let mut before: Option<PatchCorner> = None;
         // Flag of the previous corner: none was coded, another wedge, the same wedge.
         let mut outcome = 0;
@@ -406,11 +406,11 @@ impl WedgeModel {
     fn code_side<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        split: &SplitContext<'_, S>,
+        split: &WedgeContext<'_, S>,
         side: usize,
         out: &mut SplitWedges,
     ) {
-        let SplitContext { surface, growth, corners, .. } = *split;
+        let WedgeContext { surface, growth, corners, .. } = *split;
         let (at, adjacent) = if side == 0 { (0, 1) } else { (corners.len() - 1, corners.len() - 2) };
         let corner = corners[at];
         let (kept, end) =

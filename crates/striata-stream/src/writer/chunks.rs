@@ -5,10 +5,10 @@ use striata::mesh::RefinableMesh;
 use crate::base::coder::BaseLimits;
 use crate::base::mesh::Base;
 use crate::entropy::{PART_COUNT, RangeWriter};
-use crate::format::head::{least_bytes, least_bytes_in_all};
-use crate::refine::growth::Growth;
+use crate::format::header::{min_chunk_bytes, min_total_bytes};
+use crate::refine::growth::GrowingMesh;
 use crate::refine::parameters::StreamParameters;
-use crate::refine::refiner::Refiner;
+use crate::refine::refiner::MeshRefiner;
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
 use crate::writer::reference_mesh::{ReferenceMesh, VertexData, base_of};
@@ -81,15 +81,15 @@ fn write(
 ) -> Result<Chunks, BatchDefect> {
     let limits = BaseLimits {
         triangle_count: base.triangles.len() as u32,
-        position_count: base.places.len() as u32,
-        wedges_beyond: u32::MAX,
+        position_count: base.grid_points.len() as u32,
+        extra_wedges: u32::MAX,
     };
     let parameters = StreamParameters { base: limits, ..parameters.clone() };
     let mut spent = [0.0; PART_COUNT];
     let mut chunks = Vec::new();
     let mut writer = RangeWriter::new();
     // Collapses keep a surface closed, so its base is always valid.
-    let mut refiner = Refiner::begin(&mut writer, &base, &parameters, &mut reference)
+    let mut refiner = MeshRefiner::begin(&mut writer, &base, &parameters, &mut reference)
         .unwrap_or_else(|defect| panic!("collapses keep a surface closed: {defect}"));
     push(&mut chunks, writer, (&refiner.level.growth, base.triangles.len()), &mut spent);
     while reference.order.len() < step_count {
@@ -106,7 +106,7 @@ fn write(
 fn push(
     chunks: &mut Vec<Chunk>,
     writer: RangeWriter,
-    (growth, base_triangles): (&Growth, usize),
+    (growth, base_triangles): (&GrowingMesh, usize),
     spent: &mut [f64; PART_COUNT],
 ) {
     let (mut bytes, bits) = writer.finish();
@@ -114,15 +114,15 @@ fn push(
     let splits = split_count - chunks.last().map_or(0, |chunk| chunk.split_count as usize);
     // A reader treats missing bytes as zeros, so appending zeros changes nothing.
     let coded_bytes: usize = chunks.iter().map(|chunk| chunk.bytes.len()).sum();
-    let least = least_bytes_in_all(growth.beyond()).saturating_sub(coded_bytes);
-    bytes.resize(bytes.len().max(least).max(least_bytes(splits, base_triangles)), 0);
+    let least = min_total_bytes(growth.excess_count()).saturating_sub(coded_bytes);
+    bytes.resize(bytes.len().max(least).max(min_chunk_bytes(splits, base_triangles)), 0);
     spent.iter_mut().zip(bits).for_each(|(sum, bits)| *sum += bits);
     chunks.push(Chunk { bytes, split_count: split_count as u32 });
 }
 
 /// Encodes the splits of one chunk.
 fn code_chunk(
-    refiner: &mut Refiner,
+    refiner: &mut MeshRefiner,
     writer: &mut RangeWriter,
     reference: &mut ReferenceMesh<'_>,
     step_count: usize,

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use striata::mesh::RefinableMesh;
 
-use crate::format::form::StreamVersion;
+use crate::format::version::StreamVersion;
 use crate::writer::defect::BatchDefect;
 use crate::writer::general_stage::GeneralStage;
 use crate::writer::level::{LevelTriangles, check_base};

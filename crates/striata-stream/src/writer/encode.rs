@@ -4,9 +4,9 @@ use striata::file::EncodeError;
 use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
 
 use crate::base::coder::BaseLimits;
-use crate::format::form::{Effort, StreamVersion};
 use crate::format::grid::{GridError, PositionGrid};
-use crate::format::head::{GroupName, Head, MOST_NUMBERS, Row};
+use crate::format::header::{ChunkEntry, GroupName, MAX_COMPONENTS, StreamHeader};
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
 use crate::layers::layer_neighborhood::LayerValues;
 use crate::layers::options::{LayerBitsError, LayerOptions};
@@ -108,7 +108,7 @@ pub struct StreamSizes {
     pub normal_bits: f64,
     /// Bits of texture coordinates.
     pub texcoord_bits: f64,
-    /// Bits of the head, the base mesh and the rounding between chunks.
+    /// Bits of the header, the base mesh and the rounding between chunks.
     pub other_bits: f64,
 }
 
@@ -161,7 +161,7 @@ pub enum StreamError {
     /// The attribute layers have too many components.
     #[error(
         "the attribute layers have {number_count} components per vertex, but a stream can store at most {}",
-        MOST_NUMBERS
+        MAX_COMPONENTS
     )]
     Numbers {
         /// Number of integers that the stream would store for each vertex.
@@ -194,7 +194,7 @@ pub fn encode_stream(
     let forms: Vec<_> =
         refinable.mesh.layers.iter().map(|layer| LayerForm::of(layer, &layer_options)).collect();
     let number_count = forms.iter().map(LayerForm::integer_count).sum();
-    if number_count > MOST_NUMBERS {
+    if number_count > MAX_COMPONENTS {
         return Err(StreamError::Numbers { number_count });
     }
     let points = points_of(refinable, &grid, &forms);
@@ -207,7 +207,7 @@ pub fn encode_stream(
         is_exact,
         max_patch: 0,
         position_count,
-        base: BaseLimits { position_count: 0, triangle_count: 0, wedges_beyond: u32::MAX },
+        base: BaseLimits { position_count: 0, triangle_count: 0, extra_wedges: u32::MAX },
         vertex_count: refinable.mesh.vertex_count() as u32,
         group_count: refinable.mesh.groups.len() as u32,
         layers: forms,
@@ -222,8 +222,8 @@ pub fn encode_stream(
         descent = Descent::new(refinable, batches, parameters.version)?;
     }
     let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters))?;
-    let head = head_of(refinable, batches, &chunks, (options, &parameters)).to_bytes()?;
-    let mut bytes = head;
+    let header = header_of(refinable, batches, &chunks, (options, &parameters)).to_bytes()?;
+    let mut bytes = header;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
     let sizes = StreamSizes::of(bytes.len(), &chunks);
     Ok(EncodedStream { bytes, sizes, source_vertex: source_vertices(refinable, &chunks) })
@@ -267,25 +267,25 @@ fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]
     VertexData { coords: exact.iter().map(|&p| grid.quantize(p)).collect(), exact, layers: layers.collect() }
 }
 
-/// Assembles the head of the stream.
-fn head_of(
+/// Assembles the header of the stream.
+fn header_of(
     refinable: &RefinableMesh,
     batches: &[u32],
     chunks: &Chunks,
     (options, parameters): (&StreamOptions, &StreamParameters),
-) -> Head {
+) -> StreamHeader {
     let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
     let group = |g: &striata::mesh::TriangleGroup| GroupName { name: g.name.clone(), material: g.material };
     let mut before = 0;
-    let rows = chunks.chunks.iter().map(|chunk| {
+    let entries = chunks.chunks.iter().map(|chunk| {
         // Steps are reordered within a batch, so the error at its beginning applies to all of it.
         let batch = batches.partition_point(|&first| first <= before).saturating_sub(1);
         let error = batches.get(batch).map_or(0.0, |&first| sequence.error_at(first as usize));
         before = chunk.split_count;
         let checksum = crc32fast::hash(&chunk.bytes);
-        Row { bytes: chunk.bytes.len() as u32, split_count: chunk.split_count, error, checksum }
+        ChunkEntry { bytes: chunk.bytes.len() as u32, split_count: chunk.split_count, error, checksum }
     });
-    Head {
+    StreamHeader {
         length: 0,
         version: options.version,
         effort: options.effort,
@@ -301,7 +301,7 @@ fn head_of(
         groups: mesh.groups.iter().map(group).collect(),
         appearance: mesh.appearance.clone(),
         metadata: options.metadata.clone(),
-        rows: rows.collect(),
+        chunks: entries.collect(),
     }
 }
 

@@ -6,9 +6,9 @@ use striata::mesh::RefinableMesh;
 
 use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
-use crate::general::step::{Born, CodedStep, KnownBorn, KnownStep};
+use crate::general::step::{CodedStep, NewTriangle, ReferenceStep, ReferenceTriangle};
 use crate::layers::layer_neighborhood::LayerValues;
-use crate::refine::source::{CodingObserver, Plan, Source};
+use crate::refine::source::{CodingObserver, EncoderInput, Source};
 use crate::topology::surface::{Cut, NONE, Surface, Undo, triangle_of};
 use crate::writer::descent::{Descent, Stage};
 use crate::writer::general_order::GeneralOrder;
@@ -152,7 +152,7 @@ pub(crate) fn base_of<'a>(
         position_of_copy: copies.iter().map(|&copy| stage.position_of_copy[copy as usize]).collect(),
         triangles: reference.base_triangles.iter().map(corners_of).collect(),
         opposite,
-        places: points.coords[..base_position_count as usize].to_vec(),
+        grid_points: points.coords[..base_position_count as usize].to_vec(),
         ..Base::default()
     };
     (base, reference)
@@ -242,16 +242,16 @@ impl<'a> ReferenceMesh<'a> {
     }
 
     /// Returns the data for a triangle that a general step adds.
-    fn known_born(&self, triangle: u32, [position, target]: [u32; 2]) -> KnownBorn {
+    fn reference_triangle(&self, triangle: u32, [position, target]: [u32; 2]) -> ReferenceTriangle {
         let vertices = self.shown[triangle as usize];
         let positions = vertices.map(|v| self.position_of(v));
         let at = |wanted: u32| positions.iter().position(|&p| p == wanted).unwrap_or(0);
         let (own, split) = (at(position), at(target));
         let third = 3 - own - split;
         let number = self.index_of_position[positions[third] as usize];
-        KnownBorn {
-            born: Born { third: number, is_forward: split == (own + 1) % 3 },
-            own: vertices[own],
+        ReferenceTriangle {
+            triangle: NewTriangle { third: number, is_forward: split == (own + 1) % 3 },
+            wedge: vertices[own],
             others: [split, third].map(|at| self.stream_vertex(vertices[at])),
             group: self.group_of[triangle as usize],
         }
@@ -296,17 +296,17 @@ impl<'a> ReferenceMesh<'a> {
 
 impl Source for ReferenceMesh<'_> {
     #[inline]
-    fn plan(&self) -> Option<&dyn Plan> {
+    fn input(&self) -> Option<&dyn EncoderInput> {
         Some(self)
     }
 
     #[inline]
-    fn follower(&mut self) -> Option<&mut dyn CodingObserver> {
+    fn observer(&mut self) -> Option<&mut dyn CodingObserver> {
         Some(self)
     }
 }
 
-impl Plan for ReferenceMesh<'_> {
+impl EncoderInput for ReferenceMesh<'_> {
     fn cut(&self, vertex: u32) -> Option<Cut> {
         let step = self.step_at[vertex as usize];
         let stage = self.surface_stage()?;
@@ -405,7 +405,7 @@ impl CodingObserver for ReferenceMesh<'_> {
         }
     }
 
-    fn born(&mut self, vertex: u32, kept: u32) {
+    fn split_applied(&mut self, vertex: u32, kept: u32) {
         let step = std::mem::replace(&mut self.step_at[kept as usize], NONE);
         let Some(stage) = self.surface_stage() else { return };
         let position = self.refinable.sequence.base_position_count() as u32 + step;
@@ -433,9 +433,9 @@ impl CodingObserver for ReferenceMesh<'_> {
         }
     }
 
-    fn general_step(&mut self) -> KnownStep {
+    fn general_step(&mut self) -> ReferenceStep {
         let Some(Stage::General(stage)) = self.descent.stages.get(self.stage) else {
-            return KnownStep::default();
+            return ReferenceStep::default();
         };
         self.current_step = self.general_order.next().unwrap_or(0);
         let undo = stage.undo(self.current_step as usize);
@@ -452,24 +452,28 @@ impl CodingObserver for ReferenceMesh<'_> {
         let mut moved: Vec<(u32, u32)> = stage.moved(undo).iter().map(known_moved).collect();
         moved.sort_unstable();
         let wedges = self.refinable.sequence.positions().wedges(position);
-        KnownStep {
+        ReferenceStep {
             split: self.index_of_position[undo.target as usize],
             moved,
-            born: stage.removed(undo).iter().map(|&t| self.known_born(t, [position, undo.target])).collect(),
+            new_triangles: stage
+                .removed(undo)
+                .iter()
+                .map(|&t| self.reference_triangle(t, [position, undo.target]))
+                .collect(),
             targets: wedges.clone().map(|w| self.stream_vertex(self.refinable.sequence.target(w))).collect(),
             wedges,
-            place: self.points.coords[position as usize],
+            grid_point: self.points.coords[position as usize],
             exact: self.points.exact[position as usize],
         }
     }
 
-    fn born_general(&mut self, step: &CodedStep) {
+    fn general_step_applied(&mut self, step: &CodedStep) {
         let Some(Stage::General(stage)) = self.descent.stages.get(self.stage) else { return };
         let undo = stage.undo(self.current_step as usize);
         let index = stage.steps[self.current_step as usize];
         let position = self.refinable.sequence.base_position_count() as u32 + index;
-        for &known in &step.known {
-            let triangle = stage.removed(undo)[known];
+        for &index_in_step in &step.reference_triangles {
+            let triangle = stage.removed(undo)[index_in_step];
             let own = self.shown[triangle as usize].map(|v| self.position_of(v) == position);
             let slot = own.iter().position(|&is_own| is_own).unwrap_or(0);
             // The new position is at the first corner.
@@ -479,7 +483,7 @@ impl CodingObserver for ReferenceMesh<'_> {
         self.order.push(index);
     }
 
-    fn rebuilt(&mut self, surface: &Surface) {
+    fn surface_rebuilt(&mut self, surface: &Surface) {
         self.stage += 1;
         if let Some(stage) = self.surface_stage() {
             self.map_surface(stage, surface);

@@ -65,8 +65,11 @@ impl Piece {
         let apex = |side: u32| triangles[side as usize / 3][(side as usize + 2) % 3];
         let ends = match (path.exits.first(), path.exits.last()) {
             (Some(&first), Some(&last)) => [
-                End { apex: apex(first), is_odd: !path.begins_well(links) },
-                End { apex: apex(links.twins()[last as usize]), is_odd: !path.ends_well(links) },
+                End { apex: apex(first), is_odd: !path.begins_without_parity_fix(links) },
+                End {
+                    apex: apex(links.twins()[last as usize]),
+                    is_odd: !path.ends_without_parity_fix(links),
+                },
             ],
             _ => {
                 // A triangle alone: whatever corner it begins with at an even place, it ends with the one before.

@@ -50,7 +50,7 @@ pub fn closed_sets(fragments: &FragmentSequence) -> Vec<u32> {
     assert!(step_count <= 16, "{step_count} steps have too many sets");
     let needs: Vec<u32> = (0..step_count as u32)
         .map(|step| {
-            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face));
+            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face));
             makers.fold(0, |all, maker| all | 1 << maker)
         })
         .collect();
@@ -65,7 +65,7 @@ pub fn smallest_set(
     closed_sets: &[u32],
     is_coarse: impl Fn(Option<u32>, u32) -> bool,
 ) -> u32 {
-    let replaced_by = fragments.replaced_by();
+    let replaced_by = fragments.replacing_steps();
     let base_count = fragments.base_face_count() as u32;
     let is_refined = |set: u32, step: u32| set >> step & 1 == 1;
     let is_fine = |set: u32| {

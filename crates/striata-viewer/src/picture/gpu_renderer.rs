@@ -15,8 +15,8 @@ use super::paint::Color;
 use super::rendered_picture::Drawn;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
-use striata_command::failure::caught;
-use striata_command::hush::hushed;
+use striata_command::driver_messages::without_driver_messages;
+use striata_command::failure::catch_panic;
 use striata_command::output::Output;
 
 /// A GPU with everything that is shared by all shots.
@@ -56,7 +56,7 @@ impl GpuRenderer {
     /// # Errors
     /// If no adapter can draw.
     pub fn open(options: &GpuOptions, output: &Output) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
-        let chosen = hushed(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
+        let chosen = without_driver_messages(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
         if output.is_verbose() {
             let info = chosen.gpu.info();
             output.say(&format!(
@@ -191,7 +191,7 @@ impl GpuRenderer {
 
 /// Runs work on the GPU and turns panics into errors, so that the rasterizer can draw the picture instead.
 fn attempt<T>(work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
-    caught(work).unwrap_or_else(|panic| Err(GpuError::Failed(panic)))
+    catch_panic(work).unwrap_or_else(|panic| Err(GpuError::Failed(panic)))
 }
 
 fn look(shot: &Shot<'_>, edge_opacity: f32, factor: f32) -> Look {

@@ -8,7 +8,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 
 use striata::file::FileHead;
 use striata_io::Format;
-use striata_stream::StreamFacts;
+use striata_stream::StreamInfo;
 
 /// Bytes read at first.
 const HEAD_BYTES: usize = 64 << 10;

@@ -60,7 +60,7 @@ pub fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
 /// # Errors
 /// If it cannot be served.
 pub fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
-    striata_command::input::Input::expect_there(file)?;
+    striata_command::input::Input::check_exists(file)?;
     if !cfg!(feature = "window") {
         output.say("this build has no window (add it with `--features full`); opening the browser instead");
     }

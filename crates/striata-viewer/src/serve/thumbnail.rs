@@ -8,7 +8,7 @@ use crate::serve::args::ThumbnailArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, to_stdout};
-use striata_command::stream::Received;
+use striata_command::stream::DecodedStream;
 
 /// Width in pixels.
 pub(super) const WIDTH: usize = 320;
@@ -54,7 +54,7 @@ fn mesh_of(input: &Input, output: &Output) -> Result<IndexedMesh, Failure> {
     let file = input.striata()?;
     if let Some(stream) = file.stream() {
         let is_enough = |decoder: &striata_stream::StreamDecoder| decoder.triangles().len() >= MAX_TRIANGLES;
-        let decoder = Received::read(stream.map_err(damaged)?, is_enough).map_err(damaged)?.decoder;
+        let decoder = DecodedStream::read(stream.map_err(damaged)?, is_enough).map_err(damaged)?.decoder;
         return Ok(IndexedMesh::new(decoder.positions().to_vec(), decoder.triangles().to_vec()));
     }
     let levels = file.levels().map_err(damaged)?;

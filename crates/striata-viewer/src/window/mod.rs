@@ -45,7 +45,7 @@ use striata_command::output::Output;
 /// # Errors
 /// If there is no display or no device, a file does not exist, or the screenshot cannot be saved.
 pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
-    args.files.iter().try_for_each(|path| Input::expect_there(path))?;
+    args.files.iter().try_for_each(|path| Input::check_exists(path))?;
     #[cfg(feature = "serve")]
     if args.browser {
         return show_in_browser(&args.files, output);

@@ -11,7 +11,7 @@ use super::state::{Background, Colors, GoalKind};
 use super::subject::Subject;
 use super::viewer::{PictureArea, Viewer};
 use super::{frustum, help, plots};
-use striata_command::output::{grouped, measured, sized};
+use striata_command::output::{format_bytes, format_count, format_length};
 
 /// Default width of the panel, points.
 const WIDTH: f32 = 300.0;
@@ -172,7 +172,7 @@ fn facts(viewer: &Viewer, ui: &mut Ui) {
         row(
             "File",
             match subject.file_bytes {
-                Some(bytes) => format!("{}, {}", subject.kind, sized(bytes)),
+                Some(bytes) => format!("{}, {}", subject.kind, format_bytes(bytes)),
                 None => subject.kind.to_owned(),
             },
         );

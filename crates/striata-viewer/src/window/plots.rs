@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use egui::{Color32, RichText, Ui};
 use egui_plot::{Line, Plot, PlotPoints};
 
-use striata_command::output::{grouped, lasted, sized};
+use striata_command::output::{format_bytes, format_count, format_duration};
 
 /// Number of frames kept.
 const MAX_SAMPLES: usize = 240;
@@ -58,7 +58,7 @@ impl History {
 /// Shows the three plots one below the other.
 pub(super) fn show(ui: &mut Ui, history: &History) {
     let last = history.last().copied().unwrap_or_default();
-    let frame = format!("{} · level {}", lasted(last.frame_secs), lasted(last.level_secs));
+    let frame = format!("{} · level {}", format_duration(last.frame_secs), format_duration(last.level_secs));
     let blue = Color32::from_rgb(86, 156, 255);
     let orange = Color32::from_rgb(240, 146, 60);
     let green = Color32::from_rgb(70, 176, 110);

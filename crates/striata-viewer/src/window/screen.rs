@@ -9,8 +9,8 @@ use striata_gpu::{ChosenAdapter, Gpu, GpuError, GpuOptions, Picture, choose_from
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-use striata_command::failure::{Failure, caught};
-use striata_command::hush::hushed;
+use striata_command::driver_messages::without_driver_messages;
+use striata_command::failure::{Failure, catch_panic};
 use striata_command::output::Output;
 
 /// A window and the device that draws into it.

@@ -265,7 +265,7 @@ impl<'a> Container<'a> {
     }
 
     /// Whether the file is shorter than its header says.
-    pub(super) fn is_cut(&self) -> bool {
+    pub(super) fn is_truncated(&self) -> bool {
         (self.bytes.len() as u64) < self.length
     }
 

@@ -61,10 +61,10 @@ pub trait StreamCodec: Debug + Sync {
     /// [`DecodeError`] if the head is invalid.
     fn metadata(&self, stream: &[u8]) -> Result<Vec<(String, String)>, DecodeError>;
 
-    /// Decodes a stream. `is_cut` allows the stream to be truncated.
+    /// Decodes a stream. `is_truncated` allows the stream to be truncated.
     ///
     /// # Errors
-    /// [`DecodeError`] if the stream is invalid, is truncated although `is_cut` is false, or ends before
-    /// its base mesh is complete.
-    fn decode(&self, stream: &[u8], is_cut: bool) -> Result<StreamMesh, DecodeError>;
+    /// [`DecodeError`] if the stream is invalid, is truncated although `is_truncated` is false, or ends
+    /// before its base mesh is complete.
+    fn decode(&self, stream: &[u8], is_truncated: bool) -> Result<StreamMesh, DecodeError>;
 }

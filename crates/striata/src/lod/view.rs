@@ -40,7 +40,7 @@ impl View {
     /// Updates the view like [`update`](Self::update), but with a custom screen error, which can weight
     /// silhouettes, a region of interest or the gaze direction.
     pub fn update_by(&mut self, error: ScreenError) -> FanUpdate {
-        let error = error.of_model(self.tables.sphere());
+        let error = error.with_model_bounds(self.tables.sphere());
         let update = self.front.update(&self.tables.scene(), &error, usize::MAX);
         self.emit_changes(&update);
         update
@@ -51,7 +51,7 @@ impl View {
     ///
     /// If even the base mesh exceeds the limit, the base mesh is shown.
     pub fn update_to_budget(&mut self, camera: &Camera, pixels: f32, triangle_limit: usize) -> FanUpdate {
-        let error = ScreenError::new(*camera, pixels).of_model(self.tables.sphere());
+        let error = ScreenError::new(*camera, pixels).with_model_bounds(self.tables.sphere());
         let update = self.front.update_to_budget(&self.tables.scene(), &error, triangle_limit);
         self.emit_changes(&update);
         update

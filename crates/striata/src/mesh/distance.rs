@@ -45,7 +45,7 @@ impl DistanceOptions {
 
 /// Distances from the samples of one surface to the other surface, in mesh units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct OneSided {
+pub struct OneSidedDistance {
     /// Maximum over vertices, edges and area.
     pub max: f64,
     /// Root mean square over the area.
@@ -58,9 +58,9 @@ pub struct OneSided {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDistance {
     /// From the first mesh to the second.
-    pub a_to_b: OneSided,
+    pub a_to_b: OneSidedDistance,
     /// From the second mesh to the first.
-    pub b_to_a: OneSided,
+    pub b_to_a: OneSidedDistance,
     /// Larger of the two one-sided maxima: the Hausdorff distance, as far as the samples capture it.
     pub max: f64,
     /// Larger of the two one-sided RMS values, as Metro reports it.
@@ -142,7 +142,7 @@ fn surface_tree(mesh: &IndexedMesh, which: &'static str) -> Result<TriangleTree,
 impl Samples<'_> {
     /// Measures all samples. Means are over the area or, if the area is 0, over the edges or else the
     /// vertices.
-    fn measure(&self, tree: &TriangleTree) -> OneSided {
+    fn measure(&self, tree: &TriangleTree) -> OneSidedDistance {
         let vertices = sum_chunks(self.used_vertices.len(), |range, sums| {
             let mut hint = usize::MAX;
             for &v in &self.used_vertices[range] {
@@ -153,7 +153,7 @@ impl Samples<'_> {
         let areas = self.measure_strata(&self.areas, tree, |t, uv| self.point_on_triangle(t, uv));
         let means = [areas, sides, vertices].into_iter().find(|s| s.count > 0).unwrap_or_default();
         let count = means.count.max(1) as f64;
-        OneSided {
+        OneSidedDistance {
             max: vertices.max.max(sides.max).max(areas.max),
             rms: (means.squares / count).sqrt(),
             mean: means.sum / count,
@@ -225,7 +225,7 @@ mod tests {
         let mut half = square(0.0);
         half.triangles.pop();
         let d = surface_distance(&square(0.0), &half, &DistanceOptions::default()).unwrap();
-        assert_eq!(d.b_to_a, OneSided::default());
+        assert_eq!(d.b_to_a, OneSidedDistance::default());
         assert!((d.a_to_b.max - 2f64.sqrt()).abs() < 1e-12);
         // Over the missing half, the distance h to the diagonal has the density 2 (c - h) / c^2, c = sqrt 2.
         assert!((d.a_to_b.mean - 0.5 * 2f64.sqrt() / 3.0).abs() < 1e-4);

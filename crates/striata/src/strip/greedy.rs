@@ -73,7 +73,7 @@ fn join_group(grower: &mut StripGrower<'_>, group: Range<usize>, links: &mut Str
             links.join(entered);
         }
         for &h in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
-            grower.free.take(h / 3);
+            grower.free.mark_used(h / 3);
         }
         for &h in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
             seeds.push_around(h / 3, &grower.free);
@@ -121,7 +121,9 @@ impl StripGrower<'_> {
     /// Whether the current walk can leave a triangle through this side.
     #[inline]
     fn is_open(&self, exit: u32) -> bool {
-        self.free.beyond(exit).is_some_and(|enter| self.last_walks[enter as usize / 3] != self.walk_index)
+        self.free
+            .free_entry_across(exit)
+            .is_some_and(|enter| self.last_walks[enter as usize / 3] != self.walk_index)
     }
 
     /// Walks from the triangle of `exit` forward through `exit` and backward through the side before it.

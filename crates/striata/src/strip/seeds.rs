@@ -38,13 +38,13 @@ impl<'a> FreeTriangles<'a> {
 
     /// Marks a triangle as part of a strip.
     #[inline]
-    pub fn take(&mut self, triangle: u32) {
+    pub fn mark_used(&mut self, triangle: u32) {
         self.is_free[triangle as usize] = false;
     }
 
     /// If the triangle across side `exit` is free, the side by which it is entered.
     #[inline]
-    pub fn beyond(&self, exit: u32) -> Option<u32> {
+    pub fn free_entry_across(&self, exit: u32) -> Option<u32> {
         let enter = self.twins[exit as usize];
         (enter != NO_TWIN && self.is_free(enter / 3)).then_some(enter)
     }
@@ -52,7 +52,7 @@ impl<'a> FreeTriangles<'a> {
     /// Number of links from a triangle to free triangles; a triangle linked twice counts twice.
     #[inline]
     pub fn neighbor_count(&self, triangle: u32) -> usize {
-        (3 * triangle..3 * triangle + 3).filter(|&side| self.beyond(side).is_some()).count()
+        (3 * triangle..3 * triangle + 3).filter(|&side| self.free_entry_across(side).is_some()).count()
     }
 }
 
@@ -78,7 +78,7 @@ impl Seeds {
 
     /// Adds the free neighbors of a triangle that has just become part of a strip.
     pub fn push_around(&mut self, triangle: u32, free: &FreeTriangles<'_>) {
-        for enter in (3 * triangle..3 * triangle + 3).filter_map(|side| free.beyond(side)) {
+        for enter in (3 * triangle..3 * triangle + 3).filter_map(|side| free.free_entry_across(side)) {
             self.push(enter / 3, free);
         }
     }

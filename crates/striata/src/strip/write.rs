@@ -52,13 +52,13 @@ impl StripPath {
 
     /// Whether the first turn needs no extra index if the first triangle is at an even position.
     #[inline]
-    pub fn begins_well(&self, links: &StripLinks<'_>) -> bool {
+    pub fn begins_without_parity_fix(&self, links: &StripLinks<'_>) -> bool {
         self.exits.first().is_none_or(|&exit| links.turn(links.twins()[exit as usize]) != Turn::Next)
     }
 
-    /// Whether [`Self::begins_well`] would return true for the reversed path.
+    /// Whether [`Self::begins_without_parity_fix`] would return true for the reversed path.
     #[inline]
-    pub fn ends_well(&self, links: &StripLinks<'_>) -> bool {
+    pub fn ends_without_parity_fix(&self, links: &StripLinks<'_>) -> bool {
         self.exits.last().is_none_or(|&exit| links.turn(exit) != Turn::Next)
     }
 
@@ -109,7 +109,7 @@ pub fn write_strips(
     let (mut order, mut indices) = (StripOrder::new(triangles), Vec::new());
     for group in groups {
         order.visit(group, links, |path| {
-            if !path.begins_well(links) && path.ends_well(links) {
+            if !path.begins_without_parity_fix(links) && path.ends_without_parity_fix(links) {
                 path.reverse(links);
             }
             indices.clear();

@@ -59,7 +59,7 @@ impl NormalCone {
     }
 
     /// Whether the cone contains a direction, which may have any length.
-    pub fn holds(&self, towards: [f32; 3]) -> bool {
+    pub fn contains(&self, towards: [f32; 3]) -> bool {
         let Some(towards) = direction_of(towards) else { return false };
         self.cos <= -1.0 || towards.dot(direction(self.axis)) >= f64::from(self.cos)
     }
@@ -177,10 +177,10 @@ mod tests {
             let [a, b] = [&first, &second].map(|t| NormalCone::of_triangles(t.iter().copied()));
             let both = a.with_cone(&b);
             for triangle in &first {
-                assert!(a.holds(normal_of(triangle)) && both.holds(normal_of(triangle)));
+                assert!(a.contains(normal_of(triangle)) && both.contains(normal_of(triangle)));
             }
             assert!(
-                second.iter().all(|triangle| both.holds(normal_of(triangle))),
+                second.iter().all(|triangle| both.contains(normal_of(triangle))),
                 "{a:?} and {b:?}: {both:?}"
             );
         }

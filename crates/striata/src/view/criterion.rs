@@ -26,17 +26,17 @@ pub struct Verdict {
     pub weight: f32,
     /// Safety margin: the decision stays the same until the view has moved by more than this, as measured
     /// by [`Criterion::motion_since`]. Never negative.
-    pub lasts: f32,
+    pub motion_margin: f32,
 }
 
 impl Verdict {
     /// A decision that has to be evaluated again whenever anything moves.
     pub fn now(weight: f32) -> Self {
-        Self { weight, lasts: 0.0 }
+        Self { weight, motion_margin: 0.0 }
     }
 
     /// Whether the part should be refined.
-    pub fn is_wanted(&self) -> bool {
+    pub fn should_refine(&self) -> bool {
         self.weight > 1.0
     }
 }
@@ -58,8 +58,8 @@ pub trait Criterion {
         verdicts.extend(parts.iter().map(|part| self.weigh(part)));
     }
 
-    /// How far the view has moved since an earlier one, in the unit of [`Verdict::lasts`]; infinite if
-    /// verdicts of the earlier view say nothing about this one.
+    /// How far the view has moved since an earlier one, in the unit of [`Verdict::motion_margin`]; infinite
+    /// if verdicts of the earlier view say nothing about this one.
     ///
     /// Motions add up: a verdict is valid as long as their sum does not exceed its margin.
     fn motion_since(&self, _earlier: &Self) -> f32

@@ -25,7 +25,7 @@ impl Criterion for DetailBox {
         // The comparisons are written so that parts with NaN coordinates count as inside: no detail is lost.
         let is_outside = (x * x + y * y + z * z).sqrt() > f64::from(part.sphere.radius);
         let is_wanted = !(is_outside && part.error <= self.error_outside);
-        Verdict { weight: if is_wanted { f32::INFINITY } else { 0.0 }, lasts: f32::INFINITY }
+        Verdict { weight: if is_wanted { f32::INFINITY } else { 0.0 }, motion_margin: f32::INFINITY }
     }
 
     fn motion_since(&self, earlier: &Self) -> f32 {
@@ -43,7 +43,7 @@ mod tests {
         let detail = DetailBox { min: [0.0; 3], max: [1.0, 2.0, 3.0], error_outside: 0.1 };
         let is_wanted = |center, radius, error| {
             let part = Part { sphere: Sphere { center, radius }, cone: NormalCone::ALL, error };
-            detail.weigh(&part).is_wanted()
+            detail.weigh(&part).should_refine()
         };
         assert!(is_wanted([0.5, 1.9, 0.1], 0.0, 0.0), "inside");
         assert!(is_wanted([2.0, 1.0, 1.0], 1.0, 0.0), "reaches it");
@@ -64,8 +64,8 @@ mod tests {
             error: f32::INFINITY,
         };
         let detail = DetailBox { min: [0.0; 3], max: [1.0; 3], error_outside: f32::INFINITY };
-        assert!(!detail.weigh(&part).is_wanted());
-        assert!(DetailBox { error_outside: f32::NAN, ..detail }.weigh(&part).is_wanted());
-        assert!(DetailBox { min: [f32::NAN; 3], max: [f32::NAN; 3], ..detail }.weigh(&part).is_wanted());
+        assert!(!detail.weigh(&part).should_refine());
+        assert!(DetailBox { error_outside: f32::NAN, ..detail }.weigh(&part).should_refine());
+        assert!(DetailBox { min: [f32::NAN; 3], max: [f32::NAN; 3], ..detail }.weigh(&part).should_refine());
     }
 }

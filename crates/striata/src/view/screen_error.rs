@@ -32,8 +32,8 @@ pub struct Fovea {
 
 /// Refines the parts that are inside the frustum, face the camera, and exceed the pixel tolerance.
 ///
-/// With [`of_model`](Self::of_model), each verdict states for how much camera motion it remains valid
-/// \[Hop97\].
+/// With [`with_model_bounds`](Self::with_model_bounds), each verdict states for how much camera motion
+/// it remains valid \[Hop97\].
 ///
 /// Stored errors are estimates unless they were certified for any state
 /// ([`certify_collapses_in_any_state`](crate::simplify::certify_collapses_in_any_state)), so the actual
@@ -98,7 +98,7 @@ impl ScreenError {
     /// Sets a bounding sphere of all parts that will be evaluated. Without it, the motion between two views
     /// is unknown, and every verdict is valid for one view only.
     #[must_use]
-    pub fn of_model(self, model: Sphere) -> Self {
+    pub fn with_model_bounds(self, model: Sphere) -> Self {
         let nearest = (model.radius * 1e-6).max(f32::MIN_POSITIVE);
         Self { model: Some(model), nearest, ..self }
     }
@@ -198,7 +198,7 @@ mod tests {
 
         fn criterion(&mut self, eye: [f32; 3], kind: usize) -> ScreenError {
             let camera = Camera::new(eye, [0.1, 0.0, 0.2], [0.0, 1.0, 0.0], 0.6, [900, 700]).unwrap();
-            kinds(ScreenError::new(camera, 1.0).of_model(MODEL), kind)
+            kinds(ScreenError::new(camera, 1.0).with_model_bounds(MODEL), kind)
         }
     }
 
@@ -230,12 +230,12 @@ mod tests {
             let part = Part { error: part.error * far, ..part };
             let (first, second) = (before.weigh(&part), after.weigh(&part));
             let motion = after.motion_since(&before);
-            let is_changed = first.is_wanted() != second.is_wanted();
+            let is_changed = first.should_refine() != second.should_refine();
             assert!(
-                !(is_changed && motion < first.lasts),
+                !(is_changed && motion < first.motion_margin),
                 "{kind}: {part:?}: {first:?}, {second:?} after {motion}"
             );
-            lasted += usize::from(motion < first.lasts);
+            lasted += usize::from(motion < first.motion_margin);
             changed += usize::from(is_changed);
         }
         assert!(lasted > 20_000 && changed > 2000, "{lasted} verdicts lasted, {changed} changed");
@@ -254,7 +254,7 @@ mod tests {
             let [inner, outer] = [&part, &whole].map(|part| criterion.weigh(part).weight);
             // Spheres that touch the same side of the frustum differ by rounding.
             assert!(
-                inner <= outer * 1.0001 || outer == 0.0 && criterion.weigh(&whole).lasts < 1e-4,
+                inner <= outer * 1.0001 || outer == 0.0 && criterion.weigh(&whole).motion_margin < 1e-4,
                 "{inner}, {outer}"
             );
             different_count += usize::from(inner < outer);
@@ -277,7 +277,7 @@ mod tests {
             // then the radius.
             let middle = camera.error_px(part.error, &Sphere::point(part.sphere.center));
             if weight > 0.0 {
-                assert!(!is_hidden || criterion.weigh(&part).lasts < 1e-3);
+                assert!(!is_hidden || criterion.weigh(&part).motion_margin < 1e-3);
                 let on_screen = camera.may_see(&Sphere::point(part.sphere.center));
                 assert!(!on_screen || weight >= middle * 0.999, "{weight} of {middle}");
                 compared += 1;

@@ -44,7 +44,7 @@ struct FoveaRelaxation {
     /// Maximum change of the effective distance per unit of motion caused by this factor.
     slope: f32x8,
     /// Motion up to which `slope` holds.
-    lasts: f32x8,
+    motion_margin: f32x8,
 }
 
 impl Lanes {
@@ -91,8 +91,8 @@ impl ScreenError {
         let positions = self.positions(&lanes);
         let seen = self.seen(&positions);
         let [away, faces] = facing(&lanes, &positions);
-        let (allowed, allowed_lasts) = self.allowed(&lanes, faces);
-        let FoveaRelaxation { factor, slope: factor_slope, lasts: factor_lasts } =
+        let (allowed, allowed_margin) = self.allowed(&lanes, faces);
+        let FoveaRelaxation { factor, slope: factor_slope, motion_margin: factor_margin } =
             self.fovea_relaxation(&positions);
 
         // All quantities change no faster than the view moves, and are no larger for parts inside a part.
@@ -104,7 +104,7 @@ impl ScreenError {
         let needed = (lanes.error * splat(self.scale) / allowed).fast_min(splat(f32::MAX));
         let slope = splat(STRETCH) * factor + factor_slope;
         let change = (near - needed).abs().fast_min((near - nearest).abs());
-        let error_lasts = (change / slope).fast_min(allowed_lasts).fast_min(factor_lasts);
+        let error_margin = (change / slope).fast_min(allowed_margin).fast_min(factor_margin);
 
         let weight =
             needed / near.fast_max(nearest) + needed.simd_gt(splat(0.0)).bitselect(touched, splat(0.0));
@@ -112,13 +112,14 @@ impl ScreenError {
         let is_hidden = seen.simd_lt(splat(0.0)) | away.simd_gt(splat(0.0));
         let weight = is_hidden.bitselect(splat(0.0), weight);
         let eye_share = splat(EYE_SHARE);
-        let lasts_wanted = error_lasts.fast_min(seen).fast_min(-away * eye_share);
-        let lasts_small = is_large.bitselect(splat(0.0), error_lasts);
-        let lasts_hidden = lasts_small.fast_max(-seen).fast_max(away * eye_share);
-        let lasts = is_hidden.bitselect(lasts_hidden, is_large.bitselect(lasts_wanted, lasts_small));
-        let (weight, lasts) = (weight.to_array(), lasts.fast_max(splat(0.0)).to_array());
-        for ((verdict, &weight), &lasts) in verdicts.iter_mut().zip(&weight).zip(&lasts) {
-            *verdict = Verdict { weight, lasts };
+        let margin_if_large = error_margin.fast_min(seen).fast_min(-away * eye_share);
+        let margin_if_small = is_large.bitselect(splat(0.0), error_margin);
+        let margin_if_hidden = margin_if_small.fast_max(-seen).fast_max(away * eye_share);
+        let motion_margin =
+            is_hidden.bitselect(margin_if_hidden, is_large.bitselect(margin_if_large, margin_if_small));
+        let (weight, motion_margin) = (weight.to_array(), motion_margin.fast_max(splat(0.0)).to_array());
+        for ((verdict, &weight), &motion_margin) in verdicts.iter_mut().zip(&weight).zip(&motion_margin) {
+            *verdict = Verdict { weight, motion_margin };
         }
     }
 
@@ -151,11 +152,11 @@ impl ScreenError {
     fn allowed(&self, lanes: &Lanes, faces: f32x8) -> (f32x8, f32x8) {
         // NaN allows nothing, on every machine.
         let at_least = |pixels: f32| splat(pixels.max(f32::MIN_POSITIVE));
-        let (mut allowed, mut lasts) = (at_least(self.pixels), splat(f32::MAX));
+        let (mut allowed, mut motion_margin) = (at_least(self.pixels), splat(f32::MAX));
         if let Some(pixels) = self.silhouette {
             let is_outline = faces.simd_le(splat(0.0));
             allowed = is_outline.bitselect(allowed.fast_min(at_least(pixels)), allowed);
-            lasts = faces.abs() * splat(EYE_SHARE);
+            motion_margin = faces.abs() * splat(EYE_SHARE);
         }
         if let Some((region, pixels)) = &self.region {
             let apart = minus(lanes.center, region.center.into());
@@ -163,14 +164,14 @@ impl ScreenError {
             let meets = dot(apart, apart).sqrt().simd_le(reach);
             allowed = meets.bitselect(allowed.fast_min(at_least(*pixels)), allowed);
         }
-        (allowed, lasts)
+        (allowed, motion_margin)
     }
 
     /// Relaxation of the tolerance for parts away from the fovea.
     #[inline]
     fn fovea_relaxation(&self, positions: &ViewPositions) -> FoveaRelaxation {
         let Some((fovea, gaze)) = &self.fovea else {
-            return FoveaRelaxation { factor: splat(1.0), slope: splat(0.0), lasts: splat(f32::MAX) };
+            return FoveaRelaxation { factor: splat(1.0), slope: splat(0.0), motion_margin: splat(f32::MAX) };
         };
         let towards = positions.view.map(|x| x / positions.distance);
         let chord = minus(towards, *gaze);
@@ -182,7 +183,11 @@ impl ScreenError {
         // Chord and spread change by at most 3 / d. While the motion is at most half the distance, by at
         // most twice that; the distance is then at most 1.5 times its old value, and `factor` changes by at
         // most 3 times the falloff.
-        FoveaRelaxation { factor, slope: splat(16.0 * fovea.falloff), lasts: splat(0.5) * positions.distance }
+        FoveaRelaxation {
+            factor,
+            slope: splat(16.0 * fovea.falloff),
+            motion_margin: splat(0.5) * positions.distance,
+        }
     }
 }
 

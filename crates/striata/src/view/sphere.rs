@@ -34,7 +34,7 @@ impl Sphere {
     }
 
     /// Whether the sphere contains a point.
-    pub fn holds(&self, point: [f32; 3]) -> bool {
+    pub fn contains(&self, point: [f32; 3]) -> bool {
         distance(self.center, point) <= self.radius
     }
 }
@@ -57,9 +57,9 @@ mod tests {
         for scale in [1e-7, 1.0, 1e7, 1e25] {
             let points: Vec<[f32; 3]> = (0..50).map(|_| point(scale)).collect();
             let inner = points[1..].iter().fold(Sphere::point(points[0]), |s, &p| s.with_point(p));
-            assert!(points.iter().all(|&p| inner.holds(p)), "{inner:?}");
+            assert!(points.iter().all(|&p| inner.contains(p)), "{inner:?}");
             let outer = Sphere::point(point(scale)).with_sphere(&inner);
-            assert!(points.iter().all(|&p| outer.holds(p)), "{outer:?}");
+            assert!(points.iter().all(|&p| outer.contains(p)), "{outer:?}");
             assert!(outer.with_sphere(&inner) == outer, "adding a contained sphere changes nothing");
         }
     }

@@ -13,7 +13,7 @@ use striata_command::clock::Phases;
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::Bar;
-use striata_command::sequence::{SequencePlan, Sequenced, StepKind, Steps};
+use striata_command::sequence::{SequencePlan, SimplifiedSteps, StepKind, Steps};
 use striata_command::strip_chain::StripPlan;
 use striata_command::strip_report::StripReport;
 
@@ -113,7 +113,7 @@ pub(crate) fn build(
 /// Encodes the stream if the collapses are in batches, and reorders the mesh like the stream, so that split
 /// counts mean the same in all models.
 pub(super) fn stream_of(
-    sequenced: &mut Sequenced,
+    sequenced: &mut SimplifiedSteps,
     plan: &BuildPlan,
 ) -> Result<Option<EncodedStream>, Failure> {
     let (Steps::Collapses(refinable), Some(batches)) = (&mut sequenced.steps, &sequenced.batches) else {

@@ -13,7 +13,7 @@ use super::models::Models;
 use striata_command::args::StreamArgs;
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
-use striata_command::sequence::{SequencePlan, Sequenced};
+use striata_command::sequence::{SequencePlan, SimplifiedSteps};
 
 /// Size and build time of one model.
 #[derive(Clone, Debug, Serialize)]
@@ -62,11 +62,11 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     Ok(costs)
 }
 
-fn steps(mesh: &IndexedMesh, plan: &SequencePlan, bar: &mut Bar) -> Result<Sequenced, Failure> {
+fn steps(mesh: &IndexedMesh, plan: &SequencePlan, bar: &mut Bar) -> Result<SimplifiedSteps, Failure> {
     Ok(plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?)
 }
 
-fn costs_of(models: &Models, sequenced: &Sequenced, build_secs: f64) -> Vec<ModelCost> {
+fn costs_of(models: &Models, sequenced: &SimplifiedSteps, build_secs: f64) -> Vec<ModelCost> {
     let vertex_count = sequenced.steps.mesh().vertex_count().max(1);
     let cost = |(kind, parts): (ModelKind, Vec<PartBytes>)| {
         let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();

@@ -7,7 +7,7 @@ use striata_stream::{EncodedStream, file_model};
 
 use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
-use striata_command::sequence::{Sequenced, Steps};
+use striata_command::sequence::{SimplifiedSteps, Steps};
 
 /// Parses the name of a model.
 ///
@@ -40,7 +40,7 @@ impl Models {
     /// If the strips do not belong to the mesh, or there are too many fragments.
     pub(super) fn build(
         kinds: &[ModelKind],
-        sequenced: &Sequenced,
+        sequenced: &SimplifiedSteps,
         (strips, stream): (Option<&StripSet>, Option<EncodedStream>),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::mesh::IndexedMesh;
-use striata_stream::StreamFacts;
+use striata_stream::StreamInfo;
 
 use super::build_output::BuildOutput;
 use crate::args::BuildArgs;
@@ -54,7 +54,7 @@ impl Report {
         if !strips.is_null() {
             strips["secs"] = json!(phases.secs_of("strip"));
         }
-        let facts = built.models.stream.as_ref().and_then(|s| StreamFacts::read(&s.bytes).ok().flatten());
+        let facts = built.models.stream.as_ref().and_then(|s| StreamInfo::read(&s.bytes).ok().flatten());
         Self {
             path,
             shortfall: None,
@@ -89,9 +89,9 @@ impl Report {
         let share = if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
-        let triangles = |at| grouped(sequence.triangle_count_at(at));
+        let triangles = |at| format_count(sequence.triangle_count_at(at));
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
-        row("levels", grouped(last + 1));
+        row("levels", format_count(last + 1));
         let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
         row("error of base mesh", format!("{} ({share:.3} % of the diagonal), {kind}", measured(error)));
         if let Some(StripReport { algorithm, strip_count, indices_per_triangle, .. }) = &built.strip_report {

@@ -6,7 +6,7 @@ use std::path::Path;
 use striata_io::write_atomically;
 
 use striata_command::failure::Failure;
-use striata_command::output::sized;
+use striata_command::output::format_bytes;
 
 /// The output folder, with the names and descriptions of the files written so far.
 pub(super) struct Folder<'a> {
@@ -25,7 +25,7 @@ impl<'a> Folder<'a> {
 
     pub(super) fn write(&mut self, name: &str, what: &str, bytes: &[u8]) -> Result<(), Failure> {
         write_atomically(&self.path.join(name), |out| out.write_all(bytes))?;
-        self.files.push((name.to_owned(), format!("{what}, {}", sized(bytes.len()))));
+        self.files.push((name.to_owned(), format!("{what}, {}", format_bytes(bytes.len()))));
         Ok(())
     }
 }

@@ -12,7 +12,7 @@ use crate::commands::build::BuildOutput;
 use crate::strip_lists::stitched;
 use crate::strip_lists::strips_of_level;
 use striata_command::failure::Failure;
-use striata_command::output::{grouped, lasted, sized};
+use striata_command::output::{format_bytes, format_count, format_duration};
 
 /// Fractions of the triangles for which the table has a row.
 const TABLE_SHARES: [f64; 8] = [1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005];
@@ -77,12 +77,12 @@ pub(super) fn rows(levels: &[Level]) -> Vec<Vec<String>> {
     rows.extend(levels.iter().map(|level| {
         vec![
             percent(level.triangle_share),
-            grouped(level.triangle_count),
-            grouped(level.vertex_count),
+            format_count(level.triangle_count),
+            format_count(level.vertex_count),
             format!("{:.4} %", 100.0 * level.error_of_diagonal),
-            grouped(level.strip_count),
-            sized(level.drawn_bytes),
-            lasted(level.seek_secs),
+            format_count(level.strip_count),
+            format_bytes(level.drawn_bytes),
+            format_duration(level.seek_secs),
         ]
     }));
     rows
@@ -117,7 +117,7 @@ pub(super) fn write_meshes(
         let name = format!("nefertiti-{}-percent{form}.{}", 100.0 * share, format.extension());
         let what = format!(
             "{} triangles{}",
-            grouped(mesh.triangle_count()),
+            format_count(mesh.triangle_count()),
             if as_strips { " as strips" } else { "" }
         );
         folder.write(&name, &what, &to_bytes(format, &mesh, &options)?)?;

@@ -19,7 +19,7 @@ use levels::Level;
 use pictures::Picture;
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, grouped, lasted, sized};
+use striata_command::output::{Output, format_bytes, format_count, format_duration};
 use striata_viewer::picture::Artist;
 
 /// The bust of Nefertiti; for its origin, see `assets/README.md` in the root of the repository.
@@ -104,8 +104,8 @@ impl Report {
         format!(
             "{}\nsimplified in {}, finished in {}\n",
             table.to_text(),
-            lasted(phases.secs_of("simplify")),
-            lasted(self.secs)
+            format_duration(phases.secs_of("simplify")),
+            format_duration(self.secs)
         )
     }
 }

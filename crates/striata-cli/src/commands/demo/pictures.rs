@@ -9,7 +9,7 @@ use crate::commands::build::BuildOutput;
 use crate::strip_lists::strips_of_level;
 use striata_command::args::tan;
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 use striata_viewer::picture::{
     Angles, Artist, Camera, ColorBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Style, Theme, strip_colors,
     with_normals,
@@ -168,7 +168,7 @@ impl Studio<'_> {
         let canvas = self.artist.draw(shot, &camera, size).canvas;
         let sequence = &self.refinable.sequence;
         let count = sequence.triangle_count_at(split_count_at(self.built, share));
-        Panel { canvas, title: percent(share), caption: format!("{} triangles", grouped(count)) }
+        Panel { canvas, title: percent(share), caption: format!("{} triangles", format_count(count)) }
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) fn write(mesh: &IndexedMesh, folder: &mut Folder<'_>, bar: &mut Bar) 
     };
     bar.phase("encode");
     let stream = encode_stream(refinable, batches, &StreamOptions::default())?.bytes;
-    let what = format!("{} triangles as a stream, coarse to fine", grouped(mesh.triangle_count()));
+    let what = format!("{} triangles as a stream, coarse to fine", format_count(mesh.triangle_count()));
     folder.write(STREAM, &what, &stream)?;
     let page = self_contained(Some((STREAM, &stream)))?;
     folder.write(PAGE, "the viewer, with the stream inside", page.as_bytes())

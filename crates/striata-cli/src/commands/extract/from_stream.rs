@@ -141,11 +141,11 @@ impl Report {
     fn to_text(&self) -> String {
         format!(
             "{} triangles, {} vertices, split {} of {}, error {}, {}; {} of {} bytes decoded in {}{}",
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.split_count),
-            grouped(self.step_count),
-            measured(self.error.into()),
+            format_count(self.triangle_count),
+            format_count(self.vertex_count),
+            format_count(self.split_count),
+            format_count(self.step_count),
+            format_length(self.error.into()),
             self.stop_reason.replace('_', " "),
             grouped(self.read_bytes),
             grouped(usize::try_from(self.stream_bytes).unwrap_or(usize::MAX)),
@@ -173,7 +173,7 @@ impl LevelsReport {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
         let (read, whole) =
             self.levels.first().map_or((0, 0), |level| (level.read_bytes, level.stream_bytes));
-        let whole = grouped(usize::try_from(whole).unwrap_or(usize::MAX));
-        format!("{}{} of {whole} bytes decoded", table_of_levels(&rows), grouped(read))
+        let whole = format_count(usize::try_from(whole).unwrap_or(usize::MAX));
+        format!("{}{} of {whole} bytes decoded", table_of_levels(&rows), format_count(read))
     }
 }

@@ -89,7 +89,7 @@ impl FilePatterns {
         let inside = DetailBox { min, max, error_outside: f32::INFINITY };
         let weight = |scene: &PatternScene<'_>, step| {
             let part = scene.part(step);
-            if inside.weigh(&part).is_wanted() { f32::INFINITY } else { part.error }
+            if inside.weigh(&part).should_refine() { f32::INFINITY } else { part.error }
         };
         self.level(weight, budget).0
     }

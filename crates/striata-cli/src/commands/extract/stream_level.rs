@@ -10,7 +10,7 @@ use striata_command::args::LevelArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::FullMesh;
-use striata_command::stream::Received;
+use striata_command::stream::DecodedStream;
 
 /// Stop reason in reports if the stream ends before the level.
 const INPUT_ENDED: &str = "input_ended";

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use striata::mesh::{RefinableMesh, Semantic, Statistics, Welded};
 
-use striata_command::output::{counted, grouped};
+use striata_command::output::{format_count, format_noun_count};
 
 /// Parts with at most this many triangles are counted as tiny.
 const TINY_PART: usize = 16;
@@ -87,8 +87,8 @@ impl Seams {
 
     /// Returns rows for the table.
     pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
-        let inner = grouped(self.inner_edge_count);
-        let mut rows = vec![("seam edges", format!("{} of {inner}", grouped(self.seam_edge_count)))];
+        let inner = format_count(self.inner_edge_count);
+        let mut rows = vec![("seam edges", format!("{} of {inner}", format_count(self.seam_edge_count)))];
         if self.split_position_count > 0 {
             let [split, all] = [self.split_position_count, self.position_count].map(grouped);
             let causes = join_names(&self.causes);
@@ -143,8 +143,8 @@ impl Parts {
             return Vec::new();
         }
         let counts = [self.smallest_triangle_count, self.median_triangle_count, self.largest_triangle_count];
-        let [smallest, median, largest] = counts.map(grouped);
-        let tiny = grouped(self.tiny_count);
+        let [smallest, median, largest] = counts.map(format_count);
+        let tiny = format_count(self.tiny_count);
         vec![
             ("triangles per part", format!("{smallest} to {largest}, median {median}")),
             ("tiny parts", format!("{tiny} with at most {TINY_PART} triangles")),
@@ -152,7 +152,7 @@ impl Parts {
     }
 
     fn note(&self) -> Option<String> {
-        let [count, least] = [self.count, self.least_triangle_count].map(grouped);
+        let [count, least] = [self.count, self.least_triangle_count].map(format_count);
         (self.count > 1).then(|| {
             format!(
                 "The mesh has {count} disconnected parts. A level with fewer than {least} triangles cannot \
@@ -183,8 +183,8 @@ impl Steps {
             ("steps that remove no triangle", grouped(self.empty_count)),
         ];
         if self.vanished_part_count > 0 {
-            let left = grouped(self.part_count - self.vanished_part_count);
-            let from = counted(self.all_parts_triangle_count, "triangle", "triangles");
+            let left = format_count(self.part_count - self.vanished_part_count);
+            let from = format_noun_count(self.all_parts_triangle_count, "triangle", "triangles");
             rows.push((
                 "parts in the base mesh",
                 format!("{left} of {}; all parts in levels of {from} or more", grouped(self.part_count)),
@@ -205,7 +205,7 @@ pub(super) fn notes(
     notes.extend(parts.and_then(Parts::note));
     let Some(statistics) = statistics else { return notes };
     if statistics.non_manifold_edge_count > 0 {
-        let edges = counted(statistics.non_manifold_edge_count, "edge has", "edges have");
+        let edges = format_noun_count(statistics.non_manifold_edge_count, "edge has", "edges have");
         notes.push(format!(
             "{edges} more than two triangles. Simplification removes them like others, but a stream keeps \
              their positions at every level."
@@ -216,7 +216,8 @@ pub(super) fn notes(
         notes.push(format!("{triangles} the positions of another one. Each copy counts toward a target."));
     }
     if statistics.degenerate_triangle_count > 0 {
-        let triangles = counted(statistics.degenerate_triangle_count, "triangle has", "triangles have");
+        let triangles =
+            format_noun_count(statistics.degenerate_triangle_count, "triangle has", "triangles have");
         notes.push(format!(
             "{triangles} no area. Those with two corners at one position are removed before simplification."
         ));

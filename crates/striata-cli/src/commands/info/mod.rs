@@ -12,7 +12,7 @@ use striata::mesh::{
     AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, TriangleGroup, validate, weld,
 };
 use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
-use striata_stream::{StreamDefect, StreamFacts};
+use striata_stream::{StreamDefect, StreamInfo};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
@@ -143,18 +143,18 @@ impl Report {
     /// Adds the facts from the header of the stream, and how much of the stream is present.
     fn add_stream(&mut self, file: &StriataFile<'_>, stream: &[u8], input: &Input) -> Result<(), Failure> {
         let damaged = |error: DecodeError| input.damaged(&error);
-        let facts = StreamFacts::read(stream).map_err(|error| damaged(error.into()))?;
+        let facts = StreamInfo::read(stream).map_err(|error| damaged(error.into()))?;
         let facts = facts.ok_or(StreamDefect::NoBase).map_err(|error| damaged(error.into()))?;
         self.add_model(ModelKind::Progressive, &[PartBytes { name: "stream", bytes: stream.len() }], None);
-        let split_count = match (file.is_stream_only(), file.is_cut()) {
+        let split_count = match (file.is_stream_only(), file.is_truncated()) {
             (true, _) => file.levels().map_err(damaged)?.step_count(),
             (false, false) => facts.step_count,
-            (false, true) => Received::read_all(stream).map_err(damaged)?.decoder.split_count(),
+            (false, true) => DecodedStream::read_all(stream).map_err(damaged)?.decoder.split_count(),
         };
         let mut described = stream_facts_json(&facts);
         described["read_bytes"] = json!(stream.len());
         described["split_count"] = json!(split_count);
-        described["is_complete"] = json!(!file.is_cut());
+        described["is_complete"] = json!(!file.is_truncated());
         self.stream = Some(described);
         Ok(())
     }
@@ -233,11 +233,11 @@ impl Report {
     fn to_text(&self, name: &str) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
-        let size = self.file_bytes.map_or_else(String::new, |bytes| format!(", {}", sized(bytes)));
+        let size = self.file_bytes.map_or_else(String::new, |bytes| format!(", {}", format_bytes(bytes)));
         row("file", format!("{name} ({}{size})", self.kind));
-        row("triangles", grouped(self.triangle_count));
-        row("vertices", grouped(self.vertex_count));
-        let number = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), grouped);
+        row("triangles", format_count(self.triangle_count));
+        row("vertices", format_count(self.vertex_count));
+        let number = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), format_count);
         row("positions", number(self.position_count));
         row("connected parts", number(self.component_count));
         for (name, value) in self.parts.iter().flat_map(Parts::rows) {
@@ -263,9 +263,9 @@ impl Report {
         };
         row("attributes", or_none(names(&self.attributes)));
         row("materials", or_none(self.materials.join(", ")));
-        row("diagonal", measured(self.diagonal));
+        row("diagonal", format_length(self.diagonal));
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
-            row("levels", grouped(step_count + 1));
+            row("levels", format_count(step_count + 1));
             let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
             let triangles = base["triangle_count"].as_u64().unwrap_or(0) as usize;
             let triangles = counted(triangles, "triangle", "triangles");
@@ -279,11 +279,11 @@ impl Report {
             row(model, format!("{bytes_per_vertex:.1} bytes per vertex"));
         }
         if let Some(stream) = &self.stream {
-            let number = |key: &str| grouped(stream[key].as_u64().unwrap_or(0) as usize);
+            let number = |key: &str| format_count(stream[key].as_u64().unwrap_or(0) as usize);
             let effort = stream["effort"].as_str().unwrap_or_default();
             let exact = if stream["is_lossless"] == true { ", lossless" } else { "" };
             let [bits, chunks] = [number("grid_bits"), number("chunk_count")];
-            let step = measured(stream["grid_step"].as_f64().unwrap_or(0.0));
+            let step = format_length(stream["grid_step"].as_f64().unwrap_or(0.0));
             row("stream", format!("{effort} effort, {bits} bits (step {step}){exact}, {chunks} chunks"));
             let [read, whole] = [number("read_bytes"), number("bytes")];
             let [split_count, step_count] = [number("split_count"), number("step_count")];

@@ -8,7 +8,7 @@ use super::viewpoint::Viewpoint;
 use crate::args::RenderArgs;
 use striata_command::args::Coloring;
 use striata_command::failure::Failure;
-use striata_command::output::counted;
+use striata_command::output::format_noun_count;
 use striata_viewer::picture::{
     Artist, Camera, Canvas, ColorBar, Heat, Paint, Panel, Sheet, Shot, Style, Theme, significant,
 };
@@ -111,12 +111,12 @@ impl<'a> Layout<'a> {
     }
 
     fn caption(&self, number: usize, figure: &Figure) -> String {
-        let triangles = counted(figure.mesh.triangle_count(), "triangle", "triangles");
+        let triangles = format_noun_count(figure.mesh.triangle_count(), "triangle", "triangles");
         let percent = |distance: f64| significant(100.0 * distance / self.diagonal, 2);
         match (self.heats.get(number), &figure.strips) {
             (Some(heat), _) if heat.max > 0.0 => format!("{triangles}, up to {} % away", percent(heat.max)),
             (None, Some(strips)) if self.args.colors.contains(&Coloring::Strips) => {
-                format!("{triangles}, {}", counted(strips.strip_count(), "strip", "strips"))
+                format!("{triangles}, {}", format_noun_count(strips.strip_count(), "strip", "strips"))
             }
             (None, _) if figure.error > 0.0 => {
                 format!("{triangles}, error {} %", percent(f64::from(figure.error)))

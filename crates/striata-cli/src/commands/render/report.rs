@@ -112,7 +112,7 @@ impl Report {
     pub(super) fn to_text(&self) -> String {
         let heat = self.heat.as_ref().map_or_else(String::new, |heat| {
             let share = 100.0 * heat.top_of_diagonal;
-            format!(", colors up to {} ({share:.4} % of the diagonal)", measured(heat.top))
+            format!(", colors up to {} ({share:.4} % of the diagonal)", format_length(heat.top))
         });
         let shortfalls = self.levels.iter().filter_map(|level| level.shortfall.as_ref());
         let shortfalls: String = shortfalls.map(|text| format!("\n{}", shortfall_note(None, text))).collect();
@@ -121,10 +121,10 @@ impl Report {
             self.path,
             self.width,
             self.height,
-            counted(self.triangle_count, "triangle", "triangles"),
-            lasted(self.frame_secs),
+            format_noun_count(self.triangle_count, "triangle", "triangles"),
+            format_duration(self.frame_secs),
             self.adapter,
-            lasted(self.secs)
+            format_duration(self.secs)
         )
     }
 }

@@ -122,7 +122,7 @@ impl<'a> Source<'a> {
     /// If its strips cannot be made.
     pub(super) fn triangles(&self, count: Count) -> Result<Figure, Failure> {
         let title = match count {
-            Count::Number(count) => grouped(count),
+            Count::Number(count) => format_count(count),
             Count::Share(share) => format!("{} %", (100_000.0 * share).round() / 1000.0),
         };
         let target = Target::Triangles(count.of_triangles(self.full().triangle_count));

@@ -105,10 +105,10 @@ impl MultiTriangulation {
     /// If the mesh lacks the group of a triangle of the sequence.
     pub fn build(mesh: &FragmentedMesh) -> Self {
         let fragments = &mesh.fragments;
-        let replaced_by = fragments.replaced_by();
+        let replaced_by = fragments.replacing_steps();
         let triangle = |(face, upper): (u32, &u32)| MtTriangle {
             corners: fragments.faces()[face as usize].corners,
-            lower: fragments.maker(face).unwrap_or(FragmentSequence::NO_STEP),
+            lower: fragments.creating_step(face).unwrap_or(FragmentSequence::NO_STEP),
             upper: *upper,
         };
         let steps = || 0..fragments.step_count() as u32;

@@ -111,7 +111,7 @@ impl<C: Criterion> Pass<'_, C> {
     #[inline]
     fn evaluate(&self, step: u32) -> (bool, f32) {
         let verdict = self.criterion.weigh(&self.model.parts[step as usize]);
-        (verdict.is_wanted(), self.due(verdict))
+        (verdict.should_refine(), self.due(verdict))
     }
 
     /// The accumulated motion at which a verdict expires; immediately if it is valid for one view only.

@@ -7,7 +7,7 @@ use super::levels::{LevelRow, SAMPLES};
 use super::report::AssetsReport;
 use super::summary::Summary;
 use striata_command::failure::Failure;
-use striata_command::output::{grouped, lasted};
+use striata_command::output::{format_count, format_duration};
 
 /// Explanation of the table.
 const READING: &str = "RMS, max: 1e-5 of the diagonal, both ways. Normals: degrees. UV: units of UV \
@@ -22,7 +22,7 @@ pub(in super::super) fn to_text(
     let notes: String = report.notes.iter().map(|note| format!("{note}\n")).collect();
     format!(
         "Levels of {} triangles. {READING}\n{}{notes}",
-        grouped(report.triangle_count),
+        format_count(report.triangle_count),
         text_of(table(report))
     )
 }
@@ -55,7 +55,7 @@ fn cells(row: &LevelRow) -> Vec<String> {
     vec![
         format!("{} %", row.percent),
         row.contender.to_owned(),
-        format!("{}{star}", grouped(row.triangle_count)),
+        format!("{}{star}", format_count(row.triangle_count)),
         format!("{:.2}", 1e5 * row.rms),
         format!("{:.0}", 1e5 * row.max),
         or_dash(row.normal_mean_degrees, 2),
@@ -65,7 +65,7 @@ fn cells(row: &LevelRow) -> Vec<String> {
         format!("{:.2}", row.gray_rms),
         format!("{:.4}", row.silhouette),
         or_dash(row.error_ratio, 2),
-        lasted(row.secs),
+        format_duration(row.secs),
     ]
 }
 

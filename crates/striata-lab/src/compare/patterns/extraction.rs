@@ -15,7 +15,7 @@ use striata_lab::baseline::MtQuery;
 use super::or_dash::or_dash;
 use super::sizes::Models;
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// Number of triangles of the smallest level.
 const MIN_TRIANGLES: usize = 1000;
@@ -54,7 +54,7 @@ impl ExtractionRow {
     /// The cells of the table row.
     pub(super) fn cells(&self) -> Vec<String> {
         let error = self.error.map_or_else(|| "none".to_owned(), |error| format!("{error:.3e}"));
-        let mut cells = vec![error, grouped(self.triangle_count), grouped(self.fragment_count)];
+        let mut cells = vec![error, format_count(self.triangle_count), format_count(self.fragment_count)];
         for name in NAMES {
             let time = self.models.iter().find(|time| time.name == name);
             cells.push(time.map_or_else(|| "-".to_owned(), |time| format!("{:.3}", time.secs * 1e3)));

@@ -7,7 +7,7 @@ use super::or_dash::or_dash;
 use super::sizes::SourceRow;
 use super::source::Source;
 use crate::compare::papers::{KG98_FRAGMENT_BITS, KG98_OVERLAPS, KG98_SEQUENTIAL_BITS};
-use striata_command::output::{grouped, lasted};
+use striata_command::output::{format_count, format_duration};
 
 /// The report of one mesh.
 #[derive(Clone, Debug, Serialize)]
@@ -82,9 +82,9 @@ impl SourceRow {
     fn cells(&self) -> Vec<String> {
         vec![
             self.source.to_owned(),
-            grouped(self.fragment_count),
-            lasted(self.fragments_secs),
-            grouped(self.rule_count),
+            format_count(self.fragment_count),
+            format_duration(self.fragments_secs),
+            format_count(self.rule_count),
             format!("{:.2}", self.overlaps_per_fragment),
             format!("{:.1}", self.paper_bits_per_fragment),
             format!("{:.1}", self.bits_per_fragment),

@@ -25,7 +25,7 @@ use super::plot::{Chart, Series};
 use super::scale::Scale;
 use crate::args::RateArgs;
 use striata_command::failure::Failure;
-use striata_command::output::{Bar, grouped, lasted};
+use striata_command::output::{Bar, format_count, format_duration};
 use striata_command::stream::effort_name;
 
 /// Bits per coordinate at which single files are compared.
@@ -165,11 +165,11 @@ fn size_table(report: &RateReport) -> Vec<Vec<String>> {
         vec![
             row.name.clone(),
             row.bits.to_string(),
-            grouped(row.bytes),
+            format_count(row.bytes),
             format!("{:.2}", row.bits_per_vertex),
             row.ratio_to_draco.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.3}")),
-            lasted(row.encode_secs),
-            lasted(row.decode_secs),
+            format_duration(row.encode_secs),
+            format_duration(row.decode_secs),
             format!("{:.2}", row.triangles_per_sec / 1e6),
         ]
     });
@@ -178,7 +178,7 @@ fn size_table(report: &RateReport) -> Vec<Vec<String>> {
 
 fn rate_table(report: &RateReport) -> Vec<Vec<String>> {
     let rows = report.rate.iter().map(|row| {
-        let counts = [grouped(row.bytes), grouped(row.triangle_count)];
+        let counts = [format_count(row.bytes), format_count(row.triangle_count)];
         let distances = [row.rms, row.max].map(|percent| format!("{percent:.5}"));
         [row.name.clone()].into_iter().chain(counts).chain(distances).collect()
     });

@@ -5,15 +5,13 @@ use std::time::Instant;
 use striata::ProgressFn;
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{BatchOptions, build_batches_with_progress};
-use striata_stream::{
-    Effort, Precision, SHAPE_STEPS, StreamError, StreamFacts, StreamOptions, encode_stream,
-};
+use striata_stream::{Effort, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream};
 
 use super::coded::{Coded, fastest, stream_name};
 use super::distance_meter::{DistanceMeter, RateRow};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
-use striata_command::stream::Received;
+use striata_command::stream::DecodedStream;
 
 /// Number of prefixes measured per stream.
 const PREFIXES: i32 = 12;
@@ -82,7 +80,7 @@ impl Streams {
     ) -> Result<Vec<RateRow>, Failure> {
         let bytes = self.encode(bits, effort)?;
         let name = stream_name(effort);
-        let base = StreamFacts::read(&bytes)?.map_or(1, |facts| facts.base_bytes) as f64;
+        let base = StreamInfo::read(&bytes)?.map_or(1, |facts| facts.base_bytes) as f64;
         let ratio = bytes.len() as f64 / base;
         let mut rows = Vec::new();
         for i in 0..PREFIXES {

@@ -10,7 +10,7 @@ use super::report::{PathReport, READING, ViewsReport};
 use super::scenario::Run;
 use super::{costs, memory};
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// Number of points into which many frames are averaged.
 const BIN_COUNT: usize = 16;
@@ -31,7 +31,7 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
              fine as the nearest visible point requires, which is determined beforehand. {READING} For \
              each frame the fastest of several rounds counts, in which the models take turns.{}",
             report.missing(),
-            screen = grouped(report.screen_px as usize),
+            screen = format_count(report.screen_px as usize),
         ),
         blocks: Vec::new(),
     }];

@@ -10,7 +10,7 @@ use striata::view::ScreenError;
 use super::followers::{FANS, KEPT, Models, NAMES, STATELESS, VDPM, View};
 use super::paths::Path;
 use striata_command::failure::Failure;
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// Allowed screen errors in pixels, finest first.
 const PIXELS: [f32; 8] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
@@ -50,7 +50,8 @@ pub(super) struct Cost {
 pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
     let frames = Path::Orbit.frames(&models.refinable.mesh);
     let camera = frames[FRAME].camera().map_err(|error| Failure::internal(error.to_string()))?;
-    let screens = PIXELS.map(|pixels| ScreenError::new(camera, pixels).of_model(models.scene().sphere()));
+    let screens =
+        PIXELS.map(|pixels| ScreenError::new(camera, pixels).with_model_bounds(models.scene().sphere()));
     let mut buffer = Vec::new();
     let mut rows = Vec::new();
     for (pixels, screen) in PIXELS.into_iter().zip(&screens) {
@@ -100,7 +101,7 @@ pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
             found.map_or_else(|| "-".to_owned(), text)
         };
         let mut cells = vec![row.pixels.to_string()];
-        cells.extend(SHOWN.map(|i| cell(i, |cost| grouped(cost.triangles))));
+        cells.extend(SHOWN.map(|i| cell(i, |cost| format_count(cost.triangles))));
         cells.extend(REFINED.map(|i| cell(i, |cost| format!("{:.3}", cost.follow_ms))));
         cells.extend(EMITTED.map(|i| cell(i, |cost| format!("{:.3}", cost.emission_ms))));
         table.push(cells);

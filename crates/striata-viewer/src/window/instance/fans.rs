@@ -50,7 +50,7 @@ impl ShownFans {
         match (request.goal, request.camera) {
             (Goal::Pixels(pixels), Some(camera)) => {
                 self.uniform = None;
-                let criterion = ScreenError::new(camera, pixels).of_model(subject.sphere);
+                let criterion = ScreenError::new(camera, pixels).with_model_bounds(subject.sphere);
                 self.front.update(&scene, &criterion, usize::MAX);
                 error_px = Some(pixels);
             }

@@ -22,7 +22,7 @@ pub(super) fn follow_patterns(
         return (change != PatternChange::default(), uniform(subject, split_count));
     };
     let criterion = ScreenError::new(camera, pixels);
-    let is_wanted = |overlap: Overlap| criterion.weigh(&scene.part(overlap.upper)).is_wanted();
+    let is_wanted = |overlap: Overlap| criterion.weigh(&scene.part(overlap.upper)).should_refine();
     let change = instance.adapt(patterns, &is_wanted);
     let mut unrefined = (0..patterns.fragment_count() as u32).filter(|&step| !instance.is_refined(step));
     let achieved = AchievedLevel {

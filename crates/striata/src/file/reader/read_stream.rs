@@ -14,7 +14,7 @@ impl<'a> StriataFile<'a> {
     ///
     /// # Errors
     /// [`DecodeError`] under the conditions of [`parse`](Self::parse).
-    pub fn parse_cut(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+    pub fn parse_truncated(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         Self::of_container(Container::parse(bytes, Verify::WhenRead, Ending::Cut)?)
     }
 
@@ -38,8 +38,8 @@ impl<'a> StriataFile<'a> {
     }
 
     /// Whether the file is truncated within its stream.
-    pub fn is_cut(&self) -> bool {
-        self.container.is_cut()
+    pub fn is_truncated(&self) -> bool {
+        self.container.is_truncated()
     }
 
     /// Bytes of the progressive stream, if the file has one; if the file is truncated, those that are
@@ -76,7 +76,7 @@ impl<'a> StriataFile<'a> {
     fn decode(&self) -> Result<RefinableMesh, DecodeError> {
         let codec = self.codec()?;
         let bytes = self.container.get(SectionKind::STREAM)?;
-        let StreamMesh { refinable, is_complete } = codec.decode(bytes, self.is_cut())?;
+        let StreamMesh { refinable, is_complete } = codec.decode(bytes, self.is_truncated())?;
         if is_complete {
             self.expect_decoded(&refinable)?;
         }

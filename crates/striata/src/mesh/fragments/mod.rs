@@ -193,13 +193,13 @@ impl FragmentSequence {
 
     /// The step that creates a face; `None` for a face of the base mesh.
     #[inline]
-    pub fn maker(&self, face: u32) -> Option<u32> {
+    pub fn creating_step(&self, face: u32) -> Option<u32> {
         let [a, b, c] = self.faces[face as usize].corners;
         self.levels.step_of(a.max(b).max(c))
     }
 
     /// The step that replaces each face; [`NO_STEP`](Self::NO_STEP) for faces of the full mesh.
-    pub fn replaced_by(&self) -> Vec<u32> {
+    pub fn replacing_steps(&self) -> Vec<u32> {
         let mut out = vec![Self::NO_STEP; self.faces.len()];
         for step in 0..self.step_count() as u32 {
             for &face in self.floor(step) {

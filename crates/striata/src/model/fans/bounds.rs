@@ -105,13 +105,13 @@ mod tests {
             assert!(!changed.is_empty());
             for corners in changed.iter().map(|t| t.map(|v| positions[v as usize])) {
                 assert!(
-                    corners.iter().all(|&p| part.sphere.holds(p)),
+                    corners.iter().all(|&p| part.sphere.contains(p)),
                     "step {step}: {corners:?} in {part:?}"
                 );
                 let cone = NormalCone::of_triangles([corners].into_iter());
                 // A degenerate triangle has no normal.
                 assert!(
-                    cone == NormalCone::ALL || part.cone.holds(cone.axis),
+                    cone == NormalCone::ALL || part.cone.contains(cone.axis),
                     "step {step}: {cone:?} in {part:?}"
                 );
             }

@@ -32,7 +32,7 @@ impl Bounded for FragmentSteps<'_> {
     fn parents(&self) -> Vec<u32> {
         let fragments = &self.mesh.fragments;
         let oldest_maker = |step| {
-            let makers = fragments.floor(step).iter().map(|&face| fragments.maker(face));
+            let makers = fragments.floor(step).iter().map(|&face| fragments.creating_step(face));
             makers.min().flatten().unwrap_or(NO_STEP)
         };
         (0..fragments.step_count() as u32).map(oldest_maker).collect()

@@ -144,7 +144,7 @@ impl<'a> FaceLocations<'a> {
     fn new(fragments: &'a FragmentSequence) -> Self {
         Self {
             fragments,
-            replaced_by: fragments.replaced_by(),
+            replaced_by: fragments.replacing_steps(),
             ceilings: Vec::with_capacity(fragments.faces().len() - fragments.base_face_count()),
             half_edges: vec![0; fragments.faces().len()],
         }

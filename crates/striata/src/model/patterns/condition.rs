@@ -51,7 +51,7 @@ impl<'a, C: Criterion> Wanted<'a, C> {
 
 impl<C: Criterion> Condition for Wanted<'_, C> {
     fn is_too_coarse(&self, overlap: Overlap) -> bool {
-        self.criterion.weigh(&self.scene.part(overlap.upper)).is_wanted()
+        self.criterion.weigh(&self.scene.part(overlap.upper)).should_refine()
     }
 }
 

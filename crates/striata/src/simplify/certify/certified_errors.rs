@@ -177,7 +177,7 @@ impl<'a> CoarseningWalk<'a> {
         let FragmentedMesh { mesh, fragments } = mesh;
         let mut slots = vec![0; fragments.faces().len()];
         let mut triangles = Vec::with_capacity(mesh.triangle_count());
-        for (face, step) in fragments.replaced_by().into_iter().enumerate() {
+        for (face, step) in fragments.replacing_steps().into_iter().enumerate() {
             if step == FragmentSequence::NO_STEP {
                 slots[face] = triangles.len() as u32;
                 triangles.push(fragments.faces()[face].corners);

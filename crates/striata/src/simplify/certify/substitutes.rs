@@ -59,7 +59,7 @@ impl SubstituteFinder {
             around[*at as usize] = face;
             *at += 1;
         }
-        Self { replaced_by: fragments.replaced_by(), first_around, around, face_tree: None }
+        Self { replaced_by: fragments.replacing_steps(), first_around, around, face_tree: None }
     }
 
     /// Returns the faces that exist just before `step` is applied and touch its ceiling; if there are
@@ -93,7 +93,7 @@ impl SubstituteFinder {
     }
 
     fn is_present(&self, fragments: &FragmentSequence, face: u32, step: u32) -> bool {
-        let is_made = fragments.maker(face).is_none_or(|maker| maker < step);
+        let is_made = fragments.creating_step(face).is_none_or(|maker| maker < step);
         // `NO_STEP` is larger than all step indices.
         is_made && self.replaced_by[face as usize] > step
     }

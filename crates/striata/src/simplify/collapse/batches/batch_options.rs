@@ -38,7 +38,7 @@ pub struct BatchOptions {
     pub valence_weight: f64,
     /// Stop after a batch with fewer steps than this, since tiny batches cost more than they save;
     /// default 4. With 1, simplification goes on as far as possible.
-    pub least_batch: usize,
+    pub min_batch_size: usize,
 }
 
 impl Default for BatchOptions {
@@ -52,7 +52,7 @@ impl Default for BatchOptions {
             max_valence: 7,
             fair_valence: 6,
             valence_weight: 1.5,
-            least_batch: 4,
+            min_batch_size: 4,
         }
     }
 }
@@ -92,6 +92,6 @@ impl BatchOptions {
         with_max_valence, max_valence: usize;
         with_fair_valence, fair_valence: usize;
         with_valence_weight, valence_weight: f64;
-        with_least_batch, least_batch: usize;
+        with_min_batch_size, min_batch_size: usize;
     }
 }

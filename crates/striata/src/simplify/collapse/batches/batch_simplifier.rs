@@ -120,7 +120,7 @@ impl<'a> BatchSimplifier<'a> {
             }
             let done = self.executor.record.removed.len();
             // Positions that were out of date are evaluated again before a small batch ends the loop.
-            if done - before < self.options.least_batch.max(1)
+            if done - before < self.options.min_batch_size.max(1)
                 && !self.was_out_of_date
                 && !self.begin_postponed()
             {

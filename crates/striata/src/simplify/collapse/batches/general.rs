@@ -97,7 +97,7 @@ impl BatchSimplifier<'_> {
             return false;
         }
         let left = self.choices.len() - self.executor.record.removed.len();
-        let is_small = removed_count < self.options.least_batch.max(left / SMALL_BATCH);
+        let is_small = removed_count < self.options.min_batch_size.max(left / SMALL_BATCH);
         let are_many = self.deferred.len() * DEFERRED_SHARE >= left;
         is_small || (are_many && 4 * left <= LEFT_QUARTERS * self.left_after_general)
     }

@@ -15,14 +15,14 @@ use striata::mesh::Appearance;
 
 use crate::format::byte_reader::{ByteReader, put_block, write_varint};
 use crate::format::error::{DecodeError, StreamDefect};
-use crate::format::form::{Effort, StreamVersion};
 use crate::format::grid::PositionGrid;
+use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
 
 /// Newest version that can be read.
 const NEWEST_VERSION: u8 = 2;
 /// Length of the fixed first part of the header, bytes.
-pub(crate) const FIXED_BYTES: usize = 16;
+pub(crate) const FIXED_HEADER_BYTES: usize = 16;
 const EXACT_FLAG: u16 = 1;
 const GENERAL_FLAG: u16 = 2;
 /// A chunk of `n` bytes contains at most `n + 1` times this number of splits. A writer that needs fewer
@@ -36,20 +36,20 @@ const MAX_BASE_TRIANGLES_PER_BYTE: u32 = 256;
 const MAX_EXTRA_WEDGES_PER_BYTE: u64 = 256;
 
 /// Maximum number of components per vertex in all layers together: each of them has its own models.
-pub(crate) const MOST_NUMBERS: usize = 4096;
+pub(crate) const MAX_COMPONENTS: usize = 4096;
 
 /// Returns the minimum total length of a chunk and all chunks before it.
-pub(crate) fn least_bytes_in_all(wedges_beyond: usize) -> usize {
-    wedges_beyond / MAX_EXTRA_WEDGES_PER_BYTE as usize
+pub(crate) fn min_total_bytes(extra_wedges: usize) -> usize {
+    extra_wedges / MAX_EXTRA_WEDGES_PER_BYTE as usize
 }
 
 /// Returns how many vertices beyond one per position may be coded in `bytes` bytes.
-pub(crate) fn most_wedges_beyond(bytes: u64) -> u64 {
+pub(crate) fn max_extra_wedges(bytes: u64) -> u64 {
     (bytes + 1) * MAX_EXTRA_WEDGES_PER_BYTE
 }
 
 /// Returns the minimum length of a chunk.
-pub(crate) fn least_bytes(splits: usize, base_triangles: usize) -> usize {
+pub(crate) fn min_chunk_bytes(splits: usize, base_triangles: usize) -> usize {
     (splits / MAX_SPLITS_PER_BYTE as usize).max(base_triangles / MAX_BASE_TRIANGLES_PER_BYTE as usize)
 }
 
@@ -62,7 +62,7 @@ pub(crate) struct GroupName {
 
 /// Entry of the chunk table.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Row {
+pub(crate) struct ChunkEntry {
     /// Length of the chunk, bytes.
     pub(crate) bytes: u32,
     /// Number of splits in this chunk and all chunks before it.
@@ -75,7 +75,7 @@ pub(crate) struct Row {
 
 /// The header of a stream: all that a reader knows before the first chunk.
 #[derive(Clone, Debug)]
-pub(crate) struct Head {
+pub(crate) struct StreamHeader {
     /// Length of the header, bytes.
     pub(crate) length: u64,
     pub(crate) version: StreamVersion,
@@ -94,7 +94,7 @@ pub(crate) struct Head {
     pub(crate) groups: Vec<GroupName>,
     pub(crate) appearance: Appearance,
     pub(crate) metadata: Vec<(String, String)>,
-    pub(crate) rows: Vec<Row>,
+    pub(crate) chunks: Vec<ChunkEntry>,
 }
 
 /// Returns the upper 16 bits of an error, rounded up.
@@ -111,18 +111,18 @@ fn error_from_code(code: u16) -> f32 {
 ///
 /// # Errors
 /// [`DecodeError`] if the bytes do not begin a stream of a known version.
-pub(crate) fn head_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
+pub(crate) fn header_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
     let shown = bytes.len().min(4);
     if bytes[..shown] != STREAM_MAGIC[..shown] {
         return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
     }
-    let Some(fixed) = bytes.get(..FIXED_BYTES) else { return Ok(None) };
+    let Some(fixed) = bytes.get(..FIXED_HEADER_BYTES) else { return Ok(None) };
     if version_from_byte(fixed[4]).is_none() {
         let (found, supported) = (u32::from(fixed[4]), u32::from(NEWEST_VERSION));
         return Err(DecodeError::Version { found, supported });
     }
     let length = u32::from_le_bytes([fixed[8], fixed[9], fixed[10], fixed[11]]) as usize;
-    if length < FIXED_BYTES {
+    if length < FIXED_HEADER_BYTES {
         let reason = "the header is shorter than its fixed part";
         return Err(DecodeError::Malformed { offset: 8, reason });
     }
@@ -137,14 +137,14 @@ fn version_from_byte(byte: u8) -> Option<StreamVersion> {
     }
 }
 
-fn checksum(head: &[u8]) -> u32 {
+fn checksum(header: &[u8]) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
-    hasher.update(&head[..12]);
-    hasher.update(&head[FIXED_BYTES..]);
+    hasher.update(&header[..12]);
+    hasher.update(&header[FIXED_HEADER_BYTES..]);
     hasher.finalize()
 }
 
-impl Head {
+impl StreamHeader {
     /// Serializes the header.
     ///
     /// # Errors
@@ -169,14 +169,14 @@ impl Head {
         write_varint(self.layers.len() as u32, &mut out);
         self.layers.iter().for_each(|layer| layer.write(&mut out));
         self.names_to_bytes(&mut out)?;
-        write_varint(self.rows.len() as u32, &mut out);
+        write_varint(self.chunks.len() as u32, &mut out);
         let mut splits_before = 0;
-        for row in &self.rows {
-            write_varint(row.bytes, &mut out);
-            write_varint(row.split_count - splits_before, &mut out);
-            out.extend(error_code(row.error).to_le_bytes());
-            out.extend(row.checksum.to_le_bytes());
-            splits_before = row.split_count;
+        for chunk in &self.chunks {
+            write_varint(chunk.bytes, &mut out);
+            write_varint(chunk.split_count - splits_before, &mut out);
+            out.extend(error_code(chunk.error).to_le_bytes());
+            out.extend(chunk.checksum.to_le_bytes());
+            splits_before = chunk.split_count;
         }
         let length = u32::try_from(out.len())
             .map_err(|_| EncodeError::TooLong { what: "the header", length: out.len() })?;
@@ -203,12 +203,12 @@ impl Head {
     }
 
     /// Returns the maximum number of base triangles, given the length of the first chunk.
-    pub(crate) fn most_base_triangles(&self) -> u32 {
-        let bytes = self.rows.first().map_or(0, |row| row.bytes);
+    pub(crate) fn max_base_triangles(&self) -> u32 {
+        let bytes = self.chunks.first().map_or(0, |chunk| chunk.bytes);
         bytes.saturating_add(1).saturating_mul(MAX_BASE_TRIANGLES_PER_BYTE)
     }
 
-    /// Parses a header whose length is the one returned by [`head_length`].
+    /// Parses a header whose length is the one returned by [`header_length`].
     ///
     /// # Errors
     /// [`DecodeError`] if anything in it is invalid.
@@ -239,7 +239,7 @@ impl Head {
         let layer_count = reader.short_count(5)?;
         let layers: Vec<LayerForm> =
             (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
-        if layers.iter().map(LayerForm::integer_count).sum::<usize>() > MOST_NUMBERS {
+        if layers.iter().map(LayerForm::integer_count).sum::<usize>() > MAX_COMPONENTS {
             return Err(reader.malformed("the layers have too many components per vertex"));
         }
         let groups = read_groups(&mut reader)?;
@@ -251,8 +251,8 @@ impl Head {
         for _ in 0..reader.short_count(8)? {
             metadata.push((reader.text()?, reader.text()?));
         }
-        let rows = read_rows(&mut reader)?;
-        if rows.last().map(|row| row.split_count) != Some(step_count) {
+        let chunks = read_chunks(&mut reader)?;
+        if chunks.last().map(|chunk| chunk.split_count) != Some(step_count) {
             return Err(reader.malformed("the chunks do not contain all steps"));
         }
         if step_count > position_count || vertex_count < position_count {
@@ -260,8 +260,8 @@ impl Head {
                 reader.malformed("there are fewer positions than steps, or fewer vertices than positions")
             );
         }
-        let chunk_bytes: u64 = rows.iter().map(|row| u64::from(row.bytes)).sum();
-        if u64::from(vertex_count - position_count) > most_wedges_beyond(chunk_bytes) {
+        let chunk_bytes: u64 = chunks.iter().map(|chunk| u64::from(chunk.bytes)).sum();
+        if u64::from(vertex_count - position_count) > max_extra_wedges(chunk_bytes) {
             return Err(reader.malformed("there are more vertices than the length of the chunks allows"));
         }
         if groups.iter().filter_map(|g| g.material).any(|m| m as usize >= appearance.materials.len()) {
@@ -284,7 +284,7 @@ impl Head {
             groups,
             appearance,
             metadata,
-            rows,
+            chunks,
         })
     }
 }
@@ -306,9 +306,9 @@ fn read_groups(reader: &mut ByteReader<'_>) -> Result<Vec<GroupName>, DecodeErro
     Ok(groups)
 }
 
-fn read_rows(reader: &mut ByteReader<'_>) -> Result<Vec<Row>, DecodeError> {
+fn read_chunks(reader: &mut ByteReader<'_>) -> Result<Vec<ChunkEntry>, DecodeError> {
     let count = reader.short_count(8)?;
-    let mut rows = Vec::with_capacity(count);
+    let mut chunks = Vec::with_capacity(count);
     let (mut split_count, mut last_error) = (0u32, f32::INFINITY);
     for _ in 0..count {
         let (bytes, splits) = (reader.varint()?, reader.varint()?);
@@ -323,7 +323,7 @@ fn read_rows(reader: &mut ByteReader<'_>) -> Result<Vec<Row>, DecodeError> {
             return Err(reader.malformed("a chunk has more splits than its length allows"));
         }
         last_error = error;
-        rows.push(Row { bytes, split_count, error, checksum });
+        chunks.push(ChunkEntry { bytes, split_count, error, checksum });
     }
-    Ok(rows)
+    Ok(chunks)
 }

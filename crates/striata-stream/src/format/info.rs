@@ -1,13 +1,13 @@
-//! [`StreamFacts`]: properties of a stream that can be read from its header alone.
+//! [`StreamInfo`]: properties of a stream that can be read from its header alone.
 
 use crate::format::error::DecodeError;
-use crate::format::form::{Effort, StreamVersion};
-use crate::format::head::{Head, head_length};
+use crate::format::header::{StreamHeader, header_length};
+use crate::format::version::{Effort, StreamVersion};
 
 /// Counts, sizes and settings of a stream, read from its header without decoding anything.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
-pub struct StreamFacts {
+pub struct StreamInfo {
     /// Length of the whole stream, bytes.
     pub stream_bytes: u64,
     /// Length of the header, bytes.
@@ -42,34 +42,35 @@ pub struct StreamFacts {
     pub metadata: Vec<(String, String)>,
 }
 
-impl StreamFacts {
+impl StreamInfo {
     /// Reads the header of a stream; returns `None` if `bytes` ends within the header.
     ///
     /// # Errors
     /// [`DecodeError`] if the bytes are not a stream of a known version, or if the header is damaged.
     pub fn read(bytes: &[u8]) -> Result<Option<Self>, DecodeError> {
-        let Some(head) = head_length(bytes)?.and_then(|length| bytes.get(..length)) else {
+        let Some(header) = header_length(bytes)?.and_then(|length| bytes.get(..length)) else {
             return Ok(None);
         };
-        let head = Head::from_bytes(head)?;
-        let base_bytes = head.rows.first().map_or(0, |row| u64::from(row.bytes));
+        let header = StreamHeader::from_bytes(header)?;
+        let base_bytes = header.chunks.first().map_or(0, |chunk| u64::from(chunk.bytes));
         Ok(Some(Self {
-            stream_bytes: head.length + head.rows.iter().map(|row| u64::from(row.bytes)).sum::<u64>(),
-            head_bytes: head.length,
-            base_bytes: head.length + base_bytes,
-            chunk_count: head.rows.len(),
-            effort: head.effort,
-            version: head.version,
-            is_exact: head.is_exact,
-            grid_bits: head.grid.bits,
-            grid_step: head.grid.step,
-            position_count: head.position_count as usize,
-            vertex_count: head.vertex_count as usize,
-            triangle_count: head.triangle_count as usize,
-            group_count: head.groups.len(),
-            step_count: head.step_count as usize,
-            error_max: head.rows.first().map_or(0.0, |row| row.error),
-            metadata: head.metadata,
+            stream_bytes: header.length
+                + header.chunks.iter().map(|chunk| u64::from(chunk.bytes)).sum::<u64>(),
+            head_bytes: header.length,
+            base_bytes: header.length + base_bytes,
+            chunk_count: header.chunks.len(),
+            effort: header.effort,
+            version: header.version,
+            is_exact: header.is_exact,
+            grid_bits: header.grid.bits,
+            grid_step: header.grid.step,
+            position_count: header.position_count as usize,
+            vertex_count: header.vertex_count as usize,
+            triangle_count: header.triangle_count as usize,
+            group_count: header.groups.len(),
+            step_count: header.step_count as usize,
+            error_max: header.chunks.first().map_or(0.0, |chunk| chunk.error),
+            metadata: header.metadata,
         }))
     }
 }

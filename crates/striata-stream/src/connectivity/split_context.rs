@@ -1,22 +1,22 @@
-//! [`Scene`]: what both sides know when the flag or cut of a vertex is coded.
+//! [`SplitContext`]: what both sides know when the flag or cut of a vertex is coded.
 
 use crate::refine::walk::Walk;
 use crate::topology::surface::Surface;
 
 /// What both sides know when the flag or cut of a vertex is coded.
-pub(crate) struct Scene<'a> {
+pub(crate) struct SplitContext<'a> {
     /// The surface after the splits of earlier stretches. Triangles that no other split of the batch may
     /// move are marked with the batch.
     pub(crate) surface: &'a Surface,
     /// Grid coordinates of all vertices; meaningless for virtual ones.
-    pub(crate) places: &'a [[i32; 3]],
+    pub(crate) grid_points: &'a [[i32; 3]],
     /// Which vertices of the batch have been visited, and which of these split.
     pub(crate) walk: &'a Walk,
     /// Maximum number of triangles that move to a new vertex.
     pub(crate) max_patch: u32,
 }
 
-impl Scene<'_> {
+impl SplitContext<'_> {
     /// Whether another split of this batch has claimed a triangle, so that it cannot move any more.
     #[inline]
     pub(crate) fn is_claimed(&self, triangle: u32) -> bool {

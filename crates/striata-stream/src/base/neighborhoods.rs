@@ -15,7 +15,7 @@ const MAX_NEIGHBORS: usize = 16;
 
 /// The corners of the base mesh, indexed by mesh vertex.
 #[derive(Debug)]
-pub(crate) struct BaseHoods<'a> {
+pub(crate) struct BaseNeighborhoods<'a> {
     base: &'a Base,
     /// Start of each vertex's range in `corners`, followed by the number of corners.
     first_corner: Vec<u32>,
@@ -23,12 +23,13 @@ pub(crate) struct BaseHoods<'a> {
     corners: Vec<u32>,
 }
 
-impl<'a> BaseHoods<'a> {
+impl<'a> BaseNeighborhoods<'a> {
     /// Indexes the corners of a base whose wedges are known.
     pub(crate) fn new(base: &'a Base) -> Self {
         let vertex_count = base.first_vertex.last().copied().unwrap_or(0) as usize;
         let mut ends = vec![0u32; vertex_count + 1];
-        let shown = || base.shown.iter().flatten().enumerate().filter(|(_, vertex)| **vertex != NONE);
+        let shown =
+            || base.corner_vertices.iter().flatten().enumerate().filter(|(_, vertex)| **vertex != NONE);
         for (_, &vertex) in shown() {
             ends[vertex as usize] += 1;
         }
@@ -46,12 +47,12 @@ impl<'a> BaseHoods<'a> {
         Self { base, first_corner: ends, corners }
     }
 
-    fn shown(&self, corner: u32) -> u32 {
-        self.base.shown[corner as usize / 3][corner as usize % 3]
+    fn vertex_at(&self, corner: u32) -> u32 {
+        self.base.corner_vertices[corner as usize / 3][corner as usize % 3]
     }
 
     fn grid_point(&self, corner: u32) -> [i32; 3] {
-        self.base.place(self.base.triangles[corner as usize / 3][corner as usize % 3])
+        self.base.grid_point(self.base.triangles[corner as usize / 3][corner as usize % 3])
     }
 
     /// Gathers the already coded neighbors of a vertex and their grid coordinates; returns the sum of the
@@ -69,7 +70,7 @@ impl<'a> BaseHoods<'a> {
         let corners = &self.corners[range];
         let mut normal = [0; 3];
         let mut add = |corner: u32| {
-            let other = self.shown(corner);
+            let other = self.vertex_at(corner);
             if other < vertex && ring.len() < MAX_NEIGHBORS && !ring.contains(&other) {
                 ring.push(other);
                 grid_points.push(self.grid_point(corner));
@@ -84,9 +85,9 @@ impl<'a> BaseHoods<'a> {
         }
         // Vertices across edges come last, since those that share a triangle are nearer.
         for &corner in corners.iter().take(MAX_TRIANGLES) {
-            let ends = [next(corner), previous(corner)].map(|c| self.shown(c));
+            let ends = [next(corner), previous(corner)].map(|c| self.vertex_at(c));
             let other = self.base.opposite[corner as usize];
-            let across = [previous(other), next(other)].map(|c| self.shown(c));
+            let across = [previous(other), next(other)].map(|c| self.vertex_at(c));
             if ends == across && ends.iter().all(|&end| end < vertex) {
                 add(other);
             }
@@ -124,16 +125,16 @@ mod tests {
             position_of_copy: vec![0, 1, 2, 3],
             triangles: vec![[1, 2, 3], [2, 1, 4], [0, 3, 2], [0, 1, 3], [0, 4, 1], [0, 2, 4]],
             opposite: vec![6, 9, 3, 2, 15, 12, 0, 13, 16, 1, 0, 0, 5, 7, 0, 4, 8, 0],
-            places: vec![[0, 0, 0], [9, 9, 0], [0, 9, 0], [9, 0, 0]],
+            grid_points: vec![[0, 0, 0], [9, 9, 0], [0, 9, 0], [9, 0, 0]],
             first_vertex: vec![0, 1, 2, 3, 4],
-            shown: vec![[0, 1, 2], [1, 0, 3], [NONE; 3], [NONE; 3], [NONE; 3], [NONE; 3]],
+            corner_vertices: vec![[0, 1, 2], [1, 0, 3], [NONE; 3], [NONE; 3], [NONE; 3], [NONE; 3]],
             groups: vec![0; 6],
         };
         let mut base = base;
         // Only the two corners opposite to the diagonal matter here: they face each other.
         base.opposite[2] = 5;
         base.opposite[5] = 2;
-        let neighborhoods = BaseHoods::new(&base);
+        let neighborhoods = BaseNeighborhoods::new(&base);
         let (mut ring, mut grid_points) = (Vec::new(), Vec::new());
         let normal = neighborhoods.gather(3, &mut ring, &mut grid_points);
         assert_eq!(ring, [1, 0, 2]);
