@@ -8,7 +8,7 @@
 use crate::output::Output;
 
 /// Runs `work` with the standard error of the process discarded, unless the user gave `--verbose`.
-pub fn hushed<T>(output: &Output, work: impl FnOnce() -> T) -> T {
+pub fn without_driver_messages<T>(output: &Output, work: impl FnOnce() -> T) -> T {
     if output.is_verbose() {
         return work();
     }

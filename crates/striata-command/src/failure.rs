@@ -226,7 +226,7 @@ fn driver_hint() -> String {
 }
 
 thread_local! {
-    /// Whether panics of this thread are caught by [`caught`], whose caller reports them.
+    /// Whether panics of this thread are caught by [`catch_panic`], whose caller reports them.
     static IS_CAUGHT: Cell<bool> = const { Cell::new(false) };
 }
 
@@ -304,8 +304,8 @@ mod tests {
     #[cfg(feature = "gpu")]
     #[test]
     fn a_caught_panic_returns_the_first_line_of_its_message() {
-        assert_eq!(caught(|| 7), Ok(7));
-        assert_eq!(caught(|| panic!("lost {}\nand more", "device")), Err::<(), _>("lost device".into()));
+        assert_eq!(catch_panic(|| 7), Ok(7));
+        assert_eq!(catch_panic(|| panic!("lost {}\nand more", "device")), Err::<(), _>("lost device".into()));
     }
 
     #[test]

@@ -84,7 +84,7 @@ impl Input {
     ///
     /// # Errors
     /// If it does not exist.
-    pub fn expect_there(path: &Path) -> Result<(), Failure> {
+    pub fn check_exists(path: &Path) -> Result<(), Failure> {
         if path == Path::new("-") || Shape::from_input_name(path)?.is_some() {
             return Ok(());
         }

@@ -209,7 +209,10 @@ pub fn shortfall(target: Target, reached: ReachedLevel, limit: &CoarseningLimit)
             format!("{} are left", format_count(vertex_count)),
         ),
         Target::SplitCount(n) if stop_reason == StopReason::FullMesh => {
-            return Some(format!("there are fewer than {} vertex splits; this is the full mesh", grouped(n)));
+            return Some(format!(
+                "there are fewer than {} vertex splits; this is the full mesh",
+                format_count(n)
+            ));
         }
         Target::SplitCount(_) | Target::Detail(_)
             if matches!(stop_reason, StopReason::BaseReached | StopReason::ErrorLimit) =>

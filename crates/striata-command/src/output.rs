@@ -174,7 +174,7 @@ pub fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Formats a number with commas between groups of three digits.
-pub fn grouped(number: usize) -> String {
+pub fn format_count(number: usize) -> String {
     let digits = number.to_string();
     let mut out = String::new();
     for (i, digit) in digits.chars().enumerate() {
@@ -187,12 +187,12 @@ pub fn grouped(number: usize) -> String {
 }
 
 /// Formats a count with its noun: `1 triangle`, `1,000 triangles`.
-pub fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{} {}", grouped(count), if count == 1 { one } else { many })
+pub fn format_noun_count(count: usize, one: &str, many: &str) -> String {
+    format!("{} {}", format_count(count), if count == 1 { one } else { many })
 }
 
 /// Formats a size in bytes, in B, kB or MB.
-pub fn sized(bytes: usize) -> String {
+pub fn format_bytes(bytes: usize) -> String {
     match bytes {
         0..10_000 => format!("{bytes} B"),
         10_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
@@ -201,7 +201,7 @@ pub fn sized(bytes: usize) -> String {
 }
 
 /// Formats a length in mesh units with enough significant digits at any scale.
-pub fn measured(length: f64) -> String {
+pub fn format_length(length: f64) -> String {
     match length.abs() {
         size if size == 0.0 || (1e-4..1e7).contains(&size) => format!("{length:.6}"),
         _ => format!("{length:.3e}"),
@@ -209,7 +209,7 @@ pub fn measured(length: f64) -> String {
 }
 
 /// Formats a duration in seconds, in µs, ms or s.
-pub fn lasted(secs: f64) -> String {
+pub fn format_duration(secs: f64) -> String {
     if secs < 0.001 {
         format!("{:.0} µs", secs * 1e6)
     } else if secs < 1.0 {
@@ -279,10 +279,10 @@ mod tests {
 
     #[test]
     fn lengths_have_significant_digits_at_any_scale() {
-        assert_eq!(measured(0.0), "0.000000");
-        assert_eq!(measured(1.25), "1.250000");
-        assert_eq!(measured(8.76e-11), "8.760e-11");
-        assert_eq!(measured(7.07e29), "7.070e29");
+        assert_eq!(format_length(0.0), "0.000000");
+        assert_eq!(format_length(1.25), "1.250000");
+        assert_eq!(format_length(8.76e-11), "8.760e-11");
+        assert_eq!(format_length(7.07e29), "7.070e29");
     }
 
     #[test]

@@ -108,7 +108,7 @@ pub struct SimplifiedSteps {
     floors: Option<FragmentedMesh>,
 }
 
-impl Sequenced {
+impl SimplifiedSteps {
     /// Returns the steps as fragments; if errors are guaranteed, the errors of single floors are, too.
     ///
     /// # Errors
@@ -188,7 +188,11 @@ impl SequencePlan {
     ///
     /// # Errors
     /// If an option is out of range, or the callback cancels.
-    pub fn run(&self, welded: Welded, progress: &mut ProgressFn<'_>) -> Result<Sequenced, SimplifyError> {
+    pub fn run(
+        &self,
+        welded: Welded,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifiedSteps, SimplifyError> {
         match self {
             Self::Quadric { options, guarantee: ErrorGuarantee::None, batches } => {
                 let (built, batches) = collapses(welded, options.clone(), *batches, progress)?;
@@ -240,7 +244,7 @@ fn certified(
     max_error: Option<f64>,
     guarantee: ErrorGuarantee,
     progress: &mut ProgressFn<'_>,
-) -> Result<Sequenced, SimplifyError> {
+) -> Result<SimplifiedSteps, SimplifyError> {
     let refinable = match guarantee {
         ErrorGuarantee::AnyState => certify_collapses_in_any_state_with_progress(&built.refinable, progress)?,
         _ => certify_collapses_with_progress(&built.refinable, progress)?,

@@ -12,9 +12,9 @@ use crate::output::format_count;
 
 /// The decoded part of a stream.
 #[derive(Debug)]
-pub struct Received {
+pub struct DecodedStream {
     /// Facts about the whole stream, from its header.
-    pub facts: StreamFacts,
+    pub facts: StreamInfo,
     /// The decoder after the last byte that was read.
     pub decoder: StreamDecoder,
     /// Number of bytes that were read.
@@ -25,7 +25,7 @@ pub struct Received {
     pub decode_secs: f64,
 }
 
-impl Received {
+impl DecodedStream {
     /// Reads chunk by chunk until the bytes end or `is_enough` returns true.
     ///
     /// # Errors
@@ -90,8 +90,8 @@ fn end_within(bytes: &[u8], end: Option<u64>) -> usize {
 }
 
 fn truncation_text(name: &str, [read, whole]: [u64; 2], [split_count, step_count]: [usize; 2]) -> String {
-    let [read, whole] = [read, whole].map(|bytes| grouped(usize::try_from(bytes).unwrap_or(usize::MAX)));
-    let [split_count, step_count] = [grouped(split_count), grouped(step_count)];
+    let [read, whole] = [read, whole].map(|bytes| format_count(usize::try_from(bytes).unwrap_or(usize::MAX)));
+    let [split_count, step_count] = [format_count(split_count), format_count(step_count)];
     format!(
         "{name}: cut off after {read} of {whole} bytes: it contains {split_count} of {step_count} vertex \
          splits"
@@ -104,7 +104,7 @@ fn truncation_text(name: &str, [read, whole]: [u64; 2], [split_count, step_count
 /// # Errors
 /// If the part of the stream that is present is malformed.
 pub fn truncation_note(file: &StriataFile<'_>, name: &str) -> Result<Option<String>, DecodeError> {
-    let Some(stream) = file.stream().filter(|_| file.is_cut()) else { return Ok(None) };
+    let Some(stream) = file.stream().filter(|_| file.is_truncated()) else { return Ok(None) };
     let stream = stream?;
     if !file.is_stream_only() {
         return Ok(Some(format!("{name}: cut off within its stream; everything else is complete")));
@@ -115,7 +115,7 @@ pub fn truncation_note(file: &StriataFile<'_>, name: &str) -> Result<Option<Stri
 }
 
 /// Returns the facts from the header of a stream as JSON.
-pub fn stream_facts_json(facts: &StreamFacts) -> Value {
+pub fn stream_facts_json(facts: &StreamInfo) -> Value {
     json!({
         "bytes": facts.stream_bytes,
         "head_bytes": facts.head_bytes,

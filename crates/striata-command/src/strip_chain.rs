@@ -83,7 +83,7 @@ impl StripPlan {
     ///
     /// # Errors
     /// If the mesh is inconsistent.
-    pub fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<Stripped, MeshError> {
+    pub fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<TimedStrips, MeshError> {
         let started = Instant::now();
         let mut strips = StripSet::new();
         for (i, &stripifier) in self.chain.stripifiers.iter().enumerate() {

@@ -111,24 +111,24 @@ impl StripReport {
         row("algorithm", self.algorithm.clone());
         row("triangles", format_count(self.triangle_count));
         if self.degenerate_triangle_count > 0 {
-            row("degenerate triangles skipped", grouped(self.degenerate_triangle_count));
+            row("degenerate triangles skipped", format_count(self.degenerate_triangle_count));
         }
-        row("connected parts", grouped(self.component_count));
-        row("strips", grouped(self.strip_count));
+        row("connected parts", format_count(self.component_count));
+        row("strips", format_count(self.strip_count));
         if let Some(bound) = self.strip_count_bound {
-            row("strips, lower bound", grouped(bound));
+            row("strips, lower bound", format_count(bound));
         }
-        row("swaps", grouped(self.swap_count));
-        row("restarts", grouped(self.restart_count));
-        row("indices", grouped(self.index_count));
+        row("swaps", format_count(self.swap_count));
+        row("restarts", format_count(self.restart_count));
+        row("indices", format_count(self.index_count));
         row("indices per triangle", format!("{:.4}", self.indices_per_triangle));
-        row("indices of longest strip", grouped(self.longest_strip));
+        row("indices of longest strip", format_count(self.longest_strip));
         let size = self.cache_size;
         row(&format!("misses per triangle, FIFO {size}"), format!("{:.4}", self.acmr));
         row(&format!("misses per vertex, FIFO {size}"), format!("{:.4}", self.atvr));
         row(&format!("misses per triangle, LRU {size}"), format!("{:.4}", self.acmr_lru));
         row(&format!("misses per vertex, LRU {size}"), format!("{:.4}", self.atvr_lru));
-        row("stripification time", lasted(self.stripify_secs));
+        row("stripification time", format_duration(self.stripify_secs));
         table.to_text()
     }
 }

@@ -210,7 +210,7 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
         for round in 0..60 {
             let condition = scattered([5, 20, 50, 80][round % 4], seed * 100 + round as u64);
             let evaluate = |face: Option<u32>, upper| {
-                let lower = face.and_then(|face| fragments.maker(face));
+                let lower = face.and_then(|face| fragments.creating_step(face));
                 condition(Overlap { lower, upper })
             };
             let expected = smallest_set(fragments, &sets, evaluate);

@@ -104,7 +104,7 @@ impl BuiltModel {
     /// # Errors
     /// If such a camera sees nothing.
     pub(crate) fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
-        let criterion = view.criterion()?.of_model(self.sphere);
+        let criterion = view.criterion()?.with_model_bounds(self.sphere);
         let scene = FanScene::new(&self.fans, &self.refinable);
         let front = self.front.get_or_insert_with(|| FanFront::new(&scene));
         let update = match view.triangle_limit {

@@ -24,7 +24,7 @@ pub(crate) const MAX_FILE_BYTES: usize = 1 << 30;
 ///
 /// # Errors
 /// If the complete stream would not fit.
-pub(crate) fn check_stream(facts: &StreamFacts) -> Result<(), Failure> {
+pub(crate) fn check_stream(facts: &StreamInfo) -> Result<(), Failure> {
     check_counts(facts.vertex_count, facts.triangle_count)
 }
 

@@ -326,7 +326,7 @@ impl Model {
     }
 
     /// A count from the stream's header (0 until it has arrived), or that of a built model.
-    fn fact(&self, number: impl Fn(&striata_stream::StreamFacts) -> usize, built: usize) -> usize {
+    fn fact(&self, number: impl Fn(&striata_stream::StreamInfo) -> usize, built: usize) -> usize {
         match &self.stage {
             Stage::Streaming(streaming) => streaming.facts().map_or(0, number),
             Stage::Built(_) => built,

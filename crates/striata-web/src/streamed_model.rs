@@ -23,7 +23,7 @@ const MAX_HEAD_BYTES: usize = 1 << 24;
 #[derive(Debug, Default)]
 pub(crate) struct StreamedModel {
     decoder: StreamDecoder,
-    facts: Option<StreamFacts>,
+    facts: Option<StreamInfo>,
     /// Bytes received so far, until the header is complete.
     head: Vec<u8>,
     bounds: Option<Bounds>,
@@ -72,7 +72,7 @@ impl StreamedModel {
     /// large.
     fn push_head(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         self.head.extend_from_slice(bytes);
-        let Some(facts) = StreamFacts::read(&self.head)? else {
+        let Some(facts) = StreamInfo::read(&self.head)? else {
             if self.head.len() > MAX_HEAD_BYTES {
                 return Err(Failure::too_large("the header of the stream is too long"));
             }

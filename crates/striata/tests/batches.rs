@@ -67,7 +67,7 @@ fn surface_only() -> BatchOptions {
 
 /// Options without limits.
 fn unlimited() -> BatchOptions {
-    surface_only().with_least_batch(1)
+    surface_only().with_min_batch_size(1)
 }
 
 fn position_triangles(refinable: &RefinableMesh, mesh: &IndexedMesh) -> Vec<[u32; 3]> {

@@ -85,8 +85,8 @@ fn random_selection(fragments: &FragmentSequence, random: &mut Random, percent: 
         if wanted || selected[step as usize] {
             selected[step as usize] = true;
             for &face in fragments.floor(step) {
-                if let Some(maker) = fragments.maker(face) {
-                    selected[maker as usize] = true;
+                if let Some(creating_step) = fragments.creating_step(face) {
+                    selected[creating_step as usize] = true;
                 }
             }
         }

@@ -100,8 +100,11 @@ fn most_active_steps_are_not_evaluated_again() {
     for frame in 0..200 {
         let eye = [3.0 - frame as f32 * 0.004, 0.5, 1.0];
         let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
-        let update =
-            front.update(&scene, &ScreenError::new(camera, 1.0).of_model(scene.sphere()), usize::MAX);
+        let update = front.update(
+            &scene,
+            &ScreenError::new(camera, 1.0).with_model_bounds(scene.sphere()),
+            usize::MAX,
+        );
         evaluated += if frame > 0 { update.asked_count } else { 0 };
         active += front.instance().split_count();
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::args::ConvertArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, grouped};
+use striata_command::output::{Output, format_count};
 use striata_command::save::{Primitives, display_name, format_of, is_stdout, write_mesh};
 
 #[derive(Serialize)]
@@ -34,8 +34,8 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let text = format!(
         "{}: {} vertices, {} triangles",
         display_name(path),
-        grouped(report.vertex_count),
-        grouped(report.triangle_count)
+        format_count(report.vertex_count),
+        format_count(report.triangle_count)
     );
     output.summary(&report, &text)
 }

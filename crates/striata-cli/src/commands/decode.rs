@@ -13,9 +13,9 @@ use crate::args::DecodeArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall, shortfall_note};
-use striata_command::output::{Output, grouped, lasted, measured};
+use striata_command::output::{Output, format_count, format_duration, format_length};
 use striata_command::save::{Primitives, format_of, is_stdout, write_mesh};
-use striata_command::stream::{Received, effort_name};
+use striata_command::stream::{DecodedStream, effort_name};
 
 #[derive(Serialize)]
 struct Report {
@@ -55,7 +55,8 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let step_count = file.summary().step_count;
     let target = args.level.level.target(full_mesh(&args.level.level, &file, &input)?);
     let target = target.map(|target| detail_to_splits(target, step_count));
-    let received = Received::read(stream, |decoder| target.is_some_and(|target| has_level(decoder, target)));
+    let received =
+        DecodedStream::read(stream, |decoder| target.is_some_and(|target| has_level(decoder, target)));
     let received = received.map_err(|error| input.damaged(&error))?;
     let refinable = received.refinable().map_err(|error| input.damaged(&error))?;
     let decoded = match target {
@@ -81,7 +82,7 @@ struct DecodedLevel {
 }
 
 impl DecodedLevel {
-    fn of_all(refinable: RefinableMesh, received: &Received) -> Self {
+    fn of_all(refinable: RefinableMesh, received: &DecodedStream) -> Self {
         let (split_count, error) = (received.decoder.split_count(), received.decoder.error());
         Self { mesh: refinable.mesh, split_count, error: error.unwrap_or_default(), shortfall: None }
     }
@@ -104,7 +105,7 @@ impl DecodedLevel {
 }
 
 impl Report {
-    fn new(decoded: DecodedLevel, received: &Received, started: Instant) -> Self {
+    fn new(decoded: DecodedLevel, received: &DecodedStream, started: Instant) -> Self {
         Self {
             vertex_count: decoded.mesh.vertex_count(),
             triangle_count: decoded.mesh.triangle_count(),

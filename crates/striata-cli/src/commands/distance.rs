@@ -26,8 +26,8 @@ struct OneSidedReport {
     mean: f64,
 }
 
-impl From<OneSided> for OneSidedReport {
-    fn from(way: OneSided) -> Self {
+impl From<OneSidedDistance> for OneSidedReport {
+    fn from(way: OneSidedDistance) -> Self {
         Self { max: way.max, rms: way.rms, mean: way.mean }
     }
 }

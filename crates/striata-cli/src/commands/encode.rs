@@ -13,7 +13,7 @@ use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, Table, grouped, lasted, measured, sized};
+use striata_command::output::{Output, Table, format_bytes, format_count, format_duration, format_length};
 use striata_command::save::{
     DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
 };
@@ -134,7 +134,7 @@ impl Report {
         phases: Phases,
     ) -> Result<Self, Failure> {
         let sequence = &encoded.refinable.sequence;
-        let facts = StreamFacts::read(&encoded.stream.bytes)?.unwrap_or_default();
+        let facts = StreamInfo::read(&encoded.stream.bytes)?.unwrap_or_default();
         let stream = stream_facts_json(&facts);
         let sizes = &encoded.stream.sizes;
         let vertex_count = encoded.mesh.vertex_count();
@@ -170,10 +170,13 @@ impl Report {
     fn to_text(&self, args: &EncodeArgs, options: &StreamOptions) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
-        row("triangles", format!("{} down to {}", grouped(self.triangle_count), self.base["triangle_count"]));
-        row("vertices", grouped(self.vertex_count));
-        row("levels", format!("{} in {} batches", grouped(self.step_count + 1), self.batch_count));
-        row("error of base mesh", measured(self.error_max.into()));
+        row(
+            "triangles",
+            format!("{} down to {}", format_count(self.triangle_count), self.base["triangle_count"]),
+        );
+        row("vertices", format_count(self.vertex_count));
+        row("levels", format!("{} in {} batches", format_count(self.step_count + 1), self.batch_count));
+        row("error of base mesh", format_length(self.error_max.into()));
         let effort = self.effort.as_str().unwrap_or_default();
         row("encoding", format!("{}, {effort} effort", precision_name(options.precision)));
         row("bits per vertex", format!("{:.2}", self.bits_per_vertex));
@@ -186,8 +189,8 @@ impl Report {
             row(part, format!("{bits:.2}"));
         }
         let chosen = if args.output.is_none() { DEFAULT_NAME_NOTE } else { "" };
-        row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
-        row("time", lasted(self.secs));
+        row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
+        row("time", format_duration(self.secs));
         table.to_text()
     }
 }

@@ -17,9 +17,9 @@ use striata_command::level::{
     CoarseningLimit, FullMesh, LevelRequest, LevelRow, ReachedLevel, check_paths, check_strict,
     level_requests, shortfall, shortfall_note, table_of_levels,
 };
-use striata_command::output::{Bar, Output, grouped, lasted, measured};
+use striata_command::output::{Bar, Output, format_count, format_duration, format_length};
 use striata_command::save::{LevelFiles, Primitives, display_name, format_of, is_stdout};
-use striata_command::sequence::{Limits, SequencePlan, Sequenced, StepKind, limit_in_units};
+use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
 
 /// Sample points on each surface for the distance from the level to the original.
 const REVERSE_SAMPLES: usize = 100_000;
@@ -172,7 +172,7 @@ fn limits(args: &SimplifyArgs, requests: &[LevelRequest], diagonal: f64) -> Limi
 /// Makes levels of a mesh.
 enum LevelMaker<'a> {
     /// The mesh was simplified once, as far as any level needs.
-    Sequenced(Box<Sequenced>),
+    SimplifiedSteps(Box<SimplifiedSteps>),
     /// With optimal placement, each level is simplified separately.
     Optimal(&'a IndexedMesh, SequenceOptions),
 }
@@ -195,7 +195,7 @@ impl<'a> LevelMaker<'a> {
             }
             _ => {
                 let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;
-                Ok(Self::Sequenced(Box::new(sequenced)))
+                Ok(Self::SimplifiedSteps(Box::new(sequenced)))
             }
         }
     }
@@ -206,7 +206,7 @@ impl<'a> LevelMaker<'a> {
     /// If an option is out of range.
     fn level(&self, target: Option<Target>, bar: &mut Bar) -> Result<Simplified, SimplifyError> {
         match self {
-            Self::Sequenced(sequenced) => Ok(level_of(sequenced, target)),
+            Self::SimplifiedSteps(sequenced) => Ok(level_of(sequenced, target)),
             Self::Optimal(mesh, options) => {
                 let options = SimplifyOptions::default()
                     .with_target(target.unwrap_or(Target::Detail(0.0)))
@@ -219,8 +219,8 @@ impl<'a> LevelMaker<'a> {
 }
 
 /// Returns a level of a sequence; the coarsest one if there is no target.
-fn level_of(sequenced: &Sequenced, target: Option<Target>) -> Simplified {
-    let Sequenced { steps, stop_reason: end_reason, .. } = sequenced;
+fn level_of(sequenced: &SimplifiedSteps, target: Option<Target>) -> Simplified {
+    let SimplifiedSteps { steps, stop_reason: end_reason, .. } = sequenced;
     let (levels, end_reason) = (steps.levels(), *end_reason);
     let (split_count, stop_reason) = match target {
         None => (0, end_reason),
@@ -271,7 +271,7 @@ impl Report {
         let share = |error: f64| if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
         let kind = if self.error_is_guaranteed { "guaranteed " } else { "" };
         let reverse = level.reverse_error.flatten().map_or_else(String::new, |error| {
-            format!(", reverse error {} (sampled, {:.4} %)", measured(error), share(error))
+            format!(", reverse error {} (sampled, {:.4} %)", format_length(error), share(error))
         });
         let shortfall =
             level.shortfall.as_ref().map(|shortfall| format!("\n{}", shortfall_note(None, shortfall)));
@@ -292,8 +292,8 @@ impl LevelsReport {
     fn to_text(&self, before: usize) -> String {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(LevelReport::row).collect();
         let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
-        let secs = lasted(self.secs);
-        format!("{}from {} triangles, errors {kind}, {secs}", table_of_levels(&rows), grouped(before))
+        let secs = format_duration(self.secs);
+        format!("{}from {} triangles, errors {kind}, {secs}", table_of_levels(&rows), format_count(before))
     }
 }
 

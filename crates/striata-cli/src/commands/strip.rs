@@ -13,7 +13,7 @@ use crate::strip_lists::StripLists;
 use striata_command::args::FormatArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, counted, grouped};
+use striata_command::output::{Output, format_count, format_noun_count};
 use striata_command::save::{Primitives, format_of, is_stdout, write_mesh};
 use striata_command::strip_report::StripReport;
 
@@ -95,7 +95,7 @@ impl Report {
             let plain = match self.plain_group_count {
                 None | Some(0) => String::new(),
                 Some(groups) => {
-                    let groups = counted(groups, "group", "groups");
+                    let groups = format_noun_count(groups, "group", "groups");
                     format!("; {groups} as triangle lists, which are shorter")
                 }
             };

@@ -175,18 +175,18 @@ impl Report {
         if self.degenerate_triangle_count > 0 {
             row("degenerate triangles skipped", self.degenerate_triangle_count.to_string());
         }
-        row("strips", grouped(self.strip_count));
-        row("swaps", grouped(self.swap_count));
-        row("indices", grouped(self.index_count));
+        row("strips", format_count(self.strip_count));
+        row("swaps", format_count(self.swap_count));
+        row("indices", format_count(self.index_count));
         row("indices per triangle", format!("{:.4}", self.indices_per_triangle));
-        row("indices of longest strip", grouped(self.longest_strip));
-        row("blocks", grouped(self.block_count as usize));
-        row("peak triangles per window", grouped(self.peak_window_triangles));
-        row("peak triangles waiting", grouped(self.peak_held_triangles));
-        row("time to sort into blocks", lasted(self.read_secs));
-        row("stripification time", lasted(self.stripify_secs));
+        row("indices of longest strip", format_count(self.longest_strip));
+        row("blocks", format_count(self.block_count as usize));
+        row("peak triangles per window", format_count(self.peak_window_triangles));
+        row("peak triangles waiting", format_count(self.peak_held_triangles));
+        row("time to sort into blocks", format_duration(self.read_secs));
+        row("stripification time", format_duration(self.stripify_secs));
         if let Some(bytes) = self.peak_rss_bytes {
-            row("peak memory", sized(bytes as usize));
+            row("peak memory", format_bytes(bytes as usize));
         }
         table.to_text()
     }

@@ -263,7 +263,10 @@ fn without_a_driver_the_software_rasterizer_draws_the_same_with_a_note() {
     let (expected, _) = picture(&bench, &arguments.replace("render ", "").replace(" --json", " --software"));
     let assert = bench.command(&format!("{arguments} -o bare.png")).envs(NO_DRIVERS).assert().success();
     let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert!(message.starts_with("note: ") && message.contains("using the software rasterizer instead"), "{message}");
+    assert!(
+        message.starts_with("note: ") && message.contains("using the software rasterizer instead"),
+        "{message}"
+    );
     assert_eq!(message.lines().count(), 1, "{message}");
     let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
     assert_eq!(report["adapter"], "the software rasterizer");

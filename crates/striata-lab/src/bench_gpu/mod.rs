@@ -31,7 +31,7 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let entries = ways::entries(&args.way_names())?;
     let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
-    let gpu = hushed(output, || Gpu::new(&options))?;
+    let gpu = without_driver_messages(output, || Gpu::new(&options))?;
     // Open all inputs first, so that a missing file is reported before any work is done.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let (Viewport(size), plan) = (args.size, args.strip_plan());

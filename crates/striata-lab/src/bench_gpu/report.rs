@@ -131,7 +131,7 @@ impl Report {
         text.push_str("\nframe: from requesting a level to the finished picture\n");
         text.push_str("update: the part of it that the CPU needs to hand everything over\n");
         text.push_str("GPU: from its first to its last command by GPU time stamps, without transfers\n");
-        text.push_str(&format!("all measured in {}\n", lasted(self.secs)));
+        text.push_str(&format!("all measured in {}\n", format_duration(self.secs)));
         text
     }
 }

@@ -223,10 +223,10 @@ impl Basis {
         format!(
             "{} steps from {} triangles down to {}; {} strips ({}) of {} indices; positions and \
              strips take {:.1} bytes per vertex",
-            grouped(self.step_count),
-            grouped(self.triangle_count),
-            grouped(self.base_triangle_count),
-            grouped(self.strips.strip_count),
+            format_count(self.step_count),
+            format_count(self.triangle_count),
+            format_count(self.base_triangle_count),
+            format_count(self.strips.strip_count),
             self.strips.algorithm,
             format_count(self.strips.index_count),
             self.plain_bytes as f64 / self.vertex_count.max(1) as f64,
@@ -343,7 +343,7 @@ fn nanos(ns: f64) -> String {
 
 /// Formats a duration with enough digits to distinguish fast models.
 fn precise_duration(secs: f64) -> String {
-    if secs < 1e-4 { format!("{:.2} µs", secs * 1e6) } else { lasted(secs) }
+    if secs < 1e-4 { format!("{:.2} µs", secs * 1e6) } else { format_duration(secs) }
 }
 
 /// The tables, with explanations of their columns.

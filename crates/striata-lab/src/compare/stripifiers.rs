@@ -38,7 +38,7 @@ pub(super) fn measure(
 ) -> Result<Vec<StripifierRow>, Failure> {
     let expected = canonical_triangles(&proper_triangles(mesh));
     let mut rows = Vec::new();
-    let mut push = |name: &str, budget_secs, stripped: &Stripped| {
+    let mut push = |name: &str, budget_secs, stripped: &TimedStrips| {
         check(name, &stripped.strips, &expected)?;
         let report = StripReport::new(name.to_owned(), mesh, stripped, 16)?;
         rows.push(StripifierRow { report, budget_secs, secs: stripped.secs });
@@ -66,7 +66,7 @@ pub(super) fn measure(
     Ok(rows)
 }
 
-fn fastest_run(mut run: impl FnMut() -> Result<Stripped, Failure>) -> Result<Stripped, Failure> {
+fn fastest_run(mut run: impl FnMut() -> Result<TimedStrips, Failure>) -> Result<TimedStrips, Failure> {
     let mut best = run()?;
     for _ in 1..RUN_COUNT {
         let stripped = run()?;

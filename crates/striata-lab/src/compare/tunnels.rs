@@ -133,7 +133,7 @@ pub(super) fn table(rows: &[TunnelRow]) -> Vec<Vec<String>> {
 /// Formats a number with one decimal and grouped thousands.
 fn tenths(value: f64) -> String {
     let tenths = (value * 10.0).round() as usize;
-    format!("{}.{}", grouped(tenths / 10), tenths % 10)
+    format!("{}.{}", format_count(tenths / 10), tenths % 10)
 }
 
 /// The page section with a chart and the table.

@@ -36,8 +36,10 @@ pub fn random_closed_set(fragments: &FragmentSequence, percent: usize, random: &
         (0..fragments.step_count()).map(|_| random.below(100) < percent).collect();
     for step in (0..is_refined.len()).rev() {
         if is_refined[step] {
-            for maker in fragments.floor(step as u32).iter().filter_map(|&face| fragments.maker(face)) {
-                is_refined[maker as usize] = true;
+            for creating_step in
+                fragments.floor(step as u32).iter().filter_map(|&face| fragments.creating_step(face))
+            {
+                is_refined[creating_step as usize] = true;
             }
         }
     }
@@ -69,7 +71,8 @@ pub fn smallest_set(
     let base_count = fragments.base_face_count() as u32;
     let is_refined = |set: u32, step: u32| set >> step & 1 == 1;
     let is_fine = |set: u32| {
-        let is_shown = |face: u32| face < base_count || is_refined(set, fragments.maker(face).unwrap());
+        let is_shown =
+            |face: u32| face < base_count || is_refined(set, fragments.creating_step(face).unwrap());
         let mut faces = (0..replaced_by.len() as u32).filter(|&face| is_shown(face));
         let has_coarse_face = faces.any(|face| {
             let upper = replaced_by[face as usize];

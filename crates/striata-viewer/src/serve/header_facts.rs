@@ -64,7 +64,7 @@ fn of_container(bytes: &[u8]) -> Option<HeaderFacts> {
 }
 
 fn of_stream(bytes: &[u8]) -> Option<HeaderFacts> {
-    let facts = StreamFacts::read(bytes).ok()??;
+    let facts = StreamInfo::read(bytes).ok()??;
     let [triangle_count, vertex_count] = [facts.triangle_count, facts.vertex_count].map(|n| Some(n as u64));
     Some(HeaderFacts { streams: true, triangle_count, vertex_count })
 }

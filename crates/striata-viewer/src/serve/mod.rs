@@ -38,7 +38,7 @@ use listing::Listing;
 use options::Options;
 use server_state::ServerState;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, grouped};
+use striata_command::output::{Output, format_count};
 use thumbnails::Thumbnails;
 
 #[derive(Serialize)]
@@ -152,7 +152,7 @@ fn announce(folder: &Folder, address: SocketAddr, models: usize, output: &Output
     let report = Report { url: base_url(address), models };
     let what = match folder.only() {
         Some(name) => name.to_owned(),
-        None => format!("{} models in {}", grouped(models), folder.path().display()),
+        None => format!("{} models in {}", format_count(models), folder.path().display()),
     };
     output.data(&report, &format!("{}\n", url_to_open(folder, address)))?;
     output.say(&format!("serving {what}; press Ctrl-C to stop"));

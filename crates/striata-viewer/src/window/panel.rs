@@ -176,13 +176,16 @@ fn facts(viewer: &Viewer, ui: &mut Ui) {
                 None => subject.kind.to_owned(),
             },
         );
-        row("Triangles", format!("{}, base {}", grouped(mesh.triangle_count()), levels.triangle_count_at(0)));
-        row("Vertices", grouped(mesh.vertex_count()));
+        row(
+            "Triangles",
+            format!("{}, base {}", format_count(mesh.triangle_count()), levels.triangle_count_at(0)),
+        );
+        row("Vertices", format_count(mesh.vertex_count()));
         if mesh.groups.len() > 1 {
-            row("Groups", grouped(mesh.groups.len()));
+            row("Groups", format_count(mesh.groups.len()));
         }
-        row("Diagonal", measured(subject.bounds.diagonal()));
-        row("Max error", measured(levels.error_at(0).into()));
+        row("Diagonal", format_length(subject.bounds.diagonal()));
+        row("Max error", format_length(levels.error_at(0).into()));
     });
 }
 
@@ -226,9 +229,12 @@ fn level(viewer: &mut Viewer, ui: &mut Ui) {
         };
         let share =
             100.0 * achieved.triangle_count as f64 / subject.steps.mesh().triangle_count().max(1) as f64;
-        row("Triangles", format!("{} ({share:.1}%)", grouped(achieved.triangle_count)));
-        row("Splits", format!("{} of {}", grouped(achieved.split_count), grouped(levels.step_count())));
-        row("Error", measured(achieved.error.into()));
+        row("Triangles", format!("{} ({share:.1}%)", format_count(achieved.triangle_count)));
+        row(
+            "Splits",
+            format!("{} of {}", format_count(achieved.split_count), format_count(levels.step_count())),
+        );
+        row("Error", format_length(achieved.error.into()));
         row(
             "Screen error",
             match error_px {

@@ -68,9 +68,9 @@ pub(super) fn show(ui: &mut Ui, history: &History) {
     ];
     plot(ui, "Frame time, ms", &frame, frame_lines);
     let triangles = vec![Line::new("triangles", history.points(|s| s.triangle_count as f64)).color(green)];
-    plot(ui, "Triangles", &grouped(last.triangle_count), triangles);
+    plot(ui, "Triangles", &format_count(last.triangle_count), triangles);
     let bytes = vec![Line::new("bytes", history.points(|s| s.uploaded_bytes as f64)).color(orange)];
-    plot(ui, "Uploaded", &sized(last.uploaded_bytes as usize), bytes);
+    plot(ui, "Uploaded", &format_bytes(last.uploaded_bytes as usize), bytes);
 }
 
 fn plot(ui: &mut Ui, name: &'static str, value: &str, lines: Vec<Line<'static>>) {

@@ -54,7 +54,7 @@ impl Screen {
         output: &Output,
     ) -> Result<Self, Failure> {
         let display = Box::new(event_loop.owned_display_handle());
-        let found = hushed(output, || caught(|| set_up_graphics(&window, display)));
+        let found = without_driver_messages(output, || catch_panic(|| set_up_graphics(&window, display)));
         let GraphicsSetup { instance, surface, chosen } =
             found.unwrap_or_else(|panic| Err(no_device(&panic)))?;
         let ChosenAdapter { gpu, made: mut config, rejected } = chosen;

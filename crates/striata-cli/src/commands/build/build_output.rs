@@ -106,7 +106,7 @@ pub(crate) fn build(
     let strips = stripped.as_ref().map(|stripped| &stripped.strips);
     let models = Models::build(&plan.models, &sequenced, (strips, stream), bar)?;
     let order = plan.sequence.order();
-    let Sequenced { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
+    let SimplifiedSteps { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
     Ok(BuildOutput { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
 }
 

@@ -8,7 +8,7 @@ use striata_stream::StreamInfo;
 use super::build_output::BuildOutput;
 use crate::args::BuildArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
-use striata_command::output::{Table, grouped, lasted, measured, sized};
+use striata_command::output::{Table, format_bytes, format_count, format_duration, format_length};
 use striata_command::save::DEFAULT_NAME_NOTE;
 use striata_command::stream::stream_facts_json;
 use striata_command::strip_report::StripReport;
@@ -93,19 +93,19 @@ impl Report {
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
         row("levels", format_count(last + 1));
         let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
-        row("error of base mesh", format!("{} ({share:.3} % of the diagonal), {kind}", measured(error)));
+        row("error of base mesh", format!("{} ({share:.3} % of the diagonal), {kind}", format_length(error)));
         if let Some(StripReport { algorithm, strip_count, indices_per_triangle, .. }) = &built.strip_report {
-            let strips = format!("{} ({algorithm})", grouped(*strip_count));
+            let strips = format!("{} ({algorithm})", format_count(*strip_count));
             row("strips", format!("{strips}, {indices_per_triangle:.3} indices per triangle"));
         }
         for (name, model) in &self.models {
             let bytes = model["bytes"].as_u64().unwrap_or(0) as usize;
             let per_vertex = model["bytes_per_vertex"].as_f64().unwrap_or(0.0);
-            row(name, format!("{}, {per_vertex:.1} bytes per vertex", sized(bytes)));
+            row(name, format!("{}, {per_vertex:.1} bytes per vertex", format_bytes(bytes)));
         }
         let chosen = if args.output.is_none() { DEFAULT_NAME_NOTE } else { "" };
-        row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
-        row("time", lasted(self.secs));
+        row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
+        row("time", format_duration(self.secs));
         let shortfall =
             self.shortfall.as_ref().map(|shortfall| format!("--base was not reached: {shortfall}"));
         table.to_text() + &shortfall.unwrap_or_default()

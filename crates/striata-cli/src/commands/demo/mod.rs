@@ -80,9 +80,9 @@ fn render_page(
     let sequence = &built.refinable().sequence;
     let intro = format!(
         "The bust of Nefertiti ({} triangles) became a single file of {} with {} levels of detail.",
-        grouped(sequence.triangle_count_at(sequence.step_count())),
-        sized(file_bytes),
-        grouped(sequence.step_count() + 1),
+        format_count(sequence.triangle_count_at(sequence.step_count())),
+        format_bytes(file_bytes),
+        format_count(sequence.step_count() + 1),
     );
     let content = page::Content {
         intro: &intro,

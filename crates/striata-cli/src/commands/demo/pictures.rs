@@ -152,7 +152,7 @@ impl Studio<'_> {
         let outside = Camera::around(&points, &angles, width as f32 / height as f32);
         let canvas = self.artist.draw(&shot, &outside, [width, height]).canvas;
         let full = self.refinable.mesh.triangle_count();
-        let caption = format!("{} of {} triangles", grouped(level.triangle_count()), grouped(full));
+        let caption = format!("{} of {} triangles", format_count(level.triangle_count()), format_count(full));
         let title = "view-dependent level".to_owned();
         finish(&sheet, &[Panel { canvas, title, caption }])
     }

@@ -5,7 +5,7 @@ use striata_stream::{StreamOptions, encode_stream};
 
 use super::folder::Folder;
 use striata_command::failure::Failure;
-use striata_command::output::{Bar, grouped};
+use striata_command::output::{Bar, format_count};
 use striata_command::sequence::{BatchSettings, SequencePlan, Steps};
 use striata_viewer::viewer_page::self_contained;
 

@@ -49,7 +49,7 @@ pub(crate) fn level_of_view(
             instance
         }
         Some(limit) => {
-            let criterion = view.criterion(camera, MIN_PIXELS).of_model(scene.sphere());
+            let criterion = view.criterion(camera, MIN_PIXELS).with_model_bounds(scene.sphere());
             let mut front = FanFront::new(scene);
             let update = front.update_to_budget(scene, &criterion, limit);
             pixels = f64::from(criterion.pixels()) * f64::from(update.threshold);

@@ -20,9 +20,9 @@ use striata_command::level::{
     CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_strict, level_requests, shortfall,
     shortfall_note, table_of_levels,
 };
-use striata_command::output::{Output, grouped, lasted, measured};
+use striata_command::output::{Output, format_count, format_duration, format_length};
 use striata_command::save::{LevelFiles, display_name};
-use striata_command::stream::Received;
+use striata_command::stream::DecodedStream;
 
 /// Report on several levels.
 #[derive(Serialize)]
@@ -80,7 +80,7 @@ pub(super) fn run(
     let targets = requests.iter().map(target).collect::<Result<Vec<_>, Failure>>()?;
     // One pass, as far as the finest level needs.
     let are_enough = |decoder: &StreamDecoder| targets.iter().all(|&target| has_level(decoder, target));
-    let received = Received::read(stream, are_enough).map_err(damaged)?;
+    let received = DecodedStream::read(stream, are_enough).map_err(damaged)?;
     let refinable = received.refinable().map_err(damaged)?;
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut reports = Vec::new();
@@ -147,9 +147,9 @@ impl Report {
             format_count(self.step_count),
             format_length(self.error.into()),
             self.stop_reason.replace('_', " "),
-            grouped(self.read_bytes),
-            grouped(usize::try_from(self.stream_bytes).unwrap_or(usize::MAX)),
-            lasted(self.seek_secs),
+            format_count(self.read_bytes),
+            format_count(usize::try_from(self.stream_bytes).unwrap_or(usize::MAX)),
+            format_duration(self.seek_secs),
             self.shortfall
                 .as_ref()
                 .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))

@@ -15,7 +15,7 @@ use striata_command::level::{
     CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_strict, shortfall, shortfall_note,
     table_of_levels,
 };
-use striata_command::output::{grouped, lasted, measured};
+use striata_command::output::{format_count, format_duration, format_length};
 use striata_command::save::display_name;
 
 /// Report on several levels.
@@ -125,13 +125,13 @@ impl Report {
         let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
             "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; found in {}{origin}{}",
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.split_count),
-            grouped(step_count),
-            measured(self.error.into()),
+            format_count(self.triangle_count),
+            format_count(self.vertex_count),
+            format_count(self.split_count),
+            format_count(step_count),
+            format_length(self.error.into()),
             self.stop_reason.replace('_', " "),
-            lasted(self.seek_secs),
+            format_duration(self.seek_secs),
             self.shortfall
                 .as_ref()
                 .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
@@ -143,7 +143,7 @@ impl LevelsReport {
     pub(super) fn to_text(&self) -> String {
         let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
         let model = self.levels.first().map_or("", |level| level.model);
-        format!("{}extracted from {model} in {}", table_of_levels(&rows), lasted(self.secs))
+        format!("{}extracted from {model} in {}", table_of_levels(&rows), format_duration(self.secs))
     }
 }
 

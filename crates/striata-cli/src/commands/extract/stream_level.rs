@@ -93,7 +93,7 @@ pub(in crate::commands) fn has_level(decoder: &StreamDecoder, target: Target) ->
 /// Returns the split count of the received level closest to the target, and why it is no closer.
 pub(in crate::commands) fn resolve(
     target: Target,
-    received: &Received,
+    received: &DecodedStream,
     levels: &Levels,
 ) -> (usize, StreamStopReason) {
     let is_whole = received.decoder.is_complete();

@@ -90,7 +90,7 @@ impl Seams {
         let inner = format_count(self.inner_edge_count);
         let mut rows = vec![("seam edges", format!("{} of {inner}", format_count(self.seam_edge_count)))];
         if self.split_position_count > 0 {
-            let [split, all] = [self.split_position_count, self.position_count].map(grouped);
+            let [split, all] = [self.split_position_count, self.position_count].map(format_count);
             let causes = join_names(&self.causes);
             rows.push(("split positions", format!("{split} of {all}, by {causes}")));
             let per_position = self.wedges_per_position;
@@ -179,15 +179,15 @@ impl Steps {
     /// Returns rows for the table.
     pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
         let mut rows = vec![
-            ("steps across seams", grouped(self.crossing_count)),
-            ("steps that remove no triangle", grouped(self.empty_count)),
+            ("steps across seams", format_count(self.crossing_count)),
+            ("steps that remove no triangle", format_count(self.empty_count)),
         ];
         if self.vanished_part_count > 0 {
             let left = format_count(self.part_count - self.vanished_part_count);
             let from = format_noun_count(self.all_parts_triangle_count, "triangle", "triangles");
             rows.push((
                 "parts in the base mesh",
-                format!("{left} of {}; all parts in levels of {from} or more", grouped(self.part_count)),
+                format!("{left} of {}; all parts in levels of {from} or more", format_count(self.part_count)),
             ));
         }
         rows
@@ -212,7 +212,8 @@ pub(super) fn notes(
         ));
     }
     if statistics.duplicate_triangle_count > 0 {
-        let triangles = counted(statistics.duplicate_triangle_count, "triangle repeats", "triangles repeat");
+        let triangles =
+            format_noun_count(statistics.duplicate_triangle_count, "triangle repeats", "triangles repeat");
         notes.push(format!("{triangles} the positions of another one. Each copy counts toward a target."));
     }
     if statistics.degenerate_triangle_count > 0 {

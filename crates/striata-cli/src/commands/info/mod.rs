@@ -19,8 +19,10 @@ use crate::args::InfoArgs;
 use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, Table, counted, grouped, lasted, measured, sized};
-use striata_command::stream::{Received, stream_facts_json};
+use striata_command::output::{
+    Output, Table, format_bytes, format_count, format_duration, format_length, format_noun_count,
+};
+use striata_command::stream::{DecodedStream, stream_facts_json};
 
 /// Number of defects that the text lists; JSON lists more of them.
 const LISTED_DEFECTS: usize = 5;
@@ -268,8 +270,8 @@ impl Report {
             row("levels", format_count(step_count + 1));
             let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
             let triangles = base["triangle_count"].as_u64().unwrap_or(0) as usize;
-            let triangles = counted(triangles, "triangle", "triangles");
-            row("base mesh", format!("{triangles}, {kind} {}", measured(error.into())));
+            let triangles = format_noun_count(triangles, "triangle", "triangles");
+            row("base mesh", format!("{triangles}, {kind} {}", format_length(error.into())));
         }
         for (name, value) in self.steps.iter().flat_map(Steps::rows) {
             row(name, value);
@@ -308,11 +310,11 @@ impl Report {
 
 fn text_of_cost(cost: &ModelCost) -> String {
     let instance = match cost.instance_bytes {
-        Some(bytes) => format!(", {} per instance", sized(bytes)),
+        Some(bytes) => format!(", {} per instance", format_bytes(bytes)),
         None => String::new(),
     };
-    let bytes = format!("{}, {:.1} bytes per vertex", sized(cost.bytes), cost.bytes_per_vertex);
-    format!("{bytes}{instance}, built in {}", lasted(cost.build_secs))
+    let bytes = format!("{}, {:.1} bytes per vertex", format_bytes(cost.bytes), cost.bytes_per_vertex);
+    format!("{bytes}{instance}, built in {}", format_duration(cost.build_secs))
 }
 
 fn or_none(names: String) -> String {

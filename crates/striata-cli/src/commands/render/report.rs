@@ -10,7 +10,7 @@ use super::layout::Layout;
 use super::source::Source;
 use crate::args::RenderArgs;
 use striata_command::level::shortfall_note;
-use striata_command::output::{counted, lasted, measured};
+use striata_command::output::{format_duration, format_length, format_noun_count};
 use striata_viewer::picture::Artist;
 
 /// Report on a picture.

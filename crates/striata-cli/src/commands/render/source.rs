@@ -15,7 +15,7 @@ use striata_command::args::{Coloring, Count, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
-use striata_command::output::{Bar, Output, grouped};
+use striata_command::output::{Bar, Output, format_count};
 use striata_command::sequence::{SequencePlan, Steps};
 use striata_viewer::picture::with_normals;
 

@@ -37,8 +37,8 @@ impl LoopPatterns {
         let corners: Vec<[u32; 3]> = fragments.faces().iter().map(|face| face.corners).collect();
         // The fragment that covers each triangle, as far as simplification has come.
         let mut covering = vec![NO_STEP; corners.len()];
-        let replaced_by = fragments.replaced_by();
-        let is_in_full_mesh = |face: &u32| replaced_by[*face as usize] == NO_STEP;
+        let replacing_steps = fragments.replacing_steps();
+        let is_in_full_mesh = |face: &u32| replacing_steps[*face as usize] == NO_STEP;
         let full = (0..corners.len() as u32).filter(is_in_full_mesh);
         let mut builder =
             Builder::new(&corners, levels.base_vertex_count() as u32, levels.step_count(), full)?;

@@ -117,8 +117,8 @@ impl<C: Criterion> Pass<'_, C> {
     /// The accumulated motion at which a verdict expires; immediately if it is valid for one view only.
     fn due(&self, verdict: Verdict) -> f32 {
         // Rounding makes large sums of motion inaccurate, so expire slightly earlier.
-        let due = (self.state.elapsed + f64::from(verdict.lasts * (1.0 - 1e-4))) as f32;
-        if verdict.lasts > 0.0 { due.next_down() } else { DUE_NOW }
+        let due = (self.state.elapsed + f64::from(verdict.motion_margin * (1.0 - 1e-4))) as f32;
+        if verdict.motion_margin > 0.0 { due.next_down() } else { DUE_NOW }
     }
 
     /// Evaluates the active vertices whose verdicts have expired. Verdicts depend only on the view, so
@@ -158,7 +158,7 @@ impl<C: Criterion> Pass<'_, C> {
         self.criterion.weigh_all(&block.parts, &mut block.verdicts);
         for (&Request { index, kind, step }, &verdict) in block.requests.iter().zip(&block.verdicts) {
             self.state.active[index as usize].due[kind] = self.due(verdict);
-            match (kind, verdict.is_wanted()) {
+            match (kind, verdict.should_refine()) {
                 (0, true) => self.required.push(step),
                 (1, false) => self.dispensable.push(step),
                 _ => {}

@@ -8,7 +8,7 @@ use super::followers::{FANS, Models, NAMES};
 use super::memory::{self, MemoryRow};
 use super::paths::Path;
 use super::scenario::{Run, Scenario};
-use striata_command::output::grouped;
+use striata_command::output::format_count;
 
 /// The report of one mesh.
 #[derive(Clone, Debug, Serialize)]

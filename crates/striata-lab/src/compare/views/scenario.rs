@@ -69,7 +69,7 @@ impl ScenarioFrames {
         let model = models.scene().sphere();
         let screen = |frame: &Frame| {
             let camera = frame.camera().map_err(|error| Failure::internal(error.to_string()))?;
-            Ok::<_, Failure>(ScreenError::new(camera, scenario.pixels).of_model(model))
+            Ok::<_, Failure>(ScreenError::new(camera, scenario.pixels).with_model_bounds(model))
         };
         let screens = frames.iter().map(screen).collect::<Result<_, _>>()?;
         let sequence = &models.refinable.sequence;

@@ -56,7 +56,7 @@ impl ShownFans {
             }
             (Goal::Budget(limit), Some(camera)) => {
                 self.uniform = None;
-                let criterion = ScreenError::new(camera, MIN_PIXELS).of_model(subject.sphere);
+                let criterion = ScreenError::new(camera, MIN_PIXELS).with_model_bounds(subject.sphere);
                 let update = self.front.update_to_budget(&scene, &criterion, limit);
                 error_px = Some(criterion.pixels() * update.threshold).filter(|pixels| pixels.is_finite());
             }

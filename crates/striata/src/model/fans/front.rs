@@ -148,11 +148,11 @@ impl<C: Criterion + Clone> FanFront<C> {
             for (&at, verdict) in batch.entries.iter().zip(&batch.verdicts) {
                 let step = self.steps[at as usize];
                 // A NaN validity span becomes 0, so the step is evaluated again in the next update.
-                self.due[at as usize] = self.due_after(verdict.lasts.max(0.0));
+                self.due[at as usize] = self.due_after(verdict.motion_margin.max(0.0));
                 let was_wanted = self.wanted.has(step);
-                self.set_wanted(scene.fans, step, verdict.is_wanted());
+                self.set_wanted(scene.fans, step, verdict.should_refine());
                 // A step that was wanted before is already waiting.
-                if verdict.is_wanted() && !was_wanted && !self.instance.is_refined(step) {
+                if verdict.should_refine() && !was_wanted && !self.instance.is_refined(step) {
                     self.pending_splits.push(step);
                     if is_whole {
                         self.split_pending(scene.fans, change_limit, &mut update);

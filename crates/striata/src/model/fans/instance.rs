@@ -124,7 +124,7 @@ impl FanInstance {
             verdicts.clear();
             criterion.weigh_all(&parts, &mut verdicts);
             for (step, verdict) in std::mem::take(&mut steps).into_iter().zip(&verdicts) {
-                if verdict.is_wanted() {
+                if verdict.should_refine() {
                     if self.collapsed.has(step) {
                         self.split_into(fans, step, &mut split_steps);
                     }

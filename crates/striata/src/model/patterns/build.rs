@@ -63,7 +63,8 @@ impl Patterns {
         let mut ancestry = Ancestry::new(fragments.step_count());
         for step in 0..fragments.step_count() as u32 {
             let (sharing, up) = locations.share(step, &rules, &rules_of);
-            let below = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face)).collect();
+            let below =
+                fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face)).collect();
             let down = ancestry.add(below);
             drafts.push(Draft { rule: rules_of[step as usize], sharing: sharings.find(sharing), up, down });
         }
