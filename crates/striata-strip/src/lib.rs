@@ -27,15 +27,15 @@
 //! two triangles follow each other in a strip, and dashed otherwise. Every stripifier only recolors links.
 //! One writer turns them into indices, so winding, parity and order are handled in one place.
 //!
-//!  module | algorithm |
-//!  --- | --- |
-//!  `stripe` | the classic greedy walk that prefers neighbors with few free neighbors |
-//!  `tunnel` | joins strip ends greedily, then along the shortest tunnels |
-//!  `fewest` | moves strip ends until they meet; proves how few strips are possible |
-//!  `cheapest` | simulated annealing of single links, then joins strips whose ends share a vertex |
-//!  `cache` | reorders strips, or grows new ones in rows, for few vertex cache misses |
-//!  `repair` | [`LiveStrips`] |
-//!  `blocks` | [`stripify_blocks`] |
+//! | module | algorithm |
+//! | --- | --- |
+//! | `stripe` | the classic greedy walk that prefers neighbors with few free neighbors |
+//! | `tunnel` | joins strip ends greedily, then along the shortest tunnels |
+//! | `fewest` | moves strip ends until they meet; proves how few strips are possible |
+//! | `cheapest` | simulated annealing of single links, then joins strips whose ends share a vertex |
+//! | `cache` | reorders strips, or grows new ones in rows, for few vertex cache misses |
+//! | `repair` | [`LiveStrips`] |
+//! | `blocks` | [`stripify_blocks`] |
 //!
 //! **All costs are local.** Every strip begins at an even position of its draw call. One of the two turns
 //! at its second triangle is free there, and the other costs an index. Which one is free depends only on

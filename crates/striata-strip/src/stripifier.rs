@@ -10,7 +10,7 @@ pub enum Stripifier {
     /// Best of three greedy walks from triangles with few free neighbors: fast, few indices.
     #[default]
     Greedy,
-    /// The classic local algorithm \[ESV96\]: continues to the neighbor with the fewest free neighbors. Few strips.
+    /// The classic local algorithm \[ESV96\]: to the neighbor with the fewest free neighbors. Few strips.
     Stripe,
     /// Tunnelling with dynamic strip identities \[PS03\]: few strips.
     Tunnel {

@@ -249,9 +249,9 @@ fn wrong_blocks_are_told_by_their_number() {
     };
     assert_eq!(said(vec![block(0, &[plain]), block(0, &[])]), "block 1: nothing there");
     let falling = vec![block(1, &[plain]), block(0, &[plain])];
-    assert_eq!(said(falling), "block 1 is of group 0, after a block of group 1");
+    assert_eq!(said(falling), "block 1 has group 0, but the block before it has group 1");
     let reserved = vec![block(0, &[plain, ([0, RESTART, 1], [0; 3])])];
-    assert_eq!(said(reserved), "block 0, triangle 1: no vertex can have the number 4294967295");
+    assert_eq!(said(reserved), "block 0, triangle 1: vertex index 4294967295 is reserved for restarts");
 }
 
 #[test]

@@ -6,7 +6,7 @@
 //! that rows that turn back early survive until they pay off. StepTree that all states share are final.
 //!
 //! [Hop99b\] grows one strip and simulates at each triangle whether to turn back now or somewhat later.
-//! Differs: the states of the beam replace the simulation, swaps and starts are decided in the same candidate,
+//! Differs: the states of the beam replace the simulation, swaps and starts are decided in the same way,
 //! and a state is scored by the open vertices it loses, not by its misses so far.
 //!
 //! Cost: linear, some 15 microseconds per triangle for 32 states; about 40 bytes per triangle.
