@@ -210,13 +210,13 @@ fn what_cannot_be_read_in_blocks_is_named() {
     let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
     assert_eq!(
         Place::said("a.ply", &ascii),
-        "a.ply: is a PLY file of text; only binary PLY files are read block by block"
+        "a.ply: is an ASCII PLY file; only binary PLY files are read block by block"
     );
     let obj = to_bytes(Format::Obj, &mesh, &WriteOptions::default()).unwrap();
-    assert!(Place::said("a.obj", &obj).starts_with("a.obj: is no PLY file;"));
+    assert!(Place::said("a.obj", &obj).starts_with("a.obj: is not a PLY file;"));
     let folder = tempfile::tempdir().unwrap();
     let said = TriangleBlocks::open(folder.path(), 5, folder.path()).unwrap_err().to_string();
-    assert!(said.contains("is no plain file"), "{said}");
+    assert!(said.contains("is not a regular file"), "{said}");
     let mut outside = mesh.clone();
     outside.triangles[2][1] = 3;
     let mut bytes = ply(&outside);
@@ -236,7 +236,7 @@ fn what_cannot_be_read_in_blocks_is_named() {
         property list uchar int vertex_indices\nend_header\n";
     let said = Place::said("a.ply", head.as_bytes());
     assert!(
-        said.contains("4000000000 rows of `vertex` are promised, which take 48000000000 bytes"),
+        said.contains("4000000000 rows of `vertex` are declared, which take 48000000000 bytes"),
         "{said}"
     );
     let strips = "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\n\

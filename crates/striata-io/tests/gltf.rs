@@ -404,7 +404,7 @@ fn files_beside_the_document_are_found() {
     assert_eq!((images[0].bytes.as_slice(), images[0].mime_type.as_str()), (&b"\x89PNG..."[..], "image/png"));
     assert_eq!((images[1].bytes.len(), images[1].uri.as_str()), (0, "lost.png"));
     assert!(images[2].bytes.is_empty());
-    for (uri, reason) in [("../a b.bin", "leads out of the folder"), ("lost.bin", "`lost.bin`")] {
+    for (uri, reason) in [("../a b.bin", "leaves the folder"), ("lost.bin", "`lost.bin`")] {
         root["buffers"][0]["uri"] = json!(uri);
         let source = Source::new("scene.gltf").with_folder(folder.path());
         let error = read_bytes(root.to_string().as_bytes(), &source).unwrap_err().to_string();

@@ -138,10 +138,10 @@ fn errors_name_the_place() {
         element face 1\nproperty list uchar int vertex_indices\nend_header\n";
     let cases = [
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 13: vertex 3 does not exist: there are 3"),
-        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n", "line 13: -2 is no index of a vertex"),
+        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n", "line 13: -2 is not a vertex index"),
         ("0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "line 11: expected a number, found `zero`"),
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1", "line 13: expected a whole number, found the end"),
-        ("0 0 0\n", "line 10: 3 rows of `vertex` are promised"),
+        ("0 0 0\n", "line 10: 3 rows of `vertex` are declared"),
     ];
     for (body, expected) in cases {
         let message = refused("dir/x.ply", format!("{header}{body}").as_bytes());
@@ -163,7 +163,7 @@ fn a_header_that_promises_billions_is_refused_at_once() {
                 "ply\nformat {encoding} 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
                  property float z\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n1 2 3\n"
             );
-            assert!(refused("x.ply", text.as_bytes()).contains("are promised"), "{encoding} {vertices}");
+            assert!(refused("x.ply", text.as_bytes()).contains("are declared"), "{encoding} {vertices}");
         }
     }
 }

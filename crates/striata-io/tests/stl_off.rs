@@ -82,7 +82,7 @@ fn stl_errors_name_the_place() {
     assert!(refused("x.stl", b"short").contains("byte 5: a binary STL begins with 84 bytes"));
     let mut bytes = written(Format::Stl, &square());
     bytes[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
-    assert!(refused("x.stl", &bytes).contains("byte 80: the header promises 4294967295 triangles"));
+    assert!(refused("x.stl", &bytes).contains("byte 80: the header declares 4294967295 triangles"));
 }
 
 #[test]
@@ -121,9 +121,9 @@ fn off_errors_name_the_line() {
     let cases = [
         ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: polygon 0: vertex 3 of 3 does not exist"),
         ("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4: vertex 1: expected a number"),
-        ("OFF\n4000000000 1 0\n0 0 0\n", "4000000000 rows are promised"),
-        ("OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "4000000000 rows are promised"),
-        ("OFF\n-3 1 0\n", "-3 is no number of vertices"),
+        ("OFF\n4000000000 1 0\n0 0 0\n", "4000000000 rows are declared"),
+        ("OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "4000000000 rows are declared"),
+        ("OFF\n-3 1 0\n", "-3 is not a valid number of vertices"),
         ("OFF BINARY\n", "binary OFF cannot be read"),
         ("4OFF\n1 0 0\n0 0 0 0\n", "cannot be read"),
         ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "line 6: polygon 0: expected a whole number"),

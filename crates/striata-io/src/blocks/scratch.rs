@@ -1,4 +1,4 @@
-//! Files that vanish with the process.
+//! Temporary files that disappear with the process.
 
 use std::fs::File;
 use std::io;
@@ -6,13 +6,13 @@ use std::path::PathBuf;
 
 use crate::ReadError;
 
-/// The folder for files without a name.
+/// Folder for unnamed temporary files.
 #[derive(Clone, Debug)]
-pub(super) struct Scratch {
+pub(super) struct ScratchFolder {
     pub(super) folder: PathBuf,
 }
 
-impl Scratch {
+impl ScratchFolder {
     pub(super) fn file(&self) -> Result<File, ReadError> {
         tempfile::tempfile_in(&self.folder).map_err(|error| self.error(error))
     }

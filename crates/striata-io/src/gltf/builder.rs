@@ -1,4 +1,4 @@
-//! The lists of a document that grow while it is written: bytes, views of them, accessors.
+//! Parts of a document that grow while it is written: bytes, buffer views and accessors.
 
 use serde_json::{Value, json};
 
@@ -14,7 +14,7 @@ pub(super) struct Builder {
 }
 
 impl Builder {
-    /// Adds bytes as a buffer view, aligned to 4.
+    /// Adds bytes as a buffer view, aligned to 4, and returns its index.
     pub(super) fn push_view(&mut self, bytes: &[u8], target: Option<u32>, stride: Option<usize>) -> usize {
         self.binary.resize(self.binary.len().next_multiple_of(4), 0);
         let mut view = json!({ "buffer": 0, "byteOffset": self.binary.len(), "byteLength": bytes.len() });

@@ -1,4 +1,4 @@
-//! The PLY writer: all layers, binary little-endian or ascii. Groups and materials have no place in PLY.
+//! PLY writer: all layers, binary little-endian or ASCII. PLY cannot store groups and materials.
 
 use std::collections::BTreeSet;
 
