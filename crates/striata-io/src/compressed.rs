@@ -59,8 +59,8 @@ impl Compression {
 /// Unpacks gzip and zstd, and removes `.gz` and `.zst` from the name; other bytes are returned unchanged.
 ///
 /// # Errors
-/// Returns [`ReadError::Malformed`] if the compressed data are damaged or truncated, or unpack to more than 4 GiB
-/// or 2,000 times their size, and [`ReadError::FeatureOff`] without the feature `compressed`.
+/// Returns [`ReadError::Malformed`] if the compressed data are damaged or truncated, or unpack to more than
+/// 4 GiB or 2,000 times their size, and [`ReadError::FeatureOff`] without the feature `compressed`.
 pub fn decompressed<'a>(bytes: Cow<'a, [u8]>, name: &str) -> Result<(Cow<'a, [u8]>, String), ReadError> {
     let (mut bytes, mut inner_name) = (bytes, name.to_owned());
     for _ in 0..MAX_LAYERS {

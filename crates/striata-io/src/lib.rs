@@ -23,7 +23,7 @@
 //! | OBJ | own, `obj` | `tobj` is slower, its errors name no line, and it loses material and library names |
 //! | STL | own, `stl` | 84 + 50 n bytes; welding is the main work, and is done in the same pass |
 //! | OFF | own, `off` | uses the cursor that OBJ needs anyway |
-//! | glTF, GLB | `serde_json`, own `gltf` | the `gltf` crate rejects scenes without nodes and checks no buffers |
+//! | glTF, GLB | `serde_json`, own `gltf` | the `gltf` crate rejects scenes without nodes; more in `gltf` |
 //! | numbers in text | own, `text` | one exact division for up to 15 digits, otherwise the standard library |
 //! | gzip, zstd | `flate2`, `zstd` | |
 //!

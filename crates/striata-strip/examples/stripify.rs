@@ -1,4 +1,6 @@
-//! Compares three stripifiers on a mesh: `cargo run --release -p striata-strip --example stripify -- bunny.ply`
+//! Compares three stripifiers on a mesh.
+//!
+//! `cargo run --release -p striata-strip --example stripify -- bunny.ply`
 
 use std::error::Error;
 

@@ -81,7 +81,7 @@ impl<'a> Document<'a> {
             } else if uri.is_empty() {
                 match blob.filter(|_| index == 0) {
                     Some(blob) => Rc::new(Cow::Borrowed(blob)),
-                    // A placeholder, as for compressed data that we do not read; views into it report an error.
+                    // A placeholder, as for unsupported compressed data; views into it report an error.
                     None => Rc::new(Cow::Borrowed(&[][..])),
                 }
             } else {

@@ -252,7 +252,8 @@ impl ElementOffsets {
             if needed > file_bytes.saturating_sub(at) {
                 let (count, left) = (element.count, file_bytes.saturating_sub(at));
                 let reason = format!(
-                    "{count} rows of `{found}` are declared, which take {needed} bytes or more, but only {left} follow"
+                    "{count} rows of `{found}` are declared, which take {needed} bytes or more, but only \
+                     {left} follow"
                 );
                 return Err(fault_at(at, reason));
             }
