@@ -16,8 +16,8 @@ use crate::WriteError;
 ///
 /// The file is not flushed to the disk: a crash of the machine, unlike one of the program, may lose it.
 ///
-/// # Errors Returns [`WriteError::Io`] with the error of the system or of `write`; the target is then
-/// unchanged.
+/// # Errors
+/// Returns [`WriteError::Io`] with the error of the system or of `write`; the target is then unchanged.
 /// [`WriteError::Io`] with what the system or `write` says; the target is then as it was.
 pub fn write_atomically(
     path: &Path,
@@ -64,8 +64,9 @@ struct StagedFile {
 impl FileBatch {
     /// Writes a file that appears together with the others.
     ///
-    /// # Errors Returns [`WriteError::Io`] with the error of the system or of `write`, or if the path is
-    /// not a regular file.
+    /// # Errors
+    /// Returns [`WriteError::Io`] with the error of the system or of `write`, or if the path is not a
+    /// regular file.
     pub fn write(
         &mut self,
         path: &Path,
@@ -84,8 +85,9 @@ impl FileBatch {
 
     /// Renames all files to their targets.
     ///
-    /// # Errors Returns [`WriteError::Io`] if one cannot be renamed; the others are then removed, and the
-    /// files they replaced are restored.
+    /// # Errors
+    /// Returns [`WriteError::Io`] if one cannot be renamed; the others are then removed, and the files they
+    /// replaced are restored.
     pub fn commit(self) -> Result<(), WriteError> {
         let mut named = Vec::new();
         for StagedFile { file, path, target } in self.staged {

@@ -13,7 +13,8 @@ use crate::{Place, ReadError, WriteError, write_atomically};
 ///
 /// The file is written completely or not at all.
 ///
-/// # Errors Returns [`WriteError`] with the file and the reason.
+/// # Errors
+/// Returns [`WriteError`] with the file and the reason.
 pub fn save(path: impl AsRef<Path>, lod: &Lod) -> Result<(), WriteError> {
     let path = path.as_ref();
     let refused = |reason: String| WriteError::BadMesh { file: path.display().to_string(), reason };
@@ -25,7 +26,8 @@ pub fn save(path: impl AsRef<Path>, lod: &Lod) -> Result<(), WriteError> {
 ///
 /// A file whose mesh is a progressive stream is opened by the crate `striata-stream` instead.
 ///
-/// # Errors Returns [`ReadError`] with the file and the reason.
+/// # Errors
+/// Returns [`ReadError`] with the file and the reason.
 pub fn open(path: impl AsRef<Path>) -> Result<Lod, ReadError> {
     let path = path.as_ref();
     let file = || path.display().to_string();

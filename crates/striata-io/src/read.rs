@@ -16,7 +16,8 @@ use crate::{Format, ReadError, decompressed};
 ///
 /// The content decides the format; the extension is only used if the content is inconclusive.
 ///
-/// # Errors Returns [`ReadError`] with the file, the place and the reason.
+/// # Errors
+/// Returns [`ReadError`] with the file, the place and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
     let path = path.as_ref();

@@ -17,7 +17,8 @@ use crate::{Format, WriteError};
 ///
 /// The file is written completely or not at all.
 ///
-/// # Errors Returns [`WriteError`] with the file and the reason.
+/// # Errors
+/// Returns [`WriteError`] with the file and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions) -> Result<(), WriteError> {
     let path = path.as_ref();
@@ -31,7 +32,8 @@ pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions)
 /// Returns the bytes that [`write()`] puts into a file, in any format: compressed if the name ends in `.gz`
 /// or `.zst`.
 ///
-/// # Errors Returns the errors of [`to_bytes`], with the name of the file.
+/// # Errors
+/// Returns the errors of [`to_bytes`], with the name of the file.
 #[cfg(not(target_family = "wasm"))]
 pub fn to_file_bytes(
     path: &Path,
@@ -50,7 +52,8 @@ pub fn to_file_bytes(
 /// Encodes a mesh as the bytes of a file: binary little-endian PLY (or ASCII), OBJ, binary STL, OFF, GLB,
 /// or glTF with everything embedded.
 ///
-/// # Errors Returns [`WriteError`] if the mesh is inconsistent or the format cannot store it.
+/// # Errors
+/// Returns [`WriteError`] if the mesh is inconsistent or the format cannot store it.
 pub fn to_bytes(format: Format, mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
     named_bytes(format, mesh, options, &format.to_string())
 }

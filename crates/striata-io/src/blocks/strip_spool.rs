@@ -13,7 +13,7 @@ use crate::gltf::VertexPieces;
 use crate::ply::CopyError;
 use crate::{Format, WriteError, write_atomically};
 
-/// IndexSpool that collects the strips of a [`TriangleBlocks`] and writes them to a file with its vertices.
+/// Spool that collects the strips of a [`TriangleBlocks`] and writes them to a file with its vertices.
 #[derive(Debug)]
 pub struct StripSpool {
     format: Format,
@@ -27,7 +27,8 @@ impl StripSpool {
     /// Creates a spool for a file in this format: PLY, with restarts between strips, or GLB, with strips
     /// joined by degenerate triangles. Temporary files are created in the folder `scratch`.
     ///
-    /// # Errors Returns [`WriteError`] for other formats, or if the temporary file cannot be created.
+    /// # Errors
+    /// Returns [`WriteError`] for other formats, or if the temporary file cannot be created.
     pub fn new(format: Format, scratch: &Path) -> Result<Self, WriteError> {
         let is_writable = format == Format::Ply || cfg!(feature = "gltf") && format == Format::Glb;
         if !is_writable {
@@ -62,8 +63,8 @@ impl StripSpool {
 
     /// Writes the file completely or not at all, and returns the number of its indices.
     ///
-    /// # Errors Returns [`WriteError`] if the format cannot store the mesh or a file cannot be read or
-    /// written.
+    /// # Errors
+    /// Returns [`WriteError`] if the format cannot store the mesh or a file cannot be read or written.
     pub fn write(self, path: &Path, mesh: &TriangleBlocks) -> Result<u64, WriteError> {
         let (format, count, scratch) = (self.format, self.index_count, self.scratch);
         let file = self.indices.into_inner().map_err(|e| spool_error(&scratch, e.into_error()))?;

@@ -34,8 +34,9 @@ impl TriangleBlocks {
     /// Cuts the mesh of a file into blocks of at most `block_triangles` triangles (at least one). Temporary
     /// files are created in the folder `scratch`.
     ///
-    /// # Errors Returns [`ReadError`] if the file is not a binary PLY or is damaged, or if a file cannot be
-    /// read or written.
+    /// # Errors
+    /// Returns [`ReadError`] if the file is not a binary PLY or is damaged, or if a file cannot be read or
+    /// written.
     pub fn open(path: &Path, block_triangles: usize, scratch: &Path) -> Result<Self, ReadError> {
         let stream = PlyStream::open(path)?;
         let scratch = ScratchFolder { folder: scratch.to_owned() };

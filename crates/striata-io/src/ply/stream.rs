@@ -42,8 +42,9 @@ pub(crate) struct PlyStream {
 impl PlyStream {
     /// Reads the header and locates the elements.
     ///
-    /// # Errors Returns an error if the file is not a binary PLY, or if its elements cannot be located
-    /// without reading all of it.
+    /// # Errors
+    /// Returns an error if the file is not a binary PLY, or if its elements cannot be located without
+    /// reading all of it.
     pub(crate) fn open(path: &Path) -> Result<Self, ReadError> {
         let name = path.display().to_string();
         let io = |source| ReadError::Io { file: name.clone(), source };
@@ -156,7 +157,8 @@ impl PlyStream {
 
     /// Passes the vertex rows to `visit` in order: the index of the first, and whole rows.
     ///
-    /// # Errors Returns an error if the file cannot be read, or the error of `visit`.
+    /// # Errors
+    /// Returns an error if the file cannot be read, or the error of `visit`.
     pub(crate) fn for_each_row_batch<E: From<ReadError>>(
         &self,
         mut visit: impl FnMut(u32, &[u8]) -> Result<(), E>,
@@ -179,8 +181,9 @@ impl PlyStream {
 
     /// Passes the triangles to `visit` in order; polygons are fanned.
     ///
-    /// # Errors Returns an error if the file is truncated or a vertex index is out of range, or the error
-    /// of `visit`.
+    /// # Errors
+    /// Returns an error if the file is truncated or a vertex index is out of range, or the error of
+    /// `visit`.
     pub(crate) fn for_each_triangle(
         &self,
         mut visit: impl FnMut([u32; 3]) -> Result<(), ReadError>,

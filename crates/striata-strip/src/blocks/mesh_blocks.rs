@@ -27,7 +27,8 @@ pub struct MeshBlocks<'a> {
 impl<'a> MeshBlocks<'a> {
     /// Cuts a mesh into blocks of at most `block_triangles` triangles (at least one).
     ///
-    /// # Errors Returns [`MeshError`] if the mesh is inconsistent.
+    /// # Errors
+    /// Returns [`MeshError`] if the mesh is inconsistent.
     pub fn new(mesh: &'a IndexedMesh, block_triangles: usize) -> Result<Self, MeshError> {
         mesh.check()?;
         let curve = BlockCurve::new(mesh.bounds());

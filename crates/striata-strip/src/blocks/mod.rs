@@ -93,8 +93,8 @@ pub fn stripify_blocks<S: BlockSource, W>(
 
 /// Makes strips like [`stripify_blocks`] and reports its progress; the callback can cancel.
 ///
-/// # Errors Returns the errors of [`stripify_blocks`], and [`BlocksError::Cancelled`] if the callback
-/// cancels.
+/// # Errors
+/// Returns the errors of [`stripify_blocks`], and [`BlocksError::Cancelled`] if the callback cancels.
 pub fn stripify_blocks_with_progress<S: BlockSource, W>(
     source: &mut S,
     options: &BlockOptions,

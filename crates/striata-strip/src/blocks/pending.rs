@@ -92,7 +92,7 @@ impl PendingStrips {
         self.triangle_count
     }
 
-    /// Largest id of triangles that ever waited.
+    /// Largest number of triangles that ever waited.
     pub(super) fn peak_triangle_count(&self) -> usize {
         self.peak_triangle_count
     }

@@ -32,7 +32,8 @@ pub trait BlockSource {
     ///
     /// [`stripify_blocks`](super::stripify_blocks) reads each block once, in order.
     ///
-    /// # Errors Returns an error if the source fails; stripification then ends with
+    /// # Errors
+    /// Returns an error if the source fails; stripification then ends with
     /// [`BlocksError::Read`](super::BlocksError::Read).
     fn read_block(&mut self, number: u32, block: &mut Block) -> Result<(), Self::Error>;
 }

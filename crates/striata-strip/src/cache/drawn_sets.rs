@@ -11,7 +11,7 @@ use super::adjacency::Adjacency;
 pub(super) const COLUMN_COUNT: usize = 1024;
 const WORD_COUNT: usize = COLUMN_COUNT / 64;
 
-/// DrawnBits bits of one state, one per column.
+/// Drawn bits of one state, one per column.
 pub(super) type DrawnBits = [u64; WORD_COUNT];
 
 const UNTOUCHED: u16 = u16::MAX;

@@ -3,7 +3,7 @@
 //! Each state of the search can continue straight, with a swap, or with a new strip next to the cached
 //! vertices. The best resulting states are kept as long as they differ: states that have drawn the same
 //! triangles and end alike count as one, and at most half may begin their last strip with the same step, so
-//! that rows that turn back early survive until they pay off. StepTree that all states share are final.
+//! that rows that turn back early survive until they pay off. Steps that all states share are final.
 //!
 //! [Hop99b\] grows one strip and simulates at each triangle whether to turn back now or somewhat later.
 //! Differs: the states of the beam replace the simulation, swaps and starts are decided in the same way,

@@ -12,7 +12,7 @@ struct Node {
     step: Step,
 }
 
-/// StepTree of all states, each with its predecessor.
+/// Steps of all states, each with its predecessor.
 #[derive(Default)]
 pub(super) struct StepTree {
     nodes: Vec<Node>,

@@ -52,8 +52,9 @@ impl<'a> LiveStrips<'a> {
     ///
     /// The strips are kept, except that they are cut at edges that the dual graph does not link.
     ///
-    /// # Errors Returns [`LiveStripsError`] if there is no such level, if the strips contain other
-    /// triangles than the level, or if the mesh is inconsistent.
+    /// # Errors
+    /// Returns [`LiveStripsError`] if there is no such level, if the strips contain other triangles than
+    /// the level, or if the mesh is inconsistent.
     pub fn new(
         refinable: &'a RefinableMesh,
         split_count: usize,
