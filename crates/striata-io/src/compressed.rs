@@ -32,6 +32,7 @@ pub(crate) enum Compression {
 }
 
 impl Compression {
+    /// Detects compression by the first bytes of a file.
     fn of(bytes: &[u8]) -> Option<Self> {
         match bytes {
             [0x1f, 0x8b, 0x08, ..] => Some(Self::Gzip),
@@ -40,6 +41,7 @@ impl Compression {
         }
     }
 
+    /// Returns the compression that a name's extension stands for.
     pub(crate) fn from_extension(name: &str) -> Option<Self> {
         match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
             "gz" => Some(Self::Gzip),

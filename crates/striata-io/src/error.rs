@@ -115,10 +115,12 @@ pub(crate) enum Fault {
 }
 
 impl Fault {
+    /// Creates a fault at a line, counted from 1.
     pub(crate) fn at_line(line: u64, reason: impl Into<String>) -> Self {
         Self::Malformed(Place::Line(line), reason.into())
     }
 
+    /// Creates a fault at a byte, counted from 0.
     pub(crate) fn at_byte(byte: usize, reason: impl Into<String>) -> Self {
         Self::Malformed(Place::Byte(byte as u64), reason.into())
     }

@@ -78,6 +78,7 @@ impl Format {
         }
     }
 
+    /// Detects the format from the first bytes of a file.
     fn from_content(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(STRIATA_MAGIC) {
             return Some(Self::Striata);

@@ -28,6 +28,7 @@ struct Columns {
     texcoords: Vec<f32>,
 }
 
+/// Reads a mesh from the bytes of an OFF file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let mut cursor = Cursor::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     cursor.skip_lines(Some(b'#'));

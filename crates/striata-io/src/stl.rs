@@ -15,6 +15,7 @@ use crate::text::{Cursor, quoted};
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
 
+/// Reads a mesh from the bytes of an STL file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     if is_ascii(bytes) { read_ascii(bytes) } else { read_binary(bytes) }
 }
@@ -41,6 +42,7 @@ impl VertexTable {
         Self { positions: Vec::with_capacity(vertex_count), table: vec![0; places] }
     }
 
+    /// Returns the vertex of a position, after adding it if it is new.
     #[inline]
     fn vertex(&mut self, position: [f32; 3]) -> u32 {
         let mask = self.table.len() - 1;
@@ -186,6 +188,7 @@ fn expect(cursor: &mut Cursor<'_>, expected: &[u8]) -> Result<(), Fault> {
     Err(cursor.fault(format!("expected {}, found {}", quoted(expected), quoted(word))))
 }
 
+/// Encodes a mesh as a binary STL file; only positions and triangles are kept.
 pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Result<Vec<u8>, Refusal> {
     let count = mesh.triangles.len();
     let mut out = Vec::with_capacity(HEADER_BYTES + FACET_BYTES * count);

@@ -18,6 +18,7 @@ pub(crate) struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
+    /// Creates a cursor at the start of a file.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: 0, line: 1, continues: false }
     }
@@ -44,11 +45,13 @@ impl<'a> Cursor<'a> {
         self.bytes.len() - self.at
     }
 
+    /// Creates a fault at the current line.
     #[cold]
     pub(crate) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::at_line(self.line, reason)
     }
 
+    /// Returns the next byte without reading it.
     #[inline]
     pub(crate) fn peek(&self) -> Option<u8> {
         self.bytes.get(self.at).copied()

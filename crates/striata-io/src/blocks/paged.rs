@@ -21,6 +21,7 @@ pub(super) struct PagedFile {
     pages: Vec<Page>,
 }
 
+/// Cached page.
 #[derive(Clone, Debug, Default)]
 struct Page {
     index: Option<u64>,
@@ -79,6 +80,7 @@ impl PagedFile {
         Ok((&mut self.pages[slot], first))
     }
 
+    /// Loads a page into a slot, after writing back the changed page that was there.
     fn change_page(&mut self, slot: usize, index: u64) -> io::Result<()> {
         let page = &mut self.pages[slot];
         let offset_of = |index: u64| SeekFrom::Start(self.start + index * PAGE_BYTES as u64);

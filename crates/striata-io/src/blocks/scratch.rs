@@ -13,14 +13,17 @@ pub(super) struct ScratchFolder {
 }
 
 impl ScratchFolder {
+    /// Creates an unnamed temporary file.
     pub(super) fn file(&self) -> Result<File, ReadError> {
         tempfile::tempfile_in(&self.folder).map_err(|error| self.error(error))
     }
 
+    /// Wraps a system error with a description of the temporary file.
     pub(super) fn error(&self, source: io::Error) -> ReadError {
         ReadError::Io { file: self.name(), source }
     }
 
+    /// Returns a description of the temporary file for messages.
     pub(super) fn name(&self) -> String {
         format!("temporary file in {}", self.folder.display())
     }

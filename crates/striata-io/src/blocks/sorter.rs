@@ -57,6 +57,7 @@ impl Sorter {
         Self { run: Vec::new(), file: BufWriter::with_capacity(1 << 16, file), ends: Vec::new() }
     }
 
+    /// Adds a record.
     pub(super) fn push(&mut self, record: Record) -> io::Result<()> {
         self.run.push(record);
         if self.run.len() == RUN_RECORDS { self.end_run() } else { Ok(()) }
@@ -72,7 +73,7 @@ impl Sorter {
         Ok(())
     }
 
-    /// Returns an iterator-like reader of all records in ascending order.
+    /// Sorts the records and returns a reader of them in ascending order.
     pub(super) fn merged(mut self) -> io::Result<SortedRecords> {
         self.end_run()?;
         self.run = Vec::new();
@@ -112,12 +113,14 @@ struct Run {
 }
 
 impl SortedRecords {
+    /// Returns the next record, or [`None`] after the last.
     pub(super) fn next(&mut self) -> io::Result<Option<Record>> {
         let Some(Reverse((record, run))) = self.heads.pop() else { return Ok(None) };
         self.push_head(run)?;
         Ok(Some(record))
     }
 
+    /// Moves the next record of a run to the heap, and refills the run's buffer if it is empty.
     fn push_head(&mut self, index: usize) -> io::Result<()> {
         let run = &mut self.runs[index];
         if run.at == run.buffer.len() {

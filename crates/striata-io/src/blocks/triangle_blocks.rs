@@ -77,6 +77,7 @@ impl BlockSource for TriangleBlocks {
 }
 
 impl TriangleBlocks {
+    /// Reads a block from the temporary files.
     fn fill(&mut self, number: usize, block: &mut Block) -> io::Result<()> {
         let (start, end) = (self.starts[number], self.starts[number + 1]);
         let mut bytes = vec![0; (end - start) as usize * TRIANGLE_BYTES];

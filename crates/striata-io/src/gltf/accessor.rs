@@ -153,6 +153,7 @@ impl Sparse<'_> {
 }
 
 impl Accessor<'_> {
+    /// Creates a fault at this accessor.
     pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::Malformed(Place::Json(self.path.clone()), reason.into())
     }

@@ -16,6 +16,7 @@ use crate::error::Fault;
 const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
 const BYTES_PER_INPUT_BYTE: u64 = 64;
 
+/// Reads the materials, textures, samplers and images of a document.
 pub(super) fn appearance(document: &Document<'_>) -> Result<Appearance, Fault> {
     let root = &document.root;
     let mut extensions = BTreeSet::new();

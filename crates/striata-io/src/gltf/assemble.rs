@@ -43,6 +43,7 @@ struct Piece<'a> {
     name: String,
 }
 
+/// Everything the scene shows, before it is decoded.
 #[derive(Default)]
 struct Plan<'a> {
     blocks: Vec<Block<'a>>,
@@ -56,6 +57,7 @@ struct Plan<'a> {
 /// Accessor of the positions, the other accessors, and the transform.
 type BlockKey = (u64, Vec<(Semantic, u64)>, Option<[u64; 16]>);
 
+/// Builds the mesh of a document's scene.
 pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
     let mut plan = Plan::default();
     for instance in instances(document)? {

@@ -6,6 +6,7 @@ const ARRAY_BUFFER: u32 = 34962;
 pub(super) const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 pub(super) const TRIANGLE_STRIP: u32 = 5;
 
+/// Parts of the document written so far.
 #[derive(Default)]
 pub(super) struct Builder {
     pub(super) binary: Vec<u8>,
@@ -29,6 +30,7 @@ impl Builder {
         self.views.len() - 1
     }
 
+    /// Adds an accessor and returns its index.
     pub(super) fn push_accessor(&mut self, accessor: Value) -> usize {
         self.accessors.push(accessor);
         self.accessors.len() - 1

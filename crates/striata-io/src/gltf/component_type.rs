@@ -35,6 +35,7 @@ impl ComponentType {
         }
     }
 
+    /// Returns the size of a component in bytes.
     pub(super) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,

@@ -32,6 +32,7 @@ fn can_be_required(extension: &str) -> bool {
     KNOWN.contains(&extension) || extension.starts_with("KHR_materials_")
 }
 
+/// Parsed document with its buffers.
 pub(super) struct Document<'a> {
     pub root: JsonNode<'a>,
     buffers: Vec<Rc<Cow<'a, [u8]>>>,

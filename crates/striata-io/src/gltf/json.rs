@@ -21,10 +21,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
 }
 
 impl<'a> JsonNode<'a> {
+    /// Creates a fault at this value.
     pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::Malformed(Place::Json(self.path.clone()), reason.into())
     }
 
+    /// Returns the member of an object, if it exists.
     pub(super) fn get(&self, key: &str) -> Option<JsonNode<'a>> {
         let value = self.value.get(key)?;
         let dot = if self.path.is_empty() { "" } else { "." };
@@ -36,12 +38,14 @@ impl<'a> JsonNode<'a> {
         self.get(key).map(|at| at.as_unsigned()).transpose()
     }
 
+    /// Returns the value as a non-negative integer.
     pub(super) fn as_unsigned(&self) -> Result<u64, Fault> {
         let whole = |x: f64| (x.fract() == 0.0 && (0.0..9e15).contains(&x)).then_some(x as u64);
         let found = self.value.as_u64().or_else(|| self.value.as_f64().and_then(whole));
         found.ok_or_else(|| self.fault(format!("expected a whole number, found {}", describe(self.value))))
     }
 
+    /// Returns a non-negative integer; fails if the key is missing.
     pub(super) fn required_unsigned(&self, key: &str) -> Result<u64, Fault> {
         self.unsigned(key)?.ok_or_else(|| self.fault(format!("`{key}` is missing")))
     }
@@ -51,6 +55,7 @@ impl<'a> JsonNode<'a> {
         self.value.get(key).and_then(Value::as_str).unwrap_or("")
     }
 
+    /// Returns a boolean; false if the key is missing.
     pub(super) fn flag(&self, key: &str) -> bool {
         self.value.get(key).and_then(Value::as_bool).unwrap_or(false)
     }

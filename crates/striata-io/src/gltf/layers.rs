@@ -74,6 +74,7 @@ impl LayerFormat {
         Self { component_count, kind, normalized: false }
     }
 
+    /// Returns the size of one vertex's values in bytes.
     pub(super) fn vertex_bytes(self) -> u64 {
         let size = match self.kind {
             Kind::U8 => 1,

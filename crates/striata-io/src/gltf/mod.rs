@@ -38,6 +38,7 @@ use crate::error::Fault;
 use crate::{Format, Source};
 use document::Document;
 
+/// Reads a mesh from the bytes of a glTF or GLB file.
 pub(crate) fn read(bytes: &[u8], format: Format, source: &Source<'_>) -> Result<IndexedMesh, Fault> {
     let (json, blob) = match format {
         Format::Glb => container::chunks(bytes)?,

@@ -56,6 +56,7 @@ fn from_base64(text: &[u8]) -> Result<Vec<u8>, String> {
     Ok(out)
 }
 
+/// Encodes bytes as base64.
 pub(super) fn to_base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -112,6 +113,7 @@ pub(super) fn path(uri: &str, source: &Source<'_>) -> Result<PathBuf, String> {
     Ok(folder.join(relative))
 }
 
+/// Shortens a URI for a message.
 pub(super) fn shortened(uri: &str) -> String {
     uri.chars().take(60).collect()
 }

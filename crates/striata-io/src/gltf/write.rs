@@ -19,12 +19,14 @@ use crate::error::Refusal;
 const TRIANGLES: u32 = 4;
 const TRIANGLE_FAN: u32 = 6;
 
+/// Encodes a mesh as a GLB file.
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
     let (root, binary) = document(mesh, options, |_| Value::Null)?;
     container::joined(root.to_string().into_bytes(), binary)
         .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()))
 }
 
+/// Encodes a mesh as a glTF file with an embedded buffer.
 pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
     let data_uri = |binary: &[u8]| {
         Value::String(format!("data:application/octet-stream;base64,{}", uri::to_base64(binary)))

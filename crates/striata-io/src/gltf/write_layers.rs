@@ -25,6 +25,7 @@ enum Encoded {
     Words(Vec<u16>),
 }
 
+/// Adds all positions and layers of a mesh, and returns their accessors.
 pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<Attributes, Refusal> {
     let mut out = Attributes { attributes: Map::new(), targets: Vec::new() };
     let positions = mesh.positions.as_flattened();

@@ -43,6 +43,7 @@ struct Reader {
     forward: [Option<(u32, u64)>; 3],
 }
 
+/// Reads a mesh from the bytes of an OBJ file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut cursor = Cursor::new(bytes).with_continuation();
@@ -98,6 +99,7 @@ fn is_ignored(keyword: &[u8]) -> bool {
 }
 
 impl Reader {
+    /// Reads one statement.
     fn statement(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         if cursor.at_line_end() || cursor.peek() == Some(b'#') {
             return Ok(());
@@ -214,6 +216,7 @@ impl Reader {
         Ok(found)
     }
 
+    /// Selects the material of the following triangles.
     fn use_material(&mut self, name: &str) {
         self.group_is_open = false;
         if name.is_empty() {

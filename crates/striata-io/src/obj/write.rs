@@ -7,6 +7,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
 use crate::text::{push_f32, push_one_minus_f32};
 
+/// Encodes a mesh as an OBJ file.
 pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Vec<u8> {
     let fitting = |semantic: &Semantic, counts: &[u8]| {
         mesh.layer(semantic).filter(|layer| counts.contains(&layer.component_count))

@@ -256,6 +256,7 @@ fn read_strip_list<'a, R: Rows<'a>>(
 }
 
 impl Faces {
+    /// Checks that all vertex indices are in range.
     pub(crate) fn check_indices(&mut self, vertex_count: usize) -> Result<(), Fault> {
         match self.largest.take() {
             Some((index, Fault::Malformed(place, _))) if index >= vertex_count as i64 => {
@@ -277,6 +278,7 @@ impl<'a> Vertices<'a> {
 }
 
 impl Vertices<'_> {
+    /// Returns the positions of all vertices.
     pub(crate) fn positions(&self, header: &Header) -> Result<Vec<[f32; 3]>, Fault> {
         let mut axes = Vec::with_capacity(3);
         for name in ["x", "y", "z"] {
@@ -302,6 +304,7 @@ impl Vertices<'_> {
         self.rows.chunks_exact(self.stride.max(1))
     }
 
+    /// Returns the attribute layers of all vertices.
     pub(crate) fn layers(&self, header: &Header) -> Vec<AttributeLayer> {
         let mut seen = BTreeSet::new();
         let sets = column_sets(&self.columns);

@@ -3,6 +3,7 @@
 use crate::error::{Fault, Place};
 use crate::text::{Cursor, quoted};
 
+/// Encoding of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     Ascii,
@@ -38,6 +39,7 @@ impl Scalar {
         })
     }
 
+    /// Returns the type's name in a PLY header.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::I8 => "char",
@@ -51,6 +53,7 @@ impl Scalar {
         }
     }
 
+    /// Returns the size of a number in bytes.
     pub(crate) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -65,6 +68,7 @@ impl Scalar {
     }
 }
 
+/// Property of an element: a number or a list of numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Property {
     pub name: String,
@@ -73,6 +77,7 @@ pub(crate) struct Property {
     pub list: Option<Scalar>,
 }
 
+/// Element of the file: rows with the same properties.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     pub name: String,
@@ -87,6 +92,7 @@ impl Element {
     }
 }
 
+/// Parsed header.
 #[derive(Clone, Debug)]
 pub(crate) struct Header {
     pub encoding: Encoding,
@@ -98,6 +104,7 @@ pub(crate) struct Header {
 }
 
 impl Header {
+    /// Parses the header at the start of a file.
     pub(crate) fn read(bytes: &[u8]) -> Result<Self, Fault> {
         let mut cursor = Cursor::new(bytes);
         if cursor.rest_of_line() != b"ply" {
@@ -133,6 +140,7 @@ impl Header {
         Ok(Self { encoding, elements, normalized, body_at, body_line })
     }
 
+    /// Returns the element `vertex`.
     pub(crate) fn vertex(&self) -> Result<&Element, Fault> {
         self.elements
             .iter()

@@ -28,6 +28,7 @@ use body::{Faces, read_elements};
 use header::{Encoding, Header};
 use rows::{AsciiRows, BinaryRows};
 
+/// Reads a mesh from the bytes of a PLY file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let header = Header::read(bytes)?;
     let mut faces = Faces::default();

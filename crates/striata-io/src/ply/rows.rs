@@ -33,6 +33,7 @@ pub(crate) trait Rows<'a> {
         Self: Sized;
 }
 
+/// Words of a text file.
 pub(crate) struct AsciiRows<'a>(pub Cursor<'a>);
 
 impl<'a> Rows<'a> for AsciiRows<'a> {

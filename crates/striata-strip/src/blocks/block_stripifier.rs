@@ -31,6 +31,7 @@ pub(super) struct BlockStripifier<'a, W> {
 }
 
 impl<'a, W> BlockStripifier<'a, W> {
+    /// Creates a stripifier that passes finished strips to `write`.
     pub(super) fn new(options: &'a BlockOptions, write: &'a mut WriteStripFn<'a, W>) -> Self {
         Self {
             options,
@@ -153,6 +154,7 @@ impl<'a, W> BlockStripifier<'a, W> {
         chosen
     }
 
+    /// Keeps a strip for later blocks if it can grow and the limit allows it; otherwise writes it.
     fn keep_or_write(&mut self, strip: PendingStrip) -> Result<(), W> {
         let count = strip.triangle_count();
         let can_grow = match &strip {
@@ -170,6 +172,7 @@ impl<'a, W> BlockStripifier<'a, W> {
     }
 }
 
+/// Checks that no vertex has the index that is reserved for restarts.
 fn check_vertices<R, W>(number: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
     match block.triangles.iter().position(|triangle| triangle.corners.contains(&RESTART)) {
         Some(triangle) => Err(BlocksError::ReservedVertex { block: number, triangle }),

@@ -25,6 +25,7 @@ pub(super) enum End {
 impl End {
     pub(super) const BOTH: [Self; 2] = [Self::Front, Self::Back];
 
+    /// Returns the opposite end.
     pub(super) fn other(self) -> Self {
         match self {
             Self::Front => Self::Back,
@@ -66,6 +67,7 @@ impl Chain {
         }
     }
 
+    /// Adds an index at an end.
     fn push(&mut self, end: End, vertex: u32) {
         match end {
             End::Front => {
@@ -76,6 +78,7 @@ impl Chain {
         }
     }
 
+    /// Removes the index at an end.
     fn pop(&mut self, end: End) {
         match end {
             End::Front => {

@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_or_is_no_number_has_a_key_too() {
+    fn points_outside_and_non_numbers_have_keys() {
         let curve = BlockCurve::new(Some(Bounds { min: [0.0; 3], max: [1.0; 3] }));
         for x in [-5.0, 0.0, 1.0, 7.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
             assert!(curve.key([[x; 3]; 3]) < 1 << (3 * BITS), "{x}");

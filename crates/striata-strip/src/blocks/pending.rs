@@ -43,6 +43,7 @@ impl PendingStrip {
         }
     }
 
+    /// Iterates over the open sides of the strip, with the end they are at.
     fn open_sides(&self) -> impl Iterator<Item = (&OpenSides, End)> {
         let (loose, ends) = match self {
             Self::Loose { open, .. } => (Some((open, End::Front)), None),
@@ -52,6 +53,7 @@ impl PendingStrip {
         loose.into_iter().chain(at_ends.filter_map(|(end, which)| Some((&end.as_ref()?.open, which))))
     }
 
+    /// Returns the last block that can touch the strip.
     fn expiry(&self) -> u32 {
         self.open_sides().map(|(open, _)| open.expiry).max().unwrap_or(0)
     }
@@ -134,6 +136,7 @@ impl PendingStrips {
         self.take(id)
     }
 
+    /// Removes and returns a strip.
     fn take(&mut self, id: u32) -> Option<PendingStrip> {
         let strip = self.strips.remove(&id)?;
         self.by_expiry.remove(&(strip.expiry(), id));

@@ -76,6 +76,7 @@ impl Window {
         self.vertices.len() as u32 - 1
     }
 
+    /// Returns the local index of a vertex, after adding it if it is new.
     fn local_index(&mut self, vertex: u32, last_block: u32) -> u32 {
         let next = self.vertices.len() as u32;
         let index = *self.local_indices.entry(vertex).or_insert(next);
@@ -130,6 +131,7 @@ impl Window {
         strip_triangles(strip).map(|t| self.open_sides_of(t).count()).sum()
     }
 
+    /// Converts local sides to open sides of the whole mesh.
     fn collected(&self, sides: impl Iterator<Item = (u32, u32)>) -> OpenSides {
         let mut open = OpenSides::default();
         for (a, b) in sides {

@@ -16,6 +16,7 @@ pub(super) struct Adjacency<'a> {
 }
 
 impl<'a> Adjacency<'a> {
+    /// Collects the adjacency of a mesh.
     pub(super) fn new(task: &Task<'a>, links: &StripLinks<'a>) -> Self {
         let triangles = task.triangles;
         let vertex_limit = triangles.iter().flatten().max().map_or(0, |&v| v as usize + 1);
@@ -41,6 +42,7 @@ impl<'a> Adjacency<'a> {
         Self { triangles, twins: links.twins(), offsets, around }
     }
 
+    /// Returns one more than the largest vertex index.
     pub(super) fn vertex_limit(&self) -> usize {
         self.offsets.len() - 1
     }

@@ -18,6 +18,7 @@ impl BeamCache {
         Self { vertices: vec![NO_VERTEX; size], opens: vec![0; size], oldest: 0 }
     }
 
+    /// Returns the number of entries.
     pub(super) fn size(&self) -> usize {
         self.vertices.len()
     }
@@ -29,6 +30,7 @@ impl BeamCache {
         self.oldest = other.oldest;
     }
 
+    /// Returns the slot of a vertex, if it is cached.
     #[inline]
     pub(super) fn slot(&self, v: u32) -> Option<usize> {
         // Without an early exit the comparisons are vectorized; slots count from 1 here.

@@ -148,6 +148,7 @@ impl BeamState {
         *self = Self { cached, first_undrawn: first, ..Self::new(0) };
     }
 
+    /// Copies another state without allocating.
     pub(super) fn copy_from(&mut self, other: &Self) {
         self.cached.copy_from(&other.cached);
         (self.drawn, self.hash, self.head) = (other.drawn, other.hash, other.head);
@@ -238,6 +239,7 @@ impl BeamState {
         }
     }
 
+    /// Scores the start of a new strip at a triangle.
     fn score_start(
         &self,
         context: &SearchContext<'_>,
@@ -281,6 +283,7 @@ impl BeamState {
         forecast
     }
 
+    /// Computes the prices of the state after a move.
     fn score_move(
         &self,
         context: &SearchContext<'_>,

@@ -14,8 +14,11 @@ const WORD_COUNT: usize = COLUMN_COUNT / 64;
 /// Drawn bits of one state, one per column.
 pub(super) type DrawnBits = [u64; WORD_COUNT];
 
+/// Marks a triangle that no state has drawn.
 const UNTOUCHED: u16 = u16::MAX;
+/// Marks a triangle that all states have drawn.
 const FINAL: u16 = u16::MAX - 1;
+/// Marks a column that is not in use.
 const NO_TRIANGLE: u32 = u32::MAX;
 
 /// Largest valence for which the triangles around a vertex are checked one by one.
@@ -35,6 +38,7 @@ pub(super) struct DrawnSets {
 }
 
 impl DrawnSets {
+    /// Creates the sets for a mesh of which nothing is drawn.
     pub(super) fn new(adjacency: &Adjacency<'_>) -> Self {
         let valence = |v: usize| adjacency.around(v as u32).len() as u32;
         Self {
@@ -52,6 +56,7 @@ impl DrawnSets {
         self.columns[triangle as usize] == FINAL
     }
 
+    /// Whether a state has drawn a triangle.
     #[inline]
     pub(super) fn is_drawn(&self, drawn: &DrawnBits, triangle: u32) -> bool {
         match self.columns[triangle as usize] {

@@ -1,6 +1,6 @@
 //! First-in first-out cache that predicts how many hits a strip would have.
 
-/// BeamCache vertices, identified by the miss that loaded them.
+/// Cached vertices, identified by the miss that loaded them.
 pub(super) struct Fifo {
     /// Number of misses up to and including the one that loaded each vertex; 0 if it was never loaded.
     entered: Vec<u32>,
@@ -32,6 +32,7 @@ impl Fifo {
         entered != 0 && self.miss_count - entered + further < self.ring.len() as u32
     }
 
+    /// Accesses a vertex; a miss loads it into the cache.
     pub(super) fn touch(&mut self, v: u32) {
         if !self.stays_cached(v, 0) {
             let slot = self.miss_count as usize % self.ring.len().max(1);

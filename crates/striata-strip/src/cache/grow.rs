@@ -21,6 +21,7 @@ use crate::task::Task;
 
 /// Beam width (number of states) at effort 1.
 const WIDTH: f64 = 32.0;
+/// Range of the beam width.
 const WIDTHS: std::ops::RangeInclusive<f64> = 4.0..=256.0;
 /// Number of best states that may begin a new strip at every step; the others only if they cannot continue.
 const STARTER_COUNT: usize = 4;
@@ -55,6 +56,7 @@ pub(super) fn grow(task: &Task<'_>, links: &StripLinks<'_>) -> StripSet {
     writer.out
 }
 
+/// Beam search over one mesh.
 struct Search<'a> {
     context: SearchContext<'a>,
     /// The first `live_count` are the states, best first; the others are unused.
@@ -98,6 +100,7 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Starts a new group with the best state of the previous one.
     fn begin(&mut self, group: std::ops::Range<u32>) {
         self.states[0].begin_group(group.start);
         self.context.group = group;
@@ -199,6 +202,7 @@ impl<'a> Search<'a> {
         while self.trail.pop_if(|&mut t| !has_pending_neighbor(&self.context, t)).is_some() {}
     }
 
+    /// Makes the triangles final that all live states have drawn.
     fn finalize_triangles(&mut self) {
         let live = self.states[..self.live_count].iter_mut();
         let mut drawn: Vec<_> = live.map(|state| &mut state.drawn).collect();
@@ -206,6 +210,7 @@ impl<'a> Search<'a> {
     }
 }
 
+/// Whether a triangle has a neighbor that is not final.
 fn has_pending_neighbor(context: &SearchContext<'_>, triangle: u32) -> bool {
     let neighbors = (3 * triangle..3 * triangle + 3).filter_map(|side| context.adjacency.twin(side));
     neighbors.into_iter().any(|twin| !context.drawn_sets.is_final(twin / 3))
@@ -221,7 +226,9 @@ impl Prices {
         Self { loss: weight, loss_risks: (0..cache_size).map(risk).collect(), isolation: ISOLATION }
     }
 }
+/// Risk that the oldest open vertex is lost, as a share of the price of a loss.
 const LOSS_RISK: f64 = 0.7;
+/// Price of an undrawn triangle with zero to three undrawn neighbors, in indices.
 const ISOLATION: [f64; 4] = [2.1, 1.35, 0.85, 0.0];
 
 /// Turns steps into strips.

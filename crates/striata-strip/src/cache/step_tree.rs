@@ -6,6 +6,7 @@ use super::beam_state::{ROOT, Step};
 /// dropped.
 const MAX_DEPTH: usize = 384;
 
+/// Step and its predecessor.
 #[derive(Clone, Copy)]
 struct Node {
     parent: u32,

@@ -113,6 +113,7 @@ impl<'s> Annealer<'s> {
         self.try_join(side, [older(side, 1 << 16), older(twin, 1 << 17)], allowance)
     }
 
+    /// Cuts a link if that costs at most `allowance`, and returns the change of cost.
     fn try_cut(&mut self, side: u32, allowance: i32) -> i32 {
         if 3 * INDEX - INDEX * self.state.swaps_at(side) - MAX_GAIN > allowance {
             return 0;
@@ -125,6 +126,7 @@ impl<'s> Annealer<'s> {
         0
     }
 
+    /// Joins a link after cutting `cuts` if that costs at most `allowance`, and returns the change of cost.
     fn try_join(&mut self, side: u32, cuts: [u32; 2], allowance: i32) -> i32 {
         if cuts.iter().all(|&cut| cut != NO_TWIN) {
             // A lower bound of the cost is often known without making the move. (Two triangles with two

@@ -130,6 +130,7 @@ impl StripState {
         self.nodes[side as usize >> 2].solid
     }
 
+    /// Returns how the strip that enters a triangle by this side leaves it, as in [`TURNS`].
     #[inline]
     fn turn(&self, side: Side) -> u8 {
         TURNS[self.nodes[side as usize >> 2].solid as usize & 7][side as usize & 3]
@@ -199,6 +200,7 @@ impl StripState {
         self.swaps_around(side, self.twin(side))
     }
 
+    /// Number of swaps across a solid link and the links next to it along the strip.
     #[inline]
     fn swaps_around(&self, side: Side, twin: Side) -> i32 {
         let swap_beyond = |side: Side| self.other(side).map_or(0, |other| self.swap(other));

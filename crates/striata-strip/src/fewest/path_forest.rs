@@ -16,6 +16,7 @@ pub(super) struct PathForest {
     above: Vec<u32>,
 }
 
+/// Node of a splay tree: one triangle of a strip.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     parent: u32,
@@ -113,6 +114,7 @@ impl PathForest {
         self.nodes[b as usize].parent = a;
     }
 
+    /// Applies a pending reversal to a node and passes it on to the children.
     fn push_down(&mut self, node: u32) {
         let Node { children, is_reversed, .. } = self.nodes[node as usize];
         if is_reversed {

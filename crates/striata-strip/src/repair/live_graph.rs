@@ -213,10 +213,12 @@ impl LiveGraph {
         is_complete
     }
 
+    /// Returns the vertex from which a side runs.
     fn origin(&self, side: u32) -> u32 {
         self.corners[side as usize / 3][side as usize % 3]
     }
 
+    /// Returns the vertex to which a side runs.
     fn tip(&self, side: u32) -> u32 {
         self.origin(next_side(side))
     }

@@ -93,6 +93,7 @@ impl<'a> LiveStrips<'a> {
         Ok(live)
     }
 
+    /// Makes the links of the given strips solid, after checking that they fit the level.
     fn take_strips(&mut self, strips: &StripSet) -> Result<(), LiveStripsError> {
         let (split_count, triangles) = (self.split_count, self.graph.numbered_triangles());
         let mut expected = vec![0; self.graph.group_ends().len()];

@@ -43,6 +43,7 @@ impl Stars {
         stars
     }
 
+    /// Returns the node of a vertex.
     fn node_of(&self, vertex: u32) -> u32 {
         self.corner_count + vertex
     }
@@ -104,6 +105,7 @@ impl Stars {
         }
     }
 
+    /// Links two nodes in a row.
     fn link(&mut self, before: u32, after: u32) {
         self.around[before as usize][NEXT] = after;
         self.around[after as usize][PREV] = before;

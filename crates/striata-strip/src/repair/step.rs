@@ -110,6 +110,7 @@ impl LiveStrips<'_> {
         self.count_links(joined_count, 0, report);
     }
 
+    /// Adds joined and cut links to the report and to the number of solid links.
     fn count_links(&mut self, joined_count: usize, cut_count: usize, report: &mut RepairReport) {
         report.joined_count += joined_count;
         report.cut_count += cut_count;

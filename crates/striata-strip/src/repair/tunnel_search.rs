@@ -153,6 +153,7 @@ impl TunnelSearch {
         Some(found)
     }
 
+    /// Returns the cheapest chain that has not been extended yet.
     fn cheapest_open(&self) -> Option<u32> {
         let open = (0..).zip(&self.chains).filter(|(_, chain)| chain.is_open);
         open.min_by_key(|(_, chain)| chain.cost).map(|(chain, _)| chain)
