@@ -1,7 +1,7 @@
-//! Reading speed in bytes of file a second.
+//! Reading speed in bytes per second.
 //!
-//! Files come from the environment variable `STRIATA_MESHES`, parted by `:`; bench ids are
-//! `read/NAME`, and `tobj/NAME` beside every OBJ. Bytes are in memory before the clock starts.
+//! Files come from the environment variable `STRIATA_MESHES`, separated by `:`. Benchmark ids are
+//! `read/NAME`, plus `tobj/NAME` for every OBJ. The bytes are in memory before the clock starts.
 
 use std::hint::black_box;
 use std::path::Path;
@@ -30,7 +30,7 @@ fn read_files(criterion: &mut Criterion) {
     }
 }
 
-/// The yardstick: `tobj`, asked for the same triangles with one index a corner.
+/// Measures `tobj` for comparison, with triangulation and a single index per corner.
 fn bench_tobj(criterion: &mut Criterion, name: &str, bytes: &[u8]) {
     let mut group = criterion.benchmark_group("tobj");
     group.throughput(Throughput::Bytes(bytes.len() as u64));

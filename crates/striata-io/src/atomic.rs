@@ -1,8 +1,8 @@
-//! Writing a file whole or not at all, and several files together or none of them.
+//! Atomic writing: a file completely or not at all, several files together or none of them.
 //!
-//! The bytes go to a temporary file beside the target, which then takes the target's name in one step.
-//! Whoever looks at the target sees the old file or the new one, never half of one, and a failure
-//! leaves nothing behind. What is no plain file (a pipe, `/dev/stdout`) has no such step and is written straight.
+//! The bytes go to a temporary file next to the target, which is then renamed to the target in one step.
+//! Other processes see the old file or the new one, never half of one, and a failure leaves nothing behind.
+//! Targets that are not regular files (pipes, `/dev/stdout`) cannot be renamed and are written directly.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -12,12 +12,12 @@ use tempfile::{NamedTempFile, TempPath};
 
 use crate::WriteError;
 
-/// Writes a file whole or not at all.
+/// Writes a file completely or not at all.
 ///
-/// Nothing is flushed to the disk itself: a crash of the machine, unlike one of the program, may lose
-/// the file.
+/// The file is not flushed to the disk: a crash of the machine, unlike one of the program, may lose it.
 ///
 /// # Errors
+/// Returns [`WriteError::Io`] with the error of the system or of `write`; the target is then unchanged.
 /// [`WriteError::Io`] with what the system or `write` says; the target is then as it was.
 pub fn write_atomically(
     path: &Path,
@@ -36,7 +36,7 @@ fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>
     file.persist(target).map_err(|error| error.error)
 }
 
-/// Files that are written together: all of them are there in the end, or none is.
+/// Files that are written together: in the end either all of them exist, or none.
 ///
 /// ```no_run
 /// # use std::path::Path;
@@ -51,21 +51,22 @@ pub struct FileBatch {
     staged: Vec<StagedFile>,
 }
 
-/// A file that is written and waits for its name.
+/// File that is written and waits to be renamed.
 #[derive(Debug)]
 struct StagedFile {
     file: TempPath,
-    /// As the caller named it.
+    /// Path as given by the caller.
     path: PathBuf,
-    /// What links lead to.
+    /// Path after following links.
     target: PathBuf,
 }
 
 impl FileBatch {
-    /// Writes a file that takes its name with the others.
+    /// Writes a file that appears together with the others.
     ///
     /// # Errors
-    /// [`WriteError::Io`] with what the system or `write` says, or if the path is something else than a plain file.
+    /// Returns [`WriteError::Io`] with the error of the system or of `write`, or if the path is not a
+    /// regular file.
     pub fn write(
         &mut self,
         path: &Path,
@@ -82,11 +83,11 @@ impl FileBatch {
         Ok(())
     }
 
-    /// Gives all files their names.
+    /// Renames all files to their targets.
     ///
     /// # Errors
-    /// [`WriteError::Io`] if one cannot have its name; those before it are then taken back, and what they replaced is there
-    /// again.
+    /// Returns [`WriteError::Io`] if one cannot be renamed; the others are then removed, and the files they
+    /// replaced are restored.
     pub fn commit(self) -> Result<(), WriteError> {
         let mut named = Vec::new();
         for StagedFile { file, path, target } in self.staged {
@@ -97,7 +98,7 @@ impl FileBatch {
             match replaced {
                 Ok(old) => named.push((target, old)),
                 Err(source) => {
-                    named.into_iter().rev().for_each(take_back);
+                    named.into_iter().rev().for_each(undo_rename);
                     return Err(WriteError::Io { file: path.display().to_string(), source });
                 }
             }
@@ -106,15 +107,16 @@ impl FileBatch {
     }
 }
 
-/// Undoes a renaming as far as the system lets us; the failure that made it necessary is what the caller hears of.
-fn take_back((target, old): (PathBuf, Option<TempPath>)) {
+/// Undoes a rename if possible; the error that made it necessary is the one that is reported.
+fn undo_rename((target, old): (PathBuf, Option<TempPath>)) {
     let _ = match old {
         Some(old) => old.persist(&target).map_err(|error| error.error),
         None => fs::remove_file(&target),
     };
 }
 
-/// A second name of the file that is about to be replaced, if there is one; gone when it is dropped.
+/// Creates a second name for the file that is about to be replaced, if it exists; dropping the result
+/// removes that name.
 fn keep_old(target: &Path) -> io::Result<Option<TempPath>> {
     if !target.exists() {
         return Ok(None);
@@ -124,20 +126,20 @@ fn keep_old(target: &Path) -> io::Result<Option<TempPath>> {
     Ok(Some(old.into_temp_path()))
 }
 
-/// Writes a temporary file beside its target.
+/// Writes a temporary file next to its target.
 fn stage(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<StagedFile> {
     let (target, permissions) = match fs::metadata(path) {
         Ok(there) if there.is_dir() => return Err(io::Error::from(io::ErrorKind::IsADirectory)),
-        // A link stays a link: what it points to is replaced.
+        // A link stays a link: the file it points to is replaced.
         Ok(there) => (fs::canonicalize(path)?, Some(there.permissions())),
         Err(_) => (path.to_owned(), None),
     };
     let folder = folder_of(&target);
-    // A folder that is missing is told in the system's own words.
+    // If the folder is missing, this reports the system's own error.
     fs::metadata(&folder)?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(".striata-").suffix(".part");
-    // Else the file would be readable by its owner alone; the mask of the process still applies.
+    // Otherwise only the owner could read the file; the process's umask still applies.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let file = builder.tempfile_in(folder).map_err(without_path)?;
@@ -157,7 +159,7 @@ fn folder_of(target: &Path) -> PathBuf {
     }
 }
 
-/// What the system said, without the temporary name that the caller never chose.
+/// Removes the temporary file name, which the caller never chose, from a system error.
 fn without_path(error: io::Error) -> io::Error {
     match error.kind() {
         kind @ (io::ErrorKind::PermissionDenied | io::ErrorKind::StorageFull) => kind.into(),
@@ -186,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn files_of_a_batch_are_there_together_or_not_at_all() {
+    fn a_batch_writes_all_files_or_none() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         let names = || {
@@ -203,11 +205,11 @@ mod tests {
             }
             Ok::<_, WriteError>(files)
         };
-        // One that is never committed, or cannot be written.
+        // A batch that is never committed, and one that cannot be written.
         drop(batch("c").unwrap());
         assert!(batch("no/c").is_err());
         assert_eq!((names(), fs::read(path("b")).unwrap()), (vec!["b".to_owned()], b"old".to_vec()));
-        // One whose last name is taken by a folder in the meantime.
+        // A batch whose last target becomes a folder in the meantime.
         let files = batch("c").unwrap();
         fs::create_dir(path("c")).unwrap();
         assert!(files.commit().is_err());
@@ -221,10 +223,10 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_folder_is_told_without_the_temporary_name() {
+    fn a_missing_folder_is_reported_without_the_temporary_name() {
         let folder = tempfile::tempdir().unwrap();
-        let said = write_atomically(&folder.path().join("no/mesh.off"), |_| Ok(())).unwrap_err();
-        assert!(!said.to_string().contains(".part"), "{said}");
+        let error = write_atomically(&folder.path().join("no/mesh.off"), |_| Ok(())).unwrap_err();
+        assert!(!error.to_string().contains(".part"), "{error}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
-//! gzip and zstd around any format.
+//! Compression with gzip and zstd, for any format.
 //!
-//! Compressed bytes are recognized by their first bytes, never by the name. The output is bounded: a
-//! file that grows out of all proportion is a bomb, not a mesh.
+//! Compressed data are recognized by their first bytes, never by the name. The size of the output is limited:
+//! a file that grows out of all proportion is a decompression bomb, not a mesh.
 
 use std::borrow::Cow;
 
@@ -9,22 +9,22 @@ use crate::ReadError;
 #[cfg(feature = "compressed")]
 use crate::error::Place;
 
-/// Most bytes that a compressed file may grow to.
+/// Largest size that a compressed file may unpack to, in bytes.
 #[cfg(feature = "compressed")]
 const MAX_BYTES: u64 = 4 << 30;
 
-/// From this size on, the output may be at most [`MAX_RATIO`] times the input.
+/// Size of the output from which it may be at most [`MAX_RATIO`] times the input, in bytes.
 #[cfg(feature = "compressed")]
-const RATIO_COUNTS_FROM: u64 = 64 << 20;
+const RATIO_CHECK_BYTES: u64 = 64 << 20;
 
-/// Real meshes stay under 200, even flat ones.
+/// Largest ratio of output to input; real meshes stay below 200, even flat ones.
 #[cfg(feature = "compressed")]
 const MAX_RATIO: u64 = 2000;
 
-/// Layers of compression that are taken off one file.
+/// Largest number of nested compressions that are unpacked.
 const MAX_LAYERS: usize = 3;
 
-/// A way of compressing a whole file.
+/// Compression of a whole file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Compression {
     Gzip,
@@ -32,6 +32,7 @@ pub(crate) enum Compression {
 }
 
 impl Compression {
+    /// Detects compression by the first bytes of a file.
     fn of(bytes: &[u8]) -> Option<Self> {
         match bytes {
             [0x1f, 0x8b, 0x08, ..] => Some(Self::Gzip),
@@ -40,6 +41,7 @@ impl Compression {
         }
     }
 
+    /// Returns the compression that a name's extension stands for.
     pub(crate) fn from_extension(name: &str) -> Option<Self> {
         match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
             "gz" => Some(Self::Gzip),
@@ -56,11 +58,11 @@ impl Compression {
     }
 }
 
-/// Takes gzip and zstd off, and `.gz` and `.zst` off the name with them; other bytes pass as they are.
+/// Unpacks gzip and zstd, and removes `.gz` and `.zst` from the name; other bytes are returned unchanged.
 ///
 /// # Errors
-/// [`ReadError::Malformed`] where the compressed data are damaged, cut off, or grow past 4 GiB or
-/// 2,000 times their size; [`ReadError::FeatureOff`] without the feature `compressed`.
+/// Returns [`ReadError::Malformed`] if the compressed data are damaged or truncated, or unpack to more than
+/// 4 GiB or 2,000 times their size, and [`ReadError::FeatureOff`] without the feature `compressed`.
 pub fn decompressed<'a>(bytes: Cow<'a, [u8]>, name: &str) -> Result<(Cow<'a, [u8]>, String), ReadError> {
     let (mut bytes, mut inner_name) = (bytes, name.to_owned());
     for _ in 0..MAX_LAYERS {
@@ -83,7 +85,7 @@ fn unpack(_bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>
 #[cfg(feature = "compressed")]
 fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>, ReadError> {
     use std::io::Read as _;
-    let limit = MAX_BYTES.min(RATIO_COUNTS_FROM.max(bytes.len() as u64 * MAX_RATIO));
+    let limit = MAX_BYTES.min(RATIO_CHECK_BYTES.max(bytes.len() as u64 * MAX_RATIO));
     let mut out = Vec::new();
     let read = match compression {
         Compression::Gzip => {
@@ -92,9 +94,9 @@ fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>,
         Compression::Zstd => unpack_zstd(bytes, limit + 1, &mut out),
     };
     let reason = match read {
-        Err(error) => format!("the {} data are damaged or cut off: {error}", compression.as_str()),
+        Err(error) => format!("the {} data are damaged or truncated: {error}", compression.as_str()),
         Ok(_) if out.len() as u64 > limit => format!(
-            "{} bytes of {} grow past {limit} bytes, more than a mesh can",
+            "{} bytes of {} unpack to more than {limit} bytes, which no mesh does",
             bytes.len(),
             compression.as_str()
         ),
@@ -103,14 +105,14 @@ fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>,
     Err(ReadError::Malformed { file: name.to_owned(), place: Place::File, reason })
 }
 
-/// Unpacks so many bytes at most.
+/// Unpacks at most `limit` bytes.
 #[cfg(all(feature = "compressed", not(target_family = "wasm")))]
 fn unpack_zstd(bytes: &[u8], limit: u64, out: &mut Vec<u8>) -> std::io::Result<usize> {
     use std::io::Read as _;
     zstd::stream::read::Decoder::with_buffer(bytes)?.take(limit).read_to_end(out)
 }
 
-/// The same frame by frame, where zstd's own library does not compile.
+/// Unpacks at most `limit` bytes, frame by frame, for targets on which zstd's own library does not compile.
 #[cfg(all(feature = "compressed", target_family = "wasm"))]
 fn unpack_zstd(mut bytes: &[u8], limit: u64, out: &mut Vec<u8>) -> std::io::Result<usize> {
     use std::io::Read as _;

@@ -1,19 +1,19 @@
-//! What can go wrong with a mesh file: always the file, the place in it and the reason.
+//! Errors of reading and writing: every error names the file, the place in it and the reason.
 
 use std::fmt;
 use std::io;
 
 use crate::Format;
 
-/// Where in a file something was found.
+/// Location of an error within a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
-    /// A line of a text file, counted from 1.
+    /// Line of a text file, counted from 1.
     Line(u64),
-    /// A byte of a binary file, counted from 0.
+    /// Byte of a binary file, counted from 0.
     Byte(u64),
-    /// A value of a JSON document, as `accessors[3].count`.
+    /// Path of a value in a JSON document, such as `accessors[3].count`.
     Json(String),
     /// The file as a whole.
     File,
@@ -30,7 +30,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why a file could not be read.
+/// Reason why a file could not be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
@@ -39,10 +39,10 @@ pub enum ReadError {
     Io {
         /// The file.
         file: String,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
-    /// Neither content nor extension tells what the file is.
+    /// Neither the content nor the extension identifies the file.
     #[error(
         "{file}: neither the content nor the extension is that of a mesh file \
          (.ply .obj .stl .off .gltf .glb)"
@@ -51,61 +51,61 @@ pub enum ReadError {
         /// The file.
         file: String,
     },
-    /// The format is known, but this build leaves it out.
-    #[error("{file}: this build reads no {what}: the feature `{feature}` is off")]
+    /// The format is supported, but this build does not include it.
+    #[error("{file}: this build cannot read {what}: the feature `{feature}` is off")]
     FeatureOff {
         /// The file.
         file: String,
         /// The format or compression.
         what: &'static str,
-        /// The feature of `striata-io` that would bring it.
+        /// Cargo feature of `striata-io` that includes it.
         feature: &'static str,
     },
-    /// The file is a striata container: it holds models, not a plain mesh.
-    #[error("{file}: a .striata file holds multiresolution models, not one mesh: extract a level from it")]
+    /// The file is a striata container: it contains models, not a plain mesh.
+    #[error("{file}: a .striata file contains multiresolution models, not one mesh: extract a level from it")]
     StriataContainer {
         /// The file.
         file: String,
     },
-    /// A glTF requires an extension that is not understood.
+    /// A glTF file requires an extension that is not supported.
     #[error("{file}: requires the glTF extension {extension}, which cannot be read")]
     UnsupportedExtension {
         /// The file.
         file: String,
-        /// The extension.
+        /// Name of the extension.
         extension: String,
     },
-    /// The file is legal, but uses what is not supported.
+    /// The file is valid, but uses something that is not supported.
     #[error("{file}: {place}: {what} cannot be read")]
     Unsupported {
         /// The file.
         file: String,
-        /// Where.
+        /// Location in the file.
         place: Place,
-        /// What it uses.
+        /// The unsupported feature.
         what: String,
     },
-    /// The file cannot be read in pieces.
+    /// The file cannot be read block by block.
     #[error("{file}: is {found}; only binary PLY files are read block by block")]
     NotInBlocks {
         /// The file.
         file: String,
-        /// What it is instead.
+        /// Description of what the file is instead.
         found: String,
     },
-    /// The file breaks its format's rules.
+    /// The file violates the rules of its format.
     #[error("{file}: {place}: {reason}")]
     Malformed {
         /// The file.
         file: String,
-        /// Where.
+        /// Location in the file.
         place: Place,
-        /// What was found and what was expected.
+        /// Description of what was found and what was expected.
         reason: String,
     },
 }
 
-/// A [`ReadError`] that does not know its file yet.
+/// A [`ReadError`] without a file name.
 #[derive(Debug)]
 pub(crate) enum Fault {
     Malformed(Place, String),
@@ -115,10 +115,12 @@ pub(crate) enum Fault {
 }
 
 impl Fault {
+    /// Creates a fault at a line, counted from 1.
     pub(crate) fn at_line(line: u64, reason: impl Into<String>) -> Self {
         Self::Malformed(Place::Line(line), reason.into())
     }
 
+    /// Creates a fault at a byte, counted from 0.
     pub(crate) fn at_byte(byte: usize, reason: impl Into<String>) -> Self {
         Self::Malformed(Place::Byte(byte as u64), reason.into())
     }
@@ -133,55 +135,55 @@ impl Fault {
     }
 }
 
-/// Why a mesh could not be written.
+/// Reason why a mesh could not be written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum WriteError {
-    /// The system refused.
+    /// The file could not be created or written.
     #[error("{file}: {source}")]
     Io {
         /// The file.
         file: String,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
-    /// The extension names no format that can be written.
+    /// The extension belongs to no format that can be written.
     #[error("{file}: the extension names no mesh format (.ply .obj .stl .off .gltf .glb)")]
     UnknownFormat {
         /// The file.
         file: String,
     },
-    /// The format is known, but this build leaves it out.
-    #[error("{file}: this build writes no {what}: the feature `{feature}` is off")]
+    /// The format is supported, but this build does not include it.
+    #[error("{file}: this build cannot write {what}: the feature `{feature}` is off")]
     FeatureOff {
-        /// The file, or the format where there is no file yet.
+        /// The file, or the format if there is no file yet.
         file: String,
         /// The format or compression.
         what: &'static str,
-        /// The feature of `striata-io` that would bring it.
+        /// Cargo feature of `striata-io` that includes it.
         feature: &'static str,
     },
-    /// The mesh holds what the format cannot.
-    #[error("{file}: {format} cannot hold this mesh: {reason}")]
+    /// The format cannot store this mesh.
+    #[error("{file}: {format} cannot store this mesh: {reason}")]
     Unsupported {
-        /// The file, or the format where there is no file yet.
+        /// The file, or the format if there is no file yet.
         file: String,
         /// The format.
         format: Format,
-        /// What does not fit.
+        /// Description of what the format cannot store.
         reason: String,
     },
-    /// The mesh's own parts do not fit together.
-    #[error("{file}: the mesh is not whole: {reason}")]
+    /// The mesh is inconsistent.
+    #[error("{file}: the mesh is inconsistent: {reason}")]
     BadMesh {
-        /// The file, or the format where there is no file yet.
+        /// The file, or the format if there is no file yet.
         file: String,
-        /// The misfit, with its place.
+        /// Description of the inconsistency and its location.
         reason: String,
     },
 }
 
-/// A [`WriteError`] that knows neither its file nor its format yet.
+/// A [`WriteError`] without a file name and a format.
 #[derive(Debug)]
 pub(crate) enum Refusal {
     Unsupported(String),

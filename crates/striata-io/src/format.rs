@@ -1,47 +1,47 @@
-//! Which format a file is in: told by its content, and by its name where the content is silent.
+//! Detection of file formats, by content and by extension.
 
 use std::fmt;
 use std::path::Path;
 
 use striata::file::STREAM_MAGIC;
 
-/// A kind of file that striata knows.
+/// File format that striata recognizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Format {
-    /// Stanford polygon format, ascii or binary.
+    /// Stanford polygon format, ASCII or binary.
     Ply,
     /// Wavefront OBJ.
     Obj,
-    /// Stereolithography, ascii or binary.
+    /// Stereolithography, ASCII or binary.
     Stl,
-    /// Object file format of Geomview.
+    /// Object File Format of Geomview.
     Off,
     /// glTF 2.0 as JSON.
     Gltf,
     /// glTF 2.0 as one binary file.
     Glb,
-    /// striata's own container: recognized, but not read by this crate.
+    /// The striata container: recognized, but not read by this crate.
     Striata,
-    /// A progressive stream alone: recognized, but not read by this crate.
+    /// A bare progressive stream: recognized, but not read by this crate.
     Stream,
 }
 
-/// First bytes of striata's own container.
+/// First bytes of a striata container.
 const STRIATA_MAGIC: &[u8] = b"STRIATA\0";
 
-/// Bytes of a text file that are looked at to recognize it.
-const LOOKED_AT: usize = 4096;
+/// Number of bytes of a text file that are examined to recognize it.
+const EXAMINED_BYTES: usize = 4096;
 
 impl Format {
-    /// The format of a file, by its content first and its name's extension second.
+    /// Detects the format of a file, by its content first and by the extension of its name second.
     ///
-    /// Compressed bytes are not looked into: see [`decompressed`](crate::decompressed).
+    /// Compressed data are not unpacked for this: see [`decompressed`](crate::decompressed).
     pub fn detect(bytes: &[u8], name: &str) -> Option<Self> {
         Self::from_content(bytes).or_else(|| Self::from_extension(name))
     }
 
-    /// The format that a name's extension stands for; `.gz` and `.zst` are looked through.
+    /// Returns the format for a name's extension, ignoring a trailing `.gz` or `.zst`.
     pub fn from_extension(name: impl AsRef<Path>) -> Option<Self> {
         let mut path = name.as_ref();
         loop {
@@ -64,7 +64,7 @@ impl Format {
         }
     }
 
-    /// The usual extension, without the dot.
+    /// Returns the usual extension, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Ply => "ply",
@@ -78,6 +78,7 @@ impl Format {
         }
     }
 
+    /// Detects the format from the first bytes of a file.
     fn from_content(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(STRIATA_MAGIC) {
             return Some(Self::Striata);
@@ -94,7 +95,7 @@ impl Format {
         if is_binary_stl(bytes) {
             return Some(Self::Stl);
         }
-        let head = &bytes[..bytes.len().min(LOOKED_AT)];
+        let head = &bytes[..bytes.len().min(EXAMINED_BYTES)];
         let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
         let first_line = text
             .split(|&b| b == b'\n')
@@ -111,7 +112,7 @@ impl Format {
     }
 }
 
-/// True for `OFF` with its prefixes, as `STCNOFF` or `4OFF`.
+/// Whether a word is `OFF` with any of its prefixes, such as `STCNOFF` or `4OFF`.
 fn is_off_keyword(word: &[u8]) -> bool {
     let Some(mut prefix) = word.strip_suffix(b"OFF") else { return false };
     for part in [&b"ST"[..], b"C", b"N", b"4", b"n"] {
@@ -120,7 +121,7 @@ fn is_off_keyword(word: &[u8]) -> bool {
     prefix.is_empty()
 }
 
-/// True where the length is exactly what a binary STL's triangle count asks for.
+/// Whether the length is exactly that of a binary STL with the triangle count in its header.
 pub(crate) fn is_binary_stl(bytes: &[u8]) -> bool {
     let Some(count) = bytes.get(80..84).and_then(|b| b.first_chunk::<4>()) else { return false };
     84 + 50 * u64::from(u32::from_le_bytes(*count)) == bytes.len() as u64
@@ -141,7 +142,7 @@ impl fmt::Display for Format {
     }
 }
 
-/// What a format and its feature are called.
+/// Returns the names of a format and its cargo feature.
 #[cfg(not(all(feature = "ply", feature = "obj", feature = "stl", feature = "off", feature = "gltf")))]
 pub(crate) fn feature_of(format: Format) -> (&'static str, &'static str) {
     match format {

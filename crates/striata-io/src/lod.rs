@@ -1,4 +1,4 @@
-//! Levels of detail in `.striata` files.
+//! Levels of detail in `.striata` files: [`save`] and [`open`].
 
 use std::fs;
 use std::path::Path;
@@ -8,12 +8,13 @@ use striata::file::{StriataFile, WriteOptions};
 
 use crate::{Place, ReadError, WriteError, write_atomically};
 
-/// Writes a [`Lod`] as one `.striata` file, with the mesh, every level and all it takes to follow a camera.
+/// Writes a [`Lod`] as one `.striata` file, with the mesh, all levels and the data for view-dependent
+/// refinement.
 ///
-/// The file is there whole or not at all.
+/// The file is written completely or not at all.
 ///
 /// # Errors
-/// [`WriteError`] with the file and the reason.
+/// Returns [`WriteError`] with the file and the reason.
 pub fn save(path: impl AsRef<Path>, lod: &Lod) -> Result<(), WriteError> {
     let path = path.as_ref();
     let refused = |reason: String| WriteError::BadMesh { file: path.display().to_string(), reason };
@@ -21,11 +22,12 @@ pub fn save(path: impl AsRef<Path>, lod: &Lod) -> Result<(), WriteError> {
     write_atomically(path, |out| out.write_all(&bytes))
 }
 
-/// Reads a [`Lod`] from a `.striata` file, whichever models it holds. A file whose mesh is a progressive stream is opened by the
-/// crate `striata-stream` instead.
+/// Reads a [`Lod`] from a `.striata` file, whichever models it contains.
+///
+/// A file whose mesh is a progressive stream is opened by the crate `striata-stream` instead.
 ///
 /// # Errors
-/// [`ReadError`] with the file and the reason.
+/// Returns [`ReadError`] with the file and the reason.
 pub fn open(path: impl AsRef<Path>) -> Result<Lod, ReadError> {
     let path = path.as_ref();
     let file = || path.display().to_string();
@@ -43,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_saved_is_opened() {
+    fn opens_what_was_saved() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("torus.striata");
         let lod = Lod::build(&shapes::torus(24, 12, 1.0, 0.4), &LodOptions::default()).unwrap();
@@ -54,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_such_file_is_refused_by_name() {
+    fn other_files_are_refused_by_name() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("text.striata");
         fs::write(&path, "no model").unwrap();

@@ -1,15 +1,15 @@
-//! Normals of triangles and vertices, for formats that ask for them where the mesh has none.
+//! Normals of triangles and vertices, for formats that need them if the mesh has none.
 
 use std::ops::Range;
 
-/// Twice the area times the normal; f64, so that neither tiny nor huge meshes lose it.
+/// Returns the normal times twice the area, as `f64` because of tiny and huge meshes.
 fn area_normal(positions: &[[f32; 3]], triangle: [u32; 3]) -> [f64; 3] {
     let [a, b, c] = triangle.map(|v| positions[v as usize].map(f64::from));
     let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
-/// The vector at length one; none for the zero vector and for what is not finite.
+/// Normalizes a vector; [`None`] if it is zero or not finite.
 pub(crate) fn unit(vector: [f64; 3]) -> Option<[f32; 3]> {
     let largest = vector.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     if !(largest > 0.0 && largest.is_finite()) {
@@ -20,13 +20,14 @@ pub(crate) fn unit(vector: [f64; 3]) -> Option<[f32; 3]> {
     Some(scaled.map(|x| (x / length) as f32))
 }
 
-/// The normal of a triangle; zero where it has no area.
+/// Returns the normal of a triangle, or zero if it has no area.
 pub(crate) fn of_triangle(positions: &[[f32; 3]], triangle: [u32; 3]) -> [f32; 3] {
     unit(area_normal(positions, triangle)).unwrap_or([0.0; 3])
 }
 
-/// Area-weighted normals of the vertices in `range`, from those triangles that lie in it whole;
-/// vertices without any get +z, a unit vector being promised.
+/// Returns area-weighted normals of the vertices in `range`, from the triangles entirely inside it.
+///
+/// Vertices without such a triangle get +z, because the result must be unit vectors.
 pub(crate) fn of_vertices(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],

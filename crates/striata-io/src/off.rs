@@ -1,14 +1,15 @@
-//! OFF, ascii: `[ST][C][N]OFF`, with normals, colors and texture coordinates at the vertices.
+//! OFF, ASCII: `[ST][C][N]OFF`, with normals, colors and texture coordinates at the vertices.
 //!
-//! A parser of our own, on the cursor that OBJ needs anyway: the crates on offer read plain OFF only and
-//! name no lines. Polygons are fanned; colors of polygons are passed over. Cost: one pass.
+//! Own parser, on the cursor that OBJ needs anyway: the available crates read plain OFF only, and their
+//! errors name no lines. Polygons are fanned; colors of polygons are ignored. Texture coordinates are kept
+//! unchanged, because the format defines no origin. Cost: one pass.
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::error::{Fault, Place};
 use crate::text::{Cursor, push_f32, quoted};
 
-/// What stands at each vertex besides its position, in this order.
+/// Attributes of each vertex after its position, in this order.
 #[derive(Clone, Copy, Default)]
 struct Layout {
     has_normal: bool,
@@ -16,17 +17,18 @@ struct Layout {
     has_texcoord: bool,
 }
 
-/// Numbers found at the vertices so far.
+/// Numbers read at the vertices so far.
 #[derive(Default)]
 struct Columns {
     normals: Vec<f32>,
     colors: Vec<f32>,
-    /// 3 or 4; 0 before the first vertex.
+    /// Number of color components: 3 or 4; 0 before the first vertex.
     color_count: usize,
     colors_are_bytes: bool,
     texcoords: Vec<f32>,
 }
 
+/// Reads a mesh from the bytes of an OFF file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let mut cursor = Cursor::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     cursor.skip_lines(Some(b'#'));
@@ -34,7 +36,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     cursor.skip_lines(Some(b'#'));
     let vertex_count = read_count(&mut cursor, "vertices")?;
     let polygon_count = read_count(&mut cursor, "polygons")?;
-    // The edge count is not used; some writers leave it out.
+    // The edge count is not used; some writers omit it.
     cursor.next_line();
     check_room(&cursor, vertex_count, 6)?;
     let mut mesh = IndexedMesh::default();
@@ -87,14 +89,14 @@ fn read_keyword(cursor: &mut Cursor<'_>) -> Result<Layout, Fault> {
 
 fn read_count(cursor: &mut Cursor<'_>, what: &str) -> Result<usize, Fault> {
     let count = cursor.integer()?;
-    usize::try_from(count).map_err(|_| cursor.fault(format!("{count} is no number of {what}")))
+    usize::try_from(count).map_err(|_| cursor.fault(format!("{count} is not a valid number of {what}")))
 }
 
-/// Refuses counts that the bytes left cannot hold, before anything is allocated for them.
+/// Refuses counts that the remaining bytes cannot contain, before anything is allocated for them.
 fn check_room(cursor: &Cursor<'_>, count: usize, least_bytes: usize) -> Result<(), Fault> {
     let left = cursor.bytes_left();
     if count > left / least_bytes + 1 {
-        return Err(cursor.fault(format!("{count} rows are promised, but only {left} bytes follow")));
+        return Err(cursor.fault(format!("{count} rows are declared, but only {left} bytes follow")));
     }
     Ok(())
 }
@@ -123,7 +125,7 @@ fn read_vertex(
     Ok(())
 }
 
-/// Colors are 3 or 4 numbers, and only the first vertex can tell which.
+/// Reads a color of 3 or 4 numbers; only the first vertex shows how many.
 fn read_color(cursor: &mut Cursor<'_>, layout: Layout, columns: &mut Columns) -> Result<(), Fault> {
     if columns.color_count == 0 {
         let mut ahead = cursor.clone();
@@ -150,7 +152,7 @@ fn read_polygon(
 ) -> Result<(), Fault> {
     let corner_count = cursor.integer()?;
     if corner_count < 0 {
-        return Err(cursor.fault(format!("{corner_count} is no number of corners")));
+        return Err(cursor.fault(format!("{corner_count} is not a valid number of corners")));
     }
     let (mut first, mut last) = (0, 0);
     for corner in 0..corner_count {
@@ -180,7 +182,7 @@ impl Columns {
         }
         if layout.has_color {
             let component_count = self.color_count.max(3) as u8;
-            // Only zeros and ones: fractions at their ends, as in a white mesh.
+            // If there are only zeros and ones, they are fractions, as in a white mesh.
             let are_bytes = self.colors_are_bytes && self.colors.iter().any(|&c| c > 1.0);
             layers.push(if are_bytes {
                 let data = LayerData::U8(self.colors.iter().map(|&c| c as u8).collect());
@@ -193,7 +195,8 @@ impl Columns {
     }
 }
 
-/// Normals, the first colors and the first texture coordinates are kept, other layers and groups are not.
+/// Encodes a mesh; normals, the first colors and the first texture coordinates are kept, other layers and
+/// groups are not.
 pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Vec<u8> {
     let fitting = |semantic: &Semantic, counts: &[u8]| {
         mesh.layer(semantic).filter(|layer| counts.contains(&layer.component_count))

@@ -1,4 +1,4 @@
-//! Reading: from a path or from bytes, whatever the format.
+//! Reading from a path or from bytes, in any format.
 
 use std::borrow::Cow;
 #[cfg(not(target_family = "wasm"))]
@@ -14,10 +14,10 @@ use crate::{Format, ReadError, decompressed};
 
 /// Reads a mesh file of any known format.
 ///
-/// The content decides what the file is, the extension only where the content does not tell.
+/// The content decides the format; the extension is only used if the content is inconclusive.
 ///
 /// # Errors
-/// [`ReadError`] with the file, the place and the reason.
+/// Returns [`ReadError`] with the file, the place and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
     let path = path.as_ref();
@@ -31,7 +31,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
 /// Reads a mesh from the bytes of a file.
 ///
 /// # Errors
-/// [`ReadError`] with the source's name, the place and the reason.
+/// Returns [`ReadError`] with the source's name, the place and the reason.
 pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, ReadError> {
     let (bytes, name) = decompressed(Cow::Borrowed(bytes), source.name)?;
     let file = || source.name.to_owned();

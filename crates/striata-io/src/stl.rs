@@ -1,9 +1,9 @@
-//! STL, binary and ascii; the reader makes an indexed mesh of the corners.
+//! STL, binary and ASCII; the reader builds an indexed mesh.
 //!
-//! STL names no vertices: corners with equal coordinates are made one vertex, in the order in which they
-//! are first seen. Normals are dropped, since the triangles say the same. A parser of our own:
-//! the binary form is 84 + 50 n bytes, and the weld, which is the work, comes out of the same pass. Cost:
-//! O(n) expected time, 4 to 8 bytes of table a vertex besides the mesh.
+//! STL has no shared vertices: corners with equal coordinates become one vertex, in the order in which they
+//! first occur. Normals are dropped, because the triangles imply them. Own parser: the binary form is 84 +
+//! 50 n bytes, and welding, the main work, is done in the same pass. Cost: O(n) expected time, 4 to 8 bytes
+//! of hash table per vertex besides the mesh.
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
 
@@ -15,11 +15,12 @@ use crate::text::{Cursor, quoted};
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
 
+/// Reads a mesh from the bytes of an STL file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     if is_ascii(bytes) { read_ascii(bytes) } else { read_binary(bytes) }
 }
 
-/// A binary file may begin with "solid" too: its length tells, or what follows.
+/// Whether a file is ASCII. A binary file may begin with "solid" too; its length decides, or what follows.
 fn is_ascii(bytes: &[u8]) -> bool {
     if is_binary_stl(bytes) || !bytes.trim_ascii_start().starts_with(b"solid") {
         return false;
@@ -28,19 +29,20 @@ fn is_ascii(bytes: &[u8]) -> bool {
     !head.contains(&0)
 }
 
-/// Finds the vertex of a position by open addressing over the vertices themselves.
-struct Corners {
+/// Hash table that finds the vertex of a position, by open addressing over the vertices themselves.
+struct VertexTable {
     positions: Vec<[f32; 3]>,
-    /// Vertex plus one, 0 for a free place; the length is a power of two.
+    /// Vertex index plus one, or 0 for a free slot; the length is a power of two.
     table: Vec<u32>,
 }
 
-impl Corners {
+impl VertexTable {
     fn with_capacity(vertex_count: usize) -> Self {
         let places = (vertex_count * 2).next_power_of_two().max(16);
         Self { positions: Vec::with_capacity(vertex_count), table: vec![0; places] }
     }
 
+    /// Returns the vertex of a position, after adding it if it is new.
     #[inline]
     fn vertex(&mut self, position: [f32; 3]) -> u32 {
         let mask = self.table.len() - 1;
@@ -76,7 +78,7 @@ impl Corners {
     }
 }
 
-/// Bits that are equal where positions are: adding zero makes -0 and 0 the same.
+/// Returns bits that are equal if positions are: adding zero makes -0 and 0 the same.
 #[inline]
 fn key_of(position: [f32; 3]) -> [u32; 3] {
     position.map(|x| (x + 0.0).to_bits())
@@ -98,18 +100,18 @@ fn read_binary(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let body = &bytes[HEADER_BYTES..];
     if body.len() / FACET_BYTES < count {
         let reason = format!(
-            "the header promises {count} triangles, which take {} bytes, found {}",
+            "the header declares {count} triangles, which take {} bytes, found {}",
             count as u64 * FACET_BYTES as u64,
             body.len()
         );
         return Err(Fault::at_byte(80, reason));
     }
-    let mut corners = Corners::with_capacity(count / 2 + 2);
+    let mut vertices = VertexTable::with_capacity(count / 2 + 2);
     let mut triangles = Vec::with_capacity(count);
     for facet in body.chunks_exact(FACET_BYTES).take(count) {
-        triangles.push([12, 24, 36].map(|at| corners.vertex(position_at(facet, at))));
+        triangles.push([12, 24, 36].map(|at| vertices.vertex(position_at(facet, at))));
     }
-    Ok(IndexedMesh::new(corners.positions, triangles))
+    Ok(IndexedMesh::new(vertices.positions, triangles))
 }
 
 #[inline]
@@ -119,7 +121,7 @@ fn position_at(facet: &[u8], at: usize) -> [f32; 3] {
 
 fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let mut cursor = Cursor::new(bytes);
-    let mut corners = Corners::with_capacity(bytes.len() / 500);
+    let mut vertices = VertexTable::with_capacity(bytes.len() / 500);
     let mut triangles = Vec::new();
     let mut groups: Vec<TriangleGroup> = Vec::new();
     let mut in_solid = false;
@@ -134,7 +136,7 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
                 groups.push(TriangleGroup { name, first: triangles.len() as u32, ..Default::default() });
                 in_solid = true;
             }
-            b"facet" => triangles.push(read_facet(&mut cursor, &mut corners)?),
+            b"facet" => triangles.push(read_facet(&mut cursor, &mut vertices)?),
             b"endsolid" => {
                 cursor.rest_of_line();
                 in_solid = false;
@@ -155,14 +157,14 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     if groups.iter().all(|g| g.name.is_empty()) && groups.len() <= 1 {
         groups.clear();
     }
-    Ok(IndexedMesh { groups, ..IndexedMesh::new(corners.positions, triangles) })
+    Ok(IndexedMesh { groups, ..IndexedMesh::new(vertices.positions, triangles) })
 }
 
-/// What follows the word `facet`.
-fn read_facet(cursor: &mut Cursor<'_>, corners: &mut Corners) -> Result<[u32; 3], Fault> {
+/// Reads a facet after the word `facet`.
+fn read_facet(cursor: &mut Cursor<'_>, vertices: &mut VertexTable) -> Result<[u32; 3], Fault> {
     expect(cursor, b"normal")?;
     for _ in 0..3 {
-        // Not used, and some writers put what is no number here.
+        // The normal is not used, and some writers put invalid numbers here.
         cursor.word();
     }
     expect(cursor, b"outer")?;
@@ -170,7 +172,7 @@ fn read_facet(cursor: &mut Cursor<'_>, corners: &mut Corners) -> Result<[u32; 3]
     let mut triangle = [0; 3];
     for corner in &mut triangle {
         expect(cursor, b"vertex")?;
-        *corner = corners.vertex([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
+        *corner = vertices.vertex([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
     }
     expect(cursor, b"endloop")?;
     expect(cursor, b"endfacet")?;
@@ -186,11 +188,12 @@ fn expect(cursor: &mut Cursor<'_>, expected: &[u8]) -> Result<(), Fault> {
     Err(cursor.fault(format!("expected {}, found {}", quoted(expected), quoted(word))))
 }
 
+/// Encodes a mesh as a binary STL file; only positions and triangles are kept.
 pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Result<Vec<u8>, Refusal> {
     let count = mesh.triangles.len();
     let mut out = Vec::with_capacity(HEADER_BYTES + FACET_BYTES * count);
     let mut header = [b' '; 80];
-    // Not "solid", which readers take for ascii.
+    // Not "solid", which readers take for ASCII.
     header[..18].copy_from_slice(b"binary STL striata");
     out.extend_from_slice(&header);
     out.extend_from_slice(&(count as u32).to_le_bytes());

@@ -1,54 +1,57 @@
-//! The words and numbers of text formats, read in place with the line always known.
+//! Words and numbers of text formats, read in place with the current line always known.
 //!
-//! One cursor serves OBJ, OFF, ascii STL and ascii PLY. Decimal numbers of up to 15 digits, which is what
-//! meshes hold, are converted by one exact division; all others, and the rare ones where rounding
-//! twice could differ from rounding once, go through the standard library, so that every number is the
-//! nearest `f32`. Cost: one pass over the bytes.
+//! One cursor serves OBJ, OFF, ASCII STL and ASCII PLY. Decimal numbers of up to 15 digits, the usual case
+//! in meshes, are converted by one exact division. All others, and the rare ones for which rounding twice
+//! could differ from rounding once, go through the standard library, so the result is always the nearest
+//! `f32`. Cost: one pass over the bytes.
 
 use crate::error::Fault;
 
-/// A place in a text file, moving forward.
+/// Position in a text file, moving forward.
 #[derive(Clone)]
 pub(crate) struct Cursor<'a> {
     bytes: &'a [u8],
     at: usize,
     line: u64,
-    /// True where a backslash before the line's end joins the next line (OBJ).
+    /// Whether a backslash before the line's end joins the next line (OBJ).
     continues: bool,
 }
 
 impl<'a> Cursor<'a> {
+    /// Creates a cursor at the start of a file.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: 0, line: 1, continues: false }
     }
 
-    /// A cursor in the middle of a file, at byte `at` in line `line`.
+    /// Creates a cursor in the middle of a file, at byte `at` in line `line`.
     #[cfg(feature = "ply")]
     pub(crate) fn starting_at(bytes: &'a [u8], at: usize, line: u64) -> Self {
         Self { bytes, at, line, continues: false }
     }
 
-    /// Lets a backslash at the end of a line join the next one.
+    /// Makes a backslash at the end of a line join the next one.
     #[cfg(feature = "obj")]
     pub(crate) fn with_continuation(self) -> Self {
         Self { continues: true, ..self }
     }
 
-    /// The line, counted from 1.
+    /// Returns the current line, counted from 1.
     pub(crate) fn line(&self) -> u64 {
         self.line
     }
 
-    /// Bytes not read yet.
+    /// Returns the number of bytes not read yet.
     pub(crate) fn bytes_left(&self) -> usize {
         self.bytes.len() - self.at
     }
 
+    /// Creates a fault at the current line.
     #[cold]
     pub(crate) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::at_line(self.line, reason)
     }
 
+    /// Returns the next byte without reading it.
     #[inline]
     pub(crate) fn peek(&self) -> Option<u8> {
         self.bytes.get(self.at).copied()
@@ -60,7 +63,7 @@ impl<'a> Cursor<'a> {
         self.at += 1;
     }
 
-    /// Passes blanks, up to the next word of the line or the line's end.
+    /// Skips blanks, up to the next word of the line or the line's end.
     #[inline]
     pub(crate) fn skip_blanks(&mut self) {
         while let Some(byte) = self.peek() {
@@ -78,7 +81,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The byte after the line's end, where only blanks stand between it and `at`.
+    /// Returns the offset after the line's end, if only blanks precede that end from `at` on.
     fn line_end_after(&self, at: usize) -> Option<usize> {
         let blanks = self.bytes[at..].iter().take_while(|b| matches!(b, b' ' | b'\t' | b'\r')).count();
         match self.bytes.get(at + blanks) {
@@ -88,7 +91,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Passes blanks, line ends and, where `comment` is given, comments that begin with it.
+    /// Skips blanks, line ends, and comments that begin with `comment` if that is given.
     #[cfg(any(feature = "ply", feature = "stl", feature = "off"))]
     pub(crate) fn skip_lines(&mut self, comment: Option<u8>) {
         loop {
@@ -101,7 +104,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// True at the end of the line or file, blanks passed.
+    /// Whether only blanks remain on the line; skips them.
     #[inline]
     pub(crate) fn at_line_end(&mut self) -> bool {
         self.skip_blanks();
@@ -113,7 +116,7 @@ impl<'a> Cursor<'a> {
         self.at >= self.bytes.len()
     }
 
-    /// Passes the rest of the line and its end.
+    /// Skips the rest of the line and its end.
     #[inline]
     pub(crate) fn next_line(&mut self) {
         self.skip_blanks();
@@ -126,7 +129,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The rest of the line without blanks around it; the cursor stays before the line's end.
+    /// Returns the rest of the line without surrounding blanks; the cursor stays before the line's end.
     pub(crate) fn rest_of_line(&mut self) -> &'a [u8] {
         self.skip_blanks();
         let start = self.at;
@@ -145,7 +148,7 @@ impl<'a> Cursor<'a> {
         self.bytes[start..self.at].trim_ascii()
     }
 
-    /// The next word of the line; empty at its end.
+    /// Returns the next word of the line; empty at its end.
     #[inline]
     pub(crate) fn word(&mut self) -> &'a [u8] {
         self.skip_blanks();
@@ -155,7 +158,7 @@ impl<'a> Cursor<'a> {
         &rest[..length]
     }
 
-    /// A decimal number.
+    /// Reads a decimal number.
     #[inline]
     pub(crate) fn number(&mut self) -> Result<Number<'a>, Fault> {
         self.skip_blanks();
@@ -168,7 +171,7 @@ impl<'a> Cursor<'a> {
         self.unusual_number()
     }
 
-    /// A number that is long, or none at all.
+    /// Reads a number that is long, or reports that it is not a number.
     #[cold]
     fn unusual_number(&mut self) -> Result<Number<'a>, Fault> {
         let word = self.word();
@@ -179,13 +182,13 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// A decimal number as the nearest `f32`.
+    /// Reads a decimal number as the nearest `f32`.
     #[inline]
     pub(crate) fn f32(&mut self) -> Result<f32, Fault> {
         Ok(self.number()?.to_f32())
     }
 
-    /// A whole number; reads `3.0` as 3, since some writers put it so.
+    /// Reads an integer; accepts `3.0` as 3, because some writers produce it.
     #[inline]
     pub(crate) fn integer(&mut self) -> Result<i64, Fault> {
         self.skip_blanks();
@@ -208,7 +211,7 @@ impl<'a> Cursor<'a> {
         self.unusual_integer()
     }
 
-    /// A whole number written as a fraction, or none at all.
+    /// Reads an integer written as a decimal fraction, or reports that it is not an integer.
     #[cold]
     fn unusual_integer(&mut self) -> Result<i64, Fault> {
         let word = self.word();
@@ -220,20 +223,20 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// True for bytes that may follow a number: blanks, line ends, and the slash of OBJ corners.
+/// Whether a byte may follow a number: blanks, line ends, and the slash of OBJ corners.
 #[inline]
 fn ends_number(byte: u8) -> bool {
     byte.is_ascii_whitespace() || byte == b'/' || byte == b'\\' || byte == 0x0b
 }
 
-/// A number as its text and, where it is short enough, as digits.
+/// Number as text and, if it is short enough, as digits.
 #[derive(Clone, Copy)]
 pub(crate) struct Number<'a> {
     decimal: Option<Decimal>,
     text: &'a [u8],
 }
 
-/// `mantissa * 10^exponent`, sign aside.
+/// The value `mantissa * 10^exponent`, apart from the sign.
 #[derive(Clone, Copy)]
 struct Decimal {
     negative: bool,
@@ -247,7 +250,7 @@ const POWERS: [f64; 23] = [
 ];
 
 impl Decimal {
-    /// The nearest `f32`, where one exact `f64` operation finds it.
+    /// Returns the nearest `f32` if one exact `f64` operation finds it.
     #[inline]
     fn to_f32(self) -> Option<f32> {
         if self.mantissa >= 1 << 53 {
@@ -256,7 +259,7 @@ impl Decimal {
         let power = *POWERS.get(self.exponent.unsigned_abs() as usize)?;
         let mantissa = self.mantissa as f64;
         let magnitude = if self.exponent < 0 { mantissa / power } else { mantissa * power };
-        // Half-way between two f32: the f64 may itself have been rounded onto it.
+        // Half-way between two `f32`: the `f64` may itself have been rounded to this value.
         const HALF: u64 = 1 << 28;
         if magnitude.to_bits() & ((1 << 29) - 1) == HALF {
             return None;
@@ -278,7 +281,7 @@ impl Number<'_> {
         std::str::from_utf8(self.text).ok()?.parse().ok()
     }
 
-    /// `1 - self`, subtracted in decimal where that is possible, so that nothing is lost.
+    /// Returns `1 - self`, subtracted in decimal if possible, so that nothing is lost.
     #[cfg(feature = "obj")]
     pub(crate) fn one_minus_f32(self) -> f32 {
         let exact = self.decimal.filter(|d| (-15..=0).contains(&d.exponent) && d.mantissa < 1 << 53);
@@ -300,7 +303,8 @@ impl Number<'_> {
     }
 }
 
-/// The decimal number at the start of `bytes` and its length; none where it is not plain or too long.
+/// Returns the decimal number at the start of `bytes`, or [`None`] if it is unusual or too long, and the
+/// length of the text.
 #[inline]
 fn scan_decimal(bytes: &[u8]) -> (Option<Decimal>, usize) {
     let negative = bytes.first() == Some(&b'-');
@@ -344,7 +348,7 @@ fn scan_exponent(bytes: &[u8]) -> Option<(i32, usize)> {
     Some((if negative { -value } else { value }, signed + digits))
 }
 
-/// A word for a message: quoted, shortened, without control bytes.
+/// Formats a word for a message: quoted, shortened, without control bytes.
 pub(crate) fn quoted(word: &[u8]) -> String {
     if word.is_empty() {
         return "the end of the line".to_owned();
@@ -412,7 +416,7 @@ mod tests {
         words.extend(
             ["1e-45", "3.4028235e38", "0.1000000014901161193847656250001", "1e39"].map(str::to_owned),
         );
-        // Between 1 and its neighbor: the middle, and the middle with a trace above it.
+        // The midpoint between 1 and the next `f32`, and a value slightly above it.
         words.push("1.000000059604644775390625".to_owned());
         words.push("1.0000000596046448".to_owned());
         let mut bits = 12_345u32;
@@ -432,7 +436,7 @@ mod tests {
     }
 
     #[test]
-    fn odd_words_are_numbers_or_faults() {
+    fn unusual_words_are_numbers_or_errors() {
         assert!(read("nan").is_nan());
         assert_eq!(read("-inf"), f32::NEG_INFINITY);
         for word in ["", "-", "abc", "1.2.3", "1e", "0x10", "--1", "1,5"] {

@@ -1,4 +1,4 @@
-//! Writing: to bytes or to a path, whatever the format.
+//! Writing to a path or to bytes, in any format.
 
 #[cfg(not(target_family = "wasm"))]
 use std::path::Path;
@@ -13,12 +13,12 @@ use crate::write_atomically;
 use crate::write_options::WriteOptions;
 use crate::{Format, WriteError};
 
-/// Writes a mesh to a file; the extension decides the format, and `.gz` or `.zst` after it compress.
+/// Writes a mesh to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.
 ///
-/// The file is there whole or not at all.
+/// The file is written completely or not at all.
 ///
 /// # Errors
-/// [`WriteError`] with the file and the reason.
+/// Returns [`WriteError`] with the file and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions) -> Result<(), WriteError> {
     let path = path.as_ref();
@@ -29,10 +29,11 @@ pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions)
     write_atomically(path, |out| out.write_all(&bytes))
 }
 
-/// The bytes that [`write()`] puts into a file, in any format: compressed if the name ends in `.gz` or `.zst`.
+/// Returns the bytes that [`write()`] puts into a file, in any format: compressed if the name ends in `.gz`
+/// or `.zst`.
 ///
 /// # Errors
-/// As [`to_bytes`], with the name of the file.
+/// Returns the errors of [`to_bytes`], with the name of the file.
 #[cfg(not(target_family = "wasm"))]
 pub fn to_file_bytes(
     path: &Path,
@@ -48,11 +49,11 @@ pub fn to_file_bytes(
     }
 }
 
-/// Writes a mesh to the bytes of a file: binary little-endian PLY (or ascii), OBJ, binary STL, OFF,
-/// GLB, or glTF with everything embedded.
+/// Encodes a mesh as the bytes of a file: binary little-endian PLY (or ASCII), OBJ, binary STL, OFF, GLB,
+/// or glTF with everything embedded.
 ///
 /// # Errors
-/// [`WriteError`], where the mesh's parts do not fit together or the format cannot hold them.
+/// Returns [`WriteError`] if the mesh is inconsistent or the format cannot store it.
 pub fn to_bytes(format: Format, mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
     named_bytes(format, mesh, options, &format.to_string())
 }
@@ -95,11 +96,11 @@ fn named_bytes(
     bytes.map_err(|refusal| refusal.in_file(file, format))
 }
 
-/// Checks what the writers rely on; coordinates may be anything, as in [`IndexedMesh`] itself.
+/// Checks what the writers rely on; coordinates may have any value, as in [`IndexedMesh`] itself.
 fn check_parts(mesh: &IndexedMesh) -> Result<(), Refusal> {
     use striata::mesh::MeshError;
     match mesh.check() {
-        // Found last of all but the groups, and a text or binary format can hold it.
+        // This is checked last except for the groups, and text and binary formats can store such values.
         Err(MeshError::NonFinitePosition { .. }) => {
             let finite = IndexedMesh { positions: vec![[0.0; 3]; mesh.positions.len()], ..mesh.clone() };
             finite.check()

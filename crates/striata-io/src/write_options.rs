@@ -1,17 +1,18 @@
-//! How a mesh is written.
+//! Options of the writers.
 
-/// How a mesh is written.
+/// Options of [`write()`](crate::write()) and [`to_bytes`](crate::to_bytes).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct WriteOptions {
-    /// Writes PLY as text instead of binary little-endian. Default: false.
+    /// Whether to write PLY as text instead of binary little-endian. Default: false.
     pub ascii: bool,
-    /// glTF only: for each triangle group, one list of indices that form a single triangle strip
-    /// (joined by degenerate triangles, without restart indices), written instead of the triangles. A group whose list is
-    /// empty is written as single triangles. Default: none, so that all groups are.
+    /// glTF only: triangle strips to write instead of the triangles, one index list for each triangle
+    /// group. Each list is a single strip (joined by degenerate triangles, without restart indices). A
+    /// group with an empty list is written as single triangles. Default: [`None`], so all groups are.
     pub strips: Option<Vec<Vec<u32>>>,
-    /// glTF only: for each triangle group its fans, each a list of indices, written instead of the triangles. glTF
-    /// knows no restart index, so each fan becomes a primitive, which takes some 140 bytes of JSON. Default: none.
+    /// glTF only: fans to write instead of the triangles, for each triangle group a list of index lists.
+    /// glTF has no restart index, so each fan becomes a primitive, which takes some 140 bytes of JSON.
+    /// Default: [`None`].
     pub fans: Option<Vec<Vec<Vec<u32>>>>,
 }
 
@@ -28,7 +29,7 @@ impl WriteOptions {
         Self { strips: Some(strips), ..self }
     }
 
-    /// Sets [`fans`](Self::fans), and no strips.
+    /// Sets [`fans`](Self::fans), and clears the strips.
     #[must_use]
     pub fn with_fans(self, fans: Vec<Vec<Vec<u32>>>) -> Self {
         Self { strips: None, fans: Some(fans), ..self }

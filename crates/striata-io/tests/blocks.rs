@@ -1,4 +1,4 @@
-//! Meshes read in blocks from files, and written strip by strip.
+//! Meshes that are read from files in blocks, and written strip by strip.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,32 +8,32 @@ use striata::strip::{restart_triangles_into, strip_triangles};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteOptions, read, to_bytes};
 use striata_strip::{Block, BlockOptions, BlockSource, BlocksReport, MeshBlocks, stripify_blocks};
 
-/// A folder with one file in it, and one for what does not fit into memory.
-struct Place {
+/// A folder with one file in it, and a folder for temporary files.
+struct TestFolder {
     _folder: tempfile::TempDir,
     file: PathBuf,
     scratch: PathBuf,
 }
 
-fn place(name: &str, bytes: &[u8]) -> Place {
+fn test_folder(name: &str, bytes: &[u8]) -> TestFolder {
     let folder = tempfile::tempdir().unwrap();
     let (file, scratch) = (folder.path().join(name), folder.path().join("scratch"));
     fs::write(&file, bytes).unwrap();
     fs::create_dir(&scratch).unwrap();
-    Place { _folder: folder, file, scratch }
+    TestFolder { _folder: folder, file, scratch }
 }
 
-impl Place {
+impl TestFolder {
     fn open(&self, block_triangles: usize) -> Result<TriangleBlocks, ReadError> {
         TriangleBlocks::open(&self.file, block_triangles, &self.scratch)
     }
 
-    /// What is said about bytes that cannot be read.
-    fn said(name: &str, bytes: &[u8]) -> String {
-        let place = place(name, bytes);
-        let said = place.open(10).unwrap_err().to_string();
-        assert_eq!(fs::read_dir(&place.scratch).unwrap().count(), 0);
-        said.replace(&place.file.display().to_string(), name)
+    /// Returns the error message for bytes that cannot be read.
+    fn error_message(name: &str, bytes: &[u8]) -> String {
+        let input = test_folder(name, bytes);
+        let message = input.open(10).unwrap_err().to_string();
+        assert_eq!(fs::read_dir(&input.scratch).unwrap().count(), 0);
+        message.replace(&input.file.display().to_string(), name)
     }
 }
 
@@ -41,7 +41,7 @@ fn ply(mesh: &IndexedMesh) -> Vec<u8> {
     to_bytes(Format::Ply, mesh, &WriteOptions::default()).unwrap()
 }
 
-/// The same file with its numbers the other way round; what is no face is rows of floats.
+/// Converts a file to big-endian; elements other than faces must be rows of floats.
 fn big_endian(mesh: &IndexedMesh) -> Vec<u8> {
     let mut out =
         format!("ply\nformat binary_big_endian 1.0\nelement vertex {}\n", mesh.vertex_count()).into_bytes();
@@ -60,14 +60,14 @@ fn big_endian(mesh: &IndexedMesh) -> Vec<u8> {
     out
 }
 
-/// Strips of the file in blocks, written to a file of this format.
-fn strip_to(place: &Place, block_triangles: usize, format: Format, out: &Path) -> BlocksReport {
-    let mut blocks = place.open(block_triangles).unwrap();
-    let mut spool = StripSpool::new(format, &place.scratch).unwrap();
+/// Stripifies the file in blocks and writes the strips to a file in this format.
+fn strip_to(input: &TestFolder, block_triangles: usize, format: Format, out: &Path) -> BlocksReport {
+    let mut blocks = input.open(block_triangles).unwrap();
+    let mut spool = StripSpool::new(format, &input.scratch).unwrap();
     let options = BlockOptions::default();
     let report = stripify_blocks(&mut blocks, &options, &mut |_, strip| spool.push(strip));
     spool.write(out, &blocks).unwrap();
-    assert_eq!(fs::read_dir(&place.scratch).unwrap().count(), 0);
+    assert_eq!(fs::read_dir(&input.scratch).unwrap().count(), 0);
     report.unwrap()
 }
 
@@ -85,10 +85,10 @@ fn with_layers(mut mesh: IndexedMesh) -> IndexedMesh {
 }
 
 #[test]
-fn blocks_of_a_file_are_those_of_the_mesh() {
+fn blocks_of_a_file_match_blocks_of_the_mesh() {
     let mesh = shapes::terrain(60, 4);
-    let place = place("terrain.ply", &ply(&mesh));
-    let mut from_file = place.open(500).unwrap();
+    let input = test_folder("terrain.ply", &ply(&mesh));
+    let mut from_file = input.open(500).unwrap();
     let mut from_mesh = MeshBlocks::new(&mesh, 500).unwrap();
     assert_eq!(from_file.block_count(), from_mesh.block_count());
     assert_eq!((from_file.vertex_count(), from_file.triangle_count()), (3721, 7200));
@@ -102,18 +102,19 @@ fn blocks_of_a_file_are_those_of_the_mesh() {
 }
 
 #[test]
-fn strips_written_in_blocks_show_the_mesh_with_all_its_layers() {
+fn strips_written_in_blocks_keep_the_mesh_and_its_layers() {
     let small = with_layers(shapes::torus(20, 30, 3.0, 1.0));
-    // More vertices than short indices can name.
+    // More vertices than 16-bit indices can address.
     let large = with_layers(shapes::grid(260, 255));
     for (mesh, block_triangles) in [(&small, 1), (&small, 100), (&small, usize::MAX), (&large, 20_000)] {
-        let place = place("mesh.ply", &ply(mesh));
+        let input = test_folder("mesh.ply", &ply(mesh));
         for format in [Format::Ply, Format::Glb] {
-            let out = place.scratch.with_extension(format.extension());
-            let report = strip_to(&place, block_triangles, format, &out);
+            let out = input.scratch.with_extension(format.extension());
+            let report = strip_to(&input, block_triangles, format, &out);
             assert_eq!(report.cost.triangle_count, mesh.triangle_count());
             if format == Format::Glb {
-                // The oracle's own rules: accessors within views, views within the buffer, bounds of positions.
+                // The independent reader's own checks: accessors within views, views within the buffer,
+                // bounds of positions.
                 let glb = gltf::Gltf::open(&out).unwrap();
                 let primitive = glb.meshes().next().unwrap().primitives().next().unwrap();
                 assert_eq!(primitive.mode(), gltf::mesh::Mode::TriangleStrip);
@@ -135,26 +136,26 @@ fn strips_written_in_blocks_show_the_mesh_with_all_its_layers() {
 }
 
 #[test]
-fn odd_meshes_come_through() {
+fn unusual_meshes_are_kept() {
     for (name, mesh) in shapes::nasty() {
         if mesh.check().is_err() || !mesh.layers.is_empty() {
             continue;
         }
         for bytes in [ply(&mesh), big_endian(&mesh)] {
-            let place = place("mesh.ply", &bytes);
-            let out = place.scratch.with_extension("out.ply");
-            strip_to(&place, 7, Format::Ply, &out);
+            let input = test_folder("mesh.ply", &bytes);
+            let out = input.scratch.with_extension("out.ply");
+            strip_to(&input, 7, Format::Ply, &out);
             let back = read(&out).unwrap();
             assert_eq!((back.positions == mesh.positions, proper(&back)), (true, proper(&mesh)), "{name}");
-            let out = place.scratch.with_extension("glb");
-            strip_to(&place, 7, Format::Glb, &out);
+            let out = input.scratch.with_extension("glb");
+            strip_to(&input, 7, Format::Glb, &out);
             assert_eq!(proper(&read(&out).unwrap()), proper(&mesh), "{name}");
         }
     }
 }
 
 #[test]
-fn polygons_are_fanned_and_other_elements_passed() {
+fn polygons_are_fanned_and_other_elements_skipped() {
     let head =
         b"ply\nformat binary_little_endian 1.0\nelement camera 2\nproperty float f\nelement vertex 5\n\
         property float x\nproperty float y\nproperty float z\nelement face 2\n\
@@ -171,22 +172,22 @@ fn polygons_are_fanned_and_other_elements_passed() {
         bytes.extend(0.5f32.to_le_bytes());
     }
     bytes.extend([2, 1, 1]);
-    let place = place("mesh.ply", &bytes);
+    let input = test_folder("mesh.ply", &bytes);
     let mut found = Vec::new();
     let mut take = |_, strip: &[u32]| -> Result<(), ()> {
         found.extend(strip_triangles(strip));
         Ok(())
     };
-    stripify_blocks(&mut place.open(2).unwrap(), &BlockOptions::default(), &mut take).unwrap();
+    stripify_blocks(&mut input.open(2).unwrap(), &BlockOptions::default(), &mut take).unwrap();
     assert_eq!(canonical_triangles(&found), canonical_triangles(&[[0, 1, 2], [0, 2, 3], [0, 3, 4]]));
 }
 
 #[test]
-fn every_truncation_is_told() {
+fn every_truncation_is_reported() {
     let whole = ply(&shapes::icosphere(1, 1.0));
     for length in 0..whole.len() {
-        let place = place("cut.ply", &whole[..length]);
-        let error = place.open(8).unwrap_err();
+        let input = test_folder("cut.ply", &whole[..length]);
+        let error = input.open(8).unwrap_err();
         assert!(error.to_string().contains("cut.ply"), "{length} bytes: {error}");
     }
 }
@@ -197,83 +198,83 @@ fn a_flipped_bit_is_an_error_or_another_mesh() {
     for bit in 0..whole.len() * 8 {
         let mut bytes = whole.clone();
         bytes[bit / 8] ^= 1 << (bit % 8);
-        let place = place("flipped.ply", &bytes);
-        let Ok(mut blocks) = place.open(2) else { continue };
+        let input = test_folder("flipped.ply", &bytes);
+        let Ok(mut blocks) = input.open(2) else { continue };
         let write = &mut |_: u32, _: &[u32]| Ok::<(), ()>(());
         stripify_blocks(&mut blocks, &BlockOptions::default(), write).unwrap();
     }
 }
 
 #[test]
-fn what_cannot_be_read_in_blocks_is_named() {
+fn files_that_cannot_be_read_in_blocks_are_refused() {
     let mesh = shapes::tetrahedron();
     let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
     assert_eq!(
-        Place::said("a.ply", &ascii),
-        "a.ply: is a PLY file of text; only binary PLY files are read block by block"
+        TestFolder::error_message("a.ply", &ascii),
+        "a.ply: is an ASCII PLY file; only binary PLY files are read block by block"
     );
     let obj = to_bytes(Format::Obj, &mesh, &WriteOptions::default()).unwrap();
-    assert!(Place::said("a.obj", &obj).starts_with("a.obj: is no PLY file;"));
+    assert!(TestFolder::error_message("a.obj", &obj).starts_with("a.obj: is not a PLY file;"));
     let folder = tempfile::tempdir().unwrap();
-    let said = TriangleBlocks::open(folder.path(), 5, folder.path()).unwrap_err().to_string();
-    assert!(said.contains("is no plain file"), "{said}");
+    let message = TriangleBlocks::open(folder.path(), 5, folder.path()).unwrap_err().to_string();
+    assert!(message.contains("is not a regular file"), "{message}");
     let mut outside = mesh.clone();
     outside.triangles[2][1] = 3;
     let mut bytes = ply(&outside);
     let place_of_index = bytes.len() - 2 * 13 + 5;
     bytes[place_of_index] = 4;
     assert_eq!(
-        Place::said("a.ply", &bytes),
+        TestFolder::error_message("a.ply", &bytes),
         format!("a.ply: byte {place_of_index}: vertex 4 does not exist: there are 4")
     );
     let mut bytes = ply(&mesh);
     let second_y = bytes.len() - 4 * 13 - 3 * 12 + 4;
     bytes[second_y..second_y + 4].copy_from_slice(&f32::NAN.to_le_bytes());
-    let said = Place::said("a.ply", &bytes);
-    assert_eq!(said, format!("a.ply: byte {}: vertex 1 has the coordinate NaN on axis 1", second_y - 4));
+    let message = TestFolder::error_message("a.ply", &bytes);
+    assert_eq!(message, format!("a.ply: byte {}: vertex 1 has the coordinate NaN on axis 1", second_y - 4));
     let head = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n\
         property float y\nproperty float z\nelement face 4294967295\n\
         property list uchar int vertex_indices\nend_header\n";
-    let said = Place::said("a.ply", head.as_bytes());
+    let message = TestFolder::error_message("a.ply", head.as_bytes());
     assert!(
-        said.contains("4000000000 rows of `vertex` are promised, which take 48000000000 bytes"),
-        "{said}"
+        message.contains("4000000000 rows of `vertex` are declared, which take 48000000000 bytes"),
+        "{message}"
     );
     let strips = "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\n\
         element tristrips 1\nproperty list int int vertex_indices\nend_header\n\0\0\0\0";
-    assert!(Place::said("a.ply", strips.as_bytes()).contains("`tristrips`"));
+    assert!(TestFolder::error_message("a.ply", strips.as_bytes()).contains("`tristrips`"));
 }
 
 #[test]
 fn a_missing_folder_and_another_format_are_refused() {
-    let place = place("mesh.ply", &ply(&shapes::tetrahedron()));
-    let missing = place.scratch.join("no");
-    let said = TriangleBlocks::open(&place.file, 5, &missing).unwrap_err().to_string();
-    assert!(said.starts_with("temporary file in"), "{said}");
+    let input = test_folder("mesh.ply", &ply(&shapes::tetrahedron()));
+    let missing = input.scratch.join("no");
+    let message = TriangleBlocks::open(&input.file, 5, &missing).unwrap_err().to_string();
+    assert!(message.starts_with("temporary file in"), "{message}");
     assert!(StripSpool::new(Format::Ply, &missing).is_err());
-    let said = StripSpool::new(Format::Obj, &place.scratch).unwrap_err().to_string();
-    assert!(said.contains("PLY or GLB"), "{said}");
+    let message = StripSpool::new(Format::Obj, &input.scratch).unwrap_err().to_string();
+    assert!(message.contains("PLY or GLB"), "{message}");
 }
 
 #[test]
 fn a_failed_write_leaves_the_old_file() {
-    let place = place("mesh.ply", &ply(&shapes::tetrahedron()));
-    let blocks = place.open(5).unwrap();
-    let out = place.scratch.with_extension("glb");
+    let input = test_folder("mesh.ply", &ply(&shapes::tetrahedron()));
+    let blocks = input.open(5).unwrap();
+    let out = input.scratch.with_extension("glb");
     fs::write(&out, b"old").unwrap();
-    // The mesh is gone before its vertices are copied.
-    fs::remove_file(&place.file).unwrap();
-    let mut spool = StripSpool::new(Format::Glb, &place.scratch).unwrap();
+    // The input file disappears before its vertices are copied.
+    fs::remove_file(&input.file).unwrap();
+    let mut spool = StripSpool::new(Format::Glb, &input.scratch).unwrap();
     spool.push(&[0, 1, 2]).unwrap();
     assert!(spool.write(&out, &blocks).is_err());
     assert_eq!(fs::read(&out).unwrap(), b"old");
 }
 
 #[test]
-fn restarts_part_the_strips_of_a_ply() {
-    let place = place("mesh.ply", &ply(&shapes::many_components(5)));
-    let out = place.scratch.with_extension("out.ply");
-    let report = strip_to(&place, 1, Format::Ply, &out);
+fn restarts_separate_the_strips_of_a_ply() {
+    let input = test_folder("mesh.ply", &ply(&shapes::many_components(5)));
+    let out = input.scratch.with_extension("out.ply");
+    let report = strip_to(&input, 1, Format::Ply, &out);
     let bytes = fs::read(&out).unwrap();
     let list = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11 + 20 * 12;
     let words: Vec<u32> =

@@ -1,20 +1,20 @@
-//! glTF: round trips, hand-made documents for every rule of the reader, and the crate `gltf` as a second opinion.
+//! glTF: round trips, documents for every rule of the reader, and the crate `gltf` for comparison.
 
 mod meshes;
 
-use meshes::{group, read, refused, sheet, soup, square, square_with_everything, there_and_back, written};
+use meshes::{group, read, refused, round_trip, sheet, soup, square, square_with_everything, written};
 use serde_json::{Value, json};
 use striata::mesh::{AttributeLayer, Image, IndexedMesh, LayerData, Material, Semantic};
 use striata_io::{Format, Source, WriteOptions, read_bytes, to_bytes};
 
-/// A glTF whose one buffer holds the parts one after another, each in a view of its own.
+/// Builds a glTF whose only buffer contains the parts one after another, each in a view of its own.
 fn document(parts: &[&[u8]], mut root: Value) -> Vec<u8> {
     let (mut bytes, mut views) = (Vec::new(), Vec::new());
     for part in parts {
         views.push(json!({ "buffer": 0, "byteOffset": bytes.len(), "byteLength": part.len() }));
         bytes.extend_from_slice(part);
     }
-    // Percent escapes rather than base64, so that the test shares no code with the writer.
+    // Percent escapes instead of base64, so that the test shares no code with the writer.
     let escaped: String = bytes.iter().map(|b| format!("%{b:02x}")).collect();
     root["asset"] = json!({ "version": "2.0" });
     root["buffers"] = json!([{ "byteLength": bytes.len(), "uri": format!("data:;x=y,{escaped}") }]);
@@ -32,7 +32,7 @@ fn square_bytes() -> Vec<u8> {
     f32s(square().positions.as_flattened())
 }
 
-/// The square's positions as accessor 0, the indices as accessor 1, and one primitive over them.
+/// Document with the square's positions as accessor 0, the indices as accessor 1, and one primitive.
 fn indexed(indices: &[u8], mode: u32) -> Value {
     json!({
         "accessors": [
@@ -68,11 +68,11 @@ fn everything() -> IndexedMesh {
 }
 
 #[test]
-fn everything_comes_back_as_it_was() {
+fn a_round_trip_changes_nothing() {
     let mut mesh = everything();
     mesh.layers.sort_by(|a, b| a.semantic.cmp(&b.semantic));
-    assert_eq!(there_and_back(Format::Glb, &mesh), mesh);
-    assert_eq!(there_and_back(Format::Gltf, &mesh), mesh);
+    assert_eq!(round_trip(Format::Glb, &mesh), mesh);
+    assert_eq!(round_trip(Format::Gltf, &mesh), mesh);
     let root: Value = serde_json::from_slice(&written(Format::Gltf, &mesh)).unwrap();
     assert_eq!(root["extensionsUsed"], json!(["KHR_materials_clearcoat"]));
     assert_eq!(root["meshes"].as_array().unwrap().len(), 2);
@@ -84,9 +84,9 @@ fn groups_share_their_vertices_when_read_again() {
     let half = mesh.triangle_count() as u32 / 2;
     mesh.groups = vec![group("s", None, 0, half), group("s", None, half, half)];
     assert!(mesh.vertex_count() > 65_535, "the indices must need 32 bits");
-    assert_eq!(there_and_back(Format::Glb, &mesh), mesh);
+    assert_eq!(round_trip(Format::Glb, &mesh), mesh);
     let empty = IndexedMesh::default();
-    assert_eq!(there_and_back(Format::Glb, &empty), empty);
+    assert_eq!(round_trip(Format::Glb, &empty), empty);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn fans_are_a_primitive_each_and_one_group() {
 #[test]
 fn strips_are_written_and_read_as_strips() {
     let mesh = square();
-    // The second triangle of a strip turns the other way: 2 0 3 is read as 0 2 3.
+    // The second triangle of a strip has the opposite winding: 2 0 3 is read as 0 2 3.
     let options = WriteOptions::default().with_strips(vec![vec![1, 2, 0, 3]]);
     let bytes = to_bytes(Format::Gltf, &mesh, &options).unwrap();
     let root: Value = serde_json::from_slice(&bytes).unwrap();
@@ -193,7 +193,7 @@ fn every_mode_that_draws_triangles() {
 }
 
 #[test]
-fn nodes_place_turn_and_mirror() {
+fn nodes_translate_rotate_and_mirror() {
     let indices = [0, 1, 2, 0, 2, 3];
     let normals = f32s(&[0.0, 0.0, 1.0].repeat(4));
     let tangents = f32s(&[1.0, 0.0, 0.0, 1.0].repeat(4));
@@ -214,7 +214,7 @@ fn nodes_place_turn_and_mirror() {
     let mesh = read("x.gltf", &document(&[&square_bytes(), &indices, &normals, &tangents], root)).unwrap();
     assert_eq!(mesh.groups, [group("m", None, 0, 2), group("m", None, 2, 2)]);
     let near = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).all(|(x, y)| (x - y).abs() < 1e-5);
-    // A quarter turn about x takes y to z, and z to -y.
+    // A quarter turn about x maps y to z, and z to -y.
     assert!(near(mesh.positions[2], [12.0, -0.2, 2.0]), "{:?}", mesh.positions[2]);
     assert!(near(mesh.positions[6], [9.0, 1.0, 0.3]), "{:?}", mesh.positions[6]);
     assert_eq!(mesh.triangles[2..], [[4, 6, 5], [4, 7, 6]], "a mirrored triangle turns around");
@@ -246,7 +246,7 @@ fn nodes_that_form_no_tree_are_refused() {
 }
 
 #[test]
-fn attribute_sets_are_united() {
+fn attribute_sets_are_merged() {
     let indices = [0, 1, 2, 0, 2, 3];
     let colors = [200u8; 12];
     let normals = f32s(&[1.0, 0.0, 0.0].repeat(4));
@@ -314,14 +314,14 @@ fn sparse_and_quantized_accessors() {
 }
 
 #[test]
-fn instances_are_baked_but_not_without_end() {
+fn instances_are_baked_up_to_a_limit() {
     let indices = [0, 1, 2];
     let mut root = indexed(&indices, 4);
     let nodes: Vec<Value> = (0..100).map(|i| json!({ "mesh": 0, "translation": [i, 0, 0] })).collect();
     root["nodes"] = json!(nodes);
     let mesh = read("x.gltf", &document(&[&square_bytes(), &indices], root.clone())).unwrap();
     assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (400, 100));
-    // The same, but each node shows a mesh that has very many primitives.
+    // Again, but each node shows a mesh with a huge number of primitives.
     let primitive = root["meshes"][0]["primitives"][0].clone();
     root["meshes"][0]["primitives"] = json!(vec![primitive; 20_000]);
     let message = refused("x.gltf", &document(&[&square_bytes(), &indices], root));
@@ -329,7 +329,7 @@ fn instances_are_baked_but_not_without_end() {
 }
 
 #[test]
-fn what_cannot_be_read_is_named() {
+fn unsupported_features_are_reported() {
     let indices = [0, 1, 2];
     let parts: [&[u8]; 2] = [&square_bytes(), &indices];
     let changed = |change: fn(&mut Value)| {
@@ -367,7 +367,7 @@ fn what_cannot_be_read_is_named() {
 }
 
 #[test]
-fn what_gltf_forbids_is_not_written() {
+fn invalid_gltf_is_not_written() {
     let refusal =
         |mesh: &IndexedMesh| to_bytes(Format::Glb, mesh, &WriteOptions::default()).unwrap_err().to_string();
     let mut nan = square();
@@ -404,7 +404,7 @@ fn files_beside_the_document_are_found() {
     assert_eq!((images[0].bytes.as_slice(), images[0].mime_type.as_str()), (&b"\x89PNG..."[..], "image/png"));
     assert_eq!((images[1].bytes.len(), images[1].uri.as_str()), (0, "lost.png"));
     assert!(images[2].bytes.is_empty());
-    for (uri, reason) in [("../a b.bin", "leads out of the folder"), ("lost.bin", "`lost.bin`")] {
+    for (uri, reason) in [("../a b.bin", "leaves the folder"), ("lost.bin", "`lost.bin`")] {
         root["buffers"][0]["uri"] = json!(uri);
         let source = Source::new("scene.gltf").with_folder(folder.path());
         let error = read_bytes(root.to_string().as_bytes(), &source).unwrap_err().to_string();

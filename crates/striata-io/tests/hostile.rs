@@ -1,4 +1,4 @@
-//! Damaged files of every format: cut off anywhere, or with bytes changed, they give an error or a sound mesh.
+//! Damaged files of every format, truncated or with changed bytes, give an error or a consistent mesh.
 
 mod meshes;
 
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, MeshError};
 use striata_io::{Format, WriteOptions, to_bytes};
 
-/// Every format's file of a small mesh, with the name that it goes by.
+/// Returns a file of a small mesh in every format, with its name.
 fn files() -> Vec<(String, Vec<u8>)> {
     let mut mesh = square_with_everything();
     mesh.groups = vec![meshes::group("a", None, 0, 1), meshes::group("b", None, 1, 1)];
@@ -30,8 +30,8 @@ fn files() -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// What is read must hang together, coordinates aside.
-fn assert_sound(name: &str, mesh: &IndexedMesh) {
+/// Checks that the mesh is consistent, except for its coordinates.
+fn assert_consistent(name: &str, mesh: &IndexedMesh) {
     match mesh.check() {
         Ok(()) | Err(MeshError::NonFinitePosition { .. }) => {}
         Err(error) => panic!("{name} was read as a broken mesh: {error}"),
@@ -39,25 +39,25 @@ fn assert_sound(name: &str, mesh: &IndexedMesh) {
 }
 
 #[test]
-fn every_truncation_is_an_error_or_a_sound_mesh() {
+fn every_truncation_is_an_error_or_a_consistent_mesh() {
     for (name, bytes) in files() {
         let mut refused_count = 0;
         for length in 0..bytes.len() {
             match read(&name, &bytes[..length]) {
-                Ok(mesh) => assert_sound(&name, &mesh),
+                Ok(mesh) => assert_consistent(&name, &mesh),
                 Err(error) => {
                     assert!(error.to_string().starts_with(&name), "{error}");
                     refused_count += 1;
                 }
             }
         }
-        // OBJ promises nothing, so that most of its prefixes are whole files.
+        // OBJ declares no counts, so most of its prefixes are complete files.
         assert!(name.ends_with(".obj") || refused_count > bytes.len() * 9 / 10, "{name}: {refused_count}");
     }
 }
 
 #[test]
-fn compressed_files_are_told_from_damaged_ones() {
+fn damaged_compressed_files_are_refused() {
     use std::io::Write as _;
     let mesh = sheet(8);
     let plain = written(Format::Ply, &mesh);
@@ -72,14 +72,14 @@ fn compressed_files_are_told_from_damaged_ones() {
         }
     }
     assert_eq!(read("x.gz.zst", &zstd::bulk::compress(&gzip, 3).unwrap()).unwrap(), mesh);
-    // Bombs: a gigabyte of nothing in some kilobytes.
+    // Decompression bombs: a gigabyte of zeros in a few kilobytes.
     let bomb = zstd::stream::encode_all(std::io::Read::take(std::io::repeat(0), 1 << 30), 1).unwrap();
     let message = meshes::refused("x.ply.zst", &bomb);
-    assert!(message.contains("grow past"), "{message}");
+    assert!(message.contains("unpack to more than"), "{message}");
 }
 
 #[test]
-fn the_name_decides_where_the_content_does_not() {
+fn the_name_decides_if_the_content_does_not() {
     assert!(meshes::refused("x.png", b"\x89PNG").contains("neither the content nor the extension"));
     assert!(meshes::refused("x.striata", b"STRIATA\0abc").contains("extract a level"));
     assert!(
@@ -114,7 +114,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
     #[test]
-    fn changed_bytes_are_an_error_or_a_sound_mesh(
+    fn changed_bytes_are_an_error_or_a_consistent_mesh(
         file in 0usize..9,
         changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
     ) {
@@ -124,12 +124,12 @@ proptest! {
             bytes[place] = value;
         }
         if let Ok(mesh) = read(&name, &bytes) {
-            assert_sound(&name, &mesh);
+            assert_consistent(&name, &mesh);
         }
     }
 
     #[test]
-    fn changed_digits_are_an_error_or_a_sound_mesh(
+    fn changed_digits_are_an_error_or_a_consistent_mesh(
         file in prop::sample::select(vec![1usize, 3, 4, 6]),
         changes in prop::collection::vec((any::<prop::sample::Index>(), b'0'..=b'9'), 1..8),
     ) {
@@ -139,7 +139,7 @@ proptest! {
             bytes[digits[place.index(digits.len())]] = digit;
         }
         if let Ok(mesh) = read(&name, &bytes) {
-            assert_sound(&name, &mesh);
+            assert_consistent(&name, &mesh);
         }
     }
 }

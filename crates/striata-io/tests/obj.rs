@@ -1,15 +1,15 @@
-//! OBJ: round trips, everything the format allows around triangles, and the crate `tobj` as a second opinion.
+//! OBJ: round trips, all features of the format around triangles, and the crate `tobj` for comparison.
 
 mod meshes;
 
-use meshes::{group, read, refused, sheet, soup, square, there_and_back, written};
+use meshes::{group, read, refused, round_trip, sheet, soup, square, written};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Material, Semantic};
 use striata_io::Format;
 
 #[test]
-fn a_mesh_comes_back_as_it_was() {
+fn a_round_trip_changes_nothing() {
     let mut mesh = square();
-    assert_eq!(there_and_back(Format::Obj, &mesh), mesh);
+    assert_eq!(round_trip(Format::Obj, &mesh), mesh);
     let texcoords = vec![0.1, 0.123_456_7, 0.0, 1.0, -3.25, 17.001, 0.333_333_34, 1e-6];
     mesh.layers = vec![
         AttributeLayer::from_f32(Semantic::Normal, 3, [0.0, 0.6, 0.8].repeat(4)),
@@ -20,16 +20,16 @@ fn a_mesh_comes_back_as_it_was() {
     let material = |name: &str| Material { name: name.to_owned(), ..Material::default() };
     mesh.appearance.materials = vec![material("wood"), material("dark stone")];
     mesh.appearance.material_libraries = vec!["my materials.mtl".to_owned()];
-    let back = there_and_back(Format::Obj, &mesh);
+    let back = round_trip(Format::Obj, &mesh);
     assert_eq!(
         (&back.positions, &back.triangles, &back.layers),
         (&mesh.positions, &mesh.triangles, &mesh.layers)
     );
-    // Materials that no group uses are not told in OBJ.
+    // OBJ cannot store materials that no group uses.
     assert_eq!(back.groups, [group("left side", Some(0), 0, 1), group("", None, 1, 1)]);
     assert_eq!(back.appearance.materials, [material("dark stone")]);
     assert_eq!(back.appearance.material_libraries, mesh.appearance.material_libraries);
-    assert_eq!(there_and_back(Format::Obj, &back), back);
+    assert_eq!(round_trip(Format::Obj, &back), back);
 }
 
 const CUBE_SIDE: &str = "\
@@ -92,8 +92,8 @@ fn an_independent_reader_agrees() {
 }
 
 #[test]
-fn one_vertex_with_many_wedges_is_no_trap() {
-    // If the chain of wedges were walked whole, this would take an hour.
+fn one_vertex_with_many_wedges_is_not_slow() {
+    // If the whole chain of wedges were searched linearly, this would take an hour.
     const WEDGES: usize = 1_000_000;
     let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
     for i in 0..WEDGES {
@@ -131,5 +131,5 @@ fn empty_files_are_empty_meshes() {
     for text in ["", "# nothing\n", "v 0 0 0\n\\\n"] {
         assert_eq!(read("x.obj", text.as_bytes()).unwrap().triangle_count(), 0);
     }
-    assert_eq!(there_and_back(Format::Obj, &IndexedMesh::default()), IndexedMesh::default());
+    assert_eq!(round_trip(Format::Obj, &IndexedMesh::default()), IndexedMesh::default());
 }

@@ -1,24 +1,24 @@
-//! PLY: round trips, foreign files, and the crate `ply-rs-bw` as a second opinion.
+//! PLY: round trips, files of other programs, and the crate `ply-rs-bw` for comparison.
 
 mod meshes;
 
-use meshes::{read, refused, sheet, square, square_with_everything, there_and_back, written};
+use meshes::{read, refused, round_trip, sheet, square, square_with_everything, written};
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{DefaultElement, Property};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use striata_io::{Format, WriteOptions, to_bytes};
 
 #[test]
-fn every_layer_comes_back_as_it_was() {
+fn a_round_trip_keeps_every_layer() {
     let mesh = square_with_everything();
-    assert_eq!(there_and_back(Format::Ply, &mesh), mesh);
+    assert_eq!(round_trip(Format::Ply, &mesh), mesh);
     let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
     assert!(ascii.is_ascii());
     assert_eq!(read("x.ply", &ascii).unwrap(), mesh);
 }
 
 #[test]
-fn names_that_mean_something_else_come_back() {
+fn ambiguous_names_survive_a_round_trip() {
     let mut mesh = square();
     for (i, name) in ["x", "nx", "red", "a.0", "generic_b", "s"].into_iter().enumerate() {
         let semantic = Semantic::Generic(name.to_owned());
@@ -26,7 +26,7 @@ fn names_that_mean_something_else_come_back() {
     }
     let wide = Semantic::Generic("wide".to_owned());
     mesh.layers.push(AttributeLayer::from_f32(wide, 5, (0..20).map(|i| i as f32).collect()));
-    assert_eq!(there_and_back(Format::Ply, &mesh), mesh);
+    assert_eq!(round_trip(Format::Ply, &mesh), mesh);
     let twice = Semantic::Normal;
     for _ in 0..2 {
         mesh.layers.push(AttributeLayer::from_f32(twice.clone(), 3, vec![0.0; 12]));
@@ -84,7 +84,7 @@ fn foreign_properties_and_elements_are_tolerated() {
     assert!(message.contains("line 29: 4000000000 does not fit into a int"), "{message}");
 }
 
-/// The same mesh in binary, with every odd type, in either byte order.
+/// A binary file with every unusual type, in either byte order.
 fn odd_binary(big: bool) -> Vec<u8> {
     let order = if big { "big" } else { "little" };
     let mut out = format!(
@@ -113,7 +113,7 @@ fn odd_binary(big: bool) -> Vec<u8> {
 }
 
 #[test]
-fn both_byte_orders_say_the_same() {
+fn both_byte_orders_agree() {
     for big in [false, true] {
         let mesh = read("x.ply", &odd_binary(big)).unwrap();
         assert_eq!(mesh.positions, square().positions);
@@ -138,10 +138,10 @@ fn errors_name_the_place() {
         element face 1\nproperty list uchar int vertex_indices\nend_header\n";
     let cases = [
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 13: vertex 3 does not exist: there are 3"),
-        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n", "line 13: -2 is no index of a vertex"),
+        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n", "line 13: -2 is not a vertex index"),
         ("0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "line 11: expected a number, found `zero`"),
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1", "line 13: expected a whole number, found the end"),
-        ("0 0 0\n", "line 10: 3 rows of `vertex` are promised"),
+        ("0 0 0\n", "line 10: 3 rows of `vertex` are declared"),
     ];
     for (body, expected) in cases {
         let message = refused("dir/x.ply", format!("{header}{body}").as_bytes());
@@ -156,14 +156,14 @@ fn errors_name_the_place() {
 }
 
 #[test]
-fn a_header_that_promises_billions_is_refused_at_once() {
+fn a_header_that_declares_billions_is_refused_immediately() {
     for encoding in ["ascii", "binary_little_endian", "binary_big_endian"] {
         for (vertices, faces) in [(4_000_000_000u32, 0u32), (0, 4_000_000_000), (u32::MAX, u32::MAX)] {
             let text = format!(
                 "ply\nformat {encoding} 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
                  property float z\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n1 2 3\n"
             );
-            assert!(refused("x.ply", text.as_bytes()).contains("are promised"), "{encoding} {vertices}");
+            assert!(refused("x.ply", text.as_bytes()).contains("are declared"), "{encoding} {vertices}");
         }
     }
 }
@@ -171,7 +171,7 @@ fn a_header_that_promises_billions_is_refused_at_once() {
 #[test]
 fn empty_and_nan_meshes_are_read() {
     let empty = IndexedMesh::default();
-    assert_eq!(there_and_back(Format::Ply, &empty), empty);
+    assert_eq!(round_trip(Format::Ply, &empty), empty);
     let mut mesh = square();
     mesh.positions[2][1] = f32::NAN;
     for ascii in [false, true] {

@@ -1,19 +1,19 @@
-//! STL and OFF.
+//! STL and OFF: round trips, files of other programs, and errors.
 
 mod meshes;
 
-use meshes::{group, read, refused, sheet, soup, square, there_and_back, written};
+use meshes::{group, read, refused, round_trip, sheet, soup, square, written};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use striata_io::Format;
 
 #[test]
 fn stl_welds_its_corners() {
     let mesh = sheet(20);
-    let back = there_and_back(Format::Stl, &mesh);
+    let back = round_trip(Format::Stl, &mesh);
     assert_eq!(back.vertex_count(), mesh.vertex_count());
     assert_eq!(soup(&back), soup(&mesh));
     let empty = IndexedMesh::default();
-    assert_eq!(there_and_back(Format::Stl, &empty), empty);
+    assert_eq!(round_trip(Format::Stl, &empty), empty);
 }
 
 #[test]
@@ -32,17 +32,17 @@ fn binary_stl_may_begin_with_solid() {
     let mut bytes = written(Format::Stl, &square());
     bytes[..9].copy_from_slice(b"solid box");
     assert_eq!(soup(&read("x.stl", &bytes).unwrap()), soup(&square()));
-    // With bytes after the triangles, only the zeros of the body tell.
+    // With bytes after the triangles, only the zeros of the body show that the file is binary.
     bytes.extend_from_slice(b"more");
     assert_eq!(soup(&read("x.stl", &bytes).unwrap()), soup(&square()));
 }
 
 #[test]
-fn negative_zero_is_zero_to_the_weld() {
+fn negative_zero_is_welded_with_zero() {
     let mut mesh = IndexedMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]]);
     mesh.positions.push([-0.0, 0.0, -0.0]);
     mesh.triangles.push([1, 3, 2]);
-    assert_eq!(there_and_back(Format::Stl, &mesh).triangles, [[0, 1, 2], [1, 0, 2]]);
+    assert_eq!(round_trip(Format::Stl, &mesh).triangles, [[0, 1, 2], [1, 0, 2]]);
 }
 
 const ASCII: &str = "solid my box
@@ -82,13 +82,13 @@ fn stl_errors_name_the_place() {
     assert!(refused("x.stl", b"short").contains("byte 5: a binary STL begins with 84 bytes"));
     let mut bytes = written(Format::Stl, &square());
     bytes[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
-    assert!(refused("x.stl", &bytes).contains("byte 80: the header promises 4294967295 triangles"));
+    assert!(refused("x.stl", &bytes).contains("byte 80: the header declares 4294967295 triangles"));
 }
 
 #[test]
-fn off_comes_back_as_it_was() {
+fn an_off_round_trip_changes_nothing() {
     let mut mesh = square();
-    assert_eq!(there_and_back(Format::Off, &mesh), mesh);
+    assert_eq!(round_trip(Format::Off, &mesh), mesh);
     mesh.layers = vec![
         AttributeLayer::from_f32(Semantic::Normal, 3, [0.0, 0.6, 0.8].repeat(4)),
         AttributeLayer::from_f32(Semantic::TexCoord(0), 2, (0..8).map(|i| i as f32 / 7.0).collect()),
@@ -100,12 +100,12 @@ fn off_comes_back_as_it_was() {
         },
     ];
     assert!(written(Format::Off, &mesh).starts_with(b"STCNOFF\n"));
-    assert_eq!(there_and_back(Format::Off, &mesh), mesh);
-    assert_eq!(there_and_back(Format::Off, &IndexedMesh::default()), IndexedMesh::default());
+    assert_eq!(round_trip(Format::Off, &mesh), mesh);
+    assert_eq!(round_trip(Format::Off, &IndexedMesh::default()), IndexedMesh::default());
 }
 
 #[test]
-fn off_as_others_write_it() {
+fn off_of_other_programs_is_read() {
     let text = "# made by hand\nCOFF # with colors\n5 2 0\n\n0 0 0 0.5 0.5 0.5\n1 0 0 0 0 0 # black\n1 1 0 1 1 1\n\
         0 1 0 1 0 0\n# apart\n2 2 2 0 0 1\n4 0 1 2 3 255 0 0\n2 0 1\n";
     let mesh = read("x.off", text.as_bytes()).unwrap();
@@ -121,9 +121,9 @@ fn off_errors_name_the_line() {
     let cases = [
         ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: polygon 0: vertex 3 of 3 does not exist"),
         ("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4: vertex 1: expected a number"),
-        ("OFF\n4000000000 1 0\n0 0 0\n", "4000000000 rows are promised"),
-        ("OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "4000000000 rows are promised"),
-        ("OFF\n-3 1 0\n", "-3 is no number of vertices"),
+        ("OFF\n4000000000 1 0\n0 0 0\n", "4000000000 rows are declared"),
+        ("OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "4000000000 rows are declared"),
+        ("OFF\n-3 1 0\n", "-3 is not a valid number of vertices"),
         ("OFF BINARY\n", "binary OFF cannot be read"),
         ("4OFF\n1 0 0\n0 0 0 0\n", "cannot be read"),
         ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "line 6: polygon 0: expected a whole number"),

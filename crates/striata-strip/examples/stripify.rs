@@ -1,4 +1,6 @@
-//! A mesh as triangle strips: `cargo run --release -p striata-strip --example stripify -- bunny.ply`
+//! Compares three stripifiers on a mesh.
+//!
+//! `cargo run --release -p striata-strip --example stripify -- bunny.ply`
 
 use std::error::Error;
 
@@ -12,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let cost = strips.cost();
         let indices = strips.to_restart_indices().indices;
         eprintln!(
-            "{stripifier}: {} strips, {} indices, {:.3} for each triangle",
+            "{stripifier}: {} strips, {} indices, {:.3} per triangle",
             cost.strip_count,
             indices.len(),
             indices.len() as f64 / mesh.triangle_count() as f64

@@ -1,4 +1,4 @@
-//! One entry for all stripifiers.
+//! Entry points of all stripifiers.
 
 use striata::mesh::{DualGraph, IndexedMesh, MeshError};
 use striata::strip::{StripLinks, StripSet, join_greedily, write_strips};
@@ -10,26 +10,28 @@ use crate::task::{SpentFn, Task};
 use crate::tunnel::Identity;
 use crate::{cheapest, fewest, stripe, tunnel};
 
-/// Covers each triangle of a mesh by exactly one strip; degenerate triangles (two equal corners) are left out.
+/// Covers each triangle of a mesh by exactly one strip. Degenerate triangles (two equal corners) are left
+/// out.
 ///
-/// The groups of the set are those of the mesh (one if it has none).
+/// The returned set has the groups of the mesh, or one group if the mesh has none.
 ///
 /// # Errors
-/// [`MeshError`] if the mesh's parts do not fit together.
+/// Returns [`MeshError`] if the mesh is inconsistent.
 pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
     let allowed = options.allowed_moves(mesh.triangle_count());
     stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
 }
 
-/// Does as [`stripify`], but begins with strips that are there (none: an empty set) and lasts as long as
-/// the caller's budget.
+/// Makes strips like [`stripify`], but starts from existing strips and runs until the caller's budget is
+/// spent.
 ///
-/// Strips that do not fit the mesh are cut where they do not: triangles that it does not have, edges that its dual
-/// graph does not link, and, among equal triangles, where the one that a strip meant cannot be told. The
-/// stripifiers that do not search keep what is then there and cover the rest.
+/// An empty `start` means no strips. Existing strips are cut wherever they do not fit the mesh: at
+/// triangles that the mesh does not have, at edges that its dual graph does not link, and, among identical
+/// triangles, wherever it is unclear which one the strip meant. The stripifiers that do not search keep
+/// what remains and cover the rest.
 ///
 /// # Errors
-/// [`MeshError`] if the mesh's parts do not fit together.
+/// Returns [`MeshError`] if the mesh is inconsistent.
 pub fn stripify_from(
     mesh: &IndexedMesh,
     start: &StripSet,

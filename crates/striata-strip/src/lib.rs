@@ -1,12 +1,15 @@
-//! Stripifiers that search: triangle strips of a mesh with fewer indices than one quick pass finds.
+//! Triangle strips by search: slower stripifiers that need fewer indices than one quick pass.
 //!
-//! What strips are, what they cost and one quick way to make them is [`striata::strip`]. Here are the others:
+//! [`striata::strip`] explains what strips are and what they cost, and has one quick stripifier. This crate
+//! adds the others:
 //!
-//! * [`stripify`] makes strips by any [`Stripifier`]: the classic local algorithm, tunnelling, fewest strips, fewest
-//!   indices; [`stripify_from`] goes on from strips that there are, for as long as the caller's budget lasts;
-//! * a [`StripOptions::cache_weight`] over 0 puts strips in an order that a vertex cache likes, or grows new ones for it;
-//! * [`strip_count_bound`] proves how many strips there have to be;
-//! * [`LiveStrips`] follow a mesh between its levels of detail and are repaired at each step;
+//! * [`stripify`] makes strips with any [`Stripifier`]: the classic local algorithm, tunnelling, fewest
+//!   strips or fewest indices. [`stripify_from`] starts from existing strips and runs until the caller's
+//!   budget is spent.
+//! * A [`StripOptions::cache_weight`] above 0 reorders strips for a vertex cache, or grows new strips for
+//!   it.
+//! * [`strip_count_bound`] proves a lower bound for the number of strips.
+//! * [`LiveStrips`] follow a mesh between its levels of detail and are repaired at each step.
 //! * [`stripify_blocks`] makes strips of meshes that do not fit into memory.
 //!
 //! ```
@@ -20,8 +23,25 @@
 //! # Ok::<(), striata::mesh::MeshError>(())
 //! ```
 //!
-//! Every stripifier only joins and cuts [links](striata::strip::StripLinks); one writer turns them into indices, so
-//! winding, parity and order are settled in one place.
+//! A set of strips is a coloring of the dual graph: a [link](striata::strip::StripLinks) is solid if its
+//! two triangles follow each other in a strip, and dashed otherwise. Every stripifier only recolors links.
+//! One writer turns them into indices, so winding, parity and order are handled in one place.
+//!
+//! | module | algorithm |
+//! | --- | --- |
+//! | `stripe` | the classic greedy walk that prefers neighbors with few free neighbors |
+//! | `tunnel` | joins strip ends greedily, then along the shortest tunnels |
+//! | `fewest` | moves strip ends until they meet; proves how few strips are possible |
+//! | `cheapest` | simulated annealing of single links, then joins strips whose ends share a vertex |
+//! | `cache` | reorders strips, or grows new ones in rows, for few vertex cache misses |
+//! | `repair` | [`LiveStrips`] |
+//! | `blocks` | [`stripify_blocks`] |
+//!
+//! **All costs are local.** Every strip begins at an even position of its draw call. One of the two turns
+//! at its second triangle is free there, and the other costs an index. Which one is free depends only on
+//! the last two triangles at that end of the strip. The cost of a link therefore follows from the triangles
+//! around it: a search needs neither the length nor the parity of a strip, and its identity only to avoid
+//! closing loops.
 
 mod blocks;
 mod cache;
@@ -46,7 +66,7 @@ pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairR
 pub use stripifier::{DEFAULT_TUNNEL_LENGTH, ParseStripifierError, Stripifier};
 pub use task::SpentFn;
 
-/// The readme's example, compiled with the documentation's tests.
+/// The README's example, compiled with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,8 +1,8 @@
-//! Which stripifier, and how long and for what it searches.
+//! Options of the stripifiers: algorithm, seed, effort and vertex cache.
 
 use crate::stripifier::Stripifier;
 
-/// The most that [`StripOptions::effort`] counts as.
+/// Upper limit of [`StripOptions::effort`].
 const MAX_EFFORT: f64 = 1e6;
 
 /// Options of [`stripify`](crate::stripify).
@@ -11,16 +11,17 @@ const MAX_EFFORT: f64 = 1e6;
 pub struct StripOptions {
     /// The algorithm; default [`Stripifier::Greedy`].
     pub stripifier: Stripifier,
-    /// Seed of those that choose at random; equal seeds give equal strips. Default 0.
+    /// Seed of the stripifiers that make random choices; equal seeds give equal strips. Default 0.
     pub seed: u64,
-    /// How long those that search go on, as a factor of their usual number of moves, 0 to 1,000,000; default 1.
+    /// Search duration as a factor of the usual number of moves, 0 to 1,000,000. Default 1.
     pub effort: f64,
-    /// Indices that one miss of a vertex cache is worth; default 0: misses do not count. Over 0, the strips of any
-    /// stripifier are put in a better order, and from 0.1 on they give way to strips grown for the cache where
-    /// these make `indices + cache_weight * misses` less. Between 0.5 and 3 these are compact rows.
+    /// Number of indices that one vertex cache miss is worth. Default 0: misses do not count. Above 0, the
+    /// strips of any stripifier are reordered for the cache. From 0.1 on, they are also replaced by strips
+    /// grown for the cache if that lowers `indices + cache_weight * misses`. Weights between 0.5 and 3 give
+    /// compact rows.
     pub cache_weight: f64,
-    /// Entries of that first-in first-out cache; default 16. With fewer than 3 misses do not count; strips are
-    /// grown for at most 64.
+    /// Number of entries of that first-in first-out cache. Default 16. Below 3, misses do not count; strips
+    /// are grown for at most 64 entries.
     pub cache_size: usize,
 }
 
@@ -61,7 +62,10 @@ impl StripOptions {
         self
     }
 
-    /// The moves that [`stripify`](crate::stripify) allows a search on so many triangles; infinite for those that end by themselves.
+    /// Number of moves that [`stripify`](crate::stripify) allows a search on a mesh of `triangle_count`
+    /// triangles.
+    ///
+    /// Infinite for stripifiers that end by themselves.
     pub fn allowed_moves(&self, triangle_count: usize) -> f64 {
         let effort = if self.effort.is_nan() { 0.0 } else { self.effort.clamp(0.0, MAX_EFFORT) };
         self.stripifier.moves_per_triangle() * effort * triangle_count.max(1) as f64

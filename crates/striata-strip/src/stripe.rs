@@ -1,18 +1,19 @@
-//! STRIPE-like strips: always on to the neighbor that has the fewest free neighbors left.
+//! STRIPE: each strip continues to the neighbor that has the fewest free neighbors left.
 //!
-//! A strip starts at a triangle of least degree among the free ones and goes on to the neighbor of least degree,
-//! from both ends; of equal neighbors it takes the one that has the poorer neighbors itself, and of these
-//! the one that needs no swap. So no triangle is left alone that can still be reached, and the price is swaps: the
-//! classic baseline for the number of strips.
-//! \[ESV96, the local algorithm\]. Differs: strips grow from both ends, and the global step before it, which cuts
-//! patches of quadrilaterals out of the mesh, is left out: triangulated scans have none.
+//! A strip starts at a free triangle of least degree and grows from both ends, always to the neighbor of
+//! least degree. Ties go to the triangle whose own neighbors have the fewest free neighbors, then to the
+//! one that needs no swap. Few triangles end up isolated this way; the price is swaps. This is the classic
+//! baseline for the number of strips.
+//!
+//! [ESV96, the local algorithm\]. Differs: strips grow from both ends, and the global step before it, which
+//! cuts patches of quadrilaterals out of the mesh, is left out, because triangulated scans have none.
 //! Linear in time and memory.
 
 use striata::strip::{FreeTriangles, Seeds, StripLinks, next_side, prev_side};
 
 use crate::task::Task;
 
-/// Joins triangles that stand alone into strips; strips that are there already stay as they are.
+/// Joins isolated triangles into strips; existing strips stay as they are.
 pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
     let mut free = FreeTriangles::new(task.triangles, links);
     let mut strip = Vec::new();
@@ -27,27 +28,29 @@ pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
     }
 }
 
-/// Grows a strip from both ends of a seed; `strip` becomes its triangles in no order.
+/// Grows a strip from both ends of a seed and puts its triangles into `strip`, in no particular order.
 fn grow(seed: u32, free: &mut FreeTriangles<'_>, strip: &mut Vec<u32>, links: &mut StripLinks<'_>) {
     strip.clear();
     free.mark_used(seed);
     strip.push(seed);
-    let Some(exit) = poorest(free, [3 * seed, 3 * seed + 1, 3 * seed + 2]) else { return };
+    let Some(exit) = most_isolated(free, [3 * seed, 3 * seed + 1, 3 * seed + 2]) else { return };
     let first_turns_next = walk(exit, false, free, strip, links);
-    // The seed itself has to turn the other way than the triangle after it; seen from behind, the same way.
+    // The seed has to turn the other way than the triangle after it; seen from behind, that is the same
+    // way.
     let (straight, turned) = if first_turns_next {
         (next_side(exit), prev_side(exit))
     } else {
         (prev_side(exit), next_side(exit))
     };
-    if let Some(back) = poorest(free, [straight, turned]) {
+    if let Some(back) = most_isolated(free, [straight, turned]) {
         walk(back, back == prev_side(exit), free, strip, links);
     }
 }
 
-/// Joins triangles from `exit` on until there is none; whether the first of them turned to its next side.
+/// Joins triangles from `exit` on until none is free. Returns whether the first of them turned to its next
+/// side.
 ///
-/// `turns_next` is the turn of the first triangle that needs no swap.
+/// `turns_next` says which turn of the first triangle needs no swap.
 fn walk(
     mut exit: u32,
     mut turns_next: bool,
@@ -65,7 +68,7 @@ fn walk(
         } else {
             (prev_side(enter), next_side(enter))
         };
-        let Some(chosen) = poorest(free, [straight, turned]) else { break };
+        let Some(chosen) = most_isolated(free, [straight, turned]) else { break };
         turns_next = chosen != next_side(enter);
         first_turns_next.get_or_insert(!turns_next);
         exit = chosen;
@@ -102,13 +105,13 @@ mod tests {
 
     #[test]
     fn a_fan_is_one_strip_that_always_swaps() {
-        // The first triangle and the last turn nowhere; of ten turns only the first is free.
+        // The first triangle and the last one do not turn; of the ten turns, only the first is free.
         assert_eq!(cost(&shapes::triangle_fan(12)), (1, 9));
     }
 
     #[test]
-    fn the_poorer_way_goes_first() {
-        // Left of the seed a triangle that ends there, right of it a ribbon: both are taken, from one seed.
+    fn the_neighbor_with_fewer_free_neighbors_comes_first() {
+        // Left of the seed is a dead end, right of it a ribbon: one strip through the seed covers both.
         let triangles = vec![[0, 1, 2], [2, 1, 3], [2, 3, 4], [1, 0, 5]];
         assert_eq!(cost(&IndexedMesh::new(vec![[0.0; 3]; 6], triangles)).0, 1);
     }

@@ -1,4 +1,4 @@
-//! The names of all stripifiers.
+//! The stripifiers and their names on the command line.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,28 +7,28 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stripifier {
-    /// Best of three walks from triangles with few free neighbors: fast, few indices.
+    /// Best of three greedy walks from triangles with few free neighbors: fast, few indices.
     #[default]
     Greedy,
-    /// On to the neighbor with the fewest free neighbors, without a swap among equals: the classic \[ESV96\], few strips.
+    /// The classic local algorithm \[ESV96\]: to the neighbor with the fewest free neighbors. Few strips.
     Stripe,
-    /// Tunnelling with dynamic identities \[PS03\]: few strips.
+    /// Tunnelling with dynamic strip identities \[PS03\]: few strips.
     Tunnel {
-        /// The longest tunnel searched for, in links; odd (an even length acts as the odd one below it).
+        /// Length of the longest tunnel, in links: odd (an even number acts as the odd one below it).
         max_length: u32,
     },
-    /// Tunnelling with identities of the search's beginning \[Ste01\]: the baseline of the former.
+    /// Tunnelling with the strip identities from before each search \[Ste01\]: a baseline for `Tunnel`.
     StaticTunnel {
-        /// As for [`Stripifier::Tunnel`].
+        /// Length of the longest tunnel, in links, as in [`Stripifier::Tunnel`].
         max_length: u32,
     },
-    /// Walks of strip ends: fewest strips.
+    /// Random walks of strip ends until they meet: fewest strips.
     Fewest,
-    /// Local moves with annealing, strips joined where they meet: fewest indices.
+    /// Simulated annealing of single links, then joins strips that meet at a vertex: fewest indices.
     Cheapest,
 }
 
-/// The longest tunnel that is searched for when nothing else is said: what the paper took for its bunny.
+/// Default length of the longest tunnel, in links: the length that \[PS03\] uses for the bunny.
 pub const DEFAULT_TUNNEL_LENGTH: u32 = 17;
 
 impl fmt::Display for Stripifier {
@@ -44,22 +44,22 @@ impl fmt::Display for Stripifier {
     }
 }
 
-/// A name that no stripifier has.
+/// Error for a name that is not a stripifier.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{found:?} is no stripifier; there are {}, where MAX is 1 or more", Stripifier::SPELLINGS)]
+#[error("{found:?} is not a stripifier; expected one of {}, with MAX 1 or more", Stripifier::SPELLINGS)]
 pub struct ParseStripifierError {
-    /// What was found.
+    /// The text that was parsed.
     pub found: String,
 }
 
 impl Stripifier {
-    /// How each is written, for messages and help.
+    /// Names of all stripifiers, for messages and help.
     pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], tunnel-static[:MAX], fewest, cheapest";
 
-    /// Moves that the search makes for each triangle of a mesh, with an effort of 1.
+    /// Number of moves that the search makes per triangle of a mesh at effort 1.
     pub(crate) fn moves_per_triangle(self) -> f64 {
         match self {
-            // These end by themselves.
+            // These end without a budget.
             Self::Greedy | Self::Stripe | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
             Self::Fewest => 20.0,
             Self::Cheapest => 50.0,
@@ -70,7 +70,7 @@ impl Stripifier {
 impl FromStr for Stripifier {
     type Err = ParseStripifierError;
 
-    /// Reads a name, and after a colon the parameter of those that have one.
+    /// Parses a name, followed by a colon and the parameter if the stripifier has one.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let wrong = || ParseStripifierError { found: text.to_owned() };
         let (name, parameter) = match text.split_once(':') {

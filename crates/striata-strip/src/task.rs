@@ -1,4 +1,4 @@
-//! What every stripifier works on, and how long it may.
+//! Input of every stripifier, and its budget.
 
 use std::ops::Range;
 
@@ -6,13 +6,14 @@ use striata::mesh::is_proper;
 
 use crate::options::StripOptions;
 
-/// Takes how many moves a search has made and answers which share of its budget that is; the search ends at 1.
+/// Callback that receives the number of moves made so far and returns the spent share of the budget. The
+/// search ends at 1.
 ///
-/// A search plans with it (it cools as the share grows), so it should grow steadily, and it must come to 1:
+/// Searches plan by this share (annealing cools as it grows). It should grow steadily, and it must reach 1:
 /// `cheapest` has no other end.
 pub type SpentFn<'a> = dyn FnMut(u64) -> f64 + 'a;
 
-/// What a stripifier works on.
+/// Mesh and options of one call.
 pub(crate) struct Task<'a> {
     pub(crate) triangles: &'a [[u32; 3]],
     pub(crate) groups: &'a [Range<usize>],
@@ -20,7 +21,7 @@ pub(crate) struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// Whether a triangle has three corners: others are in no strip.
+    /// Whether a triangle has three distinct corners; other triangles are in no strip.
     pub(crate) fn is_proper(&self, triangle: u32) -> bool {
         is_proper(&self.triangles[triangle as usize])
     }

@@ -1,4 +1,5 @@
-//! Strips made block by block: the same triangles as the mesh, at the price of the whole, in bounded memory.
+//! Strips made block by block: they cover the mesh at nearly the cost of strips for the whole mesh, in
+//! bounded memory.
 
 use striata_testing::support;
 
@@ -13,7 +14,7 @@ use striata_strip::{
 };
 use support::{Random, soup, with_seams_and_groups};
 
-/// Strips of a source as a set, group by group.
+/// Collects the strips of a source as a set, group by group.
 fn strips_of<S: BlockSource>(
     source: &mut S,
     group_count: usize,
@@ -33,7 +34,7 @@ fn strips_of<S: BlockSource>(
     Ok((set, report))
 }
 
-/// Checks that strips in blocks show the mesh, and that the report says what they cost.
+/// Checks that strips made in blocks cover the mesh, and that the report states their cost.
 fn check(name: &str, mesh: &IndexedMesh, block_triangles: usize, options: &BlockOptions) -> BlocksReport {
     let mut source = MeshBlocks::new(mesh, block_triangles).unwrap();
     let groups = mesh.groups_or_whole();
@@ -57,7 +58,7 @@ fn check(name: &str, mesh: &IndexedMesh, block_triangles: usize, options: &Block
 }
 
 #[test]
-fn every_triangle_is_in_one_strip_whatever_the_mesh_and_the_blocks() {
+fn every_triangle_is_in_exactly_one_strip() {
     let options = BlockOptions::default();
     for (name, mesh) in shapes::nasty() {
         if mesh.check().is_err() {
@@ -86,8 +87,8 @@ fn any_stripifier_works_in_blocks() {
     }
 }
 
-/// A grid with diagonals either way in which some triangles are doubled, some turned round and some missing.
-fn worn_grid(seed: u64, percent: u32) -> IndexedMesh {
+/// A grid with random diagonals in which some triangles are duplicated, some flipped and some missing.
+fn damaged_grid(seed: u64, percent: u32) -> IndexedMesh {
     let mut random = striata::mesh::Random::new(seed);
     let (columns, rows) = (8 + random.below(40), 8 + random.below(30));
     let at = |x: u32, y: u32| y * (columns + 1) + x;
@@ -113,10 +114,10 @@ fn worn_grid(seed: u64, percent: u32) -> IndexedMesh {
 }
 
 #[test]
-fn windings_that_disagree_come_through_every_stripifier() {
+fn inconsistent_windings_are_kept_by_every_stripifier() {
     for seed in 30..40 {
         for percent in [3, 30] {
-            let mesh = worn_grid(seed, percent);
+            let mesh = damaged_grid(seed, percent);
             for spec in ["greedy", "stripe", "tunnel:9", "fewest", "cheapest"] {
                 let strip = StripOptions::default().with_stripifier(spec.parse().unwrap()).with_effort(0.1);
                 let options = BlockOptions::default().with_strip(strip);
@@ -137,7 +138,7 @@ fn groups_and_seams_are_borders_of_strips() {
 }
 
 #[test]
-fn blocks_cost_hardly_more_indices_than_the_whole() {
+fn blocks_need_few_more_indices_than_the_whole_mesh() {
     let scan =
         striata_io::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../striata-cli/assets/nefertiti.ply.zst"))
             .unwrap();
@@ -155,14 +156,14 @@ fn blocks_cost_hardly_more_indices_than_the_whole() {
 }
 
 #[test]
-fn one_block_is_the_whole() {
+fn one_block_gives_the_strips_of_the_whole_mesh() {
     let mesh = shapes::terrain(60, 5);
     let report = check("terrain", &mesh, usize::MAX, &BlockOptions::default());
     assert_eq!((report.block_count, report.carried_count, report.peak_held_triangles), (1, 0, 0));
 }
 
 #[test]
-fn what_waits_crosses_borders_and_is_bounded_by_its_limit() {
+fn waiting_strips_cross_borders_and_obey_their_limit() {
     let mesh = shapes::terrain(120, 7);
     let free = check("terrain", &mesh, 500, &BlockOptions::default());
     assert!(free.carried_count > 0 && free.peak_held_triangles > 1000, "{free:?}");
@@ -180,7 +181,7 @@ fn memory_grows_with_the_border_and_not_with_the_mesh() {
     let reports =
         [140, 280, 560].map(|n| check("terrain", &shapes::terrain(n, 2), 2000, &BlockOptions::default()));
     for pair in reports.windows(2) {
-        // Four times the triangles: the border doubles, blocks and what is stripified at once stay.
+        // With four times the triangles, the border doubles; blocks and windows keep their size.
         assert!(pair[1].peak_held_triangles < 3 * pair[0].peak_held_triangles, "{reports:?}");
     }
     assert!(reports.iter().all(|report| report.peak_window_triangles < 4 * 2000), "{reports:?}");
@@ -193,7 +194,7 @@ fn the_same_blocks_give_the_same_strips() {
     assert_eq!(run(), run());
 }
 
-/// Blocks given outright.
+/// Blocks given as a list.
 struct Given(Vec<Block>);
 
 impl BlockSource for Given {
@@ -220,7 +221,7 @@ fn block(group: u32, triangles: &[([u32; 3], [u32; 3])]) -> Block {
 }
 
 #[test]
-fn a_strip_goes_on_over_a_border() {
+fn a_strip_continues_across_a_border() {
     let blocks = vec![
         block(0, &[([0, 1, 2], [0, 1, 1]), ([7, 8, 9], [0, 0, 0])]),
         block(0, &[([2, 1, 3], [1, 1, 2])]),
@@ -232,7 +233,7 @@ fn a_strip_goes_on_over_a_border() {
 }
 
 #[test]
-fn vertices_that_end_too_early_or_too_late_lose_no_triangle() {
+fn wrong_last_uses_of_vertices_lose_no_triangle() {
     let at_border =
         |last: u32| vec![block(0, &[([0, 1, 2], [last; 3])]), block(0, &[([2, 1, 3], [last; 3])])];
     for (last, strip_count) in [(0, 2), (1, 1), (u32::MAX, 1)] {
@@ -242,20 +243,20 @@ fn vertices_that_end_too_early_or_too_late_lose_no_triangle() {
 }
 
 #[test]
-fn wrong_blocks_are_told_by_their_number() {
+fn invalid_blocks_are_reported_with_their_index() {
     let plain = ([0, 1, 2], [0; 3]);
-    let said = |blocks: Vec<Block>| {
+    let message = |blocks: Vec<Block>| {
         strips_of(&mut Given(blocks), 2, &BlockOptions::default()).unwrap_err().to_string()
     };
-    assert_eq!(said(vec![block(0, &[plain]), block(0, &[])]), "block 1: nothing there");
+    assert_eq!(message(vec![block(0, &[plain]), block(0, &[])]), "block 1: nothing there");
     let falling = vec![block(1, &[plain]), block(0, &[plain])];
-    assert_eq!(said(falling), "block 1 is of group 0, after a block of group 1");
+    assert_eq!(message(falling), "block 1 has group 0, but the block before it has group 1");
     let reserved = vec![block(0, &[plain, ([0, RESTART, 1], [0; 3])])];
-    assert_eq!(said(reserved), "block 0, triangle 1: no vertex can have the number 4294967295");
+    assert_eq!(message(reserved), "block 0, triangle 1: vertex index 4294967295 is reserved for restarts");
 }
 
 #[test]
-fn a_failing_writer_and_a_break_end_the_work() {
+fn writer_errors_and_cancellation_end_the_work() {
     let mesh = shapes::terrain(20, 1);
     let mut written = 0;
     let failed =

@@ -1,4 +1,4 @@
-//! Strips for a vertex cache, and the counts of misses that they are judged by.
+//! Strips for a vertex cache, and the miss counts by which they are rated.
 
 use striata_testing::support;
 
@@ -12,7 +12,7 @@ fn options(weight: f64) -> StripOptions {
     StripOptions::default().with_cache_weight(weight)
 }
 
-/// Indices with restarts, and misses of a first-in first-out cache.
+/// Counts indices, including restarts, and misses of a first-in first-out cache.
 fn counts(strips: &StripSet, cache_size: usize) -> (usize, usize) {
     let indices = strips.to_restart_indices().indices;
     (indices.len(), fifo_cache_cost(&indices, 1, cache_size).miss_count)
@@ -23,7 +23,8 @@ fn price(strips: &StripSet, options: &StripOptions) -> f64 {
     index_count as f64 + options.cache_weight * miss_count as f64
 }
 
-/// Each group of the strips draws the triangles of the mesh's group, each once and wound as it was.
+/// Checks that each group of strips draws the triangles of the mesh's group exactly once, with their
+/// winding.
 fn assert_covers(name: &str, mesh: &IndexedMesh, strips: &StripSet) {
     assert_eq!(strips.group_count(), mesh.groups_or_whole().len(), "{name}");
     for (g, group) in mesh.groups_or_whole().iter().enumerate() {
@@ -45,7 +46,7 @@ fn assert_improves(name: &str, mesh: &IndexedMesh, options: &StripOptions) {
 }
 
 #[test]
-fn awful_meshes_are_covered() {
+fn degenerate_meshes_are_covered() {
     let mut meshes = nasty();
     meshes.extend(shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok()));
     for (name, mesh) in meshes {
@@ -71,13 +72,13 @@ fn a_grid_is_drawn_in_rows_that_the_cache_remembers() {
     let strips = stripify(&mesh, &options(1.0)).unwrap();
     assert_covers("grid", &mesh, &strips);
     let (index_count, miss_count) = counts(&strips, 16);
-    // Rows of 14 squares would take 31 indices and 15 misses for 28 triangles.
+    // Rows of 14 squares would take 31 indices and 15 misses per 28 triangles.
     assert!((index_count as f64) < 1.2 * triangle_count, "{index_count} indices");
     assert!((miss_count as f64) < 0.62 * triangle_count, "{miss_count} misses");
 }
 
 #[test]
-fn a_heavier_miss_is_a_rarer_one() {
+fn higher_weights_give_fewer_misses() {
     let mesh = shapes::icosphere(4, 1.0);
     let misses: Vec<usize> =
         [0.0, 0.05, 1.0].map(|weight| counts(&stripify(&mesh, &options(weight)).unwrap(), 16).1).to_vec();
@@ -87,7 +88,7 @@ fn a_heavier_miss_is_a_rarer_one() {
 }
 
 #[test]
-fn small_weights_leave_the_indices_alone() {
+fn small_weights_keep_the_indices() {
     let mesh = shapes::terrain(64, 3);
     let plain = stripify(&mesh, &options(0.0)).unwrap();
     let ordered = stripify(&mesh, &options(0.01)).unwrap();
@@ -96,7 +97,7 @@ fn small_weights_leave_the_indices_alone() {
 }
 
 #[test]
-fn any_stripifier_may_be_asked_and_equal_ones_agree() {
+fn any_stripifier_works_and_equal_options_agree() {
     let mesh = shapes::torus(24, 16, 2.0, 0.7);
     for spelling in ["greedy", "stripe", "tunnel:5", "cheapest"] {
         let options = options(1.0).with_stripifier(spelling.parse::<Stripifier>().unwrap());
@@ -106,7 +107,7 @@ fn any_stripifier_may_be_asked_and_equal_ones_agree() {
 }
 
 #[test]
-fn stripe_covers_awful_meshes() {
+fn stripe_covers_degenerate_meshes() {
     for (name, mesh) in nasty() {
         let options = StripOptions::default().with_stripifier(Stripifier::Stripe);
         assert_covers(name, &mesh, &stripify(&mesh, &options).unwrap());
@@ -114,14 +115,14 @@ fn stripe_covers_awful_meshes() {
 }
 
 #[test]
-fn a_hub_of_many_triangles_takes_no_longer() {
+fn a_hub_of_many_triangles_is_not_slow() {
     // Quadratic work around the hub would take minutes.
     let mesh = shapes::closed_fan(200_000);
     let strips = stripify(&mesh, &options(1.0)).unwrap();
     assert_covers("hub", &mesh, &strips);
 }
 
-/// Misses by lists of what is cached, newest last.
+/// Counts misses with a plain list of the cached vertices, the newest last.
 fn naive_misses(indices: &[u32], cache_size: usize, is_lru: bool) -> usize {
     let mut cached: Vec<u32> = Vec::new();
     let mut miss_count = 0;
@@ -148,7 +149,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn misses_are_those_of_plain_lists(
+    fn miss_counts_match_plain_lists(
         indices in prop::collection::vec(prop_oneof![8 => 0u32..40, 1 => Just(RESTART), 1 => Just(4_000_000_000)], 0..300),
         cache_size in 0usize..24,
     ) {
@@ -160,7 +161,7 @@ proptest! {
     }
 
     #[test]
-    fn random_meshes_are_covered_and_no_dearer(
+    fn random_meshes_are_covered_at_no_higher_cost(
         seed in any::<u64>(),
         vertex_count in 3usize..60,
         triangle_count in 0usize..200,

@@ -1,4 +1,5 @@
-//! Repaired strips against the oracle: the same triangles at every level, no loop, links as a new dual graph has.
+//! Repaired strips compared with the oracle: same triangles at every level, no loops, links as in a new
+//! dual graph.
 
 use striata_testing::support;
 
@@ -33,7 +34,7 @@ fn check_level(refinable: &RefinableMesh, live: &LiveStrips<'_>) {
         let expected = canonical_triangles(&level.triangles[group.range()]);
         assert_eq!(canonical_triangles(&found), expected, "group {g} at {}", live.split_count());
     }
-    // A loop would be cut into a strip of its own when strips are written.
+    // A loop would be cut into an additional strip when strips are written.
     assert_eq!(live.strip_count(), strips.strip_count());
     let mut triangles = Vec::new();
     live.triangles_into(&mut triangles);
@@ -46,7 +47,7 @@ fn check_level(refinable: &RefinableMesh, live: &LiveStrips<'_>) {
     );
 }
 
-/// Down to the base and up again, every level checked, from the full mesh and from the base.
+/// Moves down to the base and up again, from the full mesh and from the base, and checks every level.
 fn check_all_levels(refinable: &RefinableMesh, options: &RepairOptions, stride: usize) {
     let step_count = refinable.sequence.step_count();
     let mut live = at_level(refinable, step_count, options);
@@ -68,7 +69,7 @@ fn check_all_levels(refinable: &RefinableMesh, options: &RepairOptions, stride: 
 }
 
 #[test]
-fn nasty_meshes_follow_the_oracle_at_every_level() {
+fn degenerate_meshes_follow_the_oracle_at_every_level() {
     let shapes = shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
     for (name, mesh) in nasty().into_iter().chain(shapes) {
         for seed in 0..4 {
@@ -129,13 +130,13 @@ fn simplified_shapes_follow_the_oracle() {
     }
 }
 
-/// Indices with restarts of the level at hand.
+/// Number of indices of the current level, including restarts.
 fn index_count(live: &LiveStrips<'_>) -> usize {
     live.to_strip_set().cost().index_count
 }
 
 #[test]
-fn repair_keeps_up_with_strips_made_anew() {
+fn repaired_strips_cost_little_more_than_new_ones() {
     for mesh in [shapes::terrain(40, 3), shapes::icosphere(4, 1.0), shapes::torus(40, 30, 2.0, 1.0)] {
         let refinable = simplified(&mesh);
         let step_count = refinable.sequence.step_count();
@@ -173,7 +174,7 @@ fn links_and_steps_are_reported() {
                 live.triangle_count() - live.strip_count(),
                 solid + report.joined_count - report.cut_count
             );
-            // The star of a position and the triangles around it, not the mesh.
+            // The star of a position and the triangles around it, not the whole mesh.
             let limit = 40 * (report.collapse_count + report.split_count);
             assert!(report.touched_count > 0 && report.touched_count < limit);
         }
@@ -182,7 +183,7 @@ fn links_and_steps_are_reported() {
 }
 
 #[test]
-fn equal_ways_give_equal_strips() {
+fn equal_paths_give_equal_strips() {
     let refinable = simplified(&shapes::terrain(20, 5));
     let step_count = refinable.sequence.step_count();
     let way = |levels: &[usize]| {
@@ -196,7 +197,7 @@ fn equal_ways_give_equal_strips() {
 }
 
 #[test]
-fn strips_and_meshes_that_do_not_fit_are_refused() {
+fn mismatched_strips_and_meshes_are_refused() {
     let refinable = simplified(&with_seams_and_groups(grid(4, false)));
     let step_count = refinable.sequence.step_count();
     let options = RepairOptions::default();
@@ -268,7 +269,7 @@ proptest! {
     }
 
     #[test]
-    fn any_walk_between_levels_shows_the_oracle(
+    fn any_walk_between_levels_matches_the_oracle(
         seed in any::<u64>(),
         jumps in prop::collection::vec(0.0f64..=1.0, 1..20),
         aim in 0usize..2,

@@ -1,11 +1,12 @@
-//! Every stripifier on every kind of mesh: each proper triangle once, winding and groups kept, costs as counted.
+//! Every stripifier on every kind of mesh: each proper triangle once, with its winding and group, and
+//! correct costs.
 
 use proptest::prelude::*;
 use striata::mesh::{DualGraph, IndexedMesh, Random, TriangleGroup, canonical_triangles, shapes};
 use striata::strip::{RESTART, StripSet, restart_triangles_into, strip_triangles};
 use striata_strip::{StripOptions, Stripifier, strip_count_bound, stripify, stripify_from};
 
-/// One of each, with parameters that matter.
+/// One spelling of each stripifier, with relevant parameters.
 const SPECS: [&str; 8] =
     ["greedy", "stripe", "fewest", "cheapest", "tunnel:1", "tunnel:9", "tunnel-static:9", "tunnel:40"];
 
@@ -13,8 +14,8 @@ fn options(spec: &str) -> StripOptions {
     StripOptions::default().with_stripifier(spec.parse().unwrap()).with_effort(0.2)
 }
 
-/// A budget of few moves.
-fn short() -> impl FnMut(u64) -> f64 {
+/// Returns a budget of few moves.
+fn short_budget() -> impl FnMut(u64) -> f64 {
     |moves| moves as f64 / 20_000.0
 }
 
@@ -22,7 +23,7 @@ fn proper(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     canonical_triangles(triangles).into_iter().filter(|[a, b, c]| a != b && b != c && c != a).collect()
 }
 
-/// Group by group, strips hold the mesh's proper triangles; both index buffers draw them too.
+/// Checks, group by group, that the strips and both index buffers draw the mesh's proper triangles.
 fn check(mesh: &IndexedMesh, strips: &StripSet, what: &str) {
     let groups = mesh.groups_or_whole();
     assert_eq!(strips.group_count(), groups.len(), "{what}");
@@ -45,7 +46,7 @@ fn check(mesh: &IndexedMesh, strips: &StripSet, what: &str) {
     assert!(strips.strips().all(|strip| strip.len() >= 3), "{what}: an empty strip");
 }
 
-/// Triangles between few vertices: crowded edges, twins, degenerate ones.
+/// Random triangles between few vertices: crowded edges, duplicates and degenerate triangles.
 fn soup(vertices: u32, triangles: u32, seed: u64) -> IndexedMesh {
     let mut random = Random::new(seed);
     let triangles = (0..triangles).map(|_| [(); 3].map(|()| random.below(vertices))).collect();
@@ -59,15 +60,15 @@ fn check_all(mesh: &IndexedMesh, what: &str) {
         check(mesh, &strips, &format!("{what}, {spec}"));
         let again = stripify(mesh, &options(spec)).unwrap();
         assert_eq!(strips, again, "{what}, {spec}: not the same twice");
-        // From the strips of the one before, and from strips of which some do not fit.
-        let from = stripify_from(mesh, &last, &options(spec), &mut short()).unwrap();
+        // Starting from the previous stripifier's strips, and from strips that partly do not fit the mesh.
+        let from = stripify_from(mesh, &last, &options(spec), &mut short_budget()).unwrap();
         check(mesh, &from, &format!("{what}, {spec} from others"));
         last = strips;
     }
 }
 
 #[test]
-fn shapes_and_nasty_meshes_are_covered() {
+fn shapes_and_degenerate_meshes_are_covered() {
     for (name, mesh) in shapes::nasty() {
         if mesh.check().is_ok() {
             check_all(&mesh, name);
@@ -80,21 +81,21 @@ fn shapes_and_nasty_meshes_are_covered() {
 }
 
 #[test]
-fn thousands_of_equal_triangles_are_found_again_at_once() {
+fn thousands_of_identical_triangles_are_matched_quickly() {
     let mesh = IndexedMesh::new(vec![[0.0; 3]; 3], vec![[0, 1, 2]; 60_000]);
     let start = stripify(&mesh, &options("greedy")).unwrap();
-    let strips = stripify_from(&mesh, &start, &options("greedy"), &mut short()).unwrap();
+    let strips = stripify_from(&mesh, &start, &options("greedy"), &mut short_budget()).unwrap();
     check(&mesh, &strips, "equal triangles");
 }
 
-/// The search counts costs that writing cannot always keep, so what is written is compared.
+/// The search estimates costs that the writer cannot always achieve, so the written strips are compared.
 #[test]
-fn cheapest_strips_are_no_dearer_than_what_they_began_with() {
+fn cheapest_strips_cost_no_more_than_their_start() {
     for seed in 0..60 {
         let mesh = soup(40, 90, seed);
         let cost = |strips: &StripSet| strips.cost().index_count;
         let start = stripify(&mesh, &options("greedy")).unwrap();
-        let cheapest = stripify_from(&mesh, &start, &options("cheapest"), &mut short()).unwrap();
+        let cheapest = stripify_from(&mesh, &start, &options("cheapest"), &mut short_budget()).unwrap();
         assert!(cost(&cheapest) <= cost(&start), "seed {seed}: {} > {}", cost(&cheapest), cost(&start));
     }
 }
@@ -116,7 +117,7 @@ proptest! {
         check_all(&soup(vertices, triangles, seed), "soup");
     }
 
-    /// Strips of another mesh are no start, but no harm either.
+    /// Strips of another mesh do not help, but do no harm either.
     #[test]
     fn foreign_strips_do_no_harm(seed in any::<u64>(), indices in prop::collection::vec(0u32..30, 0..40)) {
         let mesh = soup(20, 40, seed);
@@ -126,7 +127,7 @@ proptest! {
         }
         start.end_group();
         for spec in SPECS {
-            check(&mesh, &stripify_from(&mesh, &start, &options(spec), &mut short()).unwrap(), spec);
+            check(&mesh, &stripify_from(&mesh, &start, &options(spec), &mut short_budget()).unwrap(), spec);
         }
     }
 }
@@ -141,7 +142,7 @@ fn longer_tunnels_leave_fewer_strips() {
 }
 
 #[test]
-fn names_are_read_back_and_wrong_ones_refused() {
+fn names_are_parsed_and_wrong_ones_refused() {
     for spec in SPECS {
         assert_eq!(spec.parse::<Stripifier>().unwrap().to_string(), spec);
     }
@@ -152,8 +153,8 @@ fn names_are_read_back_and_wrong_ones_refused() {
     }
 }
 
-/// The fewest strips there are, by trying every set of links.
-fn fewest_by_trial(mesh: &IndexedMesh) -> usize {
+/// Finds the fewest possible strips by trying every set of links.
+fn fewest_by_exhaustive_search(mesh: &IndexedMesh) -> usize {
     let graph = DualGraph::of_vertices(mesh);
     let mut links = Vec::new();
     for side in 0..3 * mesh.triangle_count() as u32 {
@@ -166,7 +167,7 @@ fn fewest_by_trial(mesh: &IndexedMesh) -> usize {
     triangle_count - most.map(u32::count_ones).max().unwrap_or(0) as usize
 }
 
-/// At most two links a triangle and no loop.
+/// Whether a set of links has at most two links per triangle and no loop.
 fn is_strips(links: &[(usize, usize)], set: u32, triangle_count: usize) -> bool {
     let mut degrees = [0; 32];
     let mut roots: [usize; 32] = std::array::from_fn(|i| i);
@@ -185,12 +186,12 @@ fn is_strips(links: &[(usize, usize)], set: u32, triangle_count: usize) -> bool 
 }
 
 fn check_bound(mesh: &IndexedMesh) {
-    let fewest = fewest_by_trial(mesh);
+    let fewest = fewest_by_exhaustive_search(mesh);
     let bound = strip_count_bound(mesh);
     assert!(bound <= fewest, "a bound of {bound}, but {fewest} strips will do");
     for spec in SPECS {
         let count = stripify(mesh, &options(spec)).unwrap().strip_count();
-        // Joined strips of `cheapest` count as one: they need no restart.
+        // Strips joined by `cheapest` count as one, because they need no restart.
         assert!(
             count >= fewest || spec == "cheapest",
             "{spec}: {count} strips where {fewest} are the fewest"
@@ -200,8 +201,11 @@ fn check_bound(mesh: &IndexedMesh) {
 
 #[test]
 fn bounds_hold_on_small_shapes() {
-    // A bound need not be reached.
-    assert_eq!((strip_count_bound(&shapes::grid(3, 3)), fewest_by_trial(&shapes::grid(3, 3))), (2, 3));
+    // A bound need not be tight.
+    assert_eq!(
+        (strip_count_bound(&shapes::grid(3, 3)), fewest_by_exhaustive_search(&shapes::grid(3, 3))),
+        (2, 3)
+    );
     for mesh in
         [shapes::grid(3, 2), shapes::grid(3, 3), shapes::tetrahedron(), shapes::closed_fan(7), shapes::cube()]
     {

@@ -1,21 +1,24 @@
-//! Meshes that do not fit into memory: read in blocks of triangles that lie together, written strip by strip.
+//! Files of meshes that do not fit into memory: read in blocks of neighboring triangles, written strip by
+//! strip.
 //!
 //! ```text
 //! file --vertices--> bounds
 //!      --faces-----> (key along a curve, corners) --sort through a file--> blocks, in a file
-//!                                                                      --> last block of each vertex, in a file
+//!                                                            and the last block of each vertex, in a file
 //!      stripify_blocks(blocks) --> strips, in a file --> output, with the vertices copied from the file
 //! ```
 //!
-//! Files in between have no name, so that they vanish with the process whatever happens. They take 36 bytes a
-//! triangle and 4 a vertex while blocks are made. In memory are pages of files (8 MB each for positions and
-//! for last uses), one run of the sort (6 MB) and one block; nothing grows with the mesh but 8 bytes a block.
+//! The vertices of the output are copied from the input: attribute by attribute into a GLB, followed by the
+//! indices, or row by row into a PLY whose triangles are one list of strips. Intermediate files have no
+//! name, so they disappear with the process, however it ends. They take 36 bytes per triangle and 4 per
+//! vertex while blocks are made. Memory contains pages of files (8 MB each for positions and for last
+//! uses), one run of the sort (6 MB) and one block; only 8 bytes per block grow with the mesh.
 
-mod output;
 mod paged;
 mod scratch;
-mod sorted;
-mod triangles;
+mod sorter;
+mod strip_spool;
+mod triangle_blocks;
 
-pub use output::StripSpool;
-pub use triangles::TriangleBlocks;
+pub use strip_spool::StripSpool;
+pub use triangle_blocks::TriangleBlocks;

@@ -1,41 +1,42 @@
-//! A file that is read and written anywhere, with a small part of it in memory.
+//! File with random access, of which a small part is cached in memory.
 //!
-//! Pages sit where their number says, modulo the number of places: a page that comes drives out the one before it at
-//! its place, which is written back if it was changed. Vertices that are near in space are mostly near
-//! in a file, so that most requests find their page.
+//! The page with index `i` is cached in slot `i` modulo the number of slots. Loading a page evicts the
+//! previous one of its slot, which is written back if it was changed. Vertices that are close in space are
+//! usually close in the file, so most accesses hit a cached page.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
 const PAGE_BYTES: usize = 1 << 14;
-/// 8 MiB in memory.
-const PLACE_COUNT: usize = 512;
+/// Number of cached pages: 8 MiB in memory.
+const SLOT_COUNT: usize = 512;
 
-/// Pages of a file.
+/// Part of a file, accessed through cached pages.
 #[derive(Debug)]
 pub(super) struct PagedFile {
     file: File,
-    /// Where the first page begins in the file.
+    /// Offset of the first page in the file.
     start: u64,
     bytes: u64,
     pages: Vec<Page>,
 }
 
+/// Cached page.
 #[derive(Clone, Debug, Default)]
 struct Page {
-    number: Option<u64>,
+    index: Option<u64>,
     is_changed: bool,
     bytes: Vec<u8>,
 }
 
 impl PagedFile {
-    /// The part of a file from `start` on, `bytes` long.
+    /// Opens the part of a file that starts at `start` and is `bytes` long.
     pub(super) fn new(file: File, start: u64, bytes: u64) -> Self {
-        let page_count = bytes.div_ceil(PAGE_BYTES as u64).clamp(1, PLACE_COUNT as u64);
+        let page_count = bytes.div_ceil(PAGE_BYTES as u64).clamp(1, SLOT_COUNT as u64);
         Self { file, start, bytes, pages: vec![Page::default(); page_count as usize] }
     }
 
-    /// Fills `out` from this place on.
+    /// Fills `out` with the bytes from `at` on.
     pub(super) fn read(&mut self, mut at: u64, mut out: &mut [u8]) -> io::Result<()> {
         while !out.is_empty() {
             let (page, first) = self.page(at)?;
@@ -50,14 +51,14 @@ impl PagedFile {
         Ok(())
     }
 
-    /// A number of four bytes at a multiple of four.
+    /// Reads entry `index` of an array of four-byte integers.
     pub(super) fn read_u32(&mut self, index: u32) -> io::Result<u32> {
         let mut bytes = [0; 4];
         self.read(u64::from(index) * 4, &mut bytes)?;
         Ok(u32::from_le_bytes(bytes))
     }
 
-    /// Changes a number of four bytes at a multiple of four.
+    /// Overwrites entry `index` of an array of four-byte integers.
     pub(super) fn write_u32(&mut self, index: u32, number: u32) -> io::Result<()> {
         let (page, first) = self.page(u64::from(index) * 4)?;
         let Some(bytes) = page.bytes.get_mut(first..first + 4) else {
@@ -68,29 +69,30 @@ impl PagedFile {
         Ok(())
     }
 
-    /// The page of a byte, and where in it that byte is.
+    /// Returns the page of a byte, and the offset of that byte in it.
     #[inline]
     fn page(&mut self, at: u64) -> io::Result<(&mut Page, usize)> {
-        let (number, first) = (at / PAGE_BYTES as u64, (at % PAGE_BYTES as u64) as usize);
-        let place = (number % self.pages.len() as u64) as usize;
-        if self.pages[place].number != Some(number) {
-            self.change_page(place, number)?;
+        let (index, first) = (at / PAGE_BYTES as u64, (at % PAGE_BYTES as u64) as usize);
+        let slot = (index % self.pages.len() as u64) as usize;
+        if self.pages[slot].index != Some(index) {
+            self.change_page(slot, index)?;
         }
-        Ok((&mut self.pages[place], first))
+        Ok((&mut self.pages[slot], first))
     }
 
-    fn change_page(&mut self, place: usize, number: u64) -> io::Result<()> {
-        let page = &mut self.pages[place];
-        let place_of = |number: u64| SeekFrom::Start(self.start + number * PAGE_BYTES as u64);
-        if let Some(old) = page.number.take().filter(|_| page.is_changed) {
-            self.file.seek(place_of(old))?;
+    /// Loads a page into a slot, after writing back the changed page that was there.
+    fn change_page(&mut self, slot: usize, index: u64) -> io::Result<()> {
+        let page = &mut self.pages[slot];
+        let offset_of = |index: u64| SeekFrom::Start(self.start + index * PAGE_BYTES as u64);
+        if let Some(old) = page.index.take().filter(|_| page.is_changed) {
+            self.file.seek(offset_of(old))?;
             self.file.write_all(&page.bytes)?;
         }
-        let left = self.bytes.saturating_sub(number * PAGE_BYTES as u64);
+        let left = self.bytes.saturating_sub(index * PAGE_BYTES as u64);
         page.bytes.resize(left.min(PAGE_BYTES as u64) as usize, 0);
-        self.file.seek(place_of(number))?;
+        self.file.seek(offset_of(index))?;
         self.file.read_exact(&mut page.bytes)?;
-        (page.number, page.is_changed) = (Some(number), false);
+        (page.index, page.is_changed) = (Some(index), false);
         Ok(())
     }
 }
@@ -100,10 +102,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_driven_out_is_found_again() {
+    fn evicted_pages_are_written_back() {
         let file = tempfile::tempfile().unwrap();
-        // Three times what fits into memory, and half a page.
-        let count = (3 * PLACE_COUNT * PAGE_BYTES + PAGE_BYTES / 2) as u32 / 4;
+        // Three times what fits into the cache, and half a page.
+        let count = (3 * SLOT_COUNT * PAGE_BYTES + PAGE_BYTES / 2) as u32 / 4;
         file.set_len(u64::from(count) * 4).unwrap();
         let mut paged = PagedFile::new(file, 0, u64::from(count) * 4);
         let step = PAGE_BYTES as u32 / 4 + 7;
@@ -118,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn a_piece_may_lie_on_two_pages() {
+    fn a_read_may_span_two_pages() {
         let mut file = tempfile::tempfile().unwrap();
         let bytes: Vec<u8> = (0..2 * PAGE_BYTES + 9).map(|i| (i * 7 % 251) as u8).collect();
         file.write_all(&bytes).unwrap();

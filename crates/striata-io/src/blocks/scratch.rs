@@ -1,4 +1,4 @@
-//! Files that vanish with the process.
+//! Temporary files that disappear with the process.
 
 use std::fs::File;
 use std::io;
@@ -6,21 +6,24 @@ use std::path::PathBuf;
 
 use crate::ReadError;
 
-/// The folder for files without a name.
+/// Folder for unnamed temporary files.
 #[derive(Clone, Debug)]
-pub(super) struct Scratch {
+pub(super) struct ScratchFolder {
     pub(super) folder: PathBuf,
 }
 
-impl Scratch {
+impl ScratchFolder {
+    /// Creates an unnamed temporary file.
     pub(super) fn file(&self) -> Result<File, ReadError> {
         tempfile::tempfile_in(&self.folder).map_err(|error| self.error(error))
     }
 
+    /// Wraps a system error with a description of the temporary file.
     pub(super) fn error(&self, source: io::Error) -> ReadError {
         ReadError::Io { file: self.name(), source }
     }
 
+    /// Returns a description of the temporary file for messages.
     pub(super) fn name(&self) -> String {
         format!("temporary file in {}", self.folder.display())
     }

@@ -1,24 +1,25 @@
-//! Accessors: typed arrays in buffers, perhaps interleaved, perhaps sparse. Every bound is checked before a byte is read.
+//! Accessors: typed arrays in buffers, optionally interleaved or sparse. Every bound is checked before a
+//! byte is read.
 
 use super::component_type::ComponentType;
 use super::document::Document;
-use super::json::At;
+use super::json::JsonNode;
 use crate::error::{Fault, Place};
 
-/// A checked accessor: all its elements lie within `bytes`.
+/// Checked accessor: all its elements lie within `bytes`.
 pub(super) struct Accessor<'a> {
     pub count: usize,
     pub component_count: usize,
     pub component: ComponentType,
     pub normalized: bool,
     path: String,
-    /// From the first element on; none where all start as zero.
+    /// Bytes from the first element on, or [`None`] if all elements are initially zero.
     bytes: Option<&'a [u8]>,
     stride: usize,
     sparse: Option<Sparse<'a>>,
 }
 
-/// Elements that replace those of the array.
+/// Replacements for some elements of the array.
 struct Sparse<'a> {
     count: usize,
     index_type: ComponentType,
@@ -26,17 +27,17 @@ struct Sparse<'a> {
     values: &'a [u8],
 }
 
-/// Reads and checks accessor `index`; `from` is who asks for it.
+/// Reads and checks accessor `index`; `from` is the value that refers to it.
 pub(super) fn accessor<'a>(
     document: &'a Document<'_>,
     index: u64,
-    from: &At<'_>,
+    from: &JsonNode<'_>,
 ) -> Result<Accessor<'a>, Fault> {
     let at = document.item("accessors", index, from)?;
     let component = component_type(&at)?;
     let component_count = component_count(&at, component)?;
     let element_bytes = component_count * component.bytes();
-    let count = at.needed_unsigned("count")?;
+    let count = at.required_unsigned("count")?;
     if count > u64::from(u32::MAX) / 4 {
         return Err(at.fault(format!("{count} elements are more than can be handled")));
     }
@@ -63,13 +64,13 @@ pub(super) fn accessor<'a>(
     Ok(Accessor { count, component_count, component, normalized, path, bytes, stride, sparse })
 }
 
-fn component_type(at: &At<'_>) -> Result<ComponentType, Fault> {
-    let number = at.needed_unsigned("componentType")?;
+fn component_type(at: &JsonNode<'_>) -> Result<ComponentType, Fault> {
+    let number = at.required_unsigned("componentType")?;
     ComponentType::from_number(number)
         .ok_or_else(|| at.fault(format!("no component type is numbered {number}")))
 }
 
-fn component_count(at: &At<'_>, component: ComponentType) -> Result<usize, Fault> {
+fn component_count(at: &JsonNode<'_>, component: ComponentType) -> Result<usize, Fault> {
     let count = match at.text("type") {
         "SCALAR" => 1,
         "VEC2" => 2,
@@ -77,20 +78,22 @@ fn component_count(at: &At<'_>, component: ComponentType) -> Result<usize, Fault
         "VEC4" | "MAT2" => 4,
         "MAT3" => 9,
         "MAT4" => 16,
-        other => return Err(at.fault(format!("no accessor type is called `{}`", super::uri::short(other)))),
+        other => {
+            return Err(at.fault(format!("no accessor type is called `{}`", super::uri::shortened(other))));
+        }
     };
     if at.text("type").starts_with("MAT") && component.bytes() < 4 {
-        // Their columns are padded.
+        // Columns of such matrices are padded.
         let what = "a matrix of small integers".to_owned();
         return Err(Fault::Unsupported(Place::Json(at.path.clone()), what));
     }
     Ok(count)
 }
 
-/// The bytes from the accessor's own offset on, if `count` elements fit into them.
+/// Returns the bytes from the accessor's own offset on, if `count` elements fit into them.
 fn elements<'a>(
     bytes: &'a [u8],
-    at: &At<'_>,
+    at: &JsonNode<'_>,
     count: usize,
     [stride, element_bytes]: [usize; 2],
 ) -> Result<&'a [u8], Fault> {
@@ -110,11 +113,11 @@ fn elements<'a>(
 
 fn sparse<'a>(
     document: &'a Document<'_>,
-    at: &At<'_>,
+    at: &JsonNode<'_>,
     element_count: usize,
     element_bytes: usize,
 ) -> Result<Sparse<'a>, Fault> {
-    let count = at.needed_unsigned("count")?;
+    let count = at.required_unsigned("count")?;
     if count > element_count as u64 {
         return Err(at.fault(format!("{count} replacements for {element_count} elements")));
     }
@@ -125,8 +128,8 @@ fn sparse<'a>(
     if !matches!(index_type, ComponentType::U8 | ComponentType::U16 | ComponentType::U32) {
         return Err(index_at.fault("indices must be unsigned integers"));
     }
-    let bytes_of = |at: &At<'_>, size: usize| {
-        let (bytes, _) = document.view(at.needed_unsigned("bufferView")?, at)?;
+    let bytes_of = |at: &JsonNode<'_>, size: usize| {
+        let (bytes, _) = document.view(at.required_unsigned("bufferView")?, at)?;
         elements(bytes, at, count, [size, size])
     };
     let indices = bytes_of(&index_at, index_type.bytes())?;
@@ -150,11 +153,12 @@ impl Sparse<'_> {
 }
 
 impl Accessor<'_> {
+    /// Creates a fault at this accessor.
     pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::Malformed(Place::Json(self.path.clone()), reason.into())
     }
 
-    /// All numbers as floats, normalized integers as fractions.
+    /// Returns all numbers as floats, normalized integers as fractions.
     pub(super) fn floats(&self) -> Vec<f32> {
         let one = |x: f32, most: f32| if self.normalized { (x / most).max(-1.0) } else { x };
         match self.component {
@@ -167,7 +171,7 @@ impl Accessor<'_> {
         }
     }
 
-    /// All numbers as integers; none where they are signed or floats.
+    /// Returns all numbers as integers, or [`None`] if they are signed or floats.
     pub(super) fn integers(&self) -> Option<Vec<u32>> {
         Some(match self.component {
             ComponentType::U8 => self.read::<1, _>(|[b]| u32::from(b)),
@@ -177,7 +181,7 @@ impl Accessor<'_> {
         })
     }
 
-    /// All numbers as they are; `SIZE` must be the component's size.
+    /// Returns all numbers in their own type; `SIZE` must be the component's size.
     pub(super) fn read<const SIZE: usize, T: Clone>(&self, number: impl Fn([u8; SIZE]) -> T) -> Vec<T> {
         debug_assert_eq!(SIZE, self.component.bytes(), "numbers are read in their own size");
         let n = self.component_count;

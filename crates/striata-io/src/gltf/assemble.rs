@@ -1,48 +1,49 @@
-//! One mesh from all that the scene shows.
+//! Assembles one mesh from everything that the scene shows.
 //!
-//! Vertices come in **blocks**: the vertices of one set of accessors under one transform. Primitives that share their
-//! accessors, as those of our own writer do, share the block, so that a file that is written and read
-//! again does not grow. Everything is counted before anything is decoded.
+//! Vertices come in **blocks**: the vertices of one set of accessors under one transform. Primitives that
+//! share their accessors, such as those of our own writer, share the block, so that a file does not grow
+//! when it is read and written again. Everything is counted before anything is decoded.
 
 use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup};
 
 use super::accessor::accessor;
+use super::appearance;
 use super::document::Document;
 use super::layers::{LayerFormat, append, fill};
-use super::looks;
-use super::primitive::{Primitive, whole};
+use super::primitive::{Primitive, document_fault};
 use super::scene::{Transform, instances};
 use crate::error::Fault;
 use crate::normals;
 
-/// A mesh may always take this much memory: small files with many instances are legal.
+/// Memory that a mesh may always take, in bytes: small files with many instances are legal.
 const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
 
-/// Beyond that, so many times the file's size.
+/// Additional memory allowed per byte of the file.
 const BYTES_PER_INPUT_BYTE: u64 = 64;
 
-/// Most primitives that the nodes may show, counting each time.
-const MAX_PIECES: usize = 1 << 20;
+/// Largest number of primitives that the nodes may show, counting repetitions.
+const MAX_PRIMITIVES: usize = 1 << 20;
 
 /// Vertices of one set of accessors under one transform.
 struct Block<'a> {
-    /// Names the accessors.
+    /// Primitive that names the accessors.
     primitive: Primitive<'a>,
     transform: Option<Transform>,
     first_vertex: usize,
     vertex_count: usize,
 }
 
-/// One primitive as one node shows it.
+/// One primitive as shown by one node.
 struct Piece<'a> {
-    /// None where the block's own primitive is meant.
+    /// [`None`] for the block's own primitive.
     primitive: Option<Primitive<'a>>,
     block: usize,
     name: String,
 }
 
+/// Everything the scene shows, before it is decoded.
 #[derive(Default)]
 struct Plan<'a> {
     blocks: Vec<Block<'a>>,
@@ -53,22 +54,23 @@ struct Plan<'a> {
     block_of: BTreeMap<BlockKey, usize>,
 }
 
-/// Accessor of the positions, the others, and the transform.
+/// Accessor of the positions, the other accessors, and the transform.
 type BlockKey = (u64, Vec<(Semantic, u64)>, Option<[u64; 16]>);
 
+/// Builds the mesh of a document's scene.
 pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
     let mut plan = Plan::default();
     for instance in instances(document)? {
         for at in instance.mesh.entries("primitives")? {
-            if plan.pieces.len() == MAX_PIECES {
-                return Err(whole(format!("the scene shows more than {MAX_PIECES} primitives")));
+            if plan.pieces.len() == MAX_PRIMITIVES {
+                return Err(document_fault(format!("the scene shows more than {MAX_PRIMITIVES} primitives")));
             }
             if let Some(primitive) = Primitive::parse(document, at)? {
                 plan.add(document, primitive, instance.transform, &instance.name)?;
             }
         }
     }
-    let mut mesh = IndexedMesh { appearance: looks::appearance(document)?, ..IndexedMesh::default() };
+    let mut mesh = IndexedMesh { appearance: appearance::appearance(document)?, ..IndexedMesh::default() };
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
     let block_of_group = plan.triangles_into(document, &mut mesh)?;
@@ -102,7 +104,7 @@ impl<'a> Plan<'a> {
         Ok(())
     }
 
-    /// Checks the accessors of a new block, and makes room for them in the layers' formats.
+    /// Checks the accessors of a new block, and widens the formats of the layers for them.
     fn add_block(
         &mut self,
         document: &Document<'_>,
@@ -129,7 +131,7 @@ impl<'a> Plan<'a> {
         Ok(())
     }
 
-    /// Refuses a scene whose mesh is out of all proportion to the file.
+    /// Refuses a scene whose mesh is far too large for the file.
     fn check_size(&self, document: &Document<'_>) -> Result<(), Fault> {
         let limit = ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE);
         let vertex_bytes: u64 = 12 + self.formats.values().map(|f| f.vertex_bytes()).sum::<u64>();
@@ -139,10 +141,10 @@ impl<'a> Plan<'a> {
         let is_countable = self.vertex_count < u32::MAX as usize / 4 && self.triangle_limit < 1 << 30;
         if bytes > limit || !is_countable {
             let reason = format!(
-                "the scene spells out to {} vertices and up to {} triangles, too many for a file of {} bytes",
+                "the scene expands to {} vertices and up to {} triangles, too many for a file of {} bytes",
                 self.vertex_count, self.triangle_limit, document.input_bytes
             );
-            return Err(whole(reason));
+            return Err(document_fault(reason));
         }
         Ok(())
     }
@@ -194,7 +196,7 @@ impl<'a> Plan<'a> {
                 mesh.triangles[first..].iter_mut().for_each(|t| t.swap(1, 2));
             }
             let count = (mesh.triangles.len() - first) as u32;
-            // Fans of one thing are as many primitives, and one group.
+            // Fans of one object are separate primitives, but form one group.
             let fans = primitive.is_fan().then_some((piece.block, &piece.name, primitive.material));
             match mesh.groups.last_mut() {
                 Some(group) if fans.is_some() && fans == fans_before => group.count += count,
@@ -209,7 +211,7 @@ impl<'a> Plan<'a> {
         Ok(block_of_group)
     }
 
-    /// Gives normals to the blocks that have none while others have.
+    /// Computes normals for the blocks that have none, if others have.
     fn compute_normals(&self, block_of_group: &[usize], mesh: &mut IndexedMesh) {
         let Some(layer) = mesh.layers.iter_mut().find(|layer| layer.semantic == Semantic::Normal) else {
             return;

@@ -1,6 +1,6 @@
-//! The types of numbers.
+//! Component types of accessors.
 
-/// Component types by the numbers that glTF inherits from OpenGL.
+/// Component types, with the numbers that glTF inherits from OpenGL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ComponentType {
     I8,
@@ -35,6 +35,7 @@ impl ComponentType {
         }
     }
 
+    /// Returns the size of a component in bytes.
     pub(super) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,

@@ -1,4 +1,4 @@
-//! GLB: a header of 12 bytes, a chunk of JSON, and perhaps one of binary data.
+//! GLB container: a header of 12 bytes, a JSON chunk, and optionally a binary chunk.
 
 use crate::error::{Fault, Place};
 
@@ -10,7 +10,7 @@ fn word_at(bytes: &[u8], at: usize) -> Option<u32> {
     bytes.get(at..).and_then(|b| b.first_chunk()).map(|word| u32::from_le_bytes(*word))
 }
 
-/// The JSON and the binary data; chunks of other kinds are passed over, as the specification asks.
+/// Returns the JSON and the binary data; chunks of other kinds are skipped, as the specification demands.
 pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     let cut = || Fault::at_byte(bytes.len(), format!("a GLB header takes {HEADER_BYTES} bytes"));
     let (version, length) = (word_at(bytes, 4).ok_or_else(cut)?, word_at(bytes, 8).ok_or_else(cut)?);
@@ -19,7 +19,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     }
     let length = length as usize;
     if length > bytes.len() || length < HEADER_BYTES {
-        let reason = format!("the header promises {length} bytes, found {}", bytes.len());
+        let reason = format!("the header declares {length} bytes, found {}", bytes.len());
         return Err(Fault::at_byte(8, reason));
     }
     let bytes = &bytes[..length];
@@ -31,7 +31,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
         };
         let start = at + 8;
         let Some(data) = bytes.get(start..start.saturating_add(size as usize)) else {
-            let reason = format!("a chunk promises {size} bytes, found {}", length - start);
+            let reason = format!("a chunk declares {size} bytes, found {}", length - start);
             return Err(Fault::at_byte(at, reason));
         };
         if kind == JSON_CHUNK && json.is_none() {
@@ -47,7 +47,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     }
 }
 
-/// Joins JSON and binary data into a file; none where the file would pass 4 GiB.
+/// Joins JSON and binary data into a file; [`None`] if the file would exceed 4 GiB.
 pub(super) fn joined(mut json: Vec<u8>, mut binary: Vec<u8>) -> Option<Vec<u8>> {
     json.resize(json.len().next_multiple_of(4), b' ');
     binary.resize(binary.len().next_multiple_of(4), 0);

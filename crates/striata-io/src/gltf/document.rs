@@ -1,4 +1,4 @@
-//! The document with its buffers loaded, and checked ways to reach into them.
+//! Document with its buffers loaded, and bounds-checked access to them.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -7,12 +7,13 @@ use std::rc::Rc;
 
 use serde_json::Value;
 
-use super::json::At;
+use super::json::JsonNode;
 use super::uri;
 use crate::Source;
 use crate::error::{Fault, Place};
 
-/// Extensions that a file may require: we understand them, or they change looks only, which are carried along.
+/// Whether a file may require an extension: it is supported, or only changes appearance, which is passed
+/// through.
 fn can_be_required(extension: &str) -> bool {
     const KNOWN: [&str; 12] = [
         "KHR_mesh_quantization",
@@ -31,29 +32,32 @@ fn can_be_required(extension: &str) -> bool {
     KNOWN.contains(&extension) || extension.starts_with("KHR_materials_")
 }
 
+/// Parsed document with its buffers.
 pub(super) struct Document<'a> {
-    pub root: At<'a>,
+    pub root: JsonNode<'a>,
     buffers: Vec<Rc<Cow<'a, [u8]>>>,
-    /// Bytes of the document and its buffers: what the mesh's size is measured against.
+    /// Size of the document and its buffers in bytes; limits the size of the mesh.
     pub input_bytes: u64,
     pub source: Source<'a>,
 }
 
 impl<'a> Document<'a> {
-    /// Checks what the document requires, and loads its buffers.
+    /// Checks the requirements of the document and loads its buffers.
     pub(super) fn open(
         root: &'a Value,
         blob: Option<&'a [u8]>,
         json_bytes: usize,
         source: &Source<'a>,
     ) -> Result<Self, Fault> {
-        let root = At { value: root, path: String::new() };
+        let root = JsonNode { value: root, path: String::new() };
         let version = root.get("asset").map_or("", |asset| asset.text("version"));
         if !version.starts_with("2.") {
             let place = Place::Json("asset.version".to_owned());
             return Err(match version {
-                "" => Fault::Malformed(place, "`asset.version` is missing: this is no glTF".to_owned()),
-                _ => Fault::Unsupported(place, format!("glTF version `{}`", uri::short(version))),
+                "" => {
+                    Fault::Malformed(place, "`asset.version` is missing: this is not a glTF file".to_owned())
+                }
+                _ => Fault::Unsupported(place, format!("glTF version `{}`", uri::shortened(version))),
             });
         }
         for extension in root.entries("extensionsRequired")? {
@@ -71,14 +75,14 @@ impl<'a> Document<'a> {
     fn load_buffers(&mut self, blob: Option<&'a [u8]>) -> Result<(), Fault> {
         let mut known: BTreeMap<&str, Rc<Cow<'a, [u8]>>> = BTreeMap::new();
         for (index, at) in self.root.entries("buffers")?.iter().enumerate() {
-            let length = at.needed_unsigned("byteLength")?;
+            let length = at.required_unsigned("byteLength")?;
             let uri = at.text("uri");
             let bytes = if let Some(bytes) = known.get(uri) {
                 Rc::clone(bytes)
             } else if uri.is_empty() {
                 match blob.filter(|_| index == 0) {
                     Some(blob) => Rc::new(Cow::Borrowed(blob)),
-                    // A placeholder, as for compressed data that we do not read: views into it will say so.
+                    // A placeholder, as for unsupported compressed data; views into it report an error.
                     None => Rc::new(Cow::Borrowed(&[][..])),
                 }
             } else {
@@ -88,7 +92,7 @@ impl<'a> Document<'a> {
                 bytes
             };
             if !uri.is_empty() && (bytes.len() as u64) < length {
-                return Err(at.fault(format!("{length} bytes are promised, found {}", bytes.len())));
+                return Err(at.fault(format!("{length} bytes are declared, found {}", bytes.len())));
             }
             self.buffers.push(bytes);
         }
@@ -96,39 +100,39 @@ impl<'a> Document<'a> {
         Ok(())
     }
 
-    fn buffer_bytes(&self, at: &At<'_>, uri: &str) -> Result<Vec<u8>, Fault> {
+    fn buffer_bytes(&self, at: &JsonNode<'_>, uri: &str) -> Result<Vec<u8>, Fault> {
         if let Some(data) = uri::data(uri) {
             return data.map(|(bytes, _)| bytes).map_err(|reason| at.fault(reason));
         }
         let path = uri::path(uri, &self.source).map_err(|reason| at.fault(reason))?;
         if path.exists() && !path.is_file() {
-            // Reading a pipe could wait for ever.
-            return Err(at.fault(format!("`{}` is no plain file", uri::short(uri))));
+            // Reading a pipe could block forever.
+            return Err(at.fault(format!("`{}` is not a regular file", uri::shortened(uri))));
         }
-        fs::read(&path).map_err(|error| at.fault(format!("`{}`: {error}", uri::short(uri))))
+        fs::read(&path).map_err(|error| at.fault(format!("`{}`: {error}", uri::shortened(uri))))
     }
 
-    /// Entry `index` of an array at the document's root; `from` is who asks for it.
-    pub(super) fn item(&self, array: &str, index: u64, from: &At<'_>) -> Result<At<'a>, Fault> {
+    /// Returns entry `index` of an array at the document's root; `from` is the value that refers to it.
+    pub(super) fn item(&self, array: &str, index: u64, from: &JsonNode<'_>) -> Result<JsonNode<'a>, Fault> {
         let entries = self.root.value.get(array).and_then(Value::as_array);
         let count = entries.map_or(0, Vec::len);
         match entries.and_then(|entries| entries.get(usize::try_from(index).ok()?)) {
-            Some(value) => Ok(At { value, path: format!("{array}[{index}]") }),
+            Some(value) => Ok(JsonNode { value, path: format!("{array}[{index}]") }),
             None => Err(from.fault(format!("{array}[{index}] does not exist: there are {count}"))),
         }
     }
 
-    /// The bytes of a buffer view, and its stride where it has one.
-    pub(super) fn view(&self, index: u64, from: &At<'_>) -> Result<(&[u8], Option<usize>), Fault> {
+    /// Returns the bytes of a buffer view, and its stride if it has one.
+    pub(super) fn view(&self, index: u64, from: &JsonNode<'_>) -> Result<(&[u8], Option<usize>), Fault> {
         let at = self.item("bufferViews", index, from)?;
-        let buffer_index = at.needed_unsigned("buffer")?;
+        let buffer_index = at.required_unsigned("buffer")?;
         let buffer = usize::try_from(buffer_index).ok().and_then(|i| self.buffers.get(i));
         let Some(buffer) = buffer else {
             let count = self.buffers.len();
             return Err(at.fault(format!("buffers[{buffer_index}] does not exist: there are {count}")));
         };
         let offset = at.unsigned("byteOffset")?.unwrap_or(0);
-        let length = at.needed_unsigned("byteLength")?;
+        let length = at.required_unsigned("byteLength")?;
         let end = offset.checked_add(length).filter(|&end| end <= buffer.len() as u64);
         let Some(end) = end else {
             let reason = format!("bytes {offset} + {length} of a buffer of {} bytes", buffer.len());

@@ -1,12 +1,12 @@
-//! JSON values that know where in the document they stand, so that messages can say it.
+//! JSON values with their path in the document, for error messages.
 
 use serde_json::Value;
 
 use crate::error::{Fault, Place};
 
-/// A value and its path, as `meshes[2].primitives[0]`.
+/// Value and its path, such as `meshes[2].primitives[0]`.
 #[derive(Clone)]
-pub(super) struct At<'a> {
+pub(super) struct JsonNode<'a> {
     pub value: &'a Value,
     pub path: String,
 }
@@ -20,79 +20,84 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
     })
 }
 
-impl<'a> At<'a> {
+impl<'a> JsonNode<'a> {
+    /// Creates a fault at this value.
     pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::Malformed(Place::Json(self.path.clone()), reason.into())
     }
 
-    pub(super) fn get(&self, key: &str) -> Option<At<'a>> {
+    /// Returns the member of an object, if it exists.
+    pub(super) fn get(&self, key: &str) -> Option<JsonNode<'a>> {
         let value = self.value.get(key)?;
         let dot = if self.path.is_empty() { "" } else { "." };
-        Some(At { value, path: format!("{}{dot}{key}", self.path) })
+        Some(JsonNode { value, path: format!("{}{dot}{key}", self.path) })
     }
 
-    /// A whole number that is not negative, if the key is there.
+    /// Returns a non-negative integer, if the key exists.
     pub(super) fn unsigned(&self, key: &str) -> Result<Option<u64>, Fault> {
         self.get(key).map(|at| at.as_unsigned()).transpose()
     }
 
+    /// Returns the value as a non-negative integer.
     pub(super) fn as_unsigned(&self) -> Result<u64, Fault> {
         let whole = |x: f64| (x.fract() == 0.0 && (0.0..9e15).contains(&x)).then_some(x as u64);
         let found = self.value.as_u64().or_else(|| self.value.as_f64().and_then(whole));
-        found.ok_or_else(|| self.fault(format!("expected a whole number, found {}", shown(self.value))))
+        found.ok_or_else(|| self.fault(format!("expected a whole number, found {}", describe(self.value))))
     }
 
-    pub(super) fn needed_unsigned(&self, key: &str) -> Result<u64, Fault> {
+    /// Returns a non-negative integer; fails if the key is missing.
+    pub(super) fn required_unsigned(&self, key: &str) -> Result<u64, Fault> {
         self.unsigned(key)?.ok_or_else(|| self.fault(format!("`{key}` is missing")))
     }
 
-    /// A text; empty where there is none.
+    /// Returns a string, or an empty one if the key is missing.
     pub(super) fn text(&self, key: &str) -> &'a str {
         self.value.get(key).and_then(Value::as_str).unwrap_or("")
     }
 
+    /// Returns a boolean; false if the key is missing.
     pub(super) fn flag(&self, key: &str) -> bool {
         self.value.get(key).and_then(Value::as_bool).unwrap_or(false)
     }
 
-    /// The entries of an array; none where the key is missing.
-    pub(super) fn entries(&self, key: &str) -> Result<Vec<At<'a>>, Fault> {
+    /// Returns the entries of an array; empty if the key is missing.
+    pub(super) fn entries(&self, key: &str) -> Result<Vec<JsonNode<'a>>, Fault> {
         let Some(at) = self.get(key) else { return Ok(Vec::new()) };
         let Some(values) = at.value.as_array() else {
-            return Err(at.fault(format!("expected an array, found {}", shown(at.value))));
+            return Err(at.fault(format!("expected an array, found {}", describe(at.value))));
         };
-        let entry = |(i, value)| At { value, path: format!("{}[{i}]", at.path) };
+        let entry = |(i, value)| JsonNode { value, path: format!("{}[{i}]", at.path) };
         Ok(values.iter().enumerate().map(entry).collect())
     }
 
-    /// The members of an object in the order of their names; none where the key is missing.
-    pub(super) fn members(&self, key: &str) -> Result<Vec<(&'a str, At<'a>)>, Fault> {
+    /// Returns the members of an object, sorted by name; empty if the key is missing.
+    pub(super) fn members(&self, key: &str) -> Result<Vec<(&'a str, JsonNode<'a>)>, Fault> {
         let Some(at) = self.get(key) else { return Ok(Vec::new()) };
         let Some(map) = at.value.as_object() else {
-            return Err(at.fault(format!("expected an object, found {}", shown(at.value))));
+            return Err(at.fault(format!("expected an object, found {}", describe(at.value))));
         };
         let member = |(name, value): (&'a String, _)| {
-            (name.as_str(), At { value, path: format!("{}.{name}", at.path) })
+            (name.as_str(), JsonNode { value, path: format!("{}.{name}", at.path) })
         };
         let mut members: Vec<_> = map.iter().map(member).collect();
         members.sort_by_key(|&(name, _)| name);
         Ok(members)
     }
 
-    /// An array of exactly `N` numbers, if the key is there.
+    /// Returns an array of exactly `N` numbers, if the key exists.
     pub(super) fn numbers<const N: usize>(&self, key: &str) -> Result<Option<[f64; N]>, Fault> {
         let Some(at) = self.get(key) else { return Ok(None) };
         let values = at.value.as_array().filter(|values| values.len() == N);
         let numbers: Option<Vec<f64>> = values.and_then(|v| v.iter().map(Value::as_f64).collect());
         match numbers.and_then(|n| <[f64; N]>::try_from(n).ok()) {
             Some(numbers) => Ok(Some(numbers)),
-            None => Err(at.fault(format!("expected {N} numbers, found {}", shown(at.value)))),
+            None => Err(at.fault(format!("expected {N} numbers, found {}", describe(at.value)))),
         }
     }
 }
 
-/// A value for a message, cut short.
-fn shown(value: &Value) -> String {
+/// Describes a value in a message, shortened.
+fn describe(value: &Value) -> String {
     match value {
         Value::Array(entries) => format!("an array of {}", entries.len()),
         Value::Object(_) => "an object".to_owned(),

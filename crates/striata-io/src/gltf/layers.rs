@@ -1,4 +1,5 @@
-//! Attribute layers from accessors: the type that holds all primitives' numbers, and fills for those without any.
+//! Attribute layers from accessors: a common type for all primitives, and default values for missing
+//! attributes.
 
 use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
@@ -15,7 +16,7 @@ enum Kind {
     F32,
 }
 
-/// How a layer is stored.
+/// Storage format of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct LayerFormat {
     component_count: u8,
@@ -24,7 +25,7 @@ pub(super) struct LayerFormat {
 }
 
 impl LayerFormat {
-    /// The format that keeps an accessor's numbers as they are, or as floats where a layer cannot.
+    /// Returns the format that keeps an accessor's numbers unchanged, or floats if a layer cannot.
     pub(super) fn of(semantic: &Semantic, accessor: &Accessor<'_>) -> Result<Self, Fault> {
         let count = accessor.component_count;
         let fits = match semantic {
@@ -58,7 +59,7 @@ impl LayerFormat {
         Ok(Self { component_count: count as u8, kind, normalized })
     }
 
-    /// A format that holds both.
+    /// Returns a format that can represent both.
     pub(super) fn united(self, other: Self) -> Self {
         let component_count = self.component_count.max(other.component_count);
         if self.kind == other.kind && self.normalized == other.normalized {
@@ -73,6 +74,7 @@ impl LayerFormat {
         Self { component_count, kind, normalized: false }
     }
 
+    /// Returns the size of one vertex's values in bytes.
     pub(super) fn vertex_bytes(self) -> u64 {
         let size = match self.kind {
             Kind::U8 => 1,
@@ -82,7 +84,7 @@ impl LayerFormat {
         u64::from(self.component_count) * size
     }
 
-    /// An empty layer with room for all vertices.
+    /// Creates an empty layer with capacity for all vertices.
     pub(super) fn layer(self, semantic: &Semantic, vertex_count: usize) -> AttributeLayer {
         let room = vertex_count * self.component_count as usize;
         let data = match self.kind {
@@ -96,7 +98,7 @@ impl LayerFormat {
     }
 }
 
-/// Appends an accessor's elements, turned as the instance is.
+/// Appends an accessor's elements, transformed like the instance.
 pub(super) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transform: Option<&Transform>) {
     let width = layer.component_count as usize;
     let is_full_width = accessor.component_count == width;
@@ -110,7 +112,7 @@ pub(super) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transf
         (LayerData::F32(data), _) => {
             let mut numbers = accessor.floats();
             if let Some(transform) = transform {
-                turn(&layer.semantic, &mut numbers, transform);
+                transform_values(&layer.semantic, &mut numbers, transform);
             }
             widen(data, &numbers, [accessor.component_count, width], &layer.semantic, 1.0);
         }
@@ -152,7 +154,7 @@ fn widen<T: Copy + Default>(
     }
 }
 
-fn turn(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
+fn transform_values(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
     match semantic {
         Semantic::Normal | Semantic::MorphNormal(_) => {
             let is_displacement = *semantic != Semantic::Normal;
@@ -181,7 +183,7 @@ fn turn(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
     }
 }
 
-/// Appends what vertices without the attribute get: white, a tangent along x, else zero.
+/// Appends default values for vertices without the attribute: white, a tangent along x, else zero.
 pub(super) fn fill(layer: &mut AttributeLayer, vertex_count: usize) {
     let count = vertex_count * layer.component_count as usize;
     let is_white = matches!(layer.semantic, Semantic::Color(_));

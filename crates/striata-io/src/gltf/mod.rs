@@ -1,12 +1,18 @@
 //! glTF 2.0, as JSON and as GLB.
 //!
-//! The reader bakes the default scene into one mesh: one group for each triangle primitive of each node that shows
-//! it (fans of one mesh and material are one group), transforms applied, attribute sets united, materials kept as the JSON they are. A reader of our own over `serde_json` values:
-//! the `gltf` crate refuses scenes without nodes, knows no place for its errors, keeps materials only as far
-//! as it understands them, and does not check buffers. It serves as the oracle in the tests instead.
-//! Cost: one pass over each accessor of each block of vertices.
+//! The reader flattens the default scene into one mesh. Each triangle primitive of each node becomes a
+//! group (all fans of one mesh and material become one group), with transforms applied, attribute sets
+//! merged, and materials kept as their JSON. Own reader on `serde_json` values: the `gltf` crate rejects
+//! scenes without nodes, reports no place for its errors, keeps only those parts of materials that it
+//! understands, and leaves the bounds of views to its caller. It serves as the oracle in the tests instead.
+//!
+//! Primitives that use the same accessors under the same transform share their vertices, and the writer
+//! gives all groups one vertex buffer, so files do not grow when they are read and written again. Skeletons
+//! and animations are dropped: joints and weights are kept as layers, but not the nodes, skins and channels
+//! that use them. Cost: one pass over each accessor of each block of vertices.
 
 mod accessor;
+mod appearance;
 mod assemble;
 mod builder;
 mod component_type;
@@ -14,25 +20,25 @@ mod container;
 mod document;
 mod json;
 mod layers;
-mod looks;
-#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
-mod pieces;
 mod primitive;
 mod scene;
 mod uri;
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
+mod vertex_pieces;
 mod write;
 mod write_layers;
 
 use striata::mesh::IndexedMesh;
 
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
-pub(crate) use pieces::VertexPieces;
+pub(crate) use vertex_pieces::VertexPieces;
 pub(crate) use write::{to_glb_bytes, to_json_bytes};
 
 use crate::error::Fault;
 use crate::{Format, Source};
 use document::Document;
 
+/// Reads a mesh from the bytes of a glTF or GLB file.
 pub(crate) fn read(bytes: &[u8], format: Format, source: &Source<'_>) -> Result<IndexedMesh, Fault> {
     let (json, blob) = match format {
         Format::Glb => container::chunks(bytes)?,

@@ -1,13 +1,13 @@
-//! Primitives: which accessors they use, and the triangles that their indices spell.
+//! Primitives: the accessors they use, and the triangles of their indices.
 
 use striata::mesh::Semantic;
 
 use super::accessor::accessor;
 use super::document::Document;
-use super::json::At;
+use super::json::JsonNode;
 use crate::error::{Fault, Place};
 
-/// How indices become triangles.
+/// Rule by which indices become triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Topology {
     List,
@@ -15,11 +15,11 @@ enum Topology {
     Fan,
 }
 
-/// A primitive that draws triangles.
+/// Primitive that draws triangles.
 pub(super) struct Primitive<'a> {
-    pub at: At<'a>,
+    pub at: JsonNode<'a>,
     pub position: u64,
-    /// Sorted by meaning; the number is the accessor's.
+    /// Semantics, sorted, and the index of each accessor.
     pub attributes: Vec<(Semantic, u64)>,
     pub material: Option<u32>,
     indices: Option<u64>,
@@ -27,8 +27,8 @@ pub(super) struct Primitive<'a> {
 }
 
 impl<'a> Primitive<'a> {
-    /// Reads a primitive; none where it draws points or lines.
-    pub(super) fn parse(document: &Document<'_>, at: At<'a>) -> Result<Option<Self>, Fault> {
+    /// Reads a primitive; [`None`] if it draws points or lines.
+    pub(super) fn parse(document: &Document<'_>, at: JsonNode<'a>) -> Result<Option<Self>, Fault> {
         let topology = match at.unsigned("mode")?.unwrap_or(4) {
             0..=3 => return Ok(None),
             4 => Topology::List,
@@ -71,12 +71,12 @@ impl<'a> Primitive<'a> {
         Ok(Some(Self { at, position, attributes, material, indices, topology }))
     }
 
-    /// Whether it is one fan, of which glTF needs a primitive for each.
+    /// Whether it is a single fan; glTF needs a primitive for each fan.
     pub(super) fn is_fan(&self) -> bool {
         self.topology == Topology::Fan
     }
 
-    /// Most triangles that the primitive can draw.
+    /// Returns an upper limit of the number of triangles that the primitive draws.
     pub(super) fn triangle_limit(&self, document: &Document<'_>, vertex_count: usize) -> Result<u64, Fault> {
         let count = match self.indices {
             Some(index) => accessor(document, index, &self.at)?.count,
@@ -88,7 +88,8 @@ impl<'a> Primitive<'a> {
         })
     }
 
-    /// Appends the triangles, their indices raised by `first_vertex`; what a strip repeats to join runs is left out.
+    /// Appends the triangles, with `first_vertex` added to their indices; degenerate triangles that join
+    /// strips are left out.
     pub(super) fn triangles_into(
         &self,
         document: &Document<'_>,
@@ -98,8 +99,8 @@ impl<'a> Primitive<'a> {
         let indices = self.indices(document, vertex_count)?;
         match self.topology {
             Topology::List => {
-                let (whole, _) = indices.as_chunks::<3>();
-                triangles.extend(whole.iter().map(|t| t.map(|v| v + first_vertex)));
+                let (chunks, _) = indices.as_chunks::<3>();
+                triangles.extend(chunks.iter().map(|t| t.map(|v| v + first_vertex)));
             }
             Topology::Strip => {
                 for (i, w) in indices.windows(3).enumerate() {
@@ -159,7 +160,7 @@ fn semantic(name: &str) -> Semantic {
     }
 }
 
-/// A fault of the whole document.
-pub(super) fn whole(reason: String) -> Fault {
+/// Creates a fault for the whole document.
+pub(super) fn document_fault(reason: String) -> Fault {
     Fault::Malformed(Place::File, reason)
 }

@@ -1,28 +1,28 @@
-//! Which meshes the scene shows, and where: the tree of nodes made flat.
+//! Flattened node tree: the meshes that the scene shows, and their transforms.
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
 use super::document::Document;
-use super::json::At;
+use super::json::JsonNode;
 use crate::error::Fault;
 
-/// One mesh as one node shows it.
+/// One mesh as shown by one node.
 pub(super) struct Instance<'a> {
-    pub mesh: At<'a>,
-    /// The mesh's name, or the node's where it has none.
+    pub mesh: JsonNode<'a>,
+    /// Name of the mesh, or of the node if the mesh has none.
     pub name: String,
-    /// None for the identity, and for skinned meshes, whose nodes' transforms glTF ignores.
+    /// [`None`] for the identity, and for skinned meshes, whose node transforms glTF ignores.
     pub transform: Option<Transform>,
 }
 
-/// A transform, prepared for points and for directions.
+/// Transform, prepared for points and for directions.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Transform {
     matrix: DMat4,
     linear: DMat3,
-    /// Turns normals; scaled so that a uniform scale keeps their length.
+    /// Cofactor matrix for normals, scaled so that a uniform scale keeps their length.
     cofactor: DMat3,
-    /// One length of the result per length before it, on average.
+    /// Average scale factor of lengths.
     scale: f64,
     pub is_mirrored: bool,
 }
@@ -43,7 +43,7 @@ impl Transform {
         Some(Self { matrix, linear, cofactor, scale, is_mirrored })
     }
 
-    /// The bits that tell two transforms apart.
+    /// Returns bits that identify the transform.
     pub(super) fn key(&self) -> [u64; 16] {
         self.matrix.to_cols_array().map(f64::to_bits)
     }
@@ -52,24 +52,24 @@ impl Transform {
         self.matrix.transform_point3(wide(point)).as_vec3().to_array()
     }
 
-    /// A displacement of a point.
+    /// Transforms a displacement of a point.
     pub(super) fn displacement(&self, vector: [f32; 3]) -> [f32; 3] {
         (self.linear * wide(vector)).as_vec3().to_array()
     }
 
-    /// A unit normal, or the displacement of one.
+    /// Transforms a unit normal, or a displacement of one.
     pub(super) fn normal(&self, vector: [f32; 3], is_displacement: bool) -> [f32; 3] {
         direction(self.cofactor * wide(vector), is_displacement)
     }
 
-    /// A unit tangent, or the displacement of one.
+    /// Transforms a unit tangent, or a displacement of one.
     pub(super) fn tangent(&self, vector: [f32; 3], is_displacement: bool) -> [f32; 3] {
         let moved = self.linear * wide(vector);
         direction(if self.scale > 0.0 { moved / self.scale } else { moved }, is_displacement)
     }
 }
 
-/// Cube root by Newton's steps: `f64::cbrt` may differ between platforms.
+/// Cube root by Newton's method: `f64::cbrt` may differ between platforms.
 fn cube_root(x: f64) -> f64 {
     if !(x > 0.0 && x.is_finite()) {
         return 0.0;
@@ -90,12 +90,13 @@ fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
     unit.unwrap_or_else(|| vector.as_vec3().to_array())
 }
 
-/// The meshes of the default scene, in the order of the tree; all meshes where there are no nodes.
+/// Returns the meshes of the default scene in tree order, or all meshes if there are no nodes.
 pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>, Fault> {
     let root = &document.root;
     let nodes = root.entries("nodes")?;
     if nodes.is_empty() {
-        let bare = |mesh: At<'a>| Instance { name: mesh.text("name").to_owned(), mesh, transform: None };
+        let bare =
+            |mesh: JsonNode<'a>| Instance { name: mesh.text("name").to_owned(), mesh, transform: None };
         return Ok(root.entries("meshes")?.into_iter().map(bare).collect());
     }
     let mut found = Vec::new();
@@ -122,24 +123,25 @@ pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>
     Ok(found)
 }
 
-/// A node that is yet to be visited.
+/// Node that has not been visited yet.
 struct Pending<'a> {
     index: u64,
-    /// Of what it stands in.
+    /// Transform of the parent.
     parent: DMat4,
-    /// Where it is named.
-    from: At<'a>,
+    /// Value that refers to the node.
+    from: JsonNode<'a>,
 }
 
-/// The roots of the default scene, or of the first; without scenes, the nodes that are nobody's children.
-fn roots<'a>(document: &Document<'a>, nodes: &[At<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
+/// Returns the roots of the default scene, or of the first; without scenes, the nodes without a parent.
+fn roots<'a>(document: &Document<'a>, nodes: &[JsonNode<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
     let root = &document.root;
     let scene = match root.get("scene") {
         Some(at) => Some(document.item("scenes", at.as_unsigned()?, &at)?),
         None => root.entries("scenes")?.into_iter().next(),
     };
     if let Some(scene) = scene {
-        let entry = |at: At<'a>| Ok(Pending { index: at.as_unsigned()?, parent: DMat4::IDENTITY, from: at });
+        let entry =
+            |at: JsonNode<'a>| Ok(Pending { index: at.as_unsigned()?, parent: DMat4::IDENTITY, from: at });
         return scene.entries("nodes")?.into_iter().map(entry).collect();
     }
     let mut is_child = vec![false; nodes.len()];
@@ -150,8 +152,8 @@ fn roots<'a>(document: &Document<'a>, nodes: &[At<'a>]) -> Result<Vec<Pending<'a
             }
         }
     }
-    let is_root = |&(index, _): &(usize, &At<'a>)| !is_child[index];
-    let entry = |(index, node): (usize, &At<'a>)| Pending {
+    let is_root = |&(index, _): &(usize, &JsonNode<'a>)| !is_child[index];
+    let entry = |(index, node): (usize, &JsonNode<'a>)| Pending {
         index: index as u64,
         parent: DMat4::IDENTITY,
         from: node.clone(),
@@ -159,7 +161,7 @@ fn roots<'a>(document: &Document<'a>, nodes: &[At<'a>]) -> Result<Vec<Pending<'a
     Ok(nodes.iter().enumerate().filter(is_root).map(entry).collect())
 }
 
-fn local_matrix(node: &At<'_>) -> Result<DMat4, Fault> {
+fn local_matrix(node: &JsonNode<'_>) -> Result<DMat4, Fault> {
     if let Some(columns) = node.numbers::<16>("matrix")? {
         return Ok(DMat4::from_cols_array(&columns));
     }
@@ -171,7 +173,7 @@ fn local_matrix(node: &At<'_>) -> Result<DMat4, Fault> {
     if !(length > 0.0 && length.is_finite()) {
         return Err(node.fault("the rotation has no length"));
     }
-    // Left as it is where it is a unit already, so that the identity stays exactly that.
+    // A quaternion of unit length is kept unchanged, so that the identity stays exact.
     let rotation = if length == 1.0 { rotation } else { rotation.normalize() };
     Ok(DMat4::from_scale_rotation_translation(
         DVec3::from_array(scale),

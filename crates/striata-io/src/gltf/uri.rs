@@ -1,11 +1,12 @@
-//! What URIs stand for: data inside them, or files beside the document.
+//! URIs: embedded data, or files next to the document.
 
 use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 
 use crate::Source;
 
-/// The bytes of a `data:` URI and its type; none where it is no such URI, an error where it is a broken one.
+/// Decodes a `data:` URI to its bytes and media type; [`None`] if it is another kind of URI, an error if it
+/// is malformed.
 pub(super) fn data(uri: &str) -> Option<Result<(Vec<u8>, String), String>> {
     let rest = uri.strip_prefix("data:")?;
     let Some((kind, content)) = rest.split_once(',') else {
@@ -55,6 +56,7 @@ fn from_base64(text: &[u8]) -> Result<Vec<u8>, String> {
     Ok(out)
 }
 
+/// Encodes bytes as base64.
 pub(super) fn to_base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -89,14 +91,14 @@ fn percent_decoded(text: &str) -> Option<Cow<'_, [u8]>> {
     Some(Cow::Owned(out))
 }
 
-/// The file that a relative URI names; an error says why it is not followed.
+/// Returns the file that a relative URI names, or an error that says why it is not followed.
 pub(super) fn path(uri: &str, source: &Source<'_>) -> Result<PathBuf, String> {
     let Some(folder) = source.folder else {
-        return Err(format!("`{}` lies outside the file, whose folder is not known", short(uri)));
+        return Err(format!("`{}` lies outside the file, whose folder is not known", shortened(uri)));
     };
     let decoded = percent_decoded(uri).and_then(|bytes| String::from_utf8(bytes.into_owned()).ok());
     let Some(relative) = decoded else {
-        return Err(format!("`{}` is no well-formed URI", short(uri)));
+        return Err(format!("`{}` is not a well-formed URI", shortened(uri)));
     };
     let has_scheme = relative
         .split_once(':')
@@ -106,12 +108,13 @@ pub(super) fn path(uri: &str, source: &Source<'_>) -> Result<PathBuf, String> {
         .any(|part| !matches!(part, Component::Normal(_) | Component::CurDir))
         || relative.contains('\\');
     if has_scheme || Path::new(&relative).is_absolute() || (leaves && !source.outside_allowed) {
-        return Err(format!("`{}` leads out of the folder of the file", short(uri)));
+        return Err(format!("`{}` leaves the folder of the file", shortened(uri)));
     }
     Ok(folder.join(relative))
 }
 
-pub(super) fn short(uri: &str) -> String {
+/// Shortens a URI for a message.
+pub(super) fn shortened(uri: &str) -> String {
     uri.chars().take(60).collect()
 }
 

@@ -1,16 +1,16 @@
-//! The glTF writer: one vertex buffer for all groups, one primitive a group or a fan, looks as they came.
+//! glTF writer: one vertex buffer for all groups, one primitive per group or fan, and unchanged materials.
 //!
-//! Groups that follow each other under one name become one mesh and one node of that name. Vertices without
-//! triangles are not written where there is no triangle at all, since glTF knows no empty primitive.
+//! Consecutive groups with the same name become one mesh and one node of that name. A mesh without
+//! triangles is written without its vertices, because glTF has no empty primitives.
 
 use std::collections::BTreeSet;
 
 use serde_json::{Map, Value, json};
 use striata::mesh::{Image, IndexedMesh, TriangleGroup};
 
+use super::appearance::extensions_in;
 use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
 use super::component_type::ComponentType;
-use super::looks::extensions_in;
 use super::write_layers::{Attributes, attributes};
 use super::{container, uri};
 use crate::WriteOptions;
@@ -19,12 +19,14 @@ use crate::error::Refusal;
 const TRIANGLES: u32 = 4;
 const TRIANGLE_FAN: u32 = 6;
 
+/// Encodes a mesh as a GLB file.
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
     let (root, binary) = document(mesh, options, |_| Value::Null)?;
     container::joined(root.to_string().into_bytes(), binary)
         .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()))
 }
 
+/// Encodes a mesh as a glTF file with an embedded buffer.
 pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
     let data_uri = |binary: &[u8]| {
         Value::String(format!("data:application/octet-stream;base64,{}", uri::to_base64(binary)))
@@ -33,7 +35,7 @@ pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Resul
     Ok(format!("{root:#}\n").into_bytes())
 }
 
-/// The document and its binary data; `buffer_uri` gives the buffer's URI, or null.
+/// Builds the document and its binary data; `buffer_uri` returns the buffer's URI, or null.
 fn document(
     mesh: &IndexedMesh,
     options: &WriteOptions,
@@ -64,7 +66,7 @@ fn document(
     Ok((Value::Object(root), builder.binary))
 }
 
-/// Empty arrays are not allowed.
+/// Adds an array to the document unless it is empty, because glTF does not allow empty arrays.
 fn insert(root: &mut Map<String, Value>, key: &str, entries: Vec<Value>) {
     if !entries.is_empty() {
         root.insert(key.to_owned(), Value::Array(entries));
@@ -109,9 +111,9 @@ impl Builder {
         Ok((meshes, nodes))
     }
 
-    /// Adds all index lists to one view; one accessor a list, none for an empty one.
+    /// Adds all index lists to one view, with an accessor for each list that is not empty.
     fn push_indices(&mut self, lists: &[IndexList], vertex_count: usize) -> Vec<Option<usize>> {
-        // The last 16-bit number is left for primitive restart.
+        // The largest 16-bit value is left for primitive restart.
         let component =
             if vertex_count <= u16::MAX as usize { ComponentType::U16 } else { ComponentType::U32 };
         let index_count: usize = lists.iter().map(|list| list.indices.len()).sum();
@@ -140,7 +142,7 @@ impl Builder {
         accessors
     }
 
-    /// Materials, textures, samplers and images; answers with the extensions that they use.
+    /// Adds materials, textures, samplers and images, and returns the extensions that they use.
     fn looks(
         &mut self,
         mesh: &IndexedMesh,
@@ -195,11 +197,11 @@ impl Builder {
     }
 }
 
-/// A JSON object that the mesh carries as text.
+/// Parses a JSON object that the mesh carries as text.
 fn object(text: &str, what: &str, index: usize) -> Result<Value, Refusal> {
     match serde_json::from_str(text) {
         Ok(value @ Value::Object(_)) => Ok(value),
-        Ok(_) => Err(Refusal::BadMesh(format!("the JSON of {what} {index} is no object"))),
+        Ok(_) => Err(Refusal::BadMesh(format!("the JSON of {what} {index} is not an object"))),
         Err(error) => Err(Refusal::BadMesh(format!("the JSON of {what} {index} is broken: {error}"))),
     }
 }
@@ -215,15 +217,15 @@ fn primitive(attributes: &Attributes, indices: usize, mode: u32, material: Optio
     primitive
 }
 
-/// The indices of a primitive.
+/// Indices of a primitive.
 struct IndexList {
-    /// How they are drawn.
+    /// Primitive mode of glTF.
     mode: u32,
     group: usize,
     indices: Vec<u32>,
 }
 
-/// One list for each group, of its triangles or of the strips that the caller gives, or one for each fan.
+/// Returns one list for each group, of its triangles or of the caller's strips, or one for each fan.
 fn index_lists(
     mesh: &IndexedMesh,
     groups: &[TriangleGroup],

@@ -1,8 +1,8 @@
-//! Attribute layers as glTF accessors, in the types that glTF allows for each meaning.
+//! Attribute layers as glTF accessors, in the types that glTF allows for each attribute.
 //!
-//! Normals and tangents are given unit length, and colors kept within 0 and 1, since glTF demands both. What has no glTF type
-//! (integers of 32 bits, unusual widths) is written as floats where that loses nothing, under a name of its own
-//! with an underscore before it.
+//! Normals and tangents are normalized and colors clamped to 0 to 1, as glTF demands. Data without a glTF
+//! type (32-bit integers, unusual component counts) are written as floats if that loses nothing, under
+//! their own name with an underscore before it.
 
 use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, Bounds, IndexedMesh, LayerData, Semantic};
@@ -12,7 +12,7 @@ use super::component_type::ComponentType;
 use crate::error::Refusal;
 use crate::normals::unit;
 
-/// What all primitives share.
+/// Attributes and morph targets that all primitives share.
 pub(super) struct Attributes {
     pub attributes: Map<String, Value>,
     pub targets: Vec<Value>,
@@ -25,6 +25,7 @@ enum Encoded {
     Words(Vec<u16>),
 }
 
+/// Adds all positions and layers of a mesh, and returns their accessors.
 pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<Attributes, Refusal> {
     let mut out = Attributes { attributes: Map::new(), targets: Vec::new() };
     let positions = mesh.positions.as_flattened();
@@ -65,7 +66,7 @@ pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<At
     Ok(out)
 }
 
-/// A target must not be empty: those that the mesh leaves out move nothing.
+/// Fills in missing morph targets with zero displacements, because a target must not be empty.
 fn fill_targets(builder: &mut Builder, targets: &mut [Value], vertex_count: usize) {
     let is_empty = |target: &Value| target.as_object().is_some_and(Map::is_empty);
     if !targets.iter().any(is_empty) {
@@ -83,7 +84,7 @@ fn fill_targets(builder: &mut Builder, targets: &mut [Value], vertex_count: usiz
     }
 }
 
-/// A layer under the name that glTF has for it, or under its own.
+/// Adds a layer under its glTF name, or under its own.
 fn push_layer(
     builder: &mut Builder,
     mesh: &IndexedMesh,
@@ -119,7 +120,7 @@ fn push_layer(
     Ok((name, push(builder, &encoded, width, normalized)))
 }
 
-/// True where the numbers are such as glTF allows for joints.
+/// Whether glTF allows the layer's numbers as joints.
 fn is_joints(layer: &AttributeLayer) -> bool {
     match &layer.data {
         LayerData::U8(_) | LayerData::U16(_) => true,
@@ -145,7 +146,7 @@ fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String
         LayerData::U32(words) => match words.iter().find(|&&word| word > 1 << 24) {
             None => Encoded::Floats(floats(layer, width)?),
             Some(word) => {
-                let reason = format!("layer {} holds {word}, too large for a float", layer.semantic);
+                let reason = format!("layer {} contains {word}, too large for a float", layer.semantic);
                 return Err(Refusal::Unsupported(reason));
             }
         },
@@ -154,7 +155,7 @@ fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String
     Ok((name, push(builder, &encoded, width, normalized)))
 }
 
-/// A layer's numbers as floats, all of them finite.
+/// Returns a layer's numbers as floats; fails if one is not finite.
 fn floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusal> {
     let numbers: Vec<f32> = match &layer.data {
         LayerData::F32(numbers) => numbers.clone(),
@@ -177,7 +178,7 @@ fn check_finite(numbers: &[f32], width: usize, name: &str) -> Result<(), Refusal
     }
 }
 
-/// Floats within the limits that glTF sets for their meaning.
+/// Returns floats within the limits that glTF sets for their attribute.
 fn legal_floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusal> {
     let mut numbers = floats(layer, width)?;
     match layer.semantic {
@@ -197,7 +198,7 @@ fn legal_floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusa
     Ok(numbers)
 }
 
-/// Leaves what is a unit vector already as it is; what has no direction becomes +z.
+/// Normalizes a vector; a unit vector is unchanged, and a zero vector becomes +z.
 fn make_unit(vector: &mut [f32; 3]) {
     let wide = vector.map(f64::from);
     let square: f64 = wide.iter().map(|x| x * x).sum();
@@ -206,7 +207,7 @@ fn make_unit(vector: &mut [f32; 3]) {
     }
 }
 
-/// Points, with the bounds that glTF asks for.
+/// Adds points, with the bounds that glTF requires.
 fn push_points(builder: &mut Builder, numbers: &[f32]) -> Value {
     let (points, _) = numbers.as_chunks::<3>();
     let view = builder.push_vertex_data(bytemuck::cast_slice(numbers), 12);
@@ -228,7 +229,7 @@ fn push(builder: &mut Builder, encoded: &Encoded, width: usize, normalized: bool
         Encoded::Words(numbers) => (bytemuck::cast_slice(numbers), ComponentType::U16),
     };
     let element_bytes = width * component.bytes();
-    // Vertex data lie at multiples of 4.
+    // Vertex data must be aligned to 4 bytes.
     let stride = element_bytes.next_multiple_of(4);
     let count = bytes.len() / element_bytes;
     let view = if stride == element_bytes {

@@ -1,4 +1,4 @@
-//! From corners with three indices each to vertices with one.
+//! Conversion of corners with three indices each to vertices with one.
 
 use std::collections::BTreeMap;
 
@@ -6,30 +6,30 @@ use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
 use crate::normals;
 
-/// No texture coordinate or normal.
+/// Marks a missing texture coordinate or normal.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Position, texture coordinate and normal of a corner; the last two may be [`NONE`].
+/// Position, texture coordinate and normal indices of a corner; the last two may be [`NONE`].
 pub(super) type Corner = [u32; 3];
 
-/// What `v`, `vt` and `vn` have listed.
+/// Values of the `v`, `vt` and `vn` statements.
 #[derive(Default)]
 pub(super) struct Tables {
     pub positions: Vec<[f32; 3]>,
-    /// Three a position, up to the last position that has a color; empty without any.
+    /// Three values per position, up to the last position that has a color; empty if none has.
     pub colors: Vec<f32>,
     pub texcoords: Vec<[f32; 2]>,
     pub normals: Vec<[f32; 3]>,
 }
 
-/// Builds the mesh; every index that is not [`NONE`] exists.
+/// Builds the mesh; every index other than [`NONE`] must be valid.
 pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
     if !tables.colors.is_empty() {
         tables.colors.resize(tables.positions.len() * 3, 1.0);
     }
     let has = |kind: usize| corners.iter().any(|c| c[kind] != NONE);
     let (has_texcoord, has_normal) = (has(1), has(2));
-    if is_one_numbering(&tables, corners, [has_texcoord, has_normal]) {
+    if has_common_indices(&tables, corners, [has_texcoord, has_normal]) {
         return in_file_order(tables, corners, [has_texcoord, has_normal]);
     }
     let (vertices, triangles) = number_triples(tables.positions.len(), corners);
@@ -52,8 +52,9 @@ pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
     IndexedMesh { layers, ..IndexedMesh::new(positions, triangles) }
 }
 
-/// True where all three indices of every corner agree, so far as a kind is used at all.
-fn is_one_numbering(tables: &Tables, corners: &[Corner], used: [bool; 2]) -> bool {
+/// Whether all three indices of every corner agree, as far as texture coordinates and normals are used at
+/// all.
+fn has_common_indices(tables: &Tables, corners: &[Corner], used: [bool; 2]) -> bool {
     let count = tables.positions.len();
     (!used[0] || tables.texcoords.len() == count)
         && (!used[1] || tables.normals.len() == count)
@@ -75,11 +76,13 @@ fn in_file_order(tables: Tables, corners: &[Corner], [has_texcoord, has_normal]:
     IndexedMesh { layers, ..IndexedMesh::new(tables.positions, triangles) }
 }
 
-/// Longest chain that is walked; what comes after it goes into a tree.
-const LONGEST_CHAIN: usize = 32;
+/// Longest chain that is searched linearly; further triples go into a tree.
+const MAX_CHAIN_LENGTH: usize = 32;
 
-/// Numbers distinct triples in the order in which they are first seen. The triples of one position form a
-/// chain, which is as short as the position has wedges; a file that makes chains long only slows itself down.
+/// Numbers distinct triples in order of first occurrence.
+///
+/// The triples of one position form a chain, which is as short as the position has wedges; a file with long
+/// chains only slows down its own reading.
 fn number_triples(position_count: usize, corners: &[Corner]) -> (Vec<Corner>, Vec<[u32; 3]>) {
     let mut first = vec![NONE; position_count];
     let mut vertices: Vec<Corner> = Vec::with_capacity(position_count);
@@ -88,12 +91,12 @@ fn number_triples(position_count: usize, corners: &[Corner]) -> (Vec<Corner>, Ve
     let mut vertex_of = |corner: &Corner| {
         let position = corner[0] as usize;
         let (mut vertex, mut steps) = (first[position], 0);
-        while vertex != NONE && vertices[vertex as usize] != *corner && steps < LONGEST_CHAIN {
+        while vertex != NONE && vertices[vertex as usize] != *corner && steps < MAX_CHAIN_LENGTH {
             vertex = next[vertex as usize];
             steps += 1;
         }
         let new_vertex = vertices.len() as u32;
-        if steps == LONGEST_CHAIN {
+        if steps == MAX_CHAIN_LENGTH {
             vertex = *beyond.entry(*corner).or_insert(new_vertex);
         } else if vertex == NONE {
             vertex = new_vertex;
@@ -101,7 +104,7 @@ fn number_triples(position_count: usize, corners: &[Corner]) -> (Vec<Corner>, Ve
         if vertex == new_vertex {
             vertices.push(*corner);
             next.push(first[position]);
-            if steps < LONGEST_CHAIN {
+            if steps < MAX_CHAIN_LENGTH {
                 first[position] = vertex;
             }
         }
@@ -112,7 +115,7 @@ fn number_triples(position_count: usize, corners: &[Corner]) -> (Vec<Corner>, Ve
     (vertices, triangles)
 }
 
-/// Normals of the vertices; where a corner names none, the one that its triangles have.
+/// Returns the normals of the vertices; a corner without one gets the normal of its triangles.
 fn normals_of(
     tables: &Tables,
     vertices: &[Corner],

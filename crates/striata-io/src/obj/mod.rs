@@ -1,13 +1,14 @@
 //! Wavefront OBJ.
 //!
-//! A parser of our own: `tobj` names no lines in its errors, gives materials only through an MTL file that
-//! it could open (so that names are lost), drops the names of groups and libraries, and is slower.
-//! Polygons are fanned. A vertex is made for each distinct triple of position, texture coordinate and normal,
-//! in the order in which triples are first seen; where the three indices always agree, vertices are the
-//! positions themselves, in the file's order. Cost: one pass, 12 bytes a corner while reading.
+//! Own parser: `tobj` names no lines in its errors, knows materials only through an MTL file that it can
+//! open (otherwise their names are lost), drops the names of groups and libraries, and is slower. Polygons
+//! are fanned. Each distinct triple of position, texture coordinate and normal becomes a vertex, in the
+//! order of first occurrence. If the three indices always agree, vertices are the positions themselves in
+//! the order of the file, so a file from our own writer is read back vertex for vertex. Cost: one pass, 12
+//! bytes per corner while reading.
 //!
-//! OBJ's texture coordinates grow upwards, a mesh's downwards: `v` becomes `1 - v`, subtracted in decimal so that
-//! the way there and back changes no digit.
+//! OBJ's texture coordinates grow upwards, those of a mesh downwards: `v` becomes `1 - v`, subtracted in
+//! decimal (`0.1` becomes `0.9`), so that a round trip changes no digit.
 
 mod corners;
 mod write;
@@ -22,13 +23,13 @@ use crate::error::Fault;
 use crate::text::{Cursor, quoted};
 use corners::{Corner, NONE, Tables, assemble};
 
-/// What the statements so far have built.
+/// State of the reader after some statements.
 #[derive(Default)]
 struct Reader {
     tables: Tables,
-    /// Three a triangle.
+    /// Three corners per triangle.
     corners: Vec<Corner>,
-    /// Corners of the polygon at hand.
+    /// Corners of the current polygon.
     polygon: Vec<Corner>,
     groups: Vec<TriangleGroup>,
     materials: Vec<Material>,
@@ -36,12 +37,13 @@ struct Reader {
     material_libraries: Vec<String>,
     name: String,
     material: Option<u32>,
-    /// True where the last group has the present name and material.
+    /// Whether the last group has the current name and material.
     group_is_open: bool,
-    /// The largest index of each kind used before it exists, and its line.
+    /// Largest index of each kind that was used before it was defined, and its line.
     forward: [Option<(u32, u64)>; 3],
 }
 
+/// Reads a mesh from the bytes of an OBJ file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut cursor = Cursor::new(bytes).with_continuation();
@@ -54,8 +56,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     reader.into_mesh()
 }
 
-/// Statements of the format that say nothing about triangles.
-fn is_passed_over(keyword: &[u8]) -> bool {
+/// Whether a keyword is a statement of the format that does not affect triangles.
+fn is_ignored(keyword: &[u8]) -> bool {
     const KEYWORDS: [&[u8]; 35] = [
         b"s",
         b"l",
@@ -97,11 +99,13 @@ fn is_passed_over(keyword: &[u8]) -> bool {
 }
 
 impl Reader {
+    /// Reads one statement.
     fn statement(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         if cursor.at_line_end() || cursor.peek() == Some(b'#') {
             return Ok(());
         }
-        // Patterns of single bytes are compared in registers, string patterns by calls: it shows.
+        // Single-byte patterns are compared in registers, string patterns by calls; the difference is
+        // measurable.
         match cursor.word() {
             [b'v'] => self.position(cursor),
             [b'v', b't'] => self.texcoord(cursor),
@@ -124,12 +128,12 @@ impl Reader {
                 self.material_libraries.push(name_at(cursor));
                 Ok(())
             }
-            word if is_passed_over(&word.to_ascii_lowercase()) => Ok(()),
+            word if is_ignored(&word.to_ascii_lowercase()) => Ok(()),
             word => Err(cursor.fault(format!("no OBJ statement begins with {}", quoted(word)))),
         }
     }
 
-    /// `v x y z`, with a weight, or a color, or an alpha after that.
+    /// Reads `v x y z`, optionally followed by a weight, a color, or a color and alpha.
     fn position(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         let tables = &mut self.tables;
         tables.positions.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
@@ -139,13 +143,13 @@ impl Reader {
         let (mut extra, mut count) = ([0.0f32; 5], 0);
         while !ends(cursor) {
             if count == extra.len() {
-                return Err(cursor.fault("a vertex holds at most 8 numbers"));
+                return Err(cursor.fault("a vertex has at most 8 numbers"));
             }
             extra[count] = cursor.f32()?;
             count += 1;
         }
         if count >= 3 {
-            // Vertices before the first color are white, as are those without one after it.
+            // Vertices without a color are white, before the first color and after it.
             tables.colors.resize((tables.positions.len() - 1) * 3, 1.0);
             tables.colors.extend_from_slice(&extra[..3]);
         }
@@ -175,7 +179,7 @@ impl Reader {
         Ok(())
     }
 
-    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    /// Reads a corner: `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     #[inline]
     fn corner(&mut self, cursor: &mut Cursor<'_>) -> Result<Corner, Fault> {
         let counts = [self.tables.positions.len(), self.tables.texcoords.len(), self.tables.normals.len()];
@@ -193,7 +197,7 @@ impl Reader {
         Ok(corner)
     }
 
-    /// An index from 1, or from the end where it is negative.
+    /// Reads an index that counts from 1, or backwards from the end if negative.
     #[inline]
     fn index(&mut self, cursor: &mut Cursor<'_>, kind: usize, count: usize) -> Result<u32, Fault> {
         let index = cursor.integer()?;
@@ -212,6 +216,7 @@ impl Reader {
         Ok(found)
     }
 
+    /// Selects the material of the following triangles.
     fn use_material(&mut self, name: &str) {
         self.group_is_open = false;
         if name.is_empty() {
@@ -226,7 +231,7 @@ impl Reader {
         self.material = Some(material);
     }
 
-    /// Makes the group that the next triangle belongs to the last one.
+    /// Appends a group for the next triangle if the last group does not match.
     fn open_group(&mut self) {
         if self.group_is_open {
             return;
@@ -240,7 +245,7 @@ impl Reader {
         }
     }
 
-    /// Indices may run ahead of what they name, but not past the end of the file.
+    /// Checks that indices used before their definition are defined by the end of the file.
     fn check_forward(&self) -> Result<(), Fault> {
         let counts = [self.tables.positions.len(), self.tables.texcoords.len(), self.tables.normals.len()];
         for (kind, forward) in self.forward.iter().enumerate() {
@@ -273,13 +278,13 @@ impl Reader {
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
-/// True where the statement holds no more words.
+/// Whether the statement has no more words.
 #[inline]
 fn ends(cursor: &mut Cursor<'_>) -> bool {
     cursor.at_line_end() || cursor.peek() == Some(b'#')
 }
 
-/// The rest of the line: names may hold blanks.
+/// Returns the rest of the line: names may contain blanks.
 fn name_at(cursor: &mut Cursor<'_>) -> String {
     String::from_utf8_lossy(cursor.rest_of_line()).into_owned()
 }

@@ -1,5 +1,5 @@
-//! The OBJ writer: positions with colors, texture coordinates, normals, groups, names of materials and libraries.
-//! Other layers have no place in OBJ.
+//! OBJ writer: positions with colors, texture coordinates, normals, groups, and names of materials and
+//! libraries. OBJ cannot store other layers.
 
 use std::io::Write as _;
 
@@ -7,6 +7,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
 use crate::text::{push_f32, push_one_minus_f32};
 
+/// Encodes a mesh as an OBJ file.
 pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Vec<u8> {
     let fitting = |semantic: &Semantic, counts: &[u8]| {
         mesh.layer(semantic).filter(|layer| counts.contains(&layer.component_count))
@@ -85,7 +86,8 @@ fn push_groups(out: &mut Vec<u8>, mesh: &IndexedMesh, has_texcoord: bool, has_no
     }
 }
 
-/// A material's name; one without gets its number, since a line cannot name nothing.
+/// Returns a material's name; a material without one is named by its index, because the statement needs a
+/// name.
 fn material_name(mesh: &IndexedMesh, material: u32) -> String {
     match mesh.appearance.materials.get(material as usize) {
         Some(known) if !known.name.trim().is_empty() => known.name.clone(),
@@ -93,7 +95,7 @@ fn material_name(mesh: &IndexedMesh, material: u32) -> String {
     }
 }
 
-/// One statement with a name; what would end the line becomes a blank.
+/// Writes one statement with a name; control characters in the name become blanks.
 fn push_line(out: &mut Vec<u8>, keyword: &str, name: &str) {
     out.extend_from_slice(keyword.as_bytes());
     out.push(b' ');

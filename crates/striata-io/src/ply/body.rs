@@ -1,4 +1,4 @@
-//! The body of a PLY file: vertices as rows of bytes, faces and strips as triangles.
+//! Body of a PLY file: vertices as rows of bytes, faces and strips as triangles.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ use super::header::{Element, Header, Property, Scalar};
 use super::names::{ColumnSet, column_sets};
 use super::rows::Rows;
 
-/// The vertex element without its lists: `count` rows of `stride` little-endian bytes.
+/// Vertex element without its lists: `count` rows of `stride` little-endian bytes.
 pub(crate) struct Vertices<'a> {
     rows: Cow<'a, [u8]>,
     count: usize,
@@ -20,15 +20,15 @@ pub(crate) struct Vertices<'a> {
     columns: Vec<Column>,
 }
 
-/// Triangles as they are found, with what a message about a bad index needs.
+/// Triangles read so far, with what an error about a bad index needs.
 #[derive(Default)]
 pub(crate) struct Faces {
     pub triangles: Vec<[u32; 3]>,
-    /// The largest index, and a fault at its place, ready to be told.
+    /// The largest index, and a fault at its position that is used if it is out of range.
     largest: Option<(i64, Fault)>,
 }
 
-/// Reads all elements in order; those that say nothing about triangles are passed over.
+/// Reads all elements in order; those that do not describe triangles are skipped.
 pub(crate) fn read_elements<'a, R: Rows<'a>>(
     header: &Header,
     rows: &mut R,
@@ -48,13 +48,14 @@ pub(crate) fn read_elements<'a, R: Rows<'a>>(
     vertices.ok_or_else(|| rows.fault("the element `vertex` is missing".to_owned()))
 }
 
-/// Refuses counts that the bytes left cannot hold, before anything is allocated for them.
+/// Refuses counts that the remaining bytes cannot contain, before anything is allocated for them.
 fn check_room<'a>(element: &Element, rows: &impl Rows<'a>) -> Result<(), Fault> {
     let (needed, left) = (rows.least_row_bytes(element) as u64 * element.count as u64, rows.bytes_left());
     if needed > left as u64 {
         let (count, name) = (element.count, &element.name);
-        let reason =
-            format!("{count} rows of `{name}` are promised, which take {needed} bytes or more, found {left}");
+        let reason = format!(
+            "{count} rows of `{name}` are declared, which take {needed} bytes or more, but only {left} follow"
+        );
         return Err(rows.fault(reason));
     }
     Ok(())
@@ -120,7 +121,7 @@ fn skip_element<'a>(element: &Element, rows: &mut impl Rows<'a>) -> Result<(), F
     Ok(())
 }
 
-/// Where the list of vertices stands among an element's properties.
+/// Returns the index of the vertex list among an element's properties.
 pub(crate) fn index_list(element: &Element) -> Option<usize> {
     let is_index_list =
         |p: &Property| p.list.is_some() && matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
@@ -152,8 +153,8 @@ fn read_faces<'a, R: Rows<'a>>(
     Ok(())
 }
 
-/// The usual file: three 32-bit indices after one byte. Stops at the first row that is something else, and says how
-/// many rows were read.
+/// Reads rows of the usual form, three 32-bit indices after one length byte. Stops at the first other row
+/// and returns the number of rows read.
 fn read_plain_triangles<'a>(
     rows: &mut impl Rows<'a>,
     count: usize,
@@ -200,7 +201,7 @@ fn read_index<'a, R: Rows<'a>>(scalar: Scalar, rows: &mut R, faces: &mut Faces) 
     let mark = rows.mark();
     let index = rows.integer(scalar)?;
     let Ok(vertex) = u32::try_from(index) else {
-        return Err(R::fault_at(mark, format!("{index} is no index of a vertex")));
+        return Err(R::fault_at(mark, format!("{index} is not a vertex index")));
     };
     if faces.largest.as_ref().is_none_or(|&(largest, _)| index > largest) {
         // Only a new maximum can be the first index out of range.
@@ -209,7 +210,7 @@ fn read_index<'a, R: Rows<'a>>(scalar: Scalar, rows: &mut R, faces: &mut Faces) 
     Ok(vertex)
 }
 
-/// Triangle strips as Stanford writes them: one list, strips parted by -1.
+/// Reads triangle strips as Stanford writes them: one list, with strips separated by -1.
 fn read_strips<'a, R: Rows<'a>>(element: &Element, rows: &mut R, faces: &mut Faces) -> Result<(), Fault> {
     let Some(list) = index_list(element) else { return skip_element(element, rows) };
     for _ in 0..element.count {
@@ -238,7 +239,7 @@ fn read_strip_list<'a, R: Rows<'a>>(
             continue;
         }
         let Ok(vertex) = u32::try_from(index) else {
-            return Err(R::fault_at(mark, format!("{index} is no index of a vertex")));
+            return Err(R::fault_at(mark, format!("{index} is not a vertex index")));
         };
         if faces.largest.as_ref().is_none_or(|&(largest, _)| index > largest) {
             faces.largest = Some((index, R::fault_at(mark, String::new())));
@@ -255,6 +256,7 @@ fn read_strip_list<'a, R: Rows<'a>>(
 }
 
 impl Faces {
+    /// Checks that all vertex indices are in range.
     pub(crate) fn check_indices(&mut self, vertex_count: usize) -> Result<(), Fault> {
         match self.largest.take() {
             Some((index, Fault::Malformed(place, _))) if index >= vertex_count as i64 => {
@@ -267,7 +269,7 @@ impl Faces {
 }
 
 impl<'a> Vertices<'a> {
-    /// Whole rows of little-endian bytes, however many.
+    /// Wraps whole rows of little-endian bytes, of any number.
     #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
     pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>) -> Self {
         let (columns, stride) = columns_of(element);
@@ -276,6 +278,7 @@ impl<'a> Vertices<'a> {
 }
 
 impl Vertices<'_> {
+    /// Returns the positions of all vertices.
     pub(crate) fn positions(&self, header: &Header) -> Result<Vec<[f32; 3]>, Fault> {
         let mut axes = Vec::with_capacity(3);
         for name in ["x", "y", "z"] {
@@ -301,6 +304,7 @@ impl Vertices<'_> {
         self.rows.chunks_exact(self.stride.max(1))
     }
 
+    /// Returns the attribute layers of all vertices.
     pub(crate) fn layers(&self, header: &Header) -> Vec<AttributeLayer> {
         let mut seen = BTreeSet::new();
         let sets = column_sets(&self.columns);
@@ -328,7 +332,7 @@ impl Vertices<'_> {
         AttributeLayer { semantic, component_count, normalized, data }
     }
 
-    /// The columns in the type that holds them best.
+    /// Returns the columns in the type that represents them best.
     fn typed(&self, set: &ColumnSet<'_>) -> LayerData {
         match set.columns[0].scalar {
             Scalar::U8 => self.gathered(set, |row, c| row[c.offset], LayerData::U8),
@@ -375,7 +379,7 @@ fn f32_at(row: &[u8], offset: usize) -> f32 {
     f32::from_le_bytes([row[offset], row[offset + 1], row[offset + 2], row[offset + 3]])
 }
 
-/// Any number of a row; every type but f64 itself fits into one exactly.
+/// Converts any number of a row; every type fits into an `f64` exactly.
 fn to_f64(row: &[u8], column: &Column) -> f64 {
     let mut word = [0u8; 8];
     let length = column.scalar.bytes();

@@ -1,8 +1,8 @@
-//! Where a number lies in a row.
+//! Location of a number in a row.
 
 use super::header::Scalar;
 
-/// One number of a row.
+/// One number of each row: its name, type and offset.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
     pub name: String,

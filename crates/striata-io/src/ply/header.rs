@@ -1,8 +1,9 @@
-//! The header of a PLY file: elements, their properties, and where the body begins.
+//! Header of a PLY file: elements, their properties, and the start of the body.
 
 use crate::error::{Fault, Place};
 use crate::text::{Cursor, quoted};
 
+/// Encoding of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     Ascii,
@@ -10,7 +11,7 @@ pub(crate) enum Encoding {
     BigEndian,
 }
 
-/// The type of one number.
+/// Type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Scalar {
     I8,
@@ -38,6 +39,7 @@ impl Scalar {
         })
     }
 
+    /// Returns the type's name in a PLY header.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::I8 => "char",
@@ -51,6 +53,7 @@ impl Scalar {
         }
     }
 
+    /// Returns the size of a number in bytes.
     pub(crate) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -65,14 +68,16 @@ impl Scalar {
     }
 }
 
+/// Property of an element: a number or a list of numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Property {
     pub name: String,
     pub scalar: Scalar,
-    /// The type of the list's length, for a list.
+    /// Type of the list's length, if the property is a list.
     pub list: Option<Scalar>,
 }
 
+/// Element of the file: rows with the same properties.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     pub name: String,
@@ -81,23 +86,25 @@ pub(crate) struct Element {
 }
 
 impl Element {
-    /// Fewest bytes that a row takes in binary.
+    /// Returns the smallest number of bytes that a row takes in binary.
     pub(crate) fn least_row_bytes(&self) -> usize {
         self.properties.iter().map(|p| p.list.unwrap_or(p.scalar).bytes()).sum()
     }
 }
 
+/// Parsed header.
 #[derive(Clone, Debug)]
 pub(crate) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// Layers that `comment normalized NAME` marks: a note of our own writer's.
+    /// Layers marked by `comment normalized NAME`, a note of our own writer.
     pub normalized: Vec<String>,
     pub body_at: usize,
     pub body_line: u64,
 }
 
 impl Header {
+    /// Parses the header at the start of a file.
     pub(crate) fn read(bytes: &[u8]) -> Result<Self, Fault> {
         let mut cursor = Cursor::new(bytes);
         if cursor.rest_of_line() != b"ply" {
@@ -116,12 +123,12 @@ impl Header {
                     let property = read_property(&mut cursor)?;
                     match elements.last_mut() {
                         Some(element) => element.properties.push(property),
-                        None => return Err(cursor.fault("a property stands before any element")),
+                        None => return Err(cursor.fault("a property precedes the first element")),
                     }
                 }
                 b"end_header" => break,
                 b"obj_info" => {}
-                // A blank line is no harm, the end of the file is.
+                // A blank line is harmless, the end of the file is not.
                 b"" if cursor.bytes_left() > 0 => {}
                 b"" => return Err(cursor.fault("the file ends before `end_header`")),
                 word => return Err(cursor.fault(format!("no PLY header line begins with {}", quoted(word)))),
@@ -133,6 +140,7 @@ impl Header {
         Ok(Self { encoding, elements, normalized, body_at, body_line })
     }
 
+    /// Returns the element `vertex`.
     pub(crate) fn vertex(&self) -> Result<&Element, Fault> {
         self.elements
             .iter()
@@ -170,7 +178,7 @@ fn read_element(cursor: &mut Cursor<'_>) -> Result<Element, Fault> {
     let count = usize::try_from(count)
         .ok()
         .filter(|&n| n <= u32::MAX as usize)
-        .ok_or_else(|| cursor.fault(format!("{count} is no number of elements that can be handled")))?;
+        .ok_or_else(|| cursor.fault(format!("{count} is not a supported number of elements")))?;
     Ok(Element { name, count, properties: Vec::new() })
 }
 

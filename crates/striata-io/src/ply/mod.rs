@@ -1,11 +1,11 @@
-//! PLY, ascii and binary of either byte order.
+//! PLY, ASCII and binary of either byte order.
 //!
-//! A parser of our own: `ply-rs-bw` gives each vertex as a map of properties (27 MB/s), and its errors name
-//! no byte. Vertices become rows of one fixed layout in little-endian bytes, which for the usual file
-//! are the bytes of the file itself; layers are then gathered column by column. Polygons are fanned as they are
-//! read. Cost: one pass, and one copy of the vertices where the file is ascii, big-endian or has lists.
+//! Own parser: `ply-rs-bw` builds a map of properties for each vertex (27 MB/s), and its errors name no
+//! byte. Here vertices become rows with a fixed layout of little-endian bytes, which for the usual file are
+//! the bytes of the file itself; layers are then gathered column by column. Polygons are fanned as they are
+//! read. Cost: one pass, and one copy of the vertices if the file is ASCII, big-endian or has lists.
 //!
-//! Texture coordinates are kept as they are: the format does not say where their origin is.
+//! Texture coordinates are kept unchanged, because the format does not define their origin.
 
 mod body;
 mod column;
@@ -17,7 +17,7 @@ mod stream;
 mod write;
 
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
-pub(crate) use stream::{PlyStream, Stopped};
+pub(crate) use stream::{CopyError, PlyStream};
 pub(crate) use write::to_bytes;
 
 use striata::mesh::IndexedMesh;
@@ -28,6 +28,7 @@ use body::{Faces, read_elements};
 use header::{Encoding, Header};
 use rows::{AsciiRows, BinaryRows};
 
+/// Reads a mesh from the bytes of a PLY file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let header = Header::read(bytes)?;
     let mut faces = Faces::default();

@@ -1,13 +1,16 @@
-//! What vertex properties are called: the layers that PLY files know, and those that we add.
+//! Names of vertex properties: the layers common in PLY files, and our own additions.
 //!
 //! | layer | properties |
 //! | --- | --- |
 //! | normal, tangent | `nx ny nz`, `tangent_x tangent_y tangent_z tangent_w` |
-//! | UV set 0, others | `s t` (also read: `u v`, `texture_u texture_v`, `texcoord_u texcoord_v`), `texcoord_1_s texcoord_1_t` |
+//! | UV set 0 | `s t` (also read: `u v`, `texture_u texture_v`, `texcoord_u texcoord_v`) |
+//! | other UV sets | `texcoord_1_s texcoord_1_t` |
 //! | color set 0, others | `red green blue alpha` (also read: `diffuse_red` …), `color_1_red` … |
 //! | joints, weights | `joints_0_0` … `joints_0_3`, `weights_0_0` … `weights_0_3` |
 //! | morph targets | `morph_0_position_x` …, `morph_0_normal_x` …, `morph_0_tangent_x` … |
-//! | anything else | its name; with several components `name.0 name.1` …; with `generic_` before it where the name alone would mean something else |
+//! | anything else | its name; with several components `name.0 name.1` … |
+//!
+//! A name that has another meaning gets `generic_` before it.
 
 use striata::mesh::{AttributeLayer, Semantic};
 
@@ -16,14 +19,14 @@ use super::column::Column;
 const AXES: [&str; 4] = ["x", "y", "z", "w"];
 const COLORS: [&str; 4] = ["red", "green", "blue", "alpha"];
 
-/// Columns that make one layer, in the order of its components.
+/// Columns that form one layer, in the order of its components.
 pub(crate) struct ColumnSet<'a> {
     pub semantic: Semantic,
     pub columns: Vec<&'a Column>,
 }
 
-/// The layer and component that a property's name stands for.
-fn meaning(name: &str) -> Option<(Semantic, usize)> {
+/// Returns the layer and component that a property name stands for.
+fn semantic_of(name: &str) -> Option<(Semantic, usize)> {
     match name {
         "x" | "y" | "z" => return None,
         "nx" | "ny" | "nz" => return Some((Semantic::Normal, (name.as_bytes()[1] - b'x') as usize)),
@@ -67,8 +70,8 @@ fn component(word: &str) -> Option<usize> {
     word.parse().ok().filter(|&c| c < 4)
 }
 
-/// How many components make the layer whole.
-fn is_whole(semantic: &Semantic, component_count: usize) -> bool {
+/// Whether a layer with this number of components is complete.
+fn is_complete(semantic: &Semantic, component_count: usize) -> bool {
     match semantic {
         Semantic::Normal
         | Semantic::MorphPosition(_)
@@ -81,17 +84,17 @@ fn is_whole(semantic: &Semantic, component_count: usize) -> bool {
     }
 }
 
-/// Sorts columns into layers, in the order in which the layers begin.
+/// Groups columns into layers, in the order in which the layers begin.
 pub(crate) fn column_sets(columns: &[Column]) -> Vec<ColumnSet<'_>> {
     let mut sets: Vec<ColumnSet<'_>> = Vec::new();
-    let mut is_taken = vec![false; columns.len()];
+    let mut is_used = vec![false; columns.len()];
     for (index, column) in columns.iter().enumerate() {
-        if is_taken[index] || matches!(column.name.as_str(), "x" | "y" | "z") {
+        if is_used[index] || matches!(column.name.as_str(), "x" | "y" | "z") {
             continue;
         }
         let (semantic, members) = members_of(columns, index);
         for &member in &members {
-            is_taken[member] = true;
+            is_used[member] = true;
         }
         let members = members.into_iter().map(|member| &columns[member]).collect();
         sets.push(ColumnSet { semantic, columns: members });
@@ -99,20 +102,22 @@ pub(crate) fn column_sets(columns: &[Column]) -> Vec<ColumnSet<'_>> {
     sets
 }
 
-/// The layer that a column begins, and its columns: as the names say where they are whole and of one type, else the
-/// column alone under its own name.
+/// Returns the layer that a column begins, and its columns.
+///
+/// The names decide if the layer is complete and of one type; otherwise the column becomes a layer of its
+/// own.
 fn members_of(columns: &[Column], index: usize) -> (Semantic, Vec<usize>) {
     let own = &columns[index];
-    // Components mostly stand in a row; a glance beyond is enough for the rest.
+    // Components are usually consecutive; searching a few columns around is enough.
     let near = index.saturating_sub(8)..columns.len().min(index + 8);
-    if let Some((semantic, _)) = meaning(&own.name) {
+    if let Some((semantic, _)) = semantic_of(&own.name) {
         let find = |component: usize| {
             let wanted = Some((semantic.clone(), component));
-            near.clone().find(|&i| meaning(&columns[i].name) == wanted)
+            near.clone().find(|&i| semantic_of(&columns[i].name) == wanted)
         };
         let members: Vec<usize> = (0..4).map_while(find).collect();
         let one_type = members.iter().all(|&m| columns[m].scalar == own.scalar);
-        if one_type && members.contains(&index) && is_whole(&semantic, members.len()) {
+        if one_type && members.contains(&index) && is_complete(&semantic, members.len()) {
             return (semantic, members);
         }
     }
@@ -132,7 +137,7 @@ fn plain_name(name: &str) -> String {
     name.strip_prefix("generic_").unwrap_or(name).to_owned()
 }
 
-/// The properties' names of a layer, for the writer.
+/// Returns the property names of a layer, for the writer.
 pub(crate) fn property_names(layer: &AttributeLayer) -> Vec<String> {
     let count = layer.component_count as usize;
     let numbered = |stem: String| (0..count).map(move |c| format!("{stem}{c}")).collect();
@@ -151,16 +156,16 @@ pub(crate) fn property_names(layer: &AttributeLayer) -> Vec<String> {
         Semantic::MorphTangent(target) => named(format!("morph_{target}_tangent_"), &AXES[..3]),
         Semantic::Generic(name) => return generic_names(name, count),
     };
-    // A layer of an unusual width: kept, but as a generic one.
+    // A layer with an unusual number of components is kept as a generic one.
     if own.len() == count { own } else { generic_names(&layer.semantic.to_string(), count) }
 }
 
-/// A generic layer's name as one word that means nothing else.
+/// Returns a generic layer's name as one word that has no other meaning.
 pub(crate) fn generic_stem(name: &str) -> String {
     let word: String = name.chars().map(|c| if c.is_whitespace() { '_' } else { c }).collect();
     let is_own = word.is_empty()
         || matches!(word.as_str(), "x" | "y" | "z")
-        || meaning(&word).is_some()
+        || semantic_of(&word).is_some()
         || word.starts_with("generic_")
         || word.rsplit_once('.').is_some_and(|(_, end)| end.parse::<u32>().is_ok());
     if is_own { format!("generic_{word}") } else { word }

@@ -1,38 +1,39 @@
-//! Where the numbers of a PLY body come from: words of a text, or bytes of either order.
+//! Sources of the numbers of a PLY body: words of a text, or bytes of either order.
 
 use crate::error::Fault;
 use crate::text::Cursor;
 
 use super::header::{Element, Scalar};
 
-/// The numbers of a body, one after another.
+/// Reader of the numbers of a body, one after another.
 pub(crate) trait Rows<'a> {
-    /// A number that must be whole: an index or a list's length.
+    /// Reads a number that must be an integer: an index or a list's length.
     fn integer(&mut self, scalar: Scalar) -> Result<i64, Fault>;
-    /// A number of any type, appended as the little-endian bytes of that type.
+    /// Appends a number of any type to `out`, as the little-endian bytes of that type.
     fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault>;
-    /// Passes `count` numbers.
+    /// Skips `count` numbers.
     fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Fault>;
-    /// Fewest bytes of this source that one row of the element takes.
+    /// Returns the smallest number of bytes that one row of the element takes in this source.
     fn least_row_bytes(&self, element: &Element) -> usize;
     fn bytes_left(&self) -> usize;
     fn fault(&self, reason: String) -> Fault;
-    /// The next `length` bytes as they lie in the file, where that is what [`copy`](Self::copy) would give.
+    /// Returns the next `length` bytes of the file, if [`copy`](Self::copy) would return the same bytes.
     fn little_endian_bytes(&mut self, _length: usize) -> Option<&'a [u8]> {
         None
     }
-    /// The rest of the file, under the same condition.
+    /// Returns the rest of the file, under the same condition.
     fn little_endian_rest(&self) -> Option<&'a [u8]> {
         None
     }
-    /// A mark of the present place, kept for later messages.
+    /// Marks the current position for later messages.
     fn mark(&self) -> u64;
-    /// A fault at a place marked earlier.
+    /// Creates a fault at a position marked earlier.
     fn fault_at(mark: u64, reason: String) -> Fault
     where
         Self: Sized;
 }
 
+/// Words of a text file.
 pub(crate) struct AsciiRows<'a>(pub Cursor<'a>);
 
 impl<'a> Rows<'a> for AsciiRows<'a> {
@@ -51,7 +52,7 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
                 if !fits(scalar, value) {
                     return Err(self.0.fault(format!("{value} does not fit into a {}", scalar.name())));
                 }
-                // Two's complement: the low bytes are the number in every narrower type.
+                // Two's complement: the low bytes represent the number in every narrower type.
                 out.extend_from_slice(&value.to_le_bytes()[..scalar.bytes()]);
             }
         }
@@ -69,7 +70,7 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
     }
 
     fn least_row_bytes(&self, element: &Element) -> usize {
-        // A digit and a blank each.
+        // A digit and a blank for each number.
         element.properties.len() * 2
     }
 
@@ -103,7 +104,7 @@ fn fits(scalar: Scalar, value: i64) -> bool {
     }
 }
 
-/// Bytes of the file; `BIG` says that they are big-endian.
+/// Bytes of the file; `BIG` selects big-endian.
 pub(crate) struct BinaryRows<'a, const BIG: bool> {
     bytes: &'a [u8],
     at: usize,
@@ -132,7 +133,7 @@ impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
 impl<'a, const BIG: bool> Rows<'a> for BinaryRows<'a, BIG> {
     #[inline]
     fn integer(&mut self, scalar: Scalar) -> Result<i64, Fault> {
-        Ok(whole_number(self.take(scalar.bytes())?, scalar, BIG))
+        Ok(integer_from_bytes(self.take(scalar.bytes())?, scalar, BIG))
     }
 
     #[inline]
@@ -182,9 +183,9 @@ impl<'a, const BIG: bool> Rows<'a> for BinaryRows<'a, BIG> {
     }
 }
 
-/// A number that must be whole, from its bytes.
+/// Converts bytes to a number that must be an integer.
 #[inline]
-pub(crate) fn whole_number(taken: &[u8], scalar: Scalar, is_big: bool) -> i64 {
+pub(crate) fn integer_from_bytes(taken: &[u8], scalar: Scalar, is_big: bool) -> i64 {
     let mut word = [0u8; 8];
     for (i, &byte) in taken.iter().enumerate() {
         word[if is_big { taken.len() - 1 - i } else { i }] = byte;
@@ -195,7 +196,7 @@ pub(crate) fn whole_number(taken: &[u8], scalar: Scalar, is_big: bool) -> i64 {
         Scalar::I16 => i64::from(value as i16),
         Scalar::I32 => i64::from(value as i32),
         Scalar::U8 | Scalar::U16 | Scalar::U32 => value as i64,
-        // Indices in floats exist; what is not whole becomes an index that does not exist.
+        // Some files store indices as floats; fractions become an index that does not exist.
         Scalar::F32 => whole(f64::from(f32::from_bits(value as u32))),
         Scalar::F64 => whole(f64::from_bits(value)),
     }

@@ -1,7 +1,8 @@
-//! A binary PLY file read piece by piece, for meshes that do not fit into memory.
+//! Binary PLY file read piece by piece, for meshes that do not fit into memory.
 //!
-//! Vertices must be rows of one length, so that any of them is found by its number, and stand before the
-//! faces. Of other elements only those of one length can be passed.
+//! Vertices must have rows of constant length, so that each can be located by its index, and must precede
+//! the faces. Other elements before the faces must have constant row lengths too, so that they can be
+//! skipped.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -12,77 +13,79 @@ use striata::mesh::IndexedMesh;
 
 use super::body::{Vertices, index_list};
 use super::header::{Element, Encoding, Header, Property, Scalar};
-use super::rows::whole_number;
+use super::rows::integer_from_bytes;
 use crate::ReadError;
 use crate::error::{Fault, Place};
 
-/// Headers are not longer than this.
+/// Largest supported size of a header, in bytes.
 const MAX_HEADER_BYTES: u64 = 1 << 20;
-/// Rows are read in pieces of about this size.
+/// Approximate size of the pieces in which rows are read, in bytes.
 const PIECE_BYTES: usize = 1 << 18;
 
-/// A file whose header is read and whose places are known.
+/// PLY file whose header has been read and whose elements have been located.
 #[derive(Clone, Debug)]
 pub(crate) struct PlyStream {
     path: PathBuf,
     name: String,
     pub(crate) header: Header,
-    /// Where the first vertex begins.
-    pub(crate) vertices_at: u64,
+    /// Offset of the first vertex.
+    pub(crate) vertices_offset: u64,
     pub(crate) vertex_count: u32,
     pub(crate) stride: usize,
-    /// Offsets and types of the three coordinates.
+    /// Offset within a row and type of each of the three coordinates.
     axes: [(usize, Scalar); 3],
-    /// Where the first face begins.
-    faces_at: u64,
+    /// Offset of the first face.
+    faces_offset: u64,
     file_bytes: u64,
 }
 
 impl PlyStream {
-    /// Reads the header and finds the elements.
+    /// Reads the header and locates the elements.
     ///
     /// # Errors
-    /// Where the file is no binary PLY, or one whose elements cannot be found without reading all of it.
+    /// Returns an error if the file is not a binary PLY, or if its elements cannot be located without
+    /// reading all of it.
     pub(crate) fn open(path: &Path) -> Result<Self, ReadError> {
         let name = path.display().to_string();
         let io = |source| ReadError::Io { file: name.clone(), source };
         let mut file = File::open(path).map_err(io)?;
         let metadata = file.metadata().map_err(io)?;
-        let not_so = |found: &str| ReadError::NotInBlocks { file: name.clone(), found: found.to_owned() };
+        let not_in_blocks_error =
+            |found: &str| ReadError::NotInBlocks { file: name.clone(), found: found.to_owned() };
         if !metadata.is_file() {
-            return Err(not_so("no plain file"));
+            return Err(not_in_blocks_error("not a regular file"));
         }
         let mut head = Vec::new();
         (&mut file).take(MAX_HEADER_BYTES).read_to_end(&mut head).map_err(io)?;
         if !head.starts_with(b"ply") {
-            return Err(not_so("no PLY file"));
+            return Err(not_in_blocks_error("not a PLY file"));
         }
         let header = Header::read(&head).map_err(|fault| fault.in_file(&name))?;
         if header.encoding == Encoding::Ascii {
-            return Err(not_so("a PLY file of text"));
+            return Err(not_in_blocks_error("an ASCII PLY file"));
         }
         let in_file = |fault: Fault| fault.in_file(&name);
-        let places = Places::of(&header, metadata.len()).map_err(in_file)?;
+        let places = ElementOffsets::of(&header, metadata.len()).map_err(in_file)?;
         let vertex = header.vertex().map_err(in_file)?;
         let axes = axes_of(vertex, header.body_at as u64).map_err(in_file)?;
         let (vertex_count, stride) = (vertex.count as u32, vertex.least_row_bytes());
-        let (vertices_at, faces_at) = (places.vertices_at, places.faces_at);
+        let (vertices_offset, faces_offset) = (places.vertices_offset, places.faces_offset);
         let file_bytes = metadata.len();
         let path = path.to_owned();
-        Ok(Self { path, name, header, vertices_at, vertex_count, stride, axes, faces_at, file_bytes })
+        Ok(Self { path, name, header, vertices_offset, vertex_count, stride, axes, faces_offset, file_bytes })
     }
 
-    /// The file's name for messages.
+    /// Returns the file's name for messages.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
-    /// The file, opened anew: with a place of its own to read at.
+    /// Opens the file again, with its own read position.
     pub(crate) fn file(&self) -> Result<File, ReadError> {
         File::open(&self.path).map_err(|source| self.io(source))
     }
 
-    /// What the system says, with the file's name.
+    /// Wraps a system error with the file's name.
     pub(crate) fn io(&self, source: io::Error) -> ReadError {
         ReadError::Io { file: self.name.clone(), source }
     }
@@ -91,7 +94,7 @@ impl PlyStream {
         self.header.encoding == Encoding::BigEndian
     }
 
-    /// The coordinates of one row.
+    /// Returns the position in one vertex row.
     pub(crate) fn position(&self, row: &[u8]) -> [f32; 3] {
         self.axes.map(|(offset, scalar)| {
             let taken = &row[offset..offset + scalar.bytes()];
@@ -102,12 +105,12 @@ impl PlyStream {
             match scalar {
                 Scalar::F32 => f32::from_bits(u64::from_le_bytes(word) as u32),
                 Scalar::F64 => f64::from_le_bytes(word) as f32,
-                _ => whole_number(taken, scalar, self.is_big_endian()) as f32,
+                _ => integer_from_bytes(taken, scalar, self.is_big_endian()) as f32,
             }
         })
     }
 
-    /// Whole rows of vertices as a mesh without triangles, all layers with it.
+    /// Converts whole vertex rows to a mesh without triangles, with all layers.
     pub(crate) fn vertices(&self, rows: &[u8]) -> Result<IndexedMesh, ReadError> {
         let in_file = |fault: Fault| fault.in_file(&self.name);
         let vertex = self.header.vertex().map_err(in_file)?;
@@ -126,11 +129,11 @@ impl PlyStream {
         Ok(IndexedMesh { layers: vertices.layers(&self.header), ..IndexedMesh::new(positions, Vec::new()) })
     }
 
-    /// Writes the vertices' rows as they stand under the header of a file whose triangles are strips: all
-    /// indices as one list, strips parted by -1.
+    /// Writes the header of a file whose triangles are strips, and copies the vertex rows unchanged. All
+    /// indices form one list, with strips separated by -1.
     ///
-    /// The list itself is the caller's to write, in this file's byte order.
-    pub(crate) fn write_strips_head(&self, index_count: u32, out: &mut dyn Write) -> io::Result<()> {
+    /// The caller writes the list itself, in this file's byte order.
+    pub(crate) fn write_strip_header(&self, index_count: u32, out: &mut dyn Write) -> io::Result<()> {
         let encoding = if self.is_big_endian() { "binary_big_endian" } else { "binary_little_endian" };
         let mut head = format!("ply\nformat {encoding} 1.0\n");
         for name in &self.header.normalized {
@@ -143,20 +146,20 @@ impl PlyStream {
         }
         head += "element tristrips 1\nproperty list uint int vertex_indices\nend_header\n";
         out.write_all(head.as_bytes())?;
-        self.for_rows(|_, rows| out.write_all(rows).map_err(Stopped::Write))?;
-        out.write_all(&self.word(index_count))
+        self.for_each_row_batch(|_, rows| out.write_all(rows).map_err(CopyError::Write))?;
+        out.write_all(&self.u32_bytes(index_count))
     }
 
-    /// A number of four bytes in this file's byte order.
-    pub(crate) fn word(&self, number: u32) -> [u8; 4] {
+    /// Returns a four-byte integer in this file's byte order.
+    pub(crate) fn u32_bytes(&self, number: u32) -> [u8; 4] {
         if self.is_big_endian() { number.to_be_bytes() } else { number.to_le_bytes() }
     }
 
-    /// Hands out the vertices' rows in order: the number of the first, and whole rows.
+    /// Passes the vertex rows to `visit` in order: the index of the first, and whole rows.
     ///
     /// # Errors
-    /// Where the file cannot be read, or what `visit` says.
-    pub(crate) fn for_rows<E: From<ReadError>>(
+    /// Returns an error if the file cannot be read, or the error of `visit`.
+    pub(crate) fn for_each_row_batch<E: From<ReadError>>(
         &self,
         mut visit: impl FnMut(u32, &[u8]) -> Result<(), E>,
     ) -> Result<(), E> {
@@ -164,7 +167,7 @@ impl PlyStream {
             return Ok(());
         }
         let mut file = self.file()?;
-        file.seek(SeekFrom::Start(self.vertices_at)).map_err(|e| self.io(e))?;
+        file.seek(SeekFrom::Start(self.vertices_offset)).map_err(|e| self.io(e))?;
         let rows_at_once = (PIECE_BYTES / self.stride).max(1) as u32;
         let mut rows = Vec::new();
         for first in (0..self.vertex_count).step_by(rows_at_once as usize) {
@@ -176,21 +179,22 @@ impl PlyStream {
         Ok(())
     }
 
-    /// Hands out the triangles in order; polygons are fanned.
+    /// Passes the triangles to `visit` in order; polygons are fanned.
     ///
     /// # Errors
-    /// Where the file is cut off or names a vertex that is not there, or what `visit` says.
-    pub(crate) fn for_triangles(
+    /// Returns an error if the file is truncated or a vertex index is out of range, or the error of
+    /// `visit`.
+    pub(crate) fn for_each_triangle(
         &self,
         mut visit: impl FnMut([u32; 3]) -> Result<(), ReadError>,
     ) -> Result<(), ReadError> {
         let Some(element) = self.header.elements.iter().find(|e| e.name == "face") else { return Ok(()) };
         let mut file = self.file()?;
-        file.seek(SeekFrom::Start(self.faces_at)).map_err(|e| self.io(e))?;
+        file.seek(SeekFrom::Start(self.faces_offset)).map_err(|e| self.io(e))?;
         let mut reader = Faces {
             stream: self,
             bytes: BufReader::with_capacity(PIECE_BYTES, file),
-            at: self.faces_at,
+            at: self.faces_offset,
             is_big: self.is_big_endian(),
         };
         let Some(list) = index_list(element) else { return Ok(()) };
@@ -212,38 +216,38 @@ impl PlyStream {
     }
 }
 
-/// Why a copy of a file's vertices ends early.
-pub(crate) enum Stopped {
-    /// The file they come from.
+/// Reason why copying a file's vertices failed.
+pub(crate) enum CopyError {
+    /// Error of the file that is read.
     Read(ReadError),
-    /// The file they go to.
+    /// Error of the file that is written.
     Write(io::Error),
 }
 
-impl From<ReadError> for Stopped {
+impl From<ReadError> for CopyError {
     fn from(error: ReadError) -> Self {
         Self::Read(error)
     }
 }
 
-impl From<Stopped> for io::Error {
-    fn from(stopped: Stopped) -> Self {
+impl From<CopyError> for io::Error {
+    fn from(stopped: CopyError) -> Self {
         match stopped {
-            Stopped::Read(error) => Self::other(error),
-            Stopped::Write(error) => error,
+            CopyError::Read(error) => Self::other(error),
+            CopyError::Write(error) => error,
         }
     }
 }
 
-/// Where elements begin.
-struct Places {
-    vertices_at: u64,
-    faces_at: u64,
+/// Locations of the elements in the file.
+struct ElementOffsets {
+    vertices_offset: u64,
+    faces_offset: u64,
 }
 
-impl Places {
+impl ElementOffsets {
     fn of(header: &Header, file_bytes: u64) -> Result<Self, Fault> {
-        let (mut at, mut vertices_at, mut faces_at) = (header.body_at as u64, None, None);
+        let (mut at, mut vertices_offset, mut faces_offset) = (header.body_at as u64, None, None);
         for element in &header.elements {
             let has_lists = element.properties.iter().any(|p| p.list.is_some());
             let found = element.name.as_str();
@@ -251,14 +255,15 @@ impl Places {
             if needed > file_bytes.saturating_sub(at) {
                 let (count, left) = (element.count, file_bytes.saturating_sub(at));
                 let reason = format!(
-                    "{count} rows of `{found}` are promised, which take {needed} bytes or more, found {left}"
+                    "{count} rows of `{found}` are declared, which take {needed} bytes or more, but only \
+                     {left} follow"
                 );
                 return Err(fault_at(at, reason));
             }
             match found {
-                "vertex" if vertices_at.is_none() && !has_lists => vertices_at = Some(at),
-                "face" if vertices_at.is_some() => {
-                    faces_at = Some(at);
+                "vertex" if vertices_offset.is_none() && !has_lists => vertices_offset = Some(at),
+                "face" if vertices_offset.is_some() => {
+                    faces_offset = Some(at);
                     break;
                 }
                 "tristrips" => return Err(not_in_blocks(at, "element `tristrips`")),
@@ -267,8 +272,8 @@ impl Places {
             }
             at += needed;
         }
-        let vertices_at = vertices_at.unwrap_or(at);
-        Ok(Self { vertices_at, faces_at: faces_at.unwrap_or(at) })
+        let vertices_offset = vertices_offset.unwrap_or(at);
+        Ok(Self { vertices_offset, faces_offset: faces_offset.unwrap_or(at) })
     }
 }
 
@@ -295,18 +300,18 @@ fn axes_of(vertex: &Element, at: u64) -> Result<[(usize, Scalar); 3], Fault> {
     Ok(axes)
 }
 
-/// Reads the rows of faces one after another.
+/// Reads face rows one after another.
 struct Faces<'a> {
     stream: &'a PlyStream,
     bytes: BufReader<File>,
-    /// The byte that comes next.
+    /// Offset of the next byte.
     at: u64,
     is_big: bool,
 }
 
 impl Faces<'_> {
-    /// The usual file: three 32-bit indices after one byte. Takes rows that are in memory, up to the first that is
-    /// something else, and says how many.
+    /// Reads rows of the usual form, three 32-bit indices after one length byte, as far as they are in
+    /// memory. Stops at the first other row and returns the number of rows read.
     fn plain_triangles(
         &mut self,
         element: &Element,
@@ -351,7 +356,7 @@ impl Faces<'_> {
             Err(error) => return Err(self.stream.io(error)),
         }
         self.at += taken.len() as u64;
-        Ok(whole_number(taken, scalar, self.is_big))
+        Ok(integer_from_bytes(taken, scalar, self.is_big))
     }
 
     fn fault(&self, reason: String) -> ReadError {

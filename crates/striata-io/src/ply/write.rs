@@ -1,4 +1,4 @@
-//! The PLY writer: all layers, binary little-endian or ascii. Groups and materials have no place in PLY.
+//! PLY writer: all layers, binary little-endian or ASCII. PLY cannot store groups and materials.
 
 use std::collections::BTreeSet;
 
@@ -10,6 +10,7 @@ use crate::text::push_f32;
 use super::header::Scalar;
 use super::names::{generic_stem, property_names};
 
+/// Encodes a mesh as a PLY file.
 pub(crate) fn to_bytes(mesh: &IndexedMesh, ascii: bool) -> Result<Vec<u8>, Refusal> {
     let mut out = header(mesh, ascii)?.into_bytes();
     if ascii {

@@ -1,4 +1,4 @@
-//! Meshes and shorthands that the tests share.
+//! Meshes and helpers that the tests share.
 
 #![allow(dead_code, reason = "each test file uses its own share")]
 
@@ -9,7 +9,7 @@ pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<IndexedMesh, ReadError> {
     read_bytes(bytes, &Source::new(name))
 }
 
-/// The message of the error that reading must give.
+/// Returns the message of the error that reading must give.
 pub(crate) fn refused(name: &str, bytes: &[u8]) -> String {
     match read(name, bytes) {
         Err(error) => error.to_string(),
@@ -21,11 +21,11 @@ pub(crate) fn written(format: Format, mesh: &IndexedMesh) -> Vec<u8> {
     to_bytes(format, mesh, &WriteOptions::default()).unwrap()
 }
 
-pub(crate) fn there_and_back(format: Format, mesh: &IndexedMesh) -> IndexedMesh {
+pub(crate) fn round_trip(format: Format, mesh: &IndexedMesh) -> IndexedMesh {
     read(&format!("x.{}", format.extension()), &written(format, mesh)).unwrap()
 }
 
-/// Two triangles over four corners of a unit square.
+/// Two triangles that form a unit square.
 pub(crate) fn square() -> IndexedMesh {
     IndexedMesh::new(
         vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.1], [0.0, 1.0, 1e-7]],
@@ -33,7 +33,7 @@ pub(crate) fn square() -> IndexedMesh {
     )
 }
 
-/// The square with a layer of every meaning, in types that all of PLY and glTF hold as they are.
+/// The square with a layer of every semantic, in types that both PLY and glTF can store.
 pub(crate) fn square_with_everything() -> IndexedMesh {
     let mut mesh = square();
     let f32s = |n: usize, scale: f32| (0..4 * n).map(|i| (i as f32 + 0.3) * scale).collect::<Vec<f32>>();
@@ -65,7 +65,7 @@ pub(crate) fn square_with_everything() -> IndexedMesh {
     mesh
 }
 
-/// A grid of `n * n` squares over a wavy sheet.
+/// A grid of `n * n` squares on a wavy sheet.
 pub(crate) fn sheet(n: u32) -> IndexedMesh {
     let wave = |x: u32, y: u32| ((x * 7 + y * 13) % 11) as f32 / 10.0;
     let positions =
@@ -83,7 +83,7 @@ pub(crate) fn group(name: &str, material: Option<u32>, first: u32, count: u32) -
     TriangleGroup { name: name.to_owned(), material, first, count }
 }
 
-/// The positions of all triangles' corners, in order: the mesh without its numbering.
+/// Returns the positions of all triangle corners, in order: the mesh without its vertex numbering.
 pub(crate) fn soup(mesh: &IndexedMesh) -> Vec<[[f32; 3]; 3]> {
     mesh.triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect()
 }

@@ -1,15 +1,15 @@
-//! A strip that can grow at both ends.
+//! Strip that can grow at both ends.
 //!
-//! Two strips whose end triangles share an edge become one: each is turned so that its outermost two
-//! indices are that edge (a swap where its last step runs along another), and what follows the edge
-//! in one is appended to the other.
+//! Two strips whose end triangles share an edge become one. Each is first turned so that its outermost two
+//! indices are that edge, which takes a swap if its last step runs along another edge. Then the indices
+//! after the edge in one strip are appended to the other.
 //!
 //! ```text
-//!     a b c d  +  c d e f   ->   a b c d e f        the edge runs alike
-//!     a b c d  +  d c e f   ->   a b c d c e f      it does not: one more swap
+//! //!     a b c d  +  c d e f   ->   a b c d e f        same order of the edge
+//! //!     a b c d  +  d c e f   ->   a b c d c e f      opposite order: one more swap
 //! ```
 //!
-//! A join saves the restart and the edge, three indices, and costs at most three swaps.
+//! A join saves the restart and the edge (three indices) and costs at most three swaps.
 
 use std::collections::VecDeque;
 
@@ -25,6 +25,7 @@ pub(super) enum End {
 impl End {
     pub(super) const BOTH: [Self; 2] = [Self::Front, Self::Back];
 
+    /// Returns the opposite end.
     pub(super) fn other(self) -> Self {
         match self {
             Self::Front => Self::Back,
@@ -33,32 +34,32 @@ impl End {
     }
 }
 
-/// The three sides of a triangle as they run.
+/// Returns the three directed sides of a triangle.
 pub(super) fn sides_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
     [(a, b), (b, c), (c, a)]
 }
 
-/// A strip of at least one triangle, the first and the last of which are no degenerate ones.
+/// Strip of at least one triangle; its first and last triangles are not degenerate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Chain {
     indices: VecDeque<u32>,
-    /// Whether the first triangle has the winding of an odd place.
+    /// Whether the first triangle has the winding of an odd position.
     is_odd: bool,
 }
 
 impl Chain {
-    /// A strip as it is written.
+    /// Creates a chain from the indices of a strip.
     pub(super) fn new(strip: &[u32]) -> Self {
         debug_assert!(strip.len() >= 3, "a strip of {} indices has no triangle", strip.len());
         Self { indices: strip.iter().copied().collect(), is_odd: false }
     }
 
-    /// Indices.
+    /// Number of indices.
     pub(super) fn len(&self) -> usize {
         self.indices.len()
     }
 
-    /// The index at a distance from an end.
+    /// Returns the index at a distance from an end.
     fn at(&self, end: End, distance: usize) -> u32 {
         match end {
             End::Front => self.indices[distance],
@@ -66,6 +67,7 @@ impl Chain {
         }
     }
 
+    /// Adds an index at an end.
     fn push(&mut self, end: End, vertex: u32) {
         match end {
             End::Front => {
@@ -76,6 +78,7 @@ impl Chain {
         }
     }
 
+    /// Removes the index at an end.
     fn pop(&mut self, end: End) {
         match end {
             End::Front => {
@@ -88,7 +91,7 @@ impl Chain {
         }
     }
 
-    /// The triangle at an end, in its winding.
+    /// Returns the triangle at an end, with its winding.
     pub(super) fn end_triangle(&self, end: End) -> [u32; 3] {
         let first = match end {
             End::Front => 0,
@@ -98,22 +101,25 @@ impl Chain {
         if self.is_odd != (first % 2 == 1) { [b, a, c] } else { [a, b, c] }
     }
 
-    /// The corner of an end triangle that the next triangle will not have: the one that makes a swap needless,
-    /// where there is a triangle beside the edge of the other two.
-    pub(super) fn spare_corner(&self, end: End, has_triangle_beside: impl Fn([u32; 2]) -> bool) -> u32 {
+    /// Returns the corner of an end triangle that the next triangle will not share.
+    ///
+    /// If a triangle lies next to the edge of the outermost two indices, it is the third one, which needs
+    /// no swap.
+    pub(super) fn spare_corner(&self, end: End, has_neighbor_at: impl Fn([u32; 2]) -> bool) -> u32 {
         let [outermost, middle, inner] = [0, 1, 2].map(|distance| self.at(end, distance));
-        if has_triangle_beside([outermost, middle]) { inner } else { middle }
+        if has_neighbor_at([outermost, middle]) { inner } else { middle }
     }
 
-    /// The edge by which the strip came to its end triangle; none where it came by a vertex alone, or where
-    /// there is no other triangle.
+    /// Returns the edge across which the strip entered its end triangle. [`None`] if it entered at a vertex
+    /// only, or if there is no other triangle.
     ///
-    /// Two triangles that lie on an edge in the same direction were joined by a vertex, whatever else they share.
+    /// Two triangles that contain an edge in the same direction were joined at a vertex, whatever else they
+    /// share.
     pub(super) fn last_edge(&self, end: End) -> Option<[u32; 2]> {
         let edge = [self.at(end, 1), self.at(end, 2)];
         let before = (1..self.len() - 2).map(|first| [0, 1, 2].map(|i| self.at(end, first + i)));
         let (distance, previous) = (1..).zip(before).find(|(_, corners)| is_proper(corners))?;
-        // Seen from an end, every other triangle is turned round.
+        // Seen from an end, every other triangle is reversed.
         let turned = |[a, b, c]: [u32; 3], is_turned: bool| if is_turned { [b, a, c] } else { [a, b, c] };
         let runs_along = |corners| sides_of(corners).contains(&(edge[0], edge[1]));
         let last = [0, 1, 2].map(|i| self.at(end, i));
@@ -122,7 +128,7 @@ impl Chain {
         is_edge.then_some(edge)
     }
 
-    /// Takes the triangle at an end off, where the strip came to it by an edge: gives that edge.
+    /// Removes the triangle at an end if the strip entered it across an edge, and returns that edge.
     pub(super) fn take_end(&mut self, end: End) -> Option<[u32; 2]> {
         let edge = self.last_edge(end)?;
         self.pop(end);
@@ -132,7 +138,7 @@ impl Chain {
         Some(edge)
     }
 
-    /// Whether the strip can go on from an end over this edge of its end triangle.
+    /// Whether the strip can continue from an end across this edge of its end triangle.
     fn can_leave_by(&self, end: End, [u, v]: [u32; 2]) -> bool {
         let corners = [0, 1, 2].map(|distance| self.at(end, distance));
         let is_free = |corner: u32| corner == corners[0] || self.len() == 3;
@@ -153,9 +159,9 @@ impl Chain {
         }
     }
 
-    /// Goes on from an end with another strip, over the edge that both end triangles share.
+    /// Continues from an end with another strip, across the edge that both end triangles share.
     ///
-    /// Gives the other strip back where one of them runs along that edge already.
+    /// Returns the other strip unchanged if either strip already continues across that edge.
     pub(super) fn join(&mut self, end: End, mut other: Self, other_end: End, edge: [u32; 2]) -> Option<Self> {
         if !self.can_leave_by(end, edge) || !other.can_leave_by(other_end, edge) {
             return Some(other);
@@ -171,7 +177,7 @@ impl Chain {
         None
     }
 
-    /// The strip as it is written: from the end that needs no index for its winding, where there is one.
+    /// Writes the indices of the strip, from an end that needs no parity fix if there is one.
     pub(super) fn write(&self, out: &mut Vec<u32>) {
         out.clear();
         if !self.is_odd {
@@ -234,7 +240,7 @@ mod tests {
 
     #[test]
     fn an_end_that_was_reached_by_a_vertex_alone_stays() {
-        // Two strips joined at vertex 3 by degenerate triangles; a strip of one triangle.
+        // Two strips joined at vertex 3 by degenerate triangles; then a strip of one triangle.
         for strip in [&[0, 1, 2, 3, 3, 4, 5][..], &[0, 1, 2]] {
             let mut chain = Chain::new(strip);
             let whole = chain.clone();

@@ -1,16 +1,16 @@
-//! The order of triangles from which blocks are cut: Hilbert's curve through their centers.
+//! Order of triangles from which blocks are cut: Hilbert's curve through their centers.
 //!
-//! Consecutive triangles along the curve lie in one place, and so do consecutive blocks: the border
-//! between what is done and what is to come stays short. The cube that the curve fills has the length of
-//! the mesh's longest side, so that blocks are as wide as they are deep. Skilling's transform \[Ski04\], in three
-//! dimensions of 21 bits; 60 steps of integers a triangle.
+//! Consecutive triangles along the curve are close together, and so are consecutive blocks, so the border
+//! between the finished part and the rest stays short. The cube that the curve fills has the length of the
+//! mesh's longest side, so that blocks are as wide as they are deep. Uses Skilling's transform \[Ski04\] in
+//! three dimensions of 21 bits: 60 integer steps per triangle.
 
 use striata::mesh::Bounds;
 
-/// Bits of a coordinate: three of them fill a `u64`.
+/// Bits per coordinate: three coordinates fit into a `u64`.
 const BITS: u32 = 21;
 
-/// Hilbert's curve over the bounds of a mesh.
+/// Hilbert's curve through the bounds of a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockCurve {
     min: [f64; 3],
@@ -18,7 +18,7 @@ pub struct BlockCurve {
 }
 
 impl BlockCurve {
-    /// The curve over these bounds; without any, all keys are equal.
+    /// Creates the curve for these bounds; without bounds, all keys are equal.
     pub fn new(bounds: Option<Bounds>) -> Self {
         let Some(bounds) = bounds else { return Self { min: [0.0; 3], scale: 0.0 } };
         let min = bounds.min.map(f64::from);
@@ -27,22 +27,23 @@ impl BlockCurve {
         Self { min, scale: if extent > 0.0 { cells / extent } else { 0.0 } }
     }
 
-    /// How far along the curve the center of a triangle lies.
+    /// Returns the position of a triangle's center along the curve.
     ///
-    /// Points outside the bounds and coordinates that are no numbers count as the nearest end of the cube.
+    /// Points outside the bounds are clamped to the cube; coordinates that are not a number count as its
+    /// lower end.
     pub fn key(&self, corners: [[f32; 3]; 3]) -> u64 {
         let cell = |axis: usize| {
             let sum: f64 = corners.iter().map(|corner| f64::from(corner[axis])).sum();
-            // The cast goes to the nearest cell that exists.
+            // The cast saturates to the nearest cell.
             (((sum / 3.0 - self.min[axis]) * self.scale) as u32).min((1 << BITS) - 1)
         };
         along([cell(0), cell(1), cell(2)])
     }
 }
 
-/// A cell's place along the curve.
+/// Returns a cell's index along the curve.
 fn along(mut cell: [u32; 3]) -> u64 {
-    // Undoes the turns of each level, the coarsest first.
+    // Undoes the rotations of each level, the coarsest first.
     for level in (1..BITS).rev() {
         let (bit, below) = (1 << level, (1 << level) - 1);
         for axis in 0..3 {
@@ -72,12 +73,13 @@ fn along(mut cell: [u32; 3]) -> u64 {
     key
 }
 
-/// How many of these items make the next block: at most `longest`, at least half as many where there are more.
+/// Returns how many of these items form the next block: at most `longest`, and at least half as many unless
+/// fewer remain.
 ///
-/// `items` are those to come, rising by their keys along the curve; no more than `longest + 1` of them are looked
-/// at. The block ends where the curve leaves the largest cube that it can leave there, so that borders are
-/// straight and short: on grids a block of 10,000 triangles costs half as much beyond the whole as one of
-/// any length.
+/// `items` are the remaining ones, in the order of their keys along the curve; at most `longest + 1` of
+/// them are examined. The block ends where the curve leaves the largest possible cube, so that borders are
+/// straight and short: on grids, the extra indices due to blocks of 10,000 triangles are half of those for
+/// blocks of arbitrary length.
 pub fn block_length<T>(items: &[T], key: impl Fn(&T) -> u64, longest: usize) -> usize {
     let longest = longest.max(1);
     if items.len() <= longest {
@@ -103,9 +105,9 @@ mod tests {
             }
         }
         cells.sort_unstable();
-        for (place, pair) in cells.windows(2).enumerate() {
+        for (index, pair) in cells.windows(2).enumerate() {
             let step: i32 = (0..3).map(|axis| (pair[0].1[axis] - pair[1].1[axis]).abs()).sum();
-            assert_eq!((pair[0].0, step), (place as u64, 1), "{pair:?}");
+            assert_eq!((pair[0].0, step), (index as u64, 1), "{pair:?}");
         }
     }
 
@@ -121,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_or_is_no_number_has_a_key_too() {
+    fn points_outside_and_non_numbers_have_keys() {
         let curve = BlockCurve::new(Some(Bounds { min: [0.0; 3], max: [1.0; 3] }));
         for x in [-5.0, 0.0, 1.0, 7.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
             assert!(curve.key([[x; 3]; 3]) < 1 << (3 * BITS), "{x}");

@@ -1,33 +1,33 @@
-//! Chains that a block lies beside, and where strips of the block may join them.
+//! Chains adjacent to a block, and the sides at which strips of the block may join them.
 //!
-//! A chain's last two triangles go into the window, linked with each other and with what lies ahead: a strip that
-//! passes them begins with them, and knows by their turn how to go on without a swap. It joins the chain at
-//! the side by which the chain had come to them, the **joint**.
+//! The last two triangles of a chain enter the window, linked with each other and with the triangles ahead.
+//! A strip that passes them begins with them, and their turn decides how it continues without a swap. It
+//! joins the chain at the **joint**, the side across which the chain had entered them.
 
 use super::chain::{Chain, End, sides_of};
-use super::hash::NumberMap;
-use super::held::{HeldStrip, OpenEnd};
+use super::integer_map::IntegerMap;
+use super::pending::{OpenEnd, PendingStrip};
 use super::window::Window;
 
-/// A chain while its block is worked on.
+/// A chain while its block is being processed.
 #[derive(Debug)]
-struct Part {
+struct OpenChain {
     chain: Chain,
     /// Ends that no block has reached yet.
     ends: [Option<OpenEnd>; 2],
-    /// Sides of triangles in the window where the chain had come to them, as they run there.
+    /// For each end, the directed side of a window triangle across which the chain had entered it.
     joints: [Option<(u32, u32)>; 2],
 }
 
-/// The chains of one window.
+/// Chains of one window.
 #[derive(Debug, Default)]
 pub(super) struct Joints {
-    parts: Vec<Option<Part>>,
-    by_side: NumberMap<(u32, u32), (usize, End)>,
+    chains: Vec<Option<OpenChain>>,
+    by_side: IntegerMap<(u32, u32), (usize, End)>,
 }
 
 impl Joints {
-    /// Adds a chain; its end triangles go into the window where the block lies beside them.
+    /// Adds a chain; its end triangles enter the window at the ends that the block touches.
     pub(super) fn push(
         &mut self,
         mut chain: Chain,
@@ -38,9 +38,9 @@ impl Joints {
         let mut joints = [None; 2];
         for end in End::BOTH.into_iter().filter(|&end| !reached[end as usize].is_empty()) {
             let Some(open_end) = ends[end as usize].take() else { continue };
-            let beside =
+            let is_touched =
                 |[u, v]: [u32; 2]| reached[end as usize].iter().any(|&side| side == (u, v) || side == (v, u));
-            let spare = chain.spare_corner(end, beside);
+            let spare = chain.spare_corner(end, is_touched);
             let Some(edge) = chain.take_end(end) else { continue };
             let before = chain.end_triangle(end);
             let edge_before = chain.take_end(end);
@@ -51,17 +51,18 @@ impl Joints {
             };
             let joint = sides.into_iter().find(|&(a, b)| edge.contains(&a) && edge.contains(&b));
             joints[end as usize] = joint;
-            self.by_side.extend(joint.map(|side| (side, (self.parts.len(), end))));
+            self.by_side.extend(joint.map(|side| (side, (self.chains.len(), end))));
         }
-        self.parts.push(Some(Part { chain, ends, joints }));
+        self.chains.push(Some(OpenChain { chain, ends, joints }));
     }
 
-    /// The sides at which strips of the window may join a chain.
+    /// Iterates over the sides at which strips of the window may join a chain.
     pub(super) fn sides(&self) -> impl Iterator<Item = &(u32, u32)> {
-        self.parts.iter().flatten().flat_map(|part| part.joints.iter().flatten())
+        self.chains.iter().flatten().flat_map(|part| part.joints.iter().flatten())
     }
 
-    /// Goes on with a chain by this strip, and with another at the strip's other end; false where none fits.
+    /// Continues a chain with this strip, and with another chain at the strip's other end; false if none
+    /// fits.
     pub(super) fn join(&mut self, strip: &[u32], window: &Window) -> bool {
         if self.by_side.is_empty() {
             return false;
@@ -70,7 +71,7 @@ impl Joints {
         for strip_end in End::BOTH {
             for side in sides_of(strip.end_triangle(strip_end)) {
                 let Some(&(index, end)) = self.by_side.get(&side) else { continue };
-                let Some(part) = &mut self.parts[index] else { continue };
+                let Some(part) = &mut self.chains[index] else { continue };
                 match part.chain.join(end, strip, strip_end, [side.0, side.1]) {
                     Some(unchanged) => strip = unchanged,
                     None => {
@@ -85,19 +86,19 @@ impl Joints {
         false
     }
 
-    /// Goes on from the end of a part that a strip was just added to.
+    /// Continues from the end of a chain that a strip was just added to.
     fn join_next(&mut self, index: usize, end: End, window: &Window) {
-        let Some(mut part) = self.parts[index].take() else { return };
+        let Some(mut part) = self.chains[index].take() else { return };
         let corners = part.chain.end_triangle(end);
         part.ends[end as usize] =
             window.open_sides_in_mesh(corners).map(|(triangle, open)| OpenEnd { triangle, open });
         for side in sides_of(corners) {
             let Some(&(next_index, next_end)) = self.by_side.get(&side) else { continue };
-            // The part's own other end is not there: a strip is no loop.
-            let Some(mut next) = self.parts[next_index].take() else { continue };
+            // The chain's own other end is not in the list: a strip is not a loop.
+            let Some(mut next) = self.chains[next_index].take() else { continue };
             if let Some(unchanged) = part.chain.join(end, next.chain, next_end, [side.0, side.1]) {
                 next.chain = unchanged;
-                self.parts[next_index] = Some(next);
+                self.chains[next_index] = Some(next);
                 continue;
             }
             self.by_side.remove(&side);
@@ -107,13 +108,13 @@ impl Joints {
             self.by_side.extend(next.joints[far].map(|side| (side, (index, end))));
             break;
         }
-        self.parts[index] = Some(part);
+        self.chains[index] = Some(part);
     }
 
-    /// Takes all chains out, in the order in which they came.
-    pub(super) fn take_all(&mut self) -> Vec<HeldStrip> {
+    /// Removes and returns all chains, in order of arrival.
+    pub(super) fn take_all(&mut self) -> Vec<PendingStrip> {
         self.by_side.clear();
-        let parts = self.parts.drain(..).flatten();
-        parts.map(|Part { chain, ends, .. }| HeldStrip::Chain { chain, ends }).collect()
+        let chains = self.chains.drain(..).flatten();
+        chains.map(|OpenChain { chain, ends, .. }| PendingStrip::Chain { chain, ends }).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! Blocks of a mesh that is in memory.
+//! Blocks of a mesh in memory.
 
 use std::convert::Infallible;
 use std::ops::Range;
@@ -8,25 +8,27 @@ use striata::mesh::{IndexedMesh, MeshError};
 use super::curve::{BlockCurve, block_length};
 use super::source::{Block, BlockSource, BlockTriangle};
 
-/// A mesh in memory, block by block: each group along a space-filling curve, cut into pieces.
+/// Mesh in memory as a source of blocks: the triangles of each group, cut into pieces along a space-filling
+/// curve.
 ///
-/// Bounds the memory of the search, not of the mesh: 12 bytes a triangle and 4 a vertex come on top of that.
+/// Limits the memory of the search, not of the mesh: it takes another 12 bytes per triangle and 4 per
+/// vertex.
 #[derive(Clone, Debug)]
 pub struct MeshBlocks<'a> {
     triangles: &'a [[u32; 3]],
-    /// Triangles group by group, along the curve.
+    /// Triangles, group by group, along the curve.
     order: Vec<u32>,
-    /// The group of each block and the part of `order` that it is.
+    /// Group of each block, and its range in `order`.
     blocks: Vec<(u32, Range<usize>)>,
-    /// The last block that uses each vertex.
+    /// Last block that uses each vertex.
     last_blocks: Vec<u32>,
 }
 
 impl<'a> MeshBlocks<'a> {
-    /// Cuts a mesh into blocks of at most so many triangles (at least one).
+    /// Cuts a mesh into blocks of at most `block_triangles` triangles (at least one).
     ///
     /// # Errors
-    /// [`MeshError`] where the mesh's parts do not fit together.
+    /// Returns [`MeshError`] if the mesh is inconsistent.
     pub fn new(mesh: &'a IndexedMesh, block_triangles: usize) -> Result<Self, MeshError> {
         mesh.check()?;
         let curve = BlockCurve::new(mesh.bounds());
@@ -86,12 +88,12 @@ mod tests {
     use striata::mesh::shapes;
 
     #[test]
-    fn blocks_hold_each_triangle_once_and_know_the_last_use() {
+    fn blocks_contain_each_triangle_once_and_know_the_last_use() {
         let mesh = shapes::two_material_sphere(9, 12);
         let mut source = MeshBlocks::new(&mesh, 17).unwrap();
         let (mut block, mut found, mut group) = (Block::default(), Vec::new(), 0);
         let mut last_seen = vec![0; mesh.vertex_count()];
-        let mut promised = vec![0; mesh.vertex_count()];
+        let mut declared = vec![0; mesh.vertex_count()];
         for number in 0..source.block_count() {
             source.read_block(number, &mut block).unwrap();
             assert!(block.triangles.len() <= 17 && block.group >= group);
@@ -100,12 +102,12 @@ mod tests {
                 found.push(triangle.corners);
                 for (v, last) in triangle.corners.into_iter().zip(triangle.last_blocks) {
                     last_seen[v as usize] = number;
-                    promised[v as usize] = last;
+                    declared[v as usize] = last;
                 }
             }
         }
         assert_eq!(group, 1);
-        assert_eq!(last_seen, promised);
+        assert_eq!(last_seen, declared);
         found.sort_unstable();
         let mut expected = mesh.triangles.clone();
         expected.sort_unstable();

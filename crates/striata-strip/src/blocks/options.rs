@@ -1,4 +1,4 @@
-//! How blocks are stripified, what is reported of it, and what can go wrong.
+//! Options, report and errors of [`stripify_blocks`](super::stripify_blocks).
 
 use striata::Cancelled;
 use striata::mesh::MeshError;
@@ -10,10 +10,10 @@ use crate::options::StripOptions;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BlockOptions {
-    /// How each block is stripified.
+    /// Options for the strips of each block.
     pub strip: StripOptions,
-    /// The most triangles that may wait for later blocks; a triangle that waits takes some 30 bytes. Beyond it
-    /// strips end at the border. Default 1,000,000.
+    /// Largest number of triangles that may wait for later blocks; a waiting triangle takes some 30 bytes.
+    /// Beyond it, strips end at the border of the block. Default 1,000,000.
     pub held_limit: usize,
 }
 
@@ -37,69 +37,71 @@ impl BlockOptions {
     }
 }
 
-/// What [`stripify_blocks`](super::stripify_blocks) made, and what it kept in memory for it.
+/// Result and memory use of [`stripify_blocks`](super::stripify_blocks).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct BlocksReport {
-    /// What the strips cost.
+    /// Cost of the strips.
     pub cost: StripCost,
-    /// Blocks.
+    /// Number of blocks.
     pub block_count: u32,
-    /// Triangles of the largest block.
+    /// Number of triangles of the largest block.
     pub peak_block_triangles: usize,
-    /// The most triangles that were stripified at once: a block and the strips that waited for it.
+    /// Largest number of triangles that were stripified together: a block and the strips that waited for
+    /// it.
     pub peak_window_triangles: usize,
-    /// The most triangles that waited at once for later blocks.
+    /// Largest number of triangles that waited for later blocks.
     pub peak_held_triangles: usize,
-    /// How often a triangle was handed on to a later block.
+    /// Number of times that a triangle was carried over to a later block.
     pub carried_count: usize,
 }
 
-/// Why [`stripify_blocks`](super::stripify_blocks) ended early: `R` is what reading a block says, `W` what writing a strip says.
+/// Reason why [`stripify_blocks`](super::stripify_blocks) failed; `R` is the source's error type, `W` the
+/// writer's.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BlocksError<R, W> {
     /// A block could not be read.
     #[error("block {block}: {error}")]
     Read {
-        /// The block.
+        /// Index of the block.
         block: u32,
-        /// What its source says.
+        /// Error of the source.
         error: R,
     },
     /// A strip could not be written.
     #[error("{0}")]
     Write(W),
-    /// A block's group comes before that of the block before it.
-    #[error("block {block} is of group {found}, after a block of group {previous}")]
+    /// A block's group is lower than that of the block before it.
+    #[error("block {block} has group {found}, but the block before it has group {previous}")]
     GroupFalls {
-        /// The block.
+        /// Index of the block.
         block: u32,
-        /// Its group.
+        /// Group of the block.
         found: u32,
-        /// The group of the block before it.
+        /// Group of the block before it.
         previous: u32,
     },
-    /// A vertex has the number of the restart index.
-    #[error("block {block}, triangle {triangle}: no vertex can have the number {RESTART}")]
+    /// A vertex has the index that is reserved for restarts.
+    #[error("block {block}, triangle {triangle}: vertex index {RESTART} is reserved for restarts")]
     ReservedVertex {
-        /// The block.
+        /// Index of the block.
         block: u32,
-        /// The triangle, counted within the block.
+        /// Index of the triangle within the block.
         triangle: usize,
     },
-    /// A block and what waits for it are more than can be numbered.
+    /// A block and the strips that it takes over have too many triangles or vertices.
     #[error("block {block}: {error}")]
     TooLarge {
-        /// The block.
+        /// Index of the block.
         block: u32,
-        /// How large they are.
+        /// The limit that they exceed.
         error: MeshError,
     },
-    /// The progress callback asked to stop.
+    /// The progress callback cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
 
-/// Takes strips one after another, each with its group.
+/// Callback that receives strips one after another, each with its group.
 pub type WriteStripFn<'a, W> = dyn FnMut(u32, &[u32]) -> Result<(), W> + 'a;

@@ -1,38 +1,39 @@
-//! What blocks are and where they come from.
+//! Blocks of a mesh and where they come from.
 
-/// One piece of a mesh: triangles that lie together.
+/// Neighboring triangles of a mesh.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Block {
-    /// The triangles.
+    /// Triangles of the block.
     pub triangles: Vec<BlockTriangle>,
-    /// The group of the mesh that all of them belong to; may not fall from block to block.
+    /// Mesh group of all these triangles; must not decrease from block to block.
     pub group: u32,
 }
 
-/// A triangle that knows how long its corners are needed.
+/// Triangle that knows how long its corners are needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockTriangle {
-    /// Its vertices, numbered as in the whole mesh.
+    /// Vertex indices in the whole mesh.
     pub corners: [u32; 3],
-    /// For each corner the last block that has a triangle at its vertex.
+    /// For each corner, the last block that has a triangle at its vertex.
     ///
-    /// Too high a number costs memory and nothing else; too low a number, strips that end at a border.
+    /// Too high a block index only costs memory; with too low a one, strips end at a border.
     pub last_blocks: [u32; 3],
 }
 
-/// Hands out a mesh block by block.
+/// Source of a mesh as blocks.
 pub trait BlockSource {
-    /// Why a block cannot be read.
+    /// Reason why a block cannot be read.
     type Error;
 
-    /// Blocks of the mesh.
+    /// Returns the number of blocks.
     fn block_count(&self) -> u32;
 
-    /// Reads one block in place of what `block` holds.
+    /// Reads one block and replaces the contents of `block`.
     ///
-    /// [`stripify_blocks`](super::stripify_blocks) asks for each once, in order.
+    /// [`stripify_blocks`](super::stripify_blocks) reads each block once, in order.
     ///
     /// # Errors
-    /// Where the source fails; the work ends with that.
+    /// Returns an error if the source fails; stripification then ends with
+    /// [`BlocksError::Read`](super::BlocksError::Read).
     fn read_block(&mut self, number: u32, block: &mut Block) -> Result<(), Self::Error>;
 }

@@ -1,181 +1,186 @@
-//! Grows strips for a vertex cache triangle by triangle, many partial answers beside each other.
+//! Grows strips for a vertex cache, triangle by triangle, with a beam search.
 //!
-//! A beam search. Each answer can go on straight, with a swap, or with a new strip beside what is cached; the best of all
-//! that arise are kept, as long as they differ: answers that have drawn the same triangles are one, and at most half
-//! begin their last strip with the same step, so that the rows that turned back early live to show their worth. The
-//! steps that all answers share are final.
-//! \[Hop99b\] grows one strip and simulates at each triangle whether to turn back now or somewhat later. Differs:
-//! the looks ahead are the answers themselves, swaps and starts are decided in the same way, and an answer is judged by the
-//! open vertices it loses and not by the misses so far.
+//! Each state of the search can continue straight, with a swap, or with a new strip next to the cached
+//! vertices. The best resulting states are kept as long as they differ: states that have drawn the same
+//! triangles and end alike count as one, and at most half may begin their last strip with the same step, so
+//! that rows that turn back early survive until they pay off. Steps that all states share are final.
 //!
-//! Cost: linear, some 15 microseconds a triangle for 32 answers; about 40 bytes a triangle.
+//! [Hop99b\] grows one strip and simulates at each triangle whether to turn back now or somewhat later.
+//! Differs: the states of the beam replace the simulation, swaps and starts are decided in the same way,
+//! and a state is scored by the open vertices it loses, not by its misses so far.
+//!
+//! Cost: linear, some 15 microseconds per triangle for 32 states; about 40 bytes per triangle.
 
 use striata::strip::{StripLinks, StripPath, StripSet};
 
-use super::answer::{Answer, Judgment, Prices, Scene, Step, mixed};
-use super::covered::{COLUMN_COUNT, Covered};
-use super::steps::Steps;
-use super::surface::Surface;
+use super::adjacency::Adjacency;
+use super::beam_state::{BeamState, Prices, ScoredMove, SearchContext, Step, mixed};
+use super::drawn_sets::{COLUMN_COUNT, DrawnSets};
+use super::step_tree::StepTree;
 use crate::task::Task;
 
-/// Answers that are kept, for an effort of 1.
+/// Beam width (number of states) at effort 1.
 const WIDTH: f64 = 32.0;
+/// Range of the beam width.
 const WIDTHS: std::ops::RangeInclusive<f64> = 4.0..=256.0;
-/// Of the best answers so many may begin a new strip at every step; the others where they cannot go on.
+/// Number of best states that may begin a new strip at every step; the others only if they cannot continue.
 const STARTER_COUNT: usize = 4;
-/// Starts that are kept of one answer.
+/// Number of starts that are kept per state.
 const START_COUNT: usize = 3;
-/// Steps after which is looked for what all answers share.
-const SETTLE_STEPS: u32 = 32;
-/// Settled triangles beside which a far start is looked for, the last first.
+/// Number of steps between searches for what all states share.
+const FINALIZE_INTERVAL: u32 = 32;
+/// Number of final triangles near which a distant start is searched, the last first.
 const TRAIL_LENGTH: usize = 256;
-/// The search takes no larger cache into account: a larger one forgives more.
+/// Largest cache that the search simulates; strips for it also suit larger caches.
 const MAX_CACHE_SIZE: usize = 64;
 
-/// Covers the mesh by strips grown for the cache of the options.
+/// Covers the mesh by strips grown for the cache in the options.
 pub(super) fn grow(task: &Task<'_>, links: &StripLinks<'_>) -> StripSet {
     let mut search = Search::new(task, links);
     let mut writer = Writer { path: None, links, triangles: task.triangles, out: StripSet::new() };
     for group in task.groups {
         search.begin(group.start as u32..group.end as u32);
-        let step_count = search.scene.group.clone().filter(|&t| task.is_proper(t)).count() as u32;
+        let step_count = search.context.group.clone().filter(|&t| task.is_proper(t)).count() as u32;
         for step_index in 0..step_count {
-            search.judge();
-            search.choose(step_index);
-            if step_index % SETTLE_STEPS == SETTLE_STEPS - 1 || search.is_full() {
-                search.settle(&mut writer);
+            search.rank_moves();
+            search.advance(step_index);
+            if step_index % FINALIZE_INTERVAL == FINALIZE_INTERVAL - 1 || search.is_full() {
+                search.finalize(&mut writer);
             }
         }
         search.live_count = 1;
-        search.settle(&mut writer);
+        search.finalize(&mut writer);
         writer.end_strip();
         writer.out.end_group();
     }
     writer.out
 }
 
+/// Beam search over one mesh.
 struct Search<'a> {
-    scene: Scene<'a>,
-    /// The first `live_count` are the answers, best first; the others are room.
-    answers: Vec<Answer>,
-    nexts: Vec<Answer>,
+    context: SearchContext<'a>,
+    /// The first `live_count` are the states, best first; the others are unused.
+    states: Vec<BeamState>,
+    nexts: Vec<BeamState>,
     live_count: usize,
-    steps: Steps,
-    /// Settled triangles in the order of drawing, without those at the end that have no unsettled neighbor.
+    steps: StepTree,
+    /// Final triangles in drawing order, except trailing ones without a neighbor that is not final.
     trail: Vec<u32>,
-    /// All ways on: answer and judgment.
-    found: Vec<(usize, Judgment)>,
-    /// Of `found`, scores and places, best first.
+    /// All possible moves: index of the state, and the scored move.
+    found: Vec<(usize, ScoredMove)>,
+    /// Scores and indices of the entries of `found`, best first.
     ranked: Vec<(f64, u32)>,
-    /// Of the ways on that are taken: what tells answers apart, and the first step of the last strip.
-    taken: Vec<(u64, u32)>,
+    /// Accepted moves: identity of the resulting state, and first step of its last strip.
+    accepted: Vec<(u64, u32)>,
 }
 
 impl<'a> Search<'a> {
     fn new(task: &Task<'a>, links: &StripLinks<'a>) -> Self {
         let options = task.options;
         let cache_size = options.cache_size.min(MAX_CACHE_SIZE);
-        // In this order no effort at all is taken for the least.
+        // This order of operations maps an effort that is not a number to the smallest width.
         let width = (WIDTH * options.effort).max(*WIDTHS.start()).min(*WIDTHS.end()) as usize;
-        let surface = Surface::new(task, links);
-        let scene = Scene {
-            covered: Covered::new(&surface),
-            surface,
+        let adjacency = Adjacency::new(task, links);
+        let context = SearchContext {
+            drawn_sets: DrawnSets::new(&adjacency),
+            adjacency,
             prices: Prices::new(options.cache_weight, cache_size),
             group: 0..0,
         };
         Self {
-            scene,
-            answers: vec![Answer::new(cache_size); width],
-            nexts: vec![Answer::new(cache_size); width],
+            context,
+            states: vec![BeamState::new(cache_size); width],
+            nexts: vec![BeamState::new(cache_size); width],
             live_count: 1,
-            steps: Steps::default(),
+            steps: StepTree::default(),
             trail: Vec::new(),
             found: Vec::new(),
             ranked: Vec::new(),
-            taken: Vec::new(),
+            accepted: Vec::new(),
         }
     }
 
+    /// Starts a new group with the best state of the previous one.
     fn begin(&mut self, group: std::ops::Range<u32>) {
-        self.answers[0].begin_group(group.start);
-        self.scene.group = group;
+        self.states[0].begin_group(group.start);
+        self.context.group = group;
         self.live_count = 1;
-        self.steps = Steps::default();
+        self.steps = StepTree::default();
         self.trail.clear();
     }
 
     /// Whether the next step might run out of columns.
     fn is_full(&self) -> bool {
-        self.scene.covered.free_count() < self.answers.len()
+        self.context.drawn_sets.free_count() < self.states.len()
     }
 
-    /// Finds all ways on.
-    fn judge(&mut self) {
+    /// Finds all possible moves and ranks them.
+    fn rank_moves(&mut self) {
         self.found.clear();
-        let mut ways = Vec::new();
-        for (i, answer) in self.answers[..self.live_count].iter_mut().enumerate() {
-            answer.judge_crossings(&self.scene, &mut ways);
-            let crossing_count = ways.len();
+        let mut moves = Vec::new();
+        for (i, state) in self.states[..self.live_count].iter_mut().enumerate() {
+            state.score_crossings(&self.context, &mut moves);
+            let crossing_count = moves.len();
             if i < STARTER_COUNT || crossing_count == 0 {
-                answer.judge_starts(&self.scene, START_COUNT, &mut ways);
-                if ways.len() == crossing_count {
+                state.score_starts(&self.context, START_COUNT, &mut moves);
+                if moves.len() == crossing_count {
                     let trail = &self.trail[self.trail.len().saturating_sub(TRAIL_LENGTH)..];
-                    answer.judge_far_start(&self.scene, trail, &mut ways);
+                    state.score_far_start(&self.context, trail, &mut moves);
                 }
             }
-            self.found.extend(ways.drain(..).map(|judgment| (i, judgment)));
+            self.found.extend(moves.drain(..).map(|scored| (i, scored)));
         }
         self.ranked.clear();
-        self.ranked.extend(self.found.iter().zip(0..).map(|((_, judgment), i)| (judgment.score, i)));
+        self.ranked.extend(self.found.iter().zip(0..).map(|((_, scored), i)| (scored.score, i)));
         self.ranked.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     }
 
-    /// Takes the best ways on that differ.
-    fn choose(&mut self, step_index: u32) {
-        let max_alike = self.answers.len() / 2;
-        self.taken.clear();
+    /// Applies the best moves that lead to different states.
+    fn advance(&mut self, step_index: u32) {
+        let max_same_start = self.states.len() / 2;
+        self.accepted.clear();
         for &(_, i) in &self.ranked {
-            let (parent, judgment) = &self.found[i as usize];
-            let parent = &self.answers[*parent];
-            let triangle = judgment.step.triangle(&self.scene.surface);
-            let (is_start, strip_start) = match judgment.step {
+            let (parent, scored) = &self.found[i as usize];
+            let parent = &self.states[*parent];
+            let triangle = scored.step.triangle(&self.context.adjacency);
+            let (is_start, strip_start) = match scored.step {
                 Step::Start(_) => (1, step_index),
                 Step::Cross(_) => (0, parent.strip_start),
             };
-            // What was drawn and where the strip ends decide what is to come; how it came to that does not.
+            // Future costs depend on what is drawn and where the strip ends, not on how the state got
+            // there.
             let identity = mixed(
                 (parent.hash ^ mixed(triangle.into())).wrapping_add(2 * u64::from(triangle) + is_start),
             );
-            let is_known = self.taken.iter().any(|&(other, _)| other == identity);
-            let alike_count = self.taken.iter().filter(|&&(_, start)| start == strip_start).count();
-            if is_known || alike_count >= max_alike {
+            let is_duplicate = self.accepted.iter().any(|&(other, _)| other == identity);
+            let same_start_count = self.accepted.iter().filter(|&&(_, start)| start == strip_start).count();
+            if is_duplicate || same_start_count >= max_same_start {
                 continue;
             }
-            let next = &mut self.nexts[self.taken.len()];
+            let next = &mut self.nexts[self.accepted.len()];
             next.copy_from(parent);
-            next.take(&mut self.scene, judgment, step_index);
-            next.leaf = self.steps.push(parent.leaf, judgment.step);
-            self.taken.push((identity, strip_start));
-            if self.taken.len() == self.nexts.len() {
+            next.apply(&mut self.context, scored, step_index);
+            next.leaf = self.steps.push(parent.leaf, scored.step);
+            self.accepted.push((identity, strip_start));
+            if self.accepted.len() == self.nexts.len() {
                 break;
             }
         }
-        self.live_count = self.taken.len();
-        std::mem::swap(&mut self.answers, &mut self.nexts);
+        self.live_count = self.accepted.len();
+        std::mem::swap(&mut self.states, &mut self.nexts);
     }
 
-    /// Hands what all answers share to the writer, and drops answers where too little is shared.
-    fn settle(&mut self, writer: &mut Writer<'_>) {
+    /// Passes the steps that all states share to the writer, and drops states if too little is shared.
+    fn finalize(&mut self, writer: &mut Writer<'_>) {
         loop {
-            self.settle_triangles();
-            if self.scene.covered.free_count() >= COLUMN_COUNT / 2 || self.live_count == 1 {
+            self.finalize_triangles();
+            if self.context.drawn_sets.free_count() >= COLUMN_COUNT / 2 || self.live_count == 1 {
                 break;
             }
             self.live_count = self.live_count.div_ceil(2);
         }
-        let live = &mut self.answers[..self.live_count];
-        let mut leaves: Vec<_> = live.iter().map(|answer| Some(answer.leaf)).collect();
+        let live = &mut self.states[..self.live_count];
+        let mut leaves: Vec<_> = live.iter().map(|state| Some(state.leaf)).collect();
         let mut trunk = Vec::new();
         self.steps.cut_trunk(&mut leaves, &mut trunk);
         let mut kept_count = 0;
@@ -187,42 +192,46 @@ impl<'a> Search<'a> {
             }
         }
         let paid = live[0].account();
-        live[..kept_count].iter_mut().for_each(|answer| answer.pay_from(paid));
+        live[..kept_count].iter_mut().for_each(|state| state.subtract_account(paid));
         self.live_count = kept_count;
-        self.settle_triangles();
+        self.finalize_triangles();
         for step in trunk {
-            writer.take(step);
-            self.trail.push(step.triangle(&self.scene.surface));
+            writer.apply(step);
+            self.trail.push(step.triangle(&self.context.adjacency));
         }
-        while self.trail.pop_if(|&mut t| !has_unsettled_neighbor(&self.scene, t)).is_some() {}
+        while self.trail.pop_if(|&mut t| !has_pending_neighbor(&self.context, t)).is_some() {}
     }
 
-    fn settle_triangles(&mut self) {
-        let live = self.answers[..self.live_count].iter_mut();
-        let mut drawn: Vec<_> = live.map(|answer| &mut answer.drawn).collect();
-        self.scene.covered.settle(&self.scene.surface, &mut drawn);
+    /// Makes the triangles final that all live states have drawn.
+    fn finalize_triangles(&mut self) {
+        let live = self.states[..self.live_count].iter_mut();
+        let mut drawn: Vec<_> = live.map(|state| &mut state.drawn).collect();
+        self.context.drawn_sets.finalize(&self.context.adjacency, &mut drawn);
     }
 }
 
-fn has_unsettled_neighbor(scene: &Scene<'_>, triangle: u32) -> bool {
-    let beside = (3 * triangle..3 * triangle + 3).filter_map(|side| scene.surface.twin(side));
-    beside.into_iter().any(|twin| !scene.covered.is_settled(twin / 3))
+/// Whether a triangle has a neighbor that is not final.
+fn has_pending_neighbor(context: &SearchContext<'_>, triangle: u32) -> bool {
+    let neighbors = (3 * triangle..3 * triangle + 3).filter_map(|side| context.adjacency.twin(side));
+    neighbors.into_iter().any(|twin| !context.drawn_sets.is_final(twin / 3))
 }
 
 impl Prices {
-    /// Fitted to scans and parts by runs over many values; flat around these.
+    /// Prices fitted to scans and CAD parts over many runs; results change little around these values.
     fn new(weight: f64, cache_size: usize) -> Self {
         let risk = |age: usize| {
             let share = age as f64 / cache_size as f64;
-            RISK * weight * share * share
+            LOSS_RISK * weight * share * share
         };
-        Self { loss: weight, risks: (0..cache_size).map(risk).collect(), poverty: POVERTY }
+        Self { loss: weight, loss_risks: (0..cache_size).map(risk).collect(), isolation: ISOLATION }
     }
 }
-const RISK: f64 = 0.7;
-const POVERTY: [f64; 4] = [2.1, 1.35, 0.85, 0.0];
+/// Risk that the oldest open vertex is lost, as a share of the price of a loss.
+const LOSS_RISK: f64 = 0.7;
+/// Price of an undrawn triangle with zero to three undrawn neighbors, in indices.
+const ISOLATION: [f64; 4] = [2.1, 1.35, 0.85, 0.0];
 
-/// Makes strips of steps.
+/// Turns steps into strips.
 struct Writer<'a> {
     path: Option<StripPath>,
     links: &'a StripLinks<'a>,
@@ -231,7 +240,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn take(&mut self, step: Step) {
+    fn apply(&mut self, step: Step) {
         match step {
             Step::Start(first) => {
                 self.end_strip();

@@ -1,36 +1,38 @@
-//! Strips for a vertex cache: fewest `indices + weight * misses`.
+//! Strips for a vertex cache: minimizes `indices + weight * misses`.
 //!
-//! A GPU that sends few indices may still transform vertices twice: a long strip comes back to its other side when the
-//! cache has forgotten it. Two ways to do better: put the strips that there are in a better order (`order`), or
-//! grow new ones in rows that turn back before the cache forgets, as in \[Hop99b\] (`grow`). The first leaves the
-//! indices alone and takes milliseconds; the second trades indices for misses. Which one pays depends on the
-//! weight, so both are tried, and the cheaper set of strips is given.
+//! Few indices alone do not make a mesh cheap to draw: when a long strip comes back along its other side,
+//! the cache has forgotten the vertices, and the GPU transforms them again. There are two remedies.
+//! `reorder` puts existing strips into a better order; it keeps the number of indices and takes
+//! milliseconds. `grow` makes new strips in rows that turn back before the cache forgets, as in \[Hop99b\];
+//! it trades indices for misses. Which one pays off depends on the weight, so both are tried, and the
+//! cheapest set of strips is returned.
 
-mod answer;
-mod cached;
-mod covered;
+mod adjacency;
+mod beam_cache;
+mod beam_state;
+mod drawn_sets;
 mod fifo;
 mod grow;
-mod order;
-mod steps;
-mod surface;
+mod reorder;
+mod step_tree;
 
 use striata::strip::{StripLinks, StripSet, fifo_cache_cost};
 
 use crate::task::Task;
 
-/// Under this weight new strips have never been cheaper than those of any stripifier in a better order.
+/// Lowest weight for which new strips are tried; below it they were never cheaper than reordered strips.
 const LEAST_WEIGHT_TO_GROW: f64 = 0.1;
 
-/// The cheapest set of strips for the cache of the options: these, these in another order, or new ones.
+/// Returns the cheapest strips for the cache in the options: the given strips, the same strips reordered,
+/// or new ones.
 ///
-/// A cache of fewer than three vertices holds no triangle: strips stay as they are.
+/// A cache of fewer than three vertices cannot contain a triangle, so the strips stay as they are.
 pub(crate) fn cheapest_for_cache(task: &Task<'_>, links: &StripLinks<'_>, strips: StripSet) -> StripSet {
     let options = task.options;
     if options.cache_size < 3 {
         return strips;
     }
-    let ordered = order::reorder(&strips, options.cache_weight, options.cache_size);
+    let ordered = reorder::reorder(&strips, options.cache_weight, options.cache_size);
     let grown = (options.cache_weight >= LEAST_WEIGHT_TO_GROW).then(|| grow::grow(task, links));
     let price = |strips: &StripSet| {
         let indices = strips.to_restart_indices().indices;

@@ -1,47 +1,47 @@
-//! Simulated annealing of strips: one link at a time, costs known at once.
+//! Simulated annealing of strips, one link at a time.
 //!
-//! A move takes a link. A solid one is cut; a dashed one is joined, and a triangle that then has three solid
-//! links lets one of the older two go. Moves that cost nothing or save are kept, others with a chance that falls
-//! as the search cools. Whether a loop closes is asked last, as it alone is not local.
-//! Sweeps pass all triangles in turn; where a strip ends, moves are cheap and more of them are tried.
-//! Some 50 to 100 ns a move while the mesh fits into cache.
+//! A move picks a link. A solid link is cut. A dashed link is joined; a triangle that then has three solid
+//! links gives up one of the older two. Moves that cost nothing or save something are kept, others with a
+//! probability that falls as the search cools. Whether a loop closes is checked last, because it is the
+//! only test that is not local. Sweeps visit all triangles in turn; at the end of a strip moves are cheap,
+//! and more of them are tried. A move takes some 50 to 100 ns while the mesh fits into the CPU cache.
 
 use striata::mesh::{NO_TWIN, Random};
 
-use super::state::{INDEX, State};
+use super::strip_state::{INDEX, StripState};
 use crate::task::SpentFn;
 
-/// Triangles that a sweep passes between questions about the budget.
+/// Number of triangles that a sweep visits between checks of the budget.
 const BATCH: u64 = 4096;
-/// Further moves at a triangle where a strip ends. On the bunny in equal time, indices a triangle are 1.132 without
-/// them, 1.124 with three, 1.123 with eight, 1.126 with twenty.
-const MOVES_AT_END: u64 = 5;
-/// Temperatures of a search's beginning and end, in indices. Flat around the best: 0.6 to 1.0 and 0.1 to 0.2 differ by
-/// no more than 0.003 indices a triangle on the bunny.
+/// Additional moves at a triangle at which a strip ends. On the bunny, in equal time, strips take 1.132
+/// indices per triangle without them, 1.124 with three, 1.123 with eight and 1.126 with twenty.
+const EXTRA_MOVES_AT_END: u64 = 5;
+/// Temperatures at the start and end of a search, in indices. Results change little around these: 0.6 to
+/// 1.0 and 0.1 to 0.2 differ by at most 0.003 indices per triangle on the bunny.
 pub(super) const HOT_TO_COLD: [f64; 2] = [0.7, 0.2];
-/// The same for strips that are good already.
+/// Temperatures for strips that are already good.
 pub(super) const COLD: [f64; 2] = [0.2, 0.15];
-/// What two new ends can gain at most by meeting others.
+/// Upper limit of what two new ends can gain by meeting others.
 const MAX_GAIN: i32 = 2 * INDEX;
-/// Costs from here on are never paid.
+/// Costs of this many units and more are never accepted.
 const MAX_COST: usize = 64;
 
-/// A search under way.
+/// Running search.
 pub(super) struct Annealer<'s> {
-    state: &'s mut State,
+    state: &'s mut StripState,
     random: Random,
-    /// Chance of paying a cost, of `u32::MAX`.
+    /// Probability of accepting each cost, as a fraction of `u32::MAX`.
     chances: [u32; MAX_COST],
     move_count: u64,
 }
 
 impl<'s> Annealer<'s> {
-    /// A search that changes these strips.
-    pub(super) fn new(state: &'s mut State, seed: u64) -> Self {
+    /// Creates a search that changes these strips.
+    pub(super) fn new(state: &'s mut StripState, seed: u64) -> Self {
         Self { state, random: Random::new(seed), chances: [0; MAX_COST], move_count: 0 }
     }
 
-    /// Improves strips until the budget is spent: by how much the cost has changed.
+    /// Improves strips until the budget is spent, and returns the change of cost.
     pub(super) fn anneal(&mut self, temperatures: [f64; 2], spent: &mut SpentFn<'_>) -> i64 {
         let [first, last] = temperatures;
         let count = self.state.triangle_count();
@@ -62,7 +62,7 @@ impl<'s> Annealer<'s> {
         }
     }
 
-    /// Temperature in indices.
+    /// Sets the temperature, in indices.
     fn set_temperature(&mut self, temperature: f64) {
         let factor = exp_minus(1.0 / (temperature * f64::from(INDEX)));
         let mut chance = 1.0;
@@ -72,26 +72,26 @@ impl<'s> Annealer<'s> {
         }
     }
 
-    /// The highest cost that is paid for this fate.
+    /// Returns the highest cost that is accepted for a random number.
     #[inline]
-    fn allowance(&self, fate: u32) -> i32 {
-        self.chances.iter().skip(1).take_while(|&&chance| fate < chance).count() as i32
+    fn allowance(&self, random: u32) -> i32 {
+        self.chances.iter().skip(1).take_while(|&&chance| random < chance).count() as i32
     }
 
-    /// Tries moves at a triangle: the change of cost.
+    /// Tries moves at a triangle and returns the change of cost.
     fn visit(&mut self, triangle: u32) -> i32 {
         let mut change = self.try_move(triangle);
         self.move_count += 1;
         if self.state.solid(triangle << 2).count_ones() < 2 {
-            for _ in 0..MOVES_AT_END {
+            for _ in 0..EXTRA_MOVES_AT_END {
                 change += self.try_move(triangle);
             }
-            self.move_count += MOVES_AT_END;
+            self.move_count += EXTRA_MOVES_AT_END;
         }
         change
     }
 
-    /// Takes one of a triangle's links and turns it over if that is cheap enough.
+    /// Picks one of a triangle's links and flips it if that is cheap enough.
     fn try_move(&mut self, triangle: u32) -> i32 {
         let bits = self.random.next_u64();
         let k = ((bits & 0xFFFF) as u32 * 3) >> 16;
@@ -104,15 +104,16 @@ impl<'s> Annealer<'s> {
         if self.state.is_solid(side) {
             return self.try_cut(side, allowance);
         }
-        // The older links of both triangles, one of which goes where there are two.
+        // Older links of both triangles; a triangle with two of them loses one.
         let older = |side: u32, bit: u64| match self.state.solid(side).count_ones() {
-            2 if bits & bit != 0 => State::next(side),
-            2 => State::prev(side),
+            2 if bits & bit != 0 => StripState::next(side),
+            2 => StripState::prev(side),
             _ => NO_TWIN,
         };
         self.try_join(side, [older(side, 1 << 16), older(twin, 1 << 17)], allowance)
     }
 
+    /// Cuts a link if that costs at most `allowance`, and returns the change of cost.
     fn try_cut(&mut self, side: u32, allowance: i32) -> i32 {
         if 3 * INDEX - INDEX * self.state.swaps_at(side) - MAX_GAIN > allowance {
             return 0;
@@ -125,10 +126,11 @@ impl<'s> Annealer<'s> {
         0
     }
 
+    /// Joins a link after cutting `cuts` if that costs at most `allowance`, and returns the change of cost.
     fn try_join(&mut self, side: u32, cuts: [u32; 2], allowance: i32) -> i32 {
         if cuts.iter().all(|&cut| cut != NO_TWIN) {
-            // What the move costs at least can often be told without making it. (Two triangles with two links
-            // between them have but one to let go.)
+            // A lower bound of the cost is often known without making the move. (Two triangles with two
+            // links between them have only one to give up.)
             let swaps = self.state.swaps_at(cuts[0]) + self.state.swaps_at(cuts[1]);
             if 3 * INDEX - INDEX * swaps - MAX_GAIN > allowance || self.state.twin(cuts[0]) == cuts[1] {
                 return 0;
@@ -149,7 +151,7 @@ impl<'s> Annealer<'s> {
     }
 }
 
-/// `exp(-x)` for `x >= 0` by the same few operations on every machine.
+/// Returns `exp(-x)` for `x >= 0`, computed by the same few operations on every machine.
 fn exp_minus(x: f64) -> f64 {
     let x = x / 1024.0;
     let mut power = 1.0 / (1.0 + x * (1.0 + x * (0.5 + x / 6.0)));

@@ -1,16 +1,18 @@
-//! Strips joined where their ends meet: two indices less than a restart would take, or one.
+//! Joins strips whose ends meet at a vertex, which saves the restart.
 //!
-//! A strip's last index is the free corner of its last triangle, and its first that of its first one. Where one strip
-//! ends at the vertex at which another begins, writing the one after the other repeats that vertex:
+//! The first index of a strip is the free corner of its first triangle, and the last index that of its last
+//! triangle. If one strip ends at the vertex at which another begins, the two can be written one after the
+//! other with that vertex repeated:
 //!
 //! ```text
-//!     ... n o v | v p q ...      (n o v) is the last triangle, (v p q) the first; (o v v) and (v v p) have no area
+//!     ... n o v | v p q ...      (n o v) is the last triangle, (v p q) the first;
+//!                                (o v v) and (v v p) have no area
 //! ```
 //!
-//! and the second strip's first triangle stands at a place of the other parity than the first strip's last one.
-//! That is right for both windings just when both ends begin well at an even place, or both do not: then the joint
-//! costs nothing, where a restart costs an index. Chains of strips so joined are found vertex by vertex; loops are
-//! not closed. Linear in time, 20 bytes for every strip and vertex.
+//! The second strip's first triangle then has the opposite parity of the first strip's last triangle. That
+//! is right for both windings exactly if both ends have the right winding at an even position, or neither
+//! has. In that case the joint is free, while a restart costs an index. Chains of joined strips are found
+//! vertex by vertex; loops are not closed. Linear in time; 20 bytes per strip and per vertex.
 
 use striata::mesh::NO_TWIN as NONE;
 use striata::strip::{StripLinks, StripOrder, StripPath, StripSet};
@@ -43,21 +45,21 @@ pub(super) fn write(task: &Task<'_>, links: &StripLinks<'_>, out: &mut StripSet)
 /// One end of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct End {
-    /// The vertex that a strip from here begins with.
+    /// Vertex with which the strip begins when written from this end.
     apex: u32,
-    /// A strip from here has to begin at an odd place to cost nothing.
+    /// Whether the strip has to begin at an odd position to cost nothing when written from this end.
     is_odd: bool,
 }
 
-/// A strip by itself, before strips are joined.
+/// One strip before strips are joined.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
-    /// The triangle of its end 0.
+    /// Triangle at end 0.
     triangle: u32,
     ends: [End; 2],
 }
 
-/// For ends `2 * piece + k`, the end joined to it, or none.
+/// For each end `2 * piece + k`, the end joined to it, or [`NONE`].
 type Joints = Vec<u32>;
 
 impl Piece {
@@ -72,7 +74,8 @@ impl Piece {
                 },
             ],
             _ => {
-                // A triangle alone: whatever corner it begins with at an even place, it ends with the one before.
+                // A single triangle can begin with any corner at an even position; it ends with the
+                // previous corner.
                 let [first, _, last] = triangles[path.first as usize];
                 [End { apex: first, is_odd: false }, End { apex: last, is_odd: true }]
             }
@@ -81,10 +84,10 @@ impl Piece {
     }
 }
 
-/// Joins ends of one kind at one vertex, two by two, without closing a loop.
+/// Joins ends of the same kind at the same vertex in pairs, without closing a loop.
 fn join_pieces(pieces: &[Piece]) -> Joints {
     let mut joints = vec![NONE; 2 * pieces.len()];
-    // For the free ends of chains, the other end of the chain.
+    // For each free end of a chain, the other end of that chain.
     let mut far_ends: Vec<u32> = (0..2 * pieces.len() as u32).map(|end| end ^ 1).collect();
     let mut ends: Vec<(End, u32)> = pieces.iter().flat_map(|piece| piece.ends).zip(0..).collect();
     ends.sort_unstable_by_key(|&(end, i)| (end.apex, end.is_odd, i));
@@ -107,7 +110,7 @@ fn join_pieces(pieces: &[Piece]) -> Joints {
     joints
 }
 
-/// The end at which each chain is best begun, in the order of the chains' first pieces.
+/// Returns the best end to start each chain from, in the order of the chains' first pieces.
 fn chain_starts(pieces: &[Piece], joints: &[u32]) -> Vec<u32> {
     let mut is_done = vec![false; pieces.len()];
     let mut starts = Vec::new();
@@ -118,13 +121,13 @@ fn chain_starts(pieces: &[Piece], joints: &[u32]) -> Vec<u32> {
         let start = last_end(2 * piece + 1, joints, |_| ());
         let other = last_end(start, joints, |piece| is_done[piece as usize] = true);
         let is_odd = |end: u32| pieces[end as usize / 2].ends[end as usize % 2].is_odd;
-        // A chain costs an index if it begins at an even place and should not.
+        // A chain costs an index if it begins at an even position but should not.
         starts.push(if is_odd(start) && !is_odd(other) { other } else { start });
     }
     starts
 }
 
-/// The far end of the chain that is entered at this end; visits its pieces.
+/// Returns the far end of the chain that is entered at this end, and visits its pieces.
 fn last_end(mut entered: u32, joints: &[u32], mut visit: impl FnMut(u32)) -> u32 {
     loop {
         visit(entered / 2);
@@ -145,7 +148,7 @@ struct Writer<'a, 'g> {
 }
 
 impl Writer<'_, '_> {
-    /// Appends a piece from one of its ends.
+    /// Appends a piece, starting at one of its ends.
     fn write(&mut self, entered: u32, out: &mut Vec<u32>) {
         let piece = self.pieces[entered as usize / 2];
         let end = piece.ends[entered as usize % 2];
@@ -154,7 +157,8 @@ impl Writer<'_, '_> {
         debug_assert!(out.last().is_none_or(|&last| last == end.apex), "a joint between two vertices");
         self.path.follow(self.links, piece.triangle);
         if self.path.exits.is_empty() {
-            // At an even place it begins with one of its ends' corners, at an odd one with the other's.
+            // At an even position it begins with the corner of one end, at an odd position with that of the
+            // other.
             if end.is_odd && !is_odd {
                 out.push(end.apex);
             }

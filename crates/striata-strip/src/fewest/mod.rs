@@ -1,13 +1,15 @@
-//! Fewest strips: ends of strips walk at random until they meet.
+//! Strips as few as possible: ends of strips walk at random until they meet.
 //!
-//! The end of a strip takes a neighboring triangle, which lets go of one of its own neighbors: that one is the next
-//! end. The number of strips stays, no loop closes if a triangle of the same strip lets go of the neighbor on
-//! the end's side, and where an end meets the end of another strip the two become one. It is a tunnel without
-//! a limit of length, dug without a search; balanced trees (`path_forest`) say which strip a triangle is in. In each
-//! component it stops at a number that provably cannot be beaten (`bound`).
+//! The end of a strip takes a neighboring triangle, which releases one of its own neighbors; that one is
+//! the next end. The number of strips stays the same, no loop closes if a triangle of the same strip
+//! releases the neighbor on the end's side, and when an end meets the end of another strip, the two become
+//! one. The walk is a tunnel of unlimited length, found without a search. Balanced trees (`path_forest`)
+//! answer which strip a triangle is in. In each component the walk stops at a number that provably cannot
+//! be beaten (`bound`).
 //!
-//! Our own, after the step of \[PS03\]; in one strip the step is Pósa's rotation of Hamiltonian paths.
-//! A step costs about a microsecond; with `s` strips left some `n / s` steps join two. 60 bytes a triangle.
+//! Our own, based on the step of \[PS03\]; within one strip the step is Pósa's rotation of Hamiltonian
+//! paths. A step costs about a microsecond; with `s` strips left, some `n / s` steps are needed per join.
+//! 60 bytes per triangle.
 
 mod bound;
 mod path_forest;
@@ -21,41 +23,45 @@ use crate::tunnel::{self, Identity, ends_of, join_ends};
 use bound::Bounds;
 use path_forest::PathForest;
 
-/// Steps after which another end has its turn, while many ends are left and when few are.
+/// Number of steps before another end gets its turn: while many ends are left, and when few are.
 ///
-/// Where few strips are left a walk has no choices, and one that comes to a boundary runs back as it came; the
-/// walks of other ends change what it finds. On the bunny in 3 s, six seeds: 3 or 4 strips with 64 steps at last, 3 to 5
-/// with 8, 4 or 5 with 256. Before that, going on is better than beginning in a cold part of memory.
+/// When few strips are left, a walk has no choices, and one that reaches a boundary goes back the way it
+/// came; the walks of other ends change what it finds. On the bunny in 3 s with six seeds: 3 or 4 strips
+/// with 64 steps at the end, 3 to 5 with 8, 4 or 5 with 256. While many ends are left, continuing is better
+/// than starting in a part of memory that is not cached.
 const WALK_STEPS: [u64; 2] = [4096, 64];
-/// So many ends are few.
-const FEW_ENDS: usize = 32;
+/// Number of ends up to which few are left.
+const FEW_END_COUNT: usize = 32;
 
-/// Searches for tunnels after the walks.
-const LAST_SEARCHES: u64 = 1024;
+/// Number of tunnel searches after the walks.
+const FINAL_SEARCH_COUNT: u64 = 1024;
 
-/// A number of strips that no strips along the links of a mesh's dual graph can go below, proven from that graph.
+/// Returns a proven lower bound for the number of strips along the links of a mesh's dual graph.
 ///
-/// Where more than two triangles share an edge, the graph pairs them in one way of several, and another way might do
-/// with fewer. Strips that `cheapest` joins at a vertex follow no link there and count as one.
+/// If more than two triangles share an edge, the graph pairs them in one of several ways, and another
+/// pairing might allow fewer strips. Strips that `cheapest` joins at a vertex follow no link there and
+/// count as one.
 ///
 /// # Panics
-/// If a triangle names a vertex that is not there, or groups do not cover the triangles.
+/// If a triangle has a vertex index out of range, or groups do not cover the triangles.
 pub fn strip_count_bound(mesh: &IndexedMesh) -> usize {
     let is_degenerate = |t: u32| !is_proper(&mesh.triangles[t as usize]);
     Bounds::new(&DualGraph::of_vertices(mesh), is_degenerate).least.iter().map(|&least| least as usize).sum()
 }
 
-/// Joins strips until every component has as few as can be, or the budget is spent.
+/// Joins strips until every component has as few as possible, or the budget is spent.
 ///
-/// Where boundaries and seams leave ends little room to walk, a last search for tunnels finds what walks have missed.
+/// If boundaries and seams leave ends little room to walk, a final search for tunnels finds what the walks
+/// have missed.
 pub(crate) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>) {
     if walk_ends(task, graph, links, spent) {
-        let mut few = |searches| searches as f64 / LAST_SEARCHES as f64;
+        let mut few = |searches| searches as f64 / FINAL_SEARCH_COUNT as f64;
         tunnel::run(task, links, DEFAULT_TUNNEL_LENGTH, Identity::Dynamic, &mut few);
     }
 }
 
-/// Walks until the budget is spent; whether any component still has more strips than it is known to need.
+/// Walks until the budget is spent. Returns whether any component still has more strips than its lower
+/// bound.
 fn walk_ends(
     task: &Task<'_>,
     graph: &DualGraph,
@@ -66,17 +72,17 @@ fn walk_ends(
     join_ends(&ends_of(task, links), links, &mut random);
     let bounds = Bounds::new(graph, |t| !task.is_proper(t));
     let ends = ends_of(task, links);
-    let mut walker = Walker::new(links, &ends, bounds, random);
+    let mut walk = RandomWalk::new(links, &ends, bounds, random);
     let mut step_count = 0;
-    while let Some(mut end) = walker.pick_end() {
-        let is_late = walker.ends.len() <= FEW_ENDS;
+    while let Some(mut end) = walk.pick_end() {
+        let is_late = walk.ends.len() <= FEW_END_COUNT;
         for _ in 0..WALK_STEPS[usize::from(is_late)] {
-            // Asked before the step: ends that cannot move must spend too.
+            // Checked before the step: ends that cannot move must use up the budget too.
             if step_count % 256 == 0 && spent(step_count) >= 1.0 {
                 return true;
             }
             step_count += 1;
-            match walker.step(end) {
+            match walk.step(end) {
                 Some(moved) => end = moved,
                 None => break,
             }
@@ -85,23 +91,23 @@ fn walk_ends(
     false
 }
 
-/// Strips whose ends walk.
-struct Walker<'a, 'g> {
+/// Strips whose ends walk at random.
+struct RandomWalk<'a, 'g> {
     links: &'a mut StripLinks<'g>,
     forest: PathForest,
-    /// Triangles where strips end, of components that have too many strips.
+    /// Ends of strips, in components that have more strips than their bound.
     ends: Vec<u32>,
-    /// Where in `ends` a triangle is, or none.
-    place: Vec<u32>,
+    /// Index of each triangle in `ends`, or [`NO_TWIN`].
+    index_in_ends: Vec<u32>,
     bounds: Bounds,
-    /// Strips of each component.
+    /// Number of strips of each component.
     strip_counts: Vec<u32>,
-    /// What the moving end was let go by: it does not go back there if there is another way.
+    /// Triangle that released the moving end; the walk does not go back there if it has another choice.
     came_from: u32,
     random: Random,
 }
 
-impl<'a, 'g> Walker<'a, 'g> {
+impl<'a, 'g> RandomWalk<'a, 'g> {
     fn new(links: &'a mut StripLinks<'g>, ends: &[u32], bounds: Bounds, random: Random) -> Self {
         let count = links.triangle_count();
         let mut forest = PathForest::new(count);
@@ -121,16 +127,24 @@ impl<'a, 'g> Walker<'a, 'g> {
             }
             strip_counts[bounds.component[end as usize] as usize] += 1;
         }
-        let place = vec![NO_TWIN; count];
-        let mut walker =
-            Self { links, forest, ends: Vec::new(), place, bounds, strip_counts, came_from: NO_TWIN, random };
+        let index_in_ends = vec![NO_TWIN; count];
+        let mut walk = Self {
+            links,
+            forest,
+            ends: Vec::new(),
+            index_in_ends,
+            bounds,
+            strip_counts,
+            came_from: NO_TWIN,
+            random,
+        };
         for &end in ends {
-            walker.update(end);
+            walk.update(end);
         }
-        walker
+        walk
     }
 
-    /// An end to walk with, at random; none when no component can do with fewer strips.
+    /// Picks a random end to walk with; [`None`] if every component has reached its bound.
     fn pick_end(&mut self) -> Option<u32> {
         self.came_from = NO_TWIN;
         while !self.ends.is_empty() {
@@ -143,33 +157,33 @@ impl<'a, 'g> Walker<'a, 'g> {
         None
     }
 
-    /// Whether the component of a triangle has more strips than it needs, as far as is known.
+    /// Whether the component of a triangle has more strips than its bound.
     fn is_open(&self, triangle: u32) -> bool {
         let component = self.bounds.component[triangle as usize] as usize;
         self.strip_counts[component] > self.bounds.least[component]
     }
 
-    /// Notes whether a triangle is an end.
+    /// Updates `ends` after the links of a triangle have changed.
     fn update(&mut self, triangle: u32) {
         let is_end = self.links.solid_degree(triangle) < 2;
-        let place = self.place[triangle as usize];
-        if is_end && place == NO_TWIN {
-            self.place[triangle as usize] = self.ends.len() as u32;
+        let index_in_ends = self.index_in_ends[triangle as usize];
+        if is_end && index_in_ends == NO_TWIN {
+            self.index_in_ends[triangle as usize] = self.ends.len() as u32;
             self.ends.push(triangle);
-        } else if !is_end && place != NO_TWIN {
+        } else if !is_end && index_in_ends != NO_TWIN {
             self.remove(triangle);
         }
     }
 
     fn remove(&mut self, triangle: u32) {
-        let place = std::mem::replace(&mut self.place[triangle as usize], NO_TWIN);
-        self.ends.swap_remove(place as usize);
-        if let Some(&moved) = self.ends.get(place as usize) {
-            self.place[moved as usize] = place;
+        let index_in_ends = std::mem::replace(&mut self.index_in_ends[triangle as usize], NO_TWIN);
+        self.ends.swap_remove(index_in_ends as usize);
+        if let Some(&moved) = self.ends.get(index_in_ends as usize) {
+            self.index_in_ends[moved as usize] = index_in_ends;
         }
     }
 
-    /// Moves an end: where to; none if it was joined to another one or has nowhere to go.
+    /// Moves an end. Returns the new end, or [`None`] if it was joined to another one or cannot move.
     fn step(&mut self, end: u32) -> Option<u32> {
         let crossed = self.choose(end)?;
         let taken = self.links.twins()[crossed as usize] / 3;
@@ -189,7 +203,7 @@ impl<'a, 'g> Walker<'a, 'g> {
         Some(left)
     }
 
-    /// A link to cross: to the end of another strip if there is one, else at random, but not back.
+    /// Chooses a link to cross: to the end of another strip if possible, otherwise at random, but not back.
     fn choose(&mut self, end: u32) -> Option<u32> {
         let mut side = 3 * end + self.random.below(3);
         let mut chosen = None;
@@ -212,7 +226,7 @@ impl<'a, 'g> Walker<'a, 'g> {
         chosen
     }
 
-    /// One of the two neighbors along the strip.
+    /// Returns one of the two neighbors along the strip, at random.
     fn either_neighbor(&mut self, triangle: u32) -> u32 {
         let first = self.links.first_solid(triangle).unwrap_or(3 * triangle);
         let second = self.links.other_solid(first).unwrap_or(first);

@@ -1,14 +1,14 @@
-//! Strips as balanced trees: same strip?, join, cut and turn round in logarithmic time.
+//! Strips as splay trees: find, join, cut and reverse in logarithmic time.
 //!
-//! Every strip is a splay tree \[ST85\] whose order from left to right is that of its triangles; turning a
-//! strip round is one mark at the root that is pushed down when passed. So it does not matter how long strips are, and
-//! at the end of a search they are as long as the mesh.
-//! 16 bytes a triangle; every operation is amortised `O(log n)`.
+//! Every strip is a splay tree \[ST85\] whose order from left to right is that of its triangles. Reversing
+//! a strip sets one mark at the root, which is pushed down as nodes are visited. The cost therefore does
+//! not depend on the length of strips, which at the end of a search are as long as the mesh. 16 bytes per
+//! triangle; every operation takes amortized `O(log n)`.
 
-/// No tree node.
+/// Marks a missing tree node.
 const NONE: u32 = u32::MAX;
 
-/// Strips of triangles.
+/// Strips of triangles, as a forest of splay trees.
 #[derive(Debug)]
 pub(super) struct PathForest {
     nodes: Vec<Node>,
@@ -16,6 +16,7 @@ pub(super) struct PathForest {
     above: Vec<u32>,
 }
 
+/// Node of a splay tree: one triangle of a strip.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     parent: u32,
@@ -24,25 +25,25 @@ struct Node {
 }
 
 impl PathForest {
-    /// So many triangles, each a strip.
+    /// Creates a forest of `count` triangles, each a strip by itself.
     pub(super) fn new(count: usize) -> Self {
         let alone = Node { parent: NONE, children: [NONE; 2], is_reversed: false };
         Self { nodes: vec![alone; count], above: Vec::new() }
     }
 
-    /// Makes one strip of triangles in this order, each alone before: a balanced tree.
+    /// Joins triangles that are single strips into one strip in this order, as a balanced tree.
     pub(super) fn chain(&mut self, triangles: &[u32]) {
         self.balance(triangles);
     }
 
-    /// The root of a balanced tree over these triangles.
+    /// Builds a balanced tree over these triangles and returns its root.
     fn balance(&mut self, triangles: &[u32]) -> u32 {
         if triangles.is_empty() {
             return NONE;
         }
         let (before, rest) = triangles.split_at(triangles.len() / 2);
         let (middle, after) = (rest[0], &rest[1..]);
-        // As deep as the logarithm of a strip's length.
+        // The recursion is as deep as the logarithm of the strip's length.
         for (k, part) in [before, after].into_iter().enumerate() {
             let child = self.balance(part);
             self.nodes[middle as usize].children[k] = child;
@@ -53,8 +54,8 @@ impl PathForest {
         middle
     }
 
-    /// Whether two different triangles lie in one strip; if so, on which side of `b` the triangle `a` lies
-    /// (0 or 1, valid until the next change).
+    /// Returns on which side of `b` the triangle `a` lies (0 or 1, valid until the next change), or
+    /// [`None`] if the two different triangles are in different strips.
     pub(super) fn side_of(&mut self, a: u32, b: u32) -> Option<usize> {
         self.splay(a);
         self.splay(b);
@@ -71,7 +72,7 @@ impl PathForest {
         }
     }
 
-    /// The triangle beside `triangle` on this side.
+    /// Returns the neighbor of `triangle` on this side along the strip.
     pub(super) fn neighbor(&mut self, triangle: u32, side: usize) -> Option<u32> {
         self.splay(triangle);
         let mut node = self.nodes[triangle as usize].children[side];
@@ -89,7 +90,7 @@ impl PathForest {
         Some(node)
     }
 
-    /// Cuts a strip between two triangles that follow each other.
+    /// Cuts a strip between two consecutive triangles.
     pub(super) fn cut(&mut self, a: u32, b: u32) {
         let side = self.side_of(a, b);
         debug_assert!(side.is_some(), "triangles {a} and {b} lie in different strips");
@@ -113,6 +114,7 @@ impl PathForest {
         self.nodes[b as usize].parent = a;
     }
 
+    /// Applies a pending reversal to a node and passes it on to the children.
     fn push_down(&mut self, node: u32) {
         let Node { children, is_reversed, .. } = self.nodes[node as usize];
         if is_reversed {
@@ -124,7 +126,7 @@ impl PathForest {
         }
     }
 
-    /// Brings a node to the root of its tree.
+    /// Moves a node to the root of its tree.
     fn splay(&mut self, node: u32) {
         let mut above = std::mem::take(&mut self.above);
         above.clear();
@@ -155,7 +157,7 @@ impl PathForest {
         usize::from(self.nodes[parent as usize].children[1] == child)
     }
 
-    /// Swaps a node with its parent, the order kept.
+    /// Swaps a node with its parent and keeps the order.
     fn rotate(&mut self, node: u32) {
         let parent = self.nodes[node as usize].parent;
         let grandparent = self.nodes[parent as usize].parent;
@@ -202,7 +204,7 @@ mod tests {
             }
             let ((s, i), (r, j)) = (lists.find(a), lists.find(b));
             assert_eq!(forest.side_of(a, b).is_some(), s == r);
-            let is_end = |list: &Vec<u32>, place: usize| place == 0 || place + 1 == list.len();
+            let is_end = |list: &Vec<u32>, index: usize| index == 0 || index + 1 == list.len();
             if s != r && is_end(&lists.0[s], i) && is_end(&lists.0[r], j) {
                 forest.join(a, b);
                 let mut second = std::mem::take(&mut lists.0[r]);
@@ -218,7 +220,7 @@ mod tests {
                 let tail = lists.0[s].split_off(i.max(j));
                 lists.0.push(tail);
             } else if s == r {
-                // The neighbor on the other's side.
+                // The neighbor of `b` towards `a`.
                 let side = forest.side_of(a, b).unwrap();
                 let expected = lists.0[s][if i < j { j - 1 } else { j + 1 }];
                 assert_eq!(forest.neighbor(b, side), Some(expected));

@@ -1,62 +1,63 @@
-//! Why strips cannot follow a mesh.
+//! Errors of [`LiveStrips`](super::LiveStrips).
 
 use striata::mesh::MeshError;
 
-/// What keeps strips and a mesh from being followed together.
+/// Reason why strips cannot follow a mesh.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LiveStripsError {
-    /// The mesh's parts do not fit together.
+    /// The mesh is inconsistent.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The sequence is that of another mesh.
-    #[error("the sequence is of {found} vertices, the mesh has {expected}")]
+    /// The collapse sequence belongs to another mesh.
+    #[error("the sequence has {found} vertices, the mesh has {expected}")]
     VertexCount {
-        /// Vertices of the sequence.
+        /// Number of vertices of the sequence.
         found: usize,
-        /// Vertices of the mesh.
+        /// Number of vertices of the mesh.
         expected: usize,
     },
-    /// There is no such level.
+    /// The split count exceeds the step count.
     #[error("there is no level at split count {found}: the last is {step_count}")]
     SplitCount {
-        /// The level that was asked for.
+        /// The requested split count.
         found: usize,
-        /// Steps of the sequence.
+        /// Number of steps of the sequence.
         step_count: usize,
     },
-    /// The strips have other groups than the mesh.
+    /// The strips and the mesh have different numbers of groups.
     #[error("the strips have {found} groups, the mesh has {expected}")]
     GroupCount {
-        /// Groups of the strips.
+        /// Number of groups of the strips.
         found: usize,
-        /// Groups of the mesh.
+        /// Number of groups of the mesh.
         expected: usize,
     },
-    /// A strip holds a triangle that the level has not, or once too often.
+    /// A strip contains a triangle that the level does not have, or has less often.
     #[error(
-        "strip {strip} holds the triangle {triangle:?}, which the level at split count {split_count} lacks"
+        "strip {strip} contains the triangle {triangle:?}, which the level at split count {split_count} lacks"
     )]
     Triangle {
-        /// The strip.
+        /// Index of the strip.
         strip: usize,
-        /// The triangle, its smallest vertex first.
+        /// Vertices of the triangle, the smallest first.
         triangle: [u32; 3],
-        /// The level.
+        /// Split count of the level.
         split_count: usize,
     },
-    /// The strips hold fewer triangles than the level, or in another group.
+    /// The strips of a group contain a different number of triangles than the level.
     #[error(
-        "the strips of group {group} hold {found} triangles, the level at split count {split_count} {expected}"
+        "group {group}: the strips have {found} triangles, the level at split count {split_count} \
+         has {expected}"
     )]
     TriangleCount {
-        /// The group.
+        /// Index of the group.
         group: usize,
-        /// Triangles of the strips.
+        /// Number of triangles in the strips.
         found: usize,
-        /// Triangles of the level.
+        /// Number of triangles of the level.
         expected: usize,
-        /// The level.
+        /// Split count of the level.
         split_count: usize,
     },
 }

@@ -1,30 +1,31 @@
-//! A triangle list and its dual graph that follow collapses and vertex splits.
+//! Triangle list and dual graph that follow collapses and vertex splits.
 //!
-//! Triangles keep the numbers of the full mesh. A collapse `v -> u` writes `u` into the corners at `v`, kills the
-//! triangles that had both, and links again only sides along edges at `u`; a split undoes it. A dead
-//! triangle keeps the corners that it died with, so its largest vertex is the one whose collapse killed it,
-//! and a stack of the dead is all that has to be remembered.
+//! Triangles keep their indices in the full mesh. A collapse `v -> u` writes `u` into the corners at `v`,
+//! removes the triangles that had both vertices, and links only sides along edges at `u` again; a split
+//! undoes it. A removed (dead) triangle keeps its last corners, so its largest vertex is the one whose
+//! collapse removed it. A stack of the dead triangles is all that must be stored.
 //!
 //! ```text
-//!        a                     a           t1 and t2 die; the sides u - a
-//!      / | \                  / \          of their neighbors find each other,
-//!    l t1|  r     v -> u     l | r         and so do the sides u - b
-//!    u---v--o    ------->      u - o
-//!    l t2|  r                l | r
-//!      \ | /                  \ /
-//!        b                     b
-//! ```
+//! //!        a                     a           t1 and t2 are removed; the sides u - a
+//! //!      / | \                  / \          of their neighbors are linked to each other,
+//! //!    l t1|  r     v -> u     l | r         and so are the sides u - b
+//! //!    u---v--o    ------->      u - o
+//! //!    l t2|  r                l | r
+//! //!      \ | /                  \ /
+//! //!        b                     b
+//! //! ```
 //!
-//! Links are those of [`DualGraph`]: opposite directions, one group, each side at most once, and as many as there can
-//! be; which of several sides on one edge are linked may differ. A step costs the triangles at `v`, and those at
-//! `u` too where a side stays without a twin (borders). 52 bytes a triangle, 8 a vertex.
+//! Links follow the rules of [`DualGraph`]: opposite directions, one group, each side at most once, and as
+//! many as possible; which of several sides on one edge are linked may differ. A step costs time for the
+//! triangles at `v`, and also for those at `u` if a side remains without a twin (at boundaries). 52 bytes
+//! per triangle, 8 per vertex.
 
 use striata::mesh::{DualGraph, IndexedMesh, NO_TWIN};
 use striata::strip::{next_side, prev_side};
 
 use super::stars::Stars;
 
-/// Triangles of one level, linked.
+/// Linked triangles of the current level.
 #[derive(Clone, Debug)]
 pub(super) struct LiveGraph {
     corners: Vec<[u32; 3]>,
@@ -34,22 +35,22 @@ pub(super) struct LiveGraph {
     dead: Vec<u32>,
     /// One past the last triangle of each group.
     group_ends: Vec<u32>,
-    /// Kept between steps so that none allocates: sides that look for a twin.
+    /// Sides that need a twin; reused between steps, so that no step allocates.
     loose: Vec<u32>,
     sorted: Vec<LooseSide>,
 }
 
-/// A side without twin; those that can be linked lie together when sorted.
+/// Side without a twin; sorting brings sides together that can be linked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct LooseSide {
-    /// The smaller vertex, the larger, the group.
+    /// The smaller vertex, the larger vertex, and the group.
     edge: (u32, u32, u32),
     is_backward: bool,
     side: u32,
 }
 
 impl LiveGraph {
-    /// The full mesh, whose parts have been checked.
+    /// Creates the graph of the full mesh, which must be consistent.
     pub(super) fn new(mesh: &IndexedMesh) -> Self {
         Self {
             corners: mesh.triangles.clone(),
@@ -62,22 +63,22 @@ impl LiveGraph {
         }
     }
 
-    /// The twin of every side, [`NO_TWIN`] where there is none; dead triangles have none.
+    /// Returns the twin of every side, or [`NO_TWIN`]; dead triangles have no twins.
     pub(super) fn twins(&self) -> &[u32] {
         &self.twins
     }
 
-    /// Corners of a triangle that is shown.
+    /// Returns the vertices of an active triangle.
     pub(super) fn corners(&self, triangle: u32) -> [u32; 3] {
         self.corners[triangle as usize]
     }
 
-    /// The corners that stand at a vertex.
+    /// Iterates over the corners at a vertex.
     pub(super) fn corners_at(&self, vertex: u32) -> impl Iterator<Item = u32> {
         self.stars.corners(vertex)
     }
 
-    /// All triangles under the numbers of the full mesh; those that are not shown as `[0, 0, 0]`.
+    /// Returns all triangles by their index in the full mesh; dead ones are `[0, 0, 0]`.
     pub(super) fn numbered_triangles(&self) -> Vec<[u32; 3]> {
         let mut triangles = self.corners.clone();
         for &dead in &self.dead {
@@ -86,7 +87,7 @@ impl LiveGraph {
         triangles
     }
 
-    /// The group of a triangle.
+    /// Returns the group of a triangle.
     pub(super) fn group_of(&self, triangle: u32) -> u32 {
         if self.group_ends.len() == 1 {
             return 0;
@@ -94,18 +95,18 @@ impl LiveGraph {
         self.group_ends.partition_point(|&end| end <= triangle) as u32
     }
 
-    /// One past the last triangle of each group.
+    /// Returns one past the last triangle of each group.
     pub(super) fn group_ends(&self) -> &[u32] {
         &self.group_ends
     }
 
-    /// Lists the triangles that collapsing `vertex` to `target` would kill.
+    /// Lists the triangles that collapsing `vertex` to `target` would remove.
     pub(super) fn dying_into(&self, vertex: u32, target: u32, out: &mut Vec<u32>) {
         out.clear();
         out.extend(self.stars.corners(vertex).map(|c| c / 3).filter(|&t| self.corners(t).contains(&target)));
     }
 
-    /// Collapses a vertex, of which no side is solid in `dying`.
+    /// Collapses a vertex; no side of the triangles in `dying` may be solid.
     pub(super) fn collapse(&mut self, vertex: u32, target: u32, dying: &[u32]) {
         self.loose.clear();
         for &triangle in dying {
@@ -113,12 +114,12 @@ impl LiveGraph {
                 let twin = std::mem::replace(&mut self.twins[side as usize], NO_TWIN);
                 if twin != NO_TWIN {
                     self.twins[twin as usize] = NO_TWIN;
-                    // A dying twin is loose only until its own turn.
+                    // A twin in a dying triangle is processed with that triangle.
                     if !dying.contains(&(twin / 3)) {
                         self.loose.push(twin);
                     }
                 }
-                self.stars.take_out(side);
+                self.stars.remove(side);
             }
             self.dead.push(triangle);
         }
@@ -130,16 +131,16 @@ impl LiveGraph {
         self.link_loose(&[target]);
     }
 
-    /// Begins to undo the collapse of `vertex`: its corners are back, and `parted` lists the sides at them
-    /// whose twin now runs along another edge.
-    pub(super) fn part_into(&mut self, vertex: u32, target: u32, parted: &mut Vec<u32>) {
-        parted.clear();
+    /// Begins to undo the collapse of `vertex`: restores its corners and lists in `detached` the sides there
+    /// whose twin now lies along another edge.
+    pub(super) fn detach_into(&mut self, vertex: u32, target: u32, detached: &mut Vec<u32>) {
+        detached.clear();
         self.stars.split(vertex, target);
         for c in self.stars.corners(vertex) {
             self.corners[c as usize / 3][c as usize % 3] = vertex;
         }
         for c in self.stars.corners(vertex) {
-            parted.extend([c, prev_side(c)].iter().filter(|&&side| {
+            detached.extend([c, prev_side(c)].iter().filter(|&&side| {
                 let twin = self.twins[side as usize];
                 let edge = (self.origin(side), self.tip(side));
                 twin != NO_TWIN && (self.tip(twin), self.origin(twin)) != edge
@@ -147,28 +148,35 @@ impl LiveGraph {
         }
     }
 
-    /// Ends what [`Self::part_into`] began: no parted side is solid any more; lists the triangles that come back.
-    pub(super) fn revive_into(&mut self, vertex: u32, target: u32, parted: &[u32], revived: &mut Vec<u32>) {
+    /// Completes [`Self::detach_into`], after all links of detached sides were made dashed, and lists the
+    /// restored triangles.
+    pub(super) fn restore_into(
+        &mut self,
+        vertex: u32,
+        target: u32,
+        detached: &[u32],
+        restored: &mut Vec<u32>,
+    ) {
         self.loose.clear();
-        revived.clear();
-        for &side in parted {
+        restored.clear();
+        for &side in detached {
             let twin = std::mem::replace(&mut self.twins[side as usize], NO_TWIN);
             self.twins[twin as usize] = NO_TWIN;
             self.loose.extend([side, twin]);
         }
-        // Older dead may have the vertex too, but then a larger one beside it.
-        let was_killed = |t: &mut u32| self.corners[*t as usize].iter().max() == Some(&vertex);
-        while let Some(triangle) = self.dead.pop_if(was_killed) {
+        // Triangles that died earlier may have the vertex too, but then they also have a larger one.
+        let was_removed = |t: &mut u32| self.corners[*t as usize].iter().max() == Some(&vertex);
+        while let Some(triangle) = self.dead.pop_if(was_removed) {
             for side in (3 * triangle..3 * triangle + 3).rev() {
-                self.stars.put_back(side);
+                self.stars.restore(side);
                 self.loose.push(side);
             }
-            revived.push(triangle);
+            restored.push(triangle);
         }
         self.link_loose(&[vertex, target]);
     }
 
-    /// Links the sides in `loose`, where they cannot all be linked also with others at these vertices.
+    /// Links the sides in `loose`; if some remain, tries again with all unlinked sides at these vertices.
     fn link_loose(&mut self, vertices: &[u32]) {
         if self.link_sorted() {
             return;
@@ -183,7 +191,7 @@ impl LiveGraph {
         self.link_sorted();
     }
 
-    /// Links what can be linked among the sides in `loose`; whether none is left.
+    /// Links the sides in `loose` as far as possible. Returns whether none is left.
     fn link_sorted(&mut self) -> bool {
         self.sorted.clear();
         for &side in &self.loose {
@@ -205,15 +213,17 @@ impl LiveGraph {
         is_complete
     }
 
+    /// Returns the vertex from which a side runs.
     fn origin(&self, side: u32) -> u32 {
         self.corners[side as usize / 3][side as usize % 3]
     }
 
+    /// Returns the vertex to which a side runs.
     fn tip(&self, side: u32) -> u32 {
         self.origin(next_side(side))
     }
 
-    /// Bytes of what a level owns.
+    /// Returns the size of the owned data in bytes.
     pub(super) fn bytes(&self) -> usize {
         12 * self.corners.len() + 4 * (self.twins.len() + self.dead.capacity()) + self.stars.bytes()
     }

@@ -1,4 +1,4 @@
-//! Strips of the level at hand, moved step by step.
+//! Strips of the current level, and their moves to other levels.
 
 use striata::mesh::{CollapseSequence, NO_TWIN, RefinableMesh, is_proper};
 use striata::strip::{StripLinks, StripSet, strip_triangles, write_strips};
@@ -9,11 +9,11 @@ use super::options::{RepairGoal, RepairOptions, RepairReport};
 use super::scratch::Scratch;
 use super::tunnel_search::TunnelSearch;
 
-/// The strips of one level of a mesh, which follow it to any other.
+/// Strips of one level of a mesh, which can follow it to any other level.
 ///
-/// Each step changes the mesh as its collapse or vertex split does, lets strips go on through the triangles that die or
-/// come back, and then searches tunnels around them. The strips of a level depend on the way that led
-/// there, its triangles do not.
+/// Each step changes the mesh by a collapse or a vertex split, continues strips across triangles that were
+/// removed or restored, and then searches for tunnels around the change. The strips of a level depend on
+/// the path that led there; its triangles do not.
 ///
 /// ```
 /// use striata::mesh::shapes;
@@ -40,20 +40,21 @@ pub struct LiveStrips<'a> {
     pub(super) triangle_count: usize,
     pub(super) solid_count: usize,
     pub(super) goal: RepairGoal,
-    /// Rings around a step from which repair searches.
+    /// Number of rings around a step from which repair searches.
     pub(super) reach: u32,
     pub(super) search: TunnelSearch,
     pub(super) scratch: Scratch,
 }
 
 impl<'a> LiveStrips<'a> {
-    /// Takes strips of the level at `split_count`; the full mesh is at `refinable.sequence.step_count()`.
+    /// Starts with the given strips of the level at `split_count`; the full mesh is at
+    /// `refinable.sequence.step_count()`.
     ///
-    /// The strips are kept as they are, save where they cross an edge that the dual graph does not link.
+    /// The strips are kept, except that they are cut at edges that the dual graph does not link.
     ///
     /// # Errors
-    /// [`LiveStripsError`] where there is no such level, where the strips hold other triangles than the
-    /// level, or where the mesh's parts do not fit together.
+    /// Returns [`LiveStripsError`] if there is no such level, if the strips contain other triangles than
+    /// the level, or if the mesh is inconsistent.
     pub fn new(
         refinable: &'a RefinableMesh,
         split_count: usize,
@@ -92,6 +93,7 @@ impl<'a> LiveStrips<'a> {
         Ok(live)
     }
 
+    /// Makes the links of the given strips solid, after checking that they fit the level.
     fn take_strips(&mut self, strips: &StripSet) -> Result<(), LiveStripsError> {
         let (split_count, triangles) = (self.split_count, self.graph.numbered_triangles());
         let mut expected = vec![0; self.graph.group_ends().len()];
@@ -118,37 +120,37 @@ impl<'a> LiveStrips<'a> {
         Ok(())
     }
 
-    /// The level.
+    /// Returns the split count of the current level.
     pub fn split_count(&self) -> usize {
         self.split_count
     }
 
-    /// Steps from the base mesh to the full mesh.
+    /// Returns the number of steps from the base mesh to the full mesh.
     pub fn step_count(&self) -> usize {
         self.sequence.step_count()
     }
 
-    /// Triangles of the level.
+    /// Returns the number of triangles of the level.
     pub fn triangle_count(&self) -> usize {
         self.triangle_count
     }
 
-    /// Strips of the level.
+    /// Returns the number of strips of the level.
     pub fn strip_count(&self) -> usize {
         self.triangle_count - self.solid_count
     }
 
-    /// Links of the level's dual graph, solid and dashed; linear in the size of the full mesh.
+    /// Counts the links of the level's dual graph, solid and dashed; linear in the size of the full mesh.
     pub fn link_count(&self) -> usize {
         self.graph.twins().iter().filter(|&&twin| twin != NO_TWIN).count() / 2
     }
 
-    /// Appends the triangles of the level in the order of the full mesh.
+    /// Appends the triangles of the level, in the order of the full mesh.
     pub fn triangles_into(&self, out: &mut Vec<[u32; 3]>) {
         out.extend(self.graph.numbered_triangles().into_iter().filter(is_proper));
     }
 
-    /// The strips of the level, with the groups of the mesh; linear in the size of the full mesh.
+    /// Returns the strips of the level, with the groups of the mesh; linear in the size of the full mesh.
     pub fn to_strip_set(&self) -> StripSet {
         let triangles = self.graph.numbered_triangles();
         let links = StripLinks::from_bits(self.graph.twins(), self.solid.clone());
@@ -165,12 +167,12 @@ impl<'a> LiveStrips<'a> {
         out
     }
 
-    /// Bytes that it owns; those of the full mesh and its sequence are not counted.
+    /// Returns the number of bytes that it owns, without the full mesh and its sequence.
     pub fn bytes(&self) -> usize {
         self.graph.bytes() + self.solid.len()
     }
 
-    /// Moves to a level, step by step, and repairs the strips around each step.
+    /// Moves to a level step by step, and repairs the strips around each step.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.

@@ -1,14 +1,14 @@
-//! What repair aims at, how hard it tries, and what it reports.
+//! Options of strip repair, and its report.
 
-/// What repaired strips have few of.
+/// What repair minimizes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RepairGoal {
-    /// Indices: `swaps + 3.25 * strips`, since a strip costs two indices, its restart and every fourth time a
-    /// parity fix.
+    /// The number of indices, as `swaps + 3.25 * strips`: a strip costs two indices, a restart, and a
+    /// parity fix for every fourth strip.
     #[default]
     FewestIndices,
-    /// Strips, and among as many strips swaps.
+    /// The number of strips and, among equals, the number of swaps.
     FewestStrips,
 }
 
@@ -16,16 +16,16 @@ pub enum RepairGoal {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct RepairOptions {
-    /// What is made little; default [`RepairGoal::FewestIndices`].
+    /// Quantity to minimize; default [`RepairGoal::FewestIndices`].
     pub goal: RepairGoal,
-    /// Links of the longest tunnel, an odd number; 0 searches for none. Default 9.
+    /// Length of the longest tunnel, in links: an odd number, or 0 for no search. Default 9.
     pub tunnel_length: u32,
-    /// Tunnels, whole or begun, that one search looks at; default 24.
+    /// Number of tunnels, complete or partial, that one search examines. Default 24.
     pub search_limit: u32,
-    /// Searches begin at the triangles of a step and at so many rings of neighbors around them; default 1.
+    /// Number of rings around the triangles of a step from which searches start. Default 1.
     pub reach: u32,
-    /// Triangles of a strip that are walked to learn whether a tunnel would close it to a loop; in longer
-    /// strips some tunnels are passed over. Default 1,024.
+    /// Number of triangles of a strip that are visited to find out whether a tunnel would close a loop. In
+    /// longer strips, some tunnels are skipped. Default 1,024.
     pub walk_limit: u32,
 }
 
@@ -67,20 +67,20 @@ impl RepairOptions {
     }
 }
 
-/// What a move between levels did to the strips.
+/// Counts of what a move between levels did to the strips.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct RepairReport {
-    /// Steps towards the base.
+    /// Number of steps towards the base mesh.
     pub collapse_count: usize,
-    /// Steps towards the full mesh.
+    /// Number of steps towards the full mesh.
     pub split_count: usize,
-    /// Solid links that steps and repair cut.
+    /// Number of solid links that steps and repair cut.
     pub cut_count: usize,
-    /// Dashed links that steps and repair joined.
+    /// Number of dashed links that steps and repair joined.
     pub joined_count: usize,
-    /// Tunnels that made the strips better; ends that only moved are not counted.
+    /// Number of tunnels that improved the strips; moves of ends are not counted.
     pub tunnel_count: usize,
-    /// Triangles that steps changed, killed or brought back, each counted once a step.
+    /// Number of triangles that steps changed, removed or restored, each counted once per step.
     pub touched_count: usize,
 }

@@ -1,13 +1,13 @@
-//! Lists that steps need for a moment.
+//! Temporary lists of a step.
 
-/// Lists kept between steps so that none allocates.
+/// Lists that are reused between steps, so that no step allocates.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
-    /// Triangles that a collapse kills or a split brings back.
+    /// Triangles that a collapse removes or a split restores.
     pub(super) changed: Vec<u32>,
-    /// Sides whose link a split breaks.
-    pub(super) parted: Vec<u32>,
-    /// Sides of two triangles between which a strip is to go on.
+    /// Sides whose links a split breaks.
+    pub(super) detached: Vec<u32>,
+    /// Pairs of sides between which a strip should continue.
     pub(super) bridges: Vec<[u32; 2]>,
     /// Triangles around the step.
     pub(super) touched: Vec<u32>,

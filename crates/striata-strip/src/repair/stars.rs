@@ -1,22 +1,23 @@
-//! The corners that stand at each vertex while vertices collapse and split again.
+//! Corners at each vertex, kept up to date through collapses and splits.
 //!
-//! A ring of corners for each vertex, doubly linked, with one node of the vertex itself. A collapse puts the
-//! corners of one ring into another; the node that lost them still points at their first and last, so
-//! that undoing is exact as long as it goes backwards. The same holds for a corner that is taken out.
+//! Each vertex has a doubly linked ring of its corners, which also contains one node for the vertex itself.
+//! A collapse moves the corners of one ring into another. The node that lost them still points at the first
+//! and last of them, so undoing is exact as long as it runs in reverse order. The same is true of a corner
+//! that is removed from its ring.
 //!
 //! ```text
 //!     (u) - a - b -            collapse v -> u         (u) - c - d - e - a - b -
-//!     (v) - c - d - e -                                (v) still knows c and e
+//! //!     (v) - c - d - e -                                (v) still points at c and e
 //! ```
 //!
-//! 8 bytes a corner and a vertex; a collapse and a split cost two links, whatever the valence.
+//! 8 bytes per corner and per vertex; a collapse or split changes two links, whatever the valence.
 
 use striata::mesh::is_proper;
 
-/// Rings of corners; corner `3 * triangle + k`.
+/// Rings of corners; a corner is `3 * triangle + k`.
 #[derive(Clone, Debug)]
 pub(super) struct Stars {
-    /// Next and previous node; nodes of vertices follow those of corners.
+    /// Next and previous node of each node; the nodes of vertices follow those of corners.
     around: Vec<[u32; 2]>,
     corner_count: u32,
 }
@@ -25,7 +26,8 @@ const NEXT: usize = 0;
 const PREV: usize = 1;
 
 impl Stars {
-    /// Every corner of these triangles at its vertex; degenerate triangles stand nowhere.
+    /// Puts every corner of these triangles into the ring of its vertex; corners of degenerate triangles
+    /// are in none.
     pub(super) fn new(triangles: &[[u32; 3]], vertex_count: usize) -> Self {
         let corner_count = 3 * triangles.len() as u32;
         let node_count = corner_count + vertex_count as u32;
@@ -41,6 +43,7 @@ impl Stars {
         stars
     }
 
+    /// Returns the node of a vertex.
     fn node_of(&self, vertex: u32) -> u32 {
         self.corner_count + vertex
     }
@@ -52,7 +55,7 @@ impl Stars {
         self.around[after as usize][PREV] = node;
     }
 
-    /// The corners at a vertex that is shown.
+    /// Iterates over the corners at an active vertex.
     pub(super) fn corners(&self, vertex: u32) -> impl Iterator<Item = u32> {
         let node = self.node_of(vertex);
         let mut next = self.around[node as usize][NEXT];
@@ -65,21 +68,21 @@ impl Stars {
         })
     }
 
-    /// Takes a corner out.
-    pub(super) fn take_out(&mut self, corner: u32) {
+    /// Removes a corner from its ring.
+    pub(super) fn remove(&mut self, corner: u32) {
         let [next, prev] = self.around[corner as usize];
         self.around[prev as usize][NEXT] = next;
         self.around[next as usize][PREV] = prev;
     }
 
-    /// Puts back the corner that was taken out last.
-    pub(super) fn put_back(&mut self, corner: u32) {
+    /// Puts back the corner that was removed last.
+    pub(super) fn restore(&mut self, corner: u32) {
         let [next, prev] = self.around[corner as usize];
         self.around[prev as usize][NEXT] = corner;
         self.around[next as usize][PREV] = corner;
     }
 
-    /// Moves all corners of `vertex` to the front of those of `target`.
+    /// Moves all corners of `vertex` to the front of the ring of `target`.
     pub(super) fn collapse(&mut self, vertex: u32, target: u32) {
         let (vertex, target) = (self.node_of(vertex), self.node_of(target));
         let [first, last] = self.around[vertex as usize];
@@ -102,12 +105,13 @@ impl Stars {
         }
     }
 
+    /// Links two nodes in a row.
     fn link(&mut self, before: u32, after: u32) {
         self.around[before as usize][NEXT] = after;
         self.around[after as usize][PREV] = before;
     }
 
-    /// Bytes of the rings.
+    /// Returns the size of the rings in bytes.
     pub(super) fn bytes(&self) -> usize {
         size_of_val(&self.around[..])
     }
@@ -128,7 +132,7 @@ mod tests {
         assert_eq!(before[0], vec![0, 3]);
         assert_eq!(before[3], vec![5, 9]);
         for corner in [9, 10, 11] {
-            stars.take_out(corner);
+            stars.remove(corner);
         }
         stars.collapse(5, 4);
         stars.collapse(4, 2);
@@ -140,7 +144,7 @@ mod tests {
         stars.split(4, 2);
         stars.split(5, 4);
         for corner in [11, 10, 9] {
-            stars.put_back(corner);
+            stars.restore(corner);
         }
         assert_eq!(all(&stars, 6), before);
     }

@@ -1,4 +1,4 @@
-//! One step: the mesh changes, the strips through the changed triangles go on, tunnels mend the rest.
+//! One step: the mesh changes, strips continue across the changed triangles, and tunnels repair the rest.
 
 use striata::mesh::NO_TWIN;
 use striata::strip::StripLinks;
@@ -6,10 +6,10 @@ use striata::strip::StripLinks;
 use super::live_strips::LiveStrips;
 use super::options::{RepairGoal, RepairReport};
 use super::scratch::Scratch;
-use super::tunnel_search::{Found, TunnelSearch, swap_at};
+use super::tunnel_search::{TunnelChange, TunnelSearch, swap_at};
 
 impl LiveStrips<'_> {
-    /// One step towards the base, whose number is the split count that it leads to.
+    /// Takes one step towards the base mesh, to the level at the current split count.
     pub(super) fn coarsen(&mut self, report: &mut RepairReport) {
         self.scratch.touched.clear();
         for vertex in self.sequence.step_vertices(self.split_count()).rev() {
@@ -19,7 +19,7 @@ impl LiveStrips<'_> {
         self.repair(report);
     }
 
-    /// One step towards the full mesh, whose number is the split count that it leads from.
+    /// Takes one step towards the full mesh, from the level at the current split count.
     pub(super) fn refine(&mut self, report: &mut RepairReport) {
         self.scratch.touched.clear();
         for vertex in self.sequence.step_vertices(self.split_count()) {
@@ -29,7 +29,7 @@ impl LiveStrips<'_> {
         self.repair(report);
     }
 
-    /// Takes a vertex away; strips go on past triangles that die inside them.
+    /// Removes a vertex; strips continue past triangles that disappear inside them.
     fn collapse(&mut self, vertex: u32, report: &mut RepairReport) {
         let target = self.sequence.target(vertex);
         let Self { graph, scratch, .. } = self;
@@ -68,15 +68,15 @@ impl LiveStrips<'_> {
         self.count_links(joined_count, 0, report);
     }
 
-    /// Brings a vertex back; strips run through triangles that appear inside them.
+    /// Restores a vertex; strips continue through triangles that appear inside them.
     fn vertex_split(&mut self, vertex: u32, report: &mut RepairReport) {
         let target = self.sequence.target(vertex);
         let Self { graph, scratch, .. } = self;
-        let Scratch { changed: revived, parted, bridges, .. } = scratch;
-        graph.part_into(vertex, target, parted);
+        let Scratch { changed: restored, detached, bridges, .. } = scratch;
+        graph.detach_into(vertex, target, detached);
         bridges.clear();
         let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
-        for &side in parted.iter() {
+        for &side in detached.iter() {
             let ends = [side, links.twins()[side as usize]];
             scratch.touched.extend(ends.map(|side| side / 3));
             if links.is_solid(side) {
@@ -86,15 +86,15 @@ impl LiveStrips<'_> {
         }
         let cut_count = bridges.len();
         self.solid = links.into_bits();
-        graph.revive_into(vertex, target, parted, revived);
-        self.triangle_count += revived.len();
+        graph.restore_into(vertex, target, detached, restored);
+        self.triangle_count += restored.len();
         self.count_links(0, cut_count, report);
 
         let Self { graph, scratch, .. } = self;
-        let Scratch { changed: revived, bridges, touched, .. } = scratch;
+        let Scratch { changed: restored, bridges, touched, .. } = scratch;
         touched.extend(graph.corners_at(vertex).map(|corner| corner / 3));
         let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
-        for &triangle in revived.iter() {
+        for &triangle in restored.iter() {
             touched.extend(neighbors(&links, triangle));
         }
         let mut joined_count = 0;
@@ -110,13 +110,15 @@ impl LiveStrips<'_> {
         self.count_links(joined_count, 0, report);
     }
 
+    /// Adds joined and cut links to the report and to the number of solid links.
     fn count_links(&mut self, joined_count: usize, cut_count: usize, report: &mut RepairReport) {
         report.joined_count += joined_count;
         report.cut_count += cut_count;
         self.solid_count = self.solid_count + joined_count - cut_count;
     }
 
-    /// Searches tunnels from the triangles around a step, and from where those that it finds lead.
+    /// Searches for tunnels from the triangles around a step, and from the triangles that the found tunnels
+    /// pass.
     fn repair(&mut self, report: &mut RepairReport) {
         let Self { graph, scratch, search, .. } = self;
         let seeds = &mut scratch.touched;
@@ -140,7 +142,7 @@ impl LiveStrips<'_> {
                 report.tunnel_count += usize::from(found.is_gain);
                 joined_count += found.joined_count;
                 cut_count += found.cut_count;
-                seeds.extend(search.passed().take(seed_limit.saturating_sub(seeds.len())));
+                seeds.extend(search.touched_triangles().take(seed_limit.saturating_sub(seeds.len())));
             }
         }
         self.solid = links.into_bits();
@@ -148,26 +150,27 @@ impl LiveStrips<'_> {
     }
 }
 
-/// Searches from one triangle: where it is an end from there, else through those of its links that are swaps.
+/// Searches from one triangle: if it is an end, from there; otherwise across those of its links that are
+/// swaps.
 fn search_at(
     seed: u32,
     goal: RepairGoal,
     links: &mut StripLinks<'_>,
     search: &mut TunnelSearch,
-) -> Option<Found> {
+) -> Option<TunnelChange> {
     if links.solid_degree(seed) < 2 {
-        return search.dig_from(links, seed);
+        return search.search_from_end(links, seed);
     }
     if goal == RepairGoal::FewestStrips {
         return None;
     }
     (3 * seed..3 * seed + 3).find_map(|side| {
         let is_swap = links.is_solid(side) && swap_at(links, side) > 0;
-        if is_swap { search.dig_through(links, side) } else { None }
+        if is_swap { search.search_across(links, side) } else { None }
     })
 }
 
-/// Triangles across the links of a triangle.
+/// Iterates over the triangles linked to a triangle.
 fn neighbors(links: &StripLinks<'_>, triangle: u32) -> impl Iterator<Item = u32> {
     let sides = 3 * triangle as usize..3 * triangle as usize + 3;
     links.twins()[sides].iter().filter(|&&twin| twin != NO_TWIN).map(|&twin| twin / 3)

@@ -1,18 +1,19 @@
-//! The search for tunnels around one triangle, priced.
+//! Search for tunnels around one triangle, weighted by their cost in indices.
 //!
-//! A tunnel from the end `t` of a strip is a chain of moves: `t` takes a neighbor `x`, which lets one of its own
-//! neighbors `b` go, and `b` is the next end; a last move joins the end to another strip's. Each move leaves proper
-//! strips, so chains are tried on the links themselves, the cheapest first, and the one that leaves least of
-//! `swap weight * swaps + strip weight * strips` stays. Where `x` is in the strip of `t`, the neighbor
-//! between them must go, or a loop would close \[PS03, 3.1\]; who is in whose strip is found by walking it.
+//! A tunnel from the end `t` of a strip is a chain of moves: `t` takes a neighbor `x`, which releases one
+//! of its own neighbors `b`, and `b` is the next end; the last move joins the end to another strip's. Every
+//! move leaves valid strips, so chains are tried on the links themselves, the cheapest first, and the one
+//! with the least `swap weight * swaps + strip weight * strips` is kept. If `x` is in the strip of `t`, it
+//! must release the neighbor between them, or a loop would close \[PS03, 3.1\]. Walking the strip finds out
+//! which case applies.
 //!
 //! ```text
 //!      t   p===x===q          t===x   p   q        t - x joined, x = p cut: p is the next end;
 //!          |       |    ->        |                 or x = q cut, and q is
 //! ```
 //!
-//! Differs: \[PS03\] numbers strips and keeps stacks of numbers to undo; here links are what they are, and a walk of
-//! bounded length answers. \[Ste01\] and \[PS03\] count strips only.
+//! Differs: \[PS03\] numbers strips and keeps stacks of numbers to undo; here the links are changed
+//! directly, and a walk of limited length replaces the numbers. \[Ste01\] and \[PS03\] only count strips.
 //!
 //! Cost: at most [`RepairOptions::search_limit`](super::RepairOptions) chains, each with one walk.
 
@@ -21,58 +22,58 @@ use striata::strip::{StripLinks, Turn};
 
 use super::options::{RepairGoal, RepairOptions};
 
-/// What a swap and a strip weigh.
+/// Weights of a swap and a strip.
 ///
-/// For fewest indices a strip weighs three swaps, two indices and its restart, and a quarter more: about every
-/// fourth strip can begin at neither end without a parity fix.
+/// For fewest indices, a strip weighs three swaps (two indices and its restart) and a quarter more, because
+/// about every fourth strip needs a parity fix whichever end it begins with.
 #[derive(Clone, Copy, Debug)]
 struct Weights {
     strip: i32,
     swap: i32,
 }
 
-/// The state after a chain of moves: the last move, and the one before it.
+/// Chain of moves, stored as its last move and a reference to the chain before it.
 #[derive(Clone, Copy, Debug)]
 struct Chain {
     parent: u32,
-    /// Side of the link that the last move joined, [`NO_TWIN`] for none.
+    /// Side of the link that the last move joined, or [`NO_TWIN`].
     joined: u32,
-    /// Side of the link that it cut, [`NO_TWIN`] for none.
+    /// Side of the link that the last move cut, or [`NO_TWIN`].
     cut: u32,
-    /// The end that the chain may go on from, [`NO_TWIN`] after a last move.
+    /// End from which the chain may continue, or [`NO_TWIN`] after a final move.
     end: u32,
-    /// What all its moves cost.
+    /// Total cost of its moves.
     cost: i32,
     move_count: u32,
-    /// Whether the search may go on from it and has not yet.
+    /// Whether the search still has to extend this chain.
     is_open: bool,
 }
 
-/// A move that a chain may make next.
+/// Possible next move of a chain.
 #[derive(Clone, Copy, Debug)]
 struct Move {
     joined: u32,
-    /// The triangle beyond the link that is joined.
+    /// Triangle beyond the link that is joined.
     taken: u32,
-    /// [`NO_TWIN`] where `taken` is an end, and the move the last.
+    /// Side of the link that is cut, or [`NO_TWIN`] if `taken` is an end and this is the final move.
     cut: u32,
     end: u32,
-    /// Of the whole chain.
+    /// Total cost of the extended chain.
     cost: i32,
-    /// The side by which a walk from the moving end enters `taken`, where it is in the same strip.
-    facing: Option<u32>,
+    /// Side by which a walk from the moving end enters `taken`, if both are in the same strip.
+    entered_by: Option<u32>,
 }
 
-/// What a search changed.
+/// Changes made by a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Found {
-    /// Whether the strips are cheaper now, and not only other.
+pub(super) struct TunnelChange {
+    /// Whether the strips are cheaper now, and not only different.
     pub(super) is_gain: bool,
     pub(super) joined_count: usize,
     pub(super) cut_count: usize,
 }
 
-/// Scratch memory of searches.
+/// Reusable state of searches.
 #[derive(Clone, Debug)]
 pub(super) struct TunnelSearch {
     weights: Weights,
@@ -80,12 +81,13 @@ pub(super) struct TunnelSearch {
     chain_limit: usize,
     walk_limit: u32,
     chains: Vec<Chain>,
-    /// The cheapest chain; 0, the beginning, until another is as cheap as what was there.
+    /// Index of the cheapest chain; 0 (the start) until another is at least as cheap as the original
+    /// strips.
     best: u32,
-    /// Chains whose moves the links show now, from the first move on.
-    shown: Vec<u32>,
+    /// Chains whose moves are currently applied to the links, in order.
+    applied: Vec<u32>,
     path: Vec<u32>,
-    /// Moves that the chain at hand may go on with.
+    /// Possible moves of the current chain.
     moves: Vec<Move>,
 }
 
@@ -102,69 +104,71 @@ impl TunnelSearch {
             walk_limit: options.walk_limit,
             chains: Vec::new(),
             best: 0,
-            shown: Vec::new(),
+            applied: Vec::new(),
             path: Vec::new(),
             moves: Vec::new(),
         }
     }
 
-    /// Looks for a tunnel from the end of a strip.
-    pub(super) fn dig_from(&mut self, links: &mut StripLinks<'_>, end: u32) -> Option<Found> {
+    /// Searches for a tunnel from the end of a strip.
+    pub(super) fn search_from_end(&mut self, links: &mut StripLinks<'_>, end: u32) -> Option<TunnelChange> {
         debug_assert!(links.solid_degree(end) < 2, "triangle {end} is inside a strip");
         self.search(links, NO_TWIN, end, 0)
     }
 
-    /// Looks for a tunnel from the triangle of a solid side that pays for cutting its link.
-    pub(super) fn dig_through(&mut self, links: &mut StripLinks<'_>, cut: u32) -> Option<Found> {
+    /// Searches for a tunnel from the triangle of a solid side that pays for cutting its link.
+    pub(super) fn search_across(&mut self, links: &mut StripLinks<'_>, cut: u32) -> Option<TunnelChange> {
         let cost = self.weights.strip - self.weights.swap * swaps_between(links, cut);
         self.search(links, cut, cut / 3, cost)
     }
 
-    /// Begins with one chain, goes on with the cheapest that there is, leaves the links as the best chain has them.
+    /// Extends the cheapest chain repeatedly, and leaves the links as the best chain has them.
     ///
-    /// Where none is cheaper than what is there, the first that is as cheap is taken: ends that wander meet.
-    fn search(&mut self, links: &mut StripLinks<'_>, cut: u32, end: u32, cost: i32) -> Option<Found> {
+    /// If none is cheaper than the original strips, the first one of equal cost is applied, because ends
+    /// that move around meet others.
+    fn search(&mut self, links: &mut StripLinks<'_>, cut: u32, end: u32, cost: i32) -> Option<TunnelChange> {
         self.chains.clear();
-        self.shown.clear();
+        self.applied.clear();
         self.best = 0;
         let is_open = self.move_limit > 0;
         self.chains.push(Chain { parent: 0, joined: NO_TWIN, cut, end, cost, move_count: 0, is_open });
         while self.chains[self.best as usize].cost > -self.weights.strip {
             let Some(next) = self.cheapest_open() else { break };
             self.chains[next as usize].is_open = false;
-            self.show(links, next);
+            self.apply(links, next);
             self.extend(links, next);
         }
         let cost = self.chains[self.best as usize].cost;
         if self.best == 0 || cost > 0 {
-            self.hide_from(links, 0);
+            self.undo_to(links, 0);
             return None;
         }
-        self.show(links, self.best);
-        debug_assert!(self.passed().all(|t| !is_in_loop(links, t)), "a tunnel closed a loop");
-        let mut found = Found { is_gain: cost < 0, ..Found::default() };
-        for &chain in &self.shown {
+        self.apply(links, self.best);
+        debug_assert!(self.touched_triangles().all(|t| !is_in_loop(links, t)), "a tunnel closed a loop");
+        let mut found = TunnelChange { is_gain: cost < 0, ..TunnelChange::default() };
+        for &chain in &self.applied {
             found.joined_count += usize::from(self.chains[chain as usize].joined != NO_TWIN);
             found.cut_count += usize::from(self.chains[chain as usize].cut != NO_TWIN);
         }
         Some(found)
     }
 
+    /// Returns the cheapest chain that has not been extended yet.
     fn cheapest_open(&self) -> Option<u32> {
         let open = (0..).zip(&self.chains).filter(|(_, chain)| chain.is_open);
         open.min_by_key(|(_, chain)| chain.cost).map(|(chain, _)| chain)
     }
 
-    /// The triangles that the chain of the last search ends at and passes.
-    pub(super) fn passed(&self) -> impl Iterator<Item = u32> {
-        self.shown.iter().flat_map(|&chain| {
+    /// Iterates over the triangles at the links that the last search changed.
+    pub(super) fn touched_triangles(&self) -> impl Iterator<Item = u32> {
+        self.applied.iter().flat_map(|&chain| {
             let Chain { joined, cut, .. } = self.chains[chain as usize];
             [joined, cut].into_iter().filter(|&side| side != NO_TWIN).map(|side| side / 3)
         })
     }
 
-    /// Brings the links to what they are after a chain.
-    fn show(&mut self, links: &mut StripLinks<'_>, chain: u32) {
+    /// Applies the moves of a chain to the links.
+    fn apply(&mut self, links: &mut StripLinks<'_>, chain: u32) {
         self.path.clear();
         let mut at = chain;
         loop {
@@ -175,8 +179,8 @@ impl TunnelSearch {
             at = self.chains[at as usize].parent;
         }
         self.path.reverse();
-        let kept = self.path.iter().zip(&self.shown).take_while(|(a, b)| a == b).count();
-        self.hide_from(links, kept);
+        let kept = self.path.iter().zip(&self.applied).take_while(|(a, b)| a == b).count();
+        self.undo_to(links, kept);
         for &at in &self.path[kept..] {
             let Chain { joined, cut, .. } = self.chains[at as usize];
             if cut != NO_TWIN {
@@ -185,13 +189,13 @@ impl TunnelSearch {
             if joined != NO_TWIN {
                 links.join(joined);
             }
-            self.shown.push(at);
+            self.applied.push(at);
         }
     }
 
-    /// Undoes the last moves that are shown, so that `kept` stay.
-    fn hide_from(&mut self, links: &mut StripLinks<'_>, kept: usize) {
-        for at in self.shown.drain(kept..).rev() {
+    /// Undoes the last applied moves until `kept` are left.
+    fn undo_to(&mut self, links: &mut StripLinks<'_>, kept: usize) {
+        for at in self.applied.drain(kept..).rev() {
             let Chain { joined, cut, .. } = self.chains[at as usize];
             if joined != NO_TWIN {
                 links.cut(joined);
@@ -202,20 +206,20 @@ impl TunnelSearch {
         }
     }
 
-    /// Adds the chains that go one move further than this one, which is shown.
+    /// Adds the chains that extend this one by one move; its moves must be applied.
     fn extend(&mut self, links: &mut StripLinks<'_>, parent: u32) {
-        self.propose(links, parent);
+        self.list_moves(links, parent);
         if self.moves.is_empty() {
             return;
         }
         let Chain { end, move_count, .. } = self.chains[parent as usize];
         let is_whole = self.walk_from(links, end);
         for i in 0..self.moves.len() {
-            let Move { joined, cut, end, cost, facing, .. } = self.moves[i];
-            let is_loose = links.solid_degree(links.twins()[joined as usize] / 3) == 2;
-            let is_proper = match facing {
-                Some(facing) => facing == cut,
-                None => is_whole && (is_loose || cut == NO_TWIN),
+            let Move { joined, cut, end, cost, entered_by, .. } = self.moves[i];
+            let has_two_links = links.solid_degree(links.twins()[joined as usize] / 3) == 2;
+            let is_proper = match entered_by {
+                Some(entered_by) => entered_by == cut,
+                None => is_whole && (has_two_links || cut == NO_TWIN),
             };
             if is_proper && self.chains.len() < self.chain_limit {
                 if cost < self.chains[self.best as usize].cost || (self.best == 0 && cost == 0) {
@@ -235,8 +239,8 @@ impl TunnelSearch {
         }
     }
 
-    /// Lists the moves from the end of a chain that are worth a walk.
-    fn propose(&mut self, links: &mut StripLinks<'_>, parent: u32) {
+    /// Lists the moves from the end of a chain that are worth checking with a walk.
+    fn list_moves(&mut self, links: &mut StripLinks<'_>, parent: u32) {
         self.moves.clear();
         let Chain { end, cut: came_from, cost, move_count, .. } = self.chains[parent as usize];
         let best_cost = self.chains[self.best as usize].cost;
@@ -248,27 +252,34 @@ impl TunnelSearch {
             }
             let taken = entered / 3;
             if links.solid_degree(taken) < 2 {
-                let cost = cost + self.price_of_join(links, joined);
+                let cost = cost + self.cost_of_join(links, joined);
                 if cost < best_cost {
-                    self.moves.push(Move { joined, taken, cut: NO_TWIN, end: NO_TWIN, cost, facing: None });
+                    self.moves.push(Move {
+                        joined,
+                        taken,
+                        cut: NO_TWIN,
+                        end: NO_TWIN,
+                        cost,
+                        entered_by: None,
+                    });
                 }
             }
             let solid = links.solid_bits(taken);
             for cut in (3 * taken..3 * taken + 3).filter(|side| goes_on && solid & 1 << (side % 3) != 0) {
                 let end = links.twins()[cut as usize] / 3;
-                let cost = cost + self.price_of_slide(links, joined, cut);
-                let is_known = |other: &Chain| other.end == end && other.cost <= cost;
-                if cost < self.weights.strip && !self.chains.iter().any(is_known) {
-                    self.moves.push(Move { joined, taken, cut, end, cost, facing: None });
+                let cost = cost + self.cost_of_move(links, joined, cut);
+                let is_dominated = |other: &Chain| other.end == end && other.cost <= cost;
+                if cost < self.weights.strip && !self.chains.iter().any(is_dominated) {
+                    self.moves.push(Move { joined, taken, cut, end, cost, entered_by: None });
                 }
             }
         }
     }
 
-    /// Walks the strip of an end until it has met all triangles that the moves take, and notes where it enters
-    /// them; whether it met all or came to the strip's other end.
+    /// Walks the strip of an end until it has met all triangles that the moves take, and records the sides
+    /// by which it enters them. Returns whether it met all of them or reached the strip's other end.
     fn walk_from(&mut self, links: &StripLinks<'_>, end: u32) -> bool {
-        // An end has three neighbors at most.
+        // An end has at most three neighbors.
         let mut sought = [NO_TWIN; 3];
         let mut sought_count = 0;
         for taken in self.moves.iter().map(|other| other.taken) {
@@ -285,7 +296,7 @@ impl TunnelSearch {
             let triangle = entered / 3;
             if triangle == a || triangle == b || triangle == c {
                 self.moves.iter_mut().filter(|other| other.taken == triangle).for_each(|other| {
-                    other.facing = Some(entered);
+                    other.entered_by = Some(entered);
                 });
                 sought_count -= 1;
                 if sought_count == 0 {
@@ -298,16 +309,16 @@ impl TunnelSearch {
         exit.is_none()
     }
 
-    /// What it costs to join a link between two ends.
-    fn price_of_join(&self, links: &mut StripLinks<'_>, side: u32) -> i32 {
+    /// Cost of joining a link between two ends.
+    fn cost_of_join(&self, links: &mut StripLinks<'_>, side: u32) -> i32 {
         links.join(side);
         let after = swaps_between(links, side);
         links.cut(side);
         self.weights.swap * after - self.weights.strip
     }
 
-    /// What it costs to join a link from an end to a triangle and to cut another one there.
-    fn price_of_slide(&self, links: &mut StripLinks<'_>, joined: u32, cut: u32) -> i32 {
+    /// Cost of joining a link from an end to a triangle and cutting another link there.
+    fn cost_of_move(&self, links: &mut StripLinks<'_>, joined: u32, cut: u32) -> i32 {
         let before = swaps_between(links, cut);
         links.cut(cut);
         links.join(joined);
@@ -318,21 +329,21 @@ impl TunnelSearch {
     }
 }
 
-/// Swaps of a solid link: 1 where its two sides turn differently.
+/// Number of swaps across a solid link: 1 if the strip turns differently on its two sides.
 #[inline]
 pub(super) fn swap_at(links: &StripLinks<'_>, side: u32) -> i32 {
     let (here, there) = (links.turn(side), links.turn(links.twins()[side as usize]));
     i32::from(here != Turn::End && there != Turn::End && here != there)
 }
 
-/// Swaps of a solid link and of those next to it, all that its triangles take part in.
+/// Number of swaps across a solid link and the links next to it, all that its triangles take part in.
 #[inline]
 fn swaps_between(links: &StripLinks<'_>, side: u32) -> i32 {
     let beyond = |side: u32| links.other_solid(side).map_or(0, |other| swap_at(links, other));
     swap_at(links, side) + beyond(side) + beyond(links.twins()[side as usize])
 }
 
-/// Whether the strip of a triangle comes back to it.
+/// Whether the strip of a triangle returns to it.
 fn is_in_loop(links: &StripLinks<'_>, triangle: u32) -> bool {
     links.first_solid(triangle).is_some_and(|side| links.end_beyond(side) == triangle)
 }

@@ -1,23 +1,24 @@
-//! The first tunnels, those of one link: strips grow at their ends before any search begins.
+//! Tunnels of one link: strips grow at their ends before any search begins.
 //!
-//! Taking such tunnels at random leaves many triangles with no free neighbor, and only longer tunnels can mend that.
-//! So a strip begins where fewest neighbors are free and goes on to the neighbor that has fewest left, among equals
-//! to the one from which fewest are left further on: the rule of SGI's `tomesh` \[ESV96, 2\]; then chance decides.
-//! On the bunny that leaves 585 strips, without the look ahead 1,275, with chance alone 5,346. Linear in time.
+//! Joining ends at random leaves many triangles without a free neighbor, and only longer tunnels can repair
+//! that. So a strip begins where the fewest neighbors are free, and continues to the neighbor that has the
+//! fewest left; ties go to the neighbor from which the fewest are left further on (the rule of SGI's
+//! `tomesh` \[ESV96, 2\]), then to chance. On the bunny this leaves 585 strips, 1,275 without the
+//! look-ahead, and 5,346 by chance alone. Linear in time.
 
 use striata::mesh::{NO_TWIN, Random};
 use striata::strip::{StripLinks, next_side, prev_side};
 
-/// Takes tunnels of length one until there is none.
+/// Joins strips along tunnels of length one until none is left.
 pub(crate) fn join_ends(ends: &[u32], links: &mut StripLinks<'_>, random: &mut Random) {
     let mut growth = Growth::new(ends, links);
     let mut urgent = Vec::new();
     for least in 1..=3 {
         for &seed in ends {
-            // Ends with one way left come before the next seed: they are most in danger of being left alone.
+            // Ends with one exit left come before the next seed: they are most likely to become isolated.
             urgent.push(seed);
             while let Some(end) = urgent.pop() {
-                if growth.way_counts[end as usize] <= least {
+                if growth.exit_counts[end as usize] <= least {
                     growth.grow(end, links, random, &mut urgent);
                 }
             }
@@ -25,32 +26,33 @@ pub(crate) fn join_ends(ends: &[u32], links: &mut StripLinks<'_>, random: &mut R
     }
 }
 
-/// Strips that know their ends.
+/// Strips by their ends.
 struct Growth {
     /// For the end of a strip, its other end.
     other_end: Vec<u32>,
-    /// For each end, dashed links to other ends (of any strip); 0 for other triangles.
-    way_counts: Vec<u8>,
+    /// For each end, number of dashed links to other ends (of any strip); 0 for other triangles.
+    exit_counts: Vec<u8>,
 }
 
 impl Growth {
     fn new(ends: &[u32], links: &StripLinks<'_>) -> Self {
         let mut other_end: Vec<u32> = (0..links.triangle_count() as u32).collect();
-        let mut way_counts = vec![0; links.triangle_count()];
+        let mut exit_counts = vec![0; links.triangle_count()];
         for &end in ends {
             if let Some(side) = links.first_solid(end) {
                 other_end[end as usize] = links.end_beyond(side);
             }
-            let is_way = |&side: &u32| {
+            let is_exit = |&side: &u32| {
                 let twin = links.twins()[side as usize];
                 twin != NO_TWIN && links.solid_degree(twin / 3) < 2 && !links.is_solid(side)
             };
-            way_counts[end as usize] = (3 * end..3 * end + 3).filter(is_way).count() as u8;
+            exit_counts[end as usize] = (3 * end..3 * end + 3).filter(is_exit).count() as u8;
         }
-        Self { other_end, way_counts }
+        Self { other_end, exit_counts }
     }
 
-    /// Lengthens a strip at one end until it is stuck; `urgent` gets the ends beside it that have one way left.
+    /// Extends a strip at one end until it is stuck, and adds nearby ends that have one exit left to
+    /// `urgent`.
     fn grow(&mut self, end: u32, links: &mut StripLinks<'_>, random: &mut Random, urgent: &mut Vec<u32>) {
         let mut tip = end;
         while let Some(side) = self.best_side(tip, links, random) {
@@ -58,16 +60,16 @@ impl Growth {
             self.join(side, links);
             for joined in [tip, taken] {
                 if links.solid_degree(joined) == 2 {
-                    self.close(joined, links, urgent);
+                    self.remove_exits_to(joined, links, urgent);
                 }
             }
             tip = taken;
         }
     }
 
-    /// The tunnel from an end to the triangle with fewest ways on.
+    /// Returns the tunnel from an end to the triangle with the fewest exits.
     fn best_side(&self, end: u32, links: &StripLinks<'_>, random: &mut Random) -> Option<u32> {
-        if self.way_counts[end as usize] == 0 {
+        if self.exit_counts[end as usize] == 0 {
             return None;
         }
         let mut best: Option<(u8, u32)> = None;
@@ -88,13 +90,14 @@ impl Growth {
         best.map(|(_, side)| side)
     }
 
-    /// How urgently the triangle entered by this side wants to be taken: few ways on, then few ways on from there.
+    /// Ranks the triangle entered by this side; lower is more urgent: few exits, then few exits one
+    /// triangle further.
     fn rank(&self, entered: u32, links: &StripLinks<'_>) -> u8 {
-        let count = self.way_counts[entered as usize / 3];
+        let count = self.exit_counts[entered as usize / 3];
         let beyond = [next_side(entered), prev_side(entered)].map(|side| {
             let twin = links.twins()[side as usize];
-            let is_way = twin != NO_TWIN && links.solid_degree(twin / 3) < 2 && !links.is_solid(side);
-            if is_way { self.way_counts[twin as usize / 3] } else { 4 }
+            let is_exit = twin != NO_TWIN && links.solid_degree(twin / 3) < 2 && !links.is_solid(side);
+            if is_exit { self.exit_counts[twin as usize / 3] } else { 4 }
         });
         count * 8 + beyond[0].min(beyond[1])
     }
@@ -106,19 +109,19 @@ impl Growth {
         self.other_end[outer[0] as usize] = outer[1];
         self.other_end[outer[1] as usize] = outer[0];
         for end in ends {
-            self.way_counts[end as usize] -= 1;
+            self.exit_counts[end as usize] -= 1;
         }
     }
 
-    /// Nobody can go to a triangle any more.
-    fn close(&mut self, triangle: u32, links: &StripLinks<'_>, urgent: &mut Vec<u32>) {
-        self.way_counts[triangle as usize] = 0;
+    /// Removes a triangle that has become interior from the exits of its neighbors.
+    fn remove_exits_to(&mut self, triangle: u32, links: &StripLinks<'_>, urgent: &mut Vec<u32>) {
+        self.exit_counts[triangle as usize] = 0;
         for side in 3 * triangle..3 * triangle + 3 {
             let twin = links.twins()[side as usize];
             if twin == NO_TWIN || links.is_solid(side) {
                 continue;
             }
-            let count = &mut self.way_counts[twin as usize / 3];
+            let count = &mut self.exit_counts[twin as usize / 3];
             if *count > 0 {
                 *count -= 1;
                 if *count == 1 {

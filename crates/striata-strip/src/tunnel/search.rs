@@ -1,39 +1,39 @@
-//! The search for one tunnel: breadth first from the end of a strip, so that the shortest comes first.
+//! Search for one tunnel: breadth first from the end of a strip, so that the shortest is found first.
 //!
-//! A tunnel alternates dashed and solid links from one strip's end to another's; complementing it makes one strip
-//! fewer \[PS03, 3.1\]. It may be walked two links at a time: the moving end takes a triangle across a dashed
-//! link, and that triangle lets go of a neighbor, which is the next moving end. No loop can close if a
-//! triangle of the same strip lets go of the neighbor on the moving end's side, and if the
-//! last triangle belongs to another strip.
+//! A tunnel alternates dashed and solid links from one strip's end to another's; swapping them leaves one
+//! strip fewer \[PS03, 3.1\]. The search takes two links per step: the moving end takes a triangle across a
+//! dashed link, and that triangle releases a neighbor, which becomes the next moving end. No loop can close
+//! if a triangle of the same strip releases the neighbor on the moving end's side, and if the last triangle
+//! belongs to another strip.
 
 use striata::mesh::{NO_TWIN, Random};
 use striata::strip::{StripLinks, next_side, prev_side};
 
-use super::trace::{Places, Relation, Step, Trace};
+use super::trace::{Relation, Step, StripLocations, Trace};
 
-/// How identities are kept while a search goes on.
+/// How strip identities are tracked during a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Identity {
-    /// They follow every step: the paper's dynamic strategy.
+    /// Identities follow every step: the dynamic strategy of \[PS03\].
     Dynamic,
-    /// They are those of the search's beginning, and what a tunnel has changed is not visited again: Stewart's.
+    /// Identities from before the search; parts that a tunnel has changed are not visited again \[Ste01\].
     Static,
 }
 
-/// Moving ends after which a search visits no triangle twice.
+/// Number of moving ends after which a search visits no triangle twice.
 ///
-/// Before that it only keeps a tunnel from crossing itself, as different ways to one triangle leave different
-/// strips behind: on the bunny, tunnels of 17 links then leave a fifth fewer strips. The bound keeps
-/// long tunnels affordable: with 60 links 14 strips in 2.0 s without it, 16 in 0.3 s with it.
-const THOROUGH_NODES: usize = 1000;
+/// Until then a tunnel only must not cross itself, because different paths to one triangle leave different
+/// strips behind: on the bunny, tunnels of 17 links then leave a fifth fewer strips. The limit keeps long
+/// tunnels affordable: with 60 links, 14 strips in 2.0 s without it, 16 in 0.3 s with it.
+const REVISIT_NODE_LIMIT: usize = 1000;
 
-/// Scratch memory of searches.
+/// Reusable state of searches.
 #[derive(Debug)]
 pub(crate) struct Search {
     identity: Identity,
-    /// Steps a tunnel may have before its last link.
+    /// Number of steps that a tunnel may have before its last link.
     max_steps: usize,
-    /// The search that last visited each triangle.
+    /// Index of the search that last visited each triangle.
     visits: Vec<u32>,
     search: u32,
     nodes: Vec<Node>,
@@ -41,17 +41,17 @@ pub(crate) struct Search {
     trace: Trace,
 }
 
-/// A moving end that the search has reached.
+/// Moving end that the search has reached.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     step: Step,
-    /// The node before it; itself where the search began.
+    /// Node before this one; the root is its own parent.
     parent: u32,
     depth: u32,
 }
 
 impl Search {
-    /// Searches among so many triangles for tunnels of at most `max_length` links.
+    /// Creates a search for tunnels of at most `max_length` links in a mesh of `triangle_count` triangles.
     pub(crate) fn new(triangle_count: usize, max_length: u32, identity: Identity) -> Self {
         Self {
             identity,
@@ -64,19 +64,20 @@ impl Search {
         }
     }
 
-    /// The steps of the tunnel found last, in order.
+    /// Returns the steps of the last tunnel found, in order.
     pub(crate) fn steps(&self) -> &[Step] {
         &self.steps
     }
 
-    /// Looks for the shortest tunnel from the end of a strip: its last dashed link, after [`Search::steps`].
+    /// Finds the shortest tunnel from the end of a strip. Returns its last dashed link, which follows
+    /// [`Search::steps`].
     ///
-    /// Links are left as they are; `random` decides between tunnels of one length.
+    /// The links stay as they are; `random` decides between tunnels of equal length.
     pub(crate) fn find(
         &mut self,
         start: u32,
         links: &StripLinks<'_>,
-        places: &impl Places,
+        locations: &impl StripLocations,
         random: &mut Random,
     ) -> Option<u32> {
         debug_assert!(links.solid_degree(start) < 2, "triangle {start} is inside a strip");
@@ -88,10 +89,10 @@ impl Search {
         let mut head = 0;
         while let Some(&node) = self.nodes.get(head) {
             self.collect_steps(head);
-            self.trace.follow(start, &self.steps, links, places);
+            self.trace.follow(start, &self.steps, links, locations);
             let mut side = 3 * node.step.end + random.below(3);
             for _ in 0..3 {
-                if self.cross(side, head, links, places) {
+                if self.cross(side, head, links, locations) {
                     return Some(side);
                 }
                 side = next_side(side);
@@ -102,13 +103,14 @@ impl Search {
         None
     }
 
-    /// Makes [`Search::steps`] those to a moving end picked at random among what a search without success reached.
+    /// After a search without success, sets [`Search::steps`] to the path to a random moving end that it
+    /// reached.
     pub(crate) fn pick_move(&mut self, random: &mut Random) {
         let node = random.below(self.nodes.len() as u32);
         self.collect_steps(node as usize);
     }
 
-    /// The steps from the start to a node.
+    /// Collects the steps from the start to a node.
     fn collect_steps(&mut self, node: usize) {
         self.steps.clear();
         let mut at = node;
@@ -119,14 +121,21 @@ impl Search {
         self.steps.reverse();
     }
 
-    /// Crosses a link from a node's moving end: true if that completes a tunnel, else what follows is noted.
-    fn cross(&mut self, crossed: u32, from: usize, links: &StripLinks<'_>, places: &impl Places) -> bool {
+    /// Crosses a link from a node's moving end. Returns true if that completes a tunnel; otherwise queues
+    /// the next ends.
+    fn cross(
+        &mut self,
+        crossed: u32,
+        from: usize,
+        links: &StripLinks<'_>,
+        locations: &impl StripLocations,
+    ) -> bool {
         let entered = links.twins()[crossed as usize];
         if entered == NO_TWIN || links.is_solid(crossed) || self.is_visited(entered / 3) {
             return false;
         }
         let taken = entered / 3;
-        let relation = self.trace.relation(taken, places);
+        let relation = self.trace.relation(taken, locations);
         let end_above = match (relation, self.identity) {
             (Relation::Other | Relation::SameMoved { .. }, Identity::Static) => return false,
             (Relation::Untouched | Relation::Other, _) if links.solid_degree(taken) < 2 => return true,
@@ -140,7 +149,8 @@ impl Search {
         let mut is_taken = false;
         for cut in [next_side(entered), prev_side(entered)].into_iter().filter(|&side| links.is_solid(side)) {
             let end = links.twins()[cut as usize] / 3;
-            let is_right = end_above.is_none_or(|above| above == (places.place(end) > places.place(taken)));
+            let is_right =
+                end_above.is_none_or(|above| above == (locations.index(end) > locations.index(taken)));
             if is_right && !self.is_visited(end) {
                 self.visits[end as usize] = self.search;
                 is_taken = true;
@@ -154,9 +164,9 @@ impl Search {
         false
     }
 
-    /// Whether a triangle is part of the tunnel already, or, once a search is large, of any tunnel tried.
+    /// Whether a triangle is part of the current tunnel or, once a search is large, of any tunnel tried.
     fn is_visited(&self, triangle: u32) -> bool {
-        if self.nodes.len() > THOROUGH_NODES {
+        if self.nodes.len() > REVISIT_NODE_LIMIT {
             return self.visits[triangle as usize] == self.search;
         }
         triangle == self.nodes[0].step.end

@@ -1,75 +1,75 @@
-//! Which strip is this triangle in, now that a tunnel under search has changed the strips?
+//! Finds out which strip a triangle would be in after a tunnel that is still being searched.
 //!
-//! A tunnel changes strips long before it is accepted, and the rules against loops need to know what they would be.
-//! The paper pushes new identifiers along whole strips and pops them again \[PS03, 4\]; here nothing is pushed:
-//! the strip of the moving end is a chain of runs of the strips that the search began with, and
-//! following the tunnel's own few cuts gives that chain. The answers are the same, at a cost that depends on the
+//! A tunnel changes strips long before it is accepted, and the rules against loops refer to the changed
+//! strips. \[PS03, 4\] pushes new identifiers along whole strips and pops them again. Here nothing is
+//! pushed: the strip of the moving end is a chain of runs of the strips that existed before the search, and
+//! the few cuts of the tunnel determine that chain. The results are the same, at a cost that depends on the
 //! length of the tunnel and not on that of the strips.
 //!
 //! ```text
-//!     t0 ===...=== z   the end t0 takes x, x lets b go, b is the next moving end:
-//!      |
-//!     (x)===...        the strip of t0 now runs on through x, the strip of b is the run beyond the cut
-//!      :
-//!     (b)===...
+//! //!     t0 ===...=== z   the end t0 takes x, x releases b, b is the next moving end:
+//! //!      |
+//! //!     (x)===...        the strip of t0 now continues through x; the strip of b is the run beyond the cut
+//! //!      :
+//! //!     (b)===...
 //! ```
 //!
-//! Cost: quadratic in the steps of the tunnel, which are few.
+//! Cost: quadratic in the number of steps of the tunnel, which is small.
 
 use striata::strip::StripLinks;
 
-/// Where triangles stand in the strips that a search begins with.
-pub(crate) trait Places {
-    /// The strip of a triangle, any number that only its strip has.
+/// Location of triangles in the strips that existed before a search.
+pub(crate) trait StripLocations {
+    /// Returns the id of a triangle's strip.
     fn strip(&self, triangle: u32) -> u32;
 
-    /// The triangle's place along its strip, counted from either end.
-    fn place(&self, triangle: u32) -> u32;
+    /// Returns the triangle's index along its strip, counted from either end.
+    fn index(&self, triangle: u32) -> u32;
 }
 
-/// Two links of a tunnel: the moving end takes a triangle, which lets go of a neighbor: the next moving end.
+/// Two links of a tunnel: the moving end takes a triangle, which releases a neighbor, the next moving end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     /// The dashed link, as the side of the moving end.
     pub(crate) crossed: u32,
     /// The triangle taken.
     pub(crate) taken: u32,
-    /// The solid link let go, as the side of the triangle taken.
+    /// The solid link that is released, as the side of the triangle taken.
     pub(crate) cut: u32,
     /// The next moving end.
     pub(crate) end: u32,
 }
 
-/// Triangles of one strip between two places.
+/// Triangles of one original strip between two indices.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     strip: u32,
     low: u32,
     high: u32,
-    /// Whether places rise away from the moving end.
+    /// Whether indices rise away from the moving end.
     rises: bool,
 }
 
 /// Whether and how a triangle lies in the strip of the moving end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Relation {
-    /// In another strip, and in none that the tunnel has changed.
+    /// In another strip, which the tunnel has not changed.
     Untouched,
     /// In another strip, which the tunnel has changed.
     Other,
-    /// In the same strip, unmoved so far; the moving end lies towards lower or higher places.
+    /// In the same strip, in the part that the tunnel has not moved.
     Same {
-        /// Towards higher places.
+        /// Whether the moving end is in the direction of higher indices.
         is_end_above: bool,
     },
-    /// In the same strip, in a part that the tunnel has joined to it or turned round.
+    /// In the same strip, in a part that the tunnel has joined to it or reversed.
     SameMoved {
-        /// Towards higher places.
+        /// Whether the moving end is in the direction of higher indices.
         is_end_above: bool,
     },
 }
 
-/// The strip of a moving end as runs of the strips that were there.
+/// The strip of a moving end as runs of the original strips.
 #[derive(Debug, Default)]
 pub(crate) struct Trace {
     runs: Vec<Run>,
@@ -77,98 +77,106 @@ pub(crate) struct Trace {
 }
 
 impl Trace {
-    /// Follows the strip whose moving end is that of the last step (`start` without steps).
+    /// Traces the strip of the last step's moving end (of `start` if there are no steps).
     pub(crate) fn follow(
         &mut self,
         start: u32,
         steps: &[Step],
         links: &StripLinks<'_>,
-        places: &impl Places,
+        locations: &impl StripLocations,
     ) {
         self.runs.clear();
         self.touched.clear();
-        self.touched.push(places.strip(start));
-        self.touched.extend(steps.iter().map(|step| places.strip(step.taken)));
-        // Where a run begins: a triangle, and the one that the tunnel has cut it from.
+        self.touched.push(locations.strip(start));
+        self.touched.extend(steps.iter().map(|step| locations.strip(step.taken)));
+        // Start of the next run: a triangle, and the one that the tunnel has cut it from.
         let mut from = match steps.last() {
             Some(last) => (last.end, Some(last.taken)),
             None => (start, None),
         };
-        while let Some(run) = self.run_from(from, steps, links, places) {
-            let Some(far) = self.far_end(run, start, steps, places) else { return };
+        while let Some(run) = self.run_from(from, steps, links, locations) {
+            let Some(far) = self.far_end(run, start, steps, locations) else { return };
             from = match far {
-                Far::Taken(0) => (start, None),
-                Far::Taken(i) => (steps[i - 1].end, Some(steps[i - 1].taken)),
-                Far::Start if steps.is_empty() => return,
-                Far::Start => (steps[0].taken, Some(steps[0].end)),
-                Far::End(i) if i + 1 == steps.len() => return,
-                Far::End(i) => (steps[i + 1].taken, Some(steps[i + 1].end)),
+                RunEnd::Taken(0) => (start, None),
+                RunEnd::Taken(i) => (steps[i - 1].end, Some(steps[i - 1].taken)),
+                RunEnd::Start if steps.is_empty() => return,
+                RunEnd::Start => (steps[0].taken, Some(steps[0].end)),
+                RunEnd::End(i) if i + 1 == steps.len() => return,
+                RunEnd::End(i) => (steps[i + 1].taken, Some(steps[i + 1].end)),
             };
         }
     }
 
-    /// Appends the run that begins at a triangle, away from what it was cut from; none if nothing lies beyond.
+    /// Appends the run that begins at a triangle, away from what it was cut from; returns [`None`] if the
+    /// strip ends there.
     fn run_from(
         &mut self,
         (first, cut_from): (u32, Option<u32>),
         steps: &[Step],
         links: &StripLinks<'_>,
-        places: &impl Places,
+        locations: &impl StripLocations,
     ) -> Option<Run> {
-        let (strip, place) = (places.strip(first), places.place(first));
+        let (strip, index) = (locations.strip(first), locations.index(first));
         let rises = match cut_from {
-            Some(other) => place > places.place(other),
+            Some(other) => index > locations.index(other),
             None => match links.first_solid(first) {
-                Some(side) => places.place(links.twins()[side as usize] / 3) > place,
+                Some(side) => locations.index(links.twins()[side as usize] / 3) > index,
                 None => true,
             },
         };
         let is_alone = links.solid_degree(first) == u32::from(cut_from.is_some());
-        let mut run = Run { strip, low: place, high: place, rises };
+        let mut run = Run { strip, low: index, high: index, rises };
         if is_alone {
             self.runs.push(run);
             return None;
         }
         let cuts = steps
             .iter()
-            .filter(|step| places.strip(step.taken) == strip)
-            .map(|step| places.place(step.taken).min(places.place(step.end)));
+            .filter(|step| locations.strip(step.taken) == strip)
+            .map(|step| locations.index(step.taken).min(locations.index(step.end)));
         if rises {
-            run.high = cuts.filter(|&low| low >= place).min().unwrap_or(u32::MAX);
+            run.high = cuts.filter(|&low| low >= index).min().unwrap_or(u32::MAX);
         } else {
-            run.low = cuts.filter(|&low| low < place).map(|low| low + 1).max().unwrap_or(0);
+            run.low = cuts.filter(|&low| low < index).map(|low| low + 1).max().unwrap_or(0);
         }
         self.runs.push(run);
         Some(run)
     }
 
-    /// What stands at the far end of a run, if the strip goes on from there.
-    fn far_end(&self, run: Run, start: u32, steps: &[Step], places: &impl Places) -> Option<Far> {
+    /// Returns what is at the far end of a run, if the strip continues from there.
+    fn far_end(
+        &self,
+        run: Run,
+        start: u32,
+        steps: &[Step],
+        locations: &impl StripLocations,
+    ) -> Option<RunEnd> {
         let far = if run.rises { run.high } else { run.low };
-        let is_far = |triangle: u32| places.strip(triangle) == run.strip && places.place(triangle) == far;
+        let is_far =
+            |triangle: u32| locations.strip(triangle) == run.strip && locations.index(triangle) == far;
         for (i, step) in steps.iter().enumerate() {
             if is_far(step.taken) {
-                return Some(Far::Taken(i));
+                return Some(RunEnd::Taken(i));
             }
             if is_far(step.end) {
-                return Some(Far::End(i));
+                return Some(RunEnd::End(i));
             }
         }
-        // An uncut run reaches the strip's end, and the tunnel's first end may be that one.
-        let place = places.place(start);
+        // An uncut run reaches the end of the strip, which may be the start of the tunnel.
+        let index = locations.index(start);
         let is_beyond =
-            if run.rises { place > run.low && far == u32::MAX } else { place < run.high && far == 0 };
-        (places.strip(start) == run.strip && is_beyond).then_some(Far::Start)
+            if run.rises { index > run.low && far == u32::MAX } else { index < run.high && far == 0 };
+        (locations.strip(start) == run.strip && is_beyond).then_some(RunEnd::Start)
     }
 
-    /// How a triangle that is no part of the tunnel lies to the moving end.
-    pub(crate) fn relation(&self, triangle: u32, places: &impl Places) -> Relation {
-        let strip = places.strip(triangle);
+    /// Classifies a triangle outside the tunnel by its strip relative to the moving end.
+    pub(crate) fn relation(&self, triangle: u32, locations: &impl StripLocations) -> Relation {
+        let strip = locations.strip(triangle);
         if !self.touched.contains(&strip) {
             return Relation::Untouched;
         }
-        let place = places.place(triangle);
-        let within = |run: &Run| run.strip == strip && (run.low..=run.high).contains(&place);
+        let index = locations.index(triangle);
+        let within = |run: &Run| run.strip == strip && (run.low..=run.high).contains(&index);
         match self.runs.iter().position(within) {
             Some(0) => Relation::Same { is_end_above: !self.runs[0].rises },
             Some(i) => Relation::SameMoved { is_end_above: !self.runs[i].rises },
@@ -177,13 +185,13 @@ impl Trace {
     }
 }
 
-/// What a run comes to.
+/// What a run ends at.
 #[derive(Clone, Copy, Debug)]
-enum Far {
+enum RunEnd {
     /// The triangle that step `i` took.
     Taken(usize),
-    /// The end that step `i` left.
+    /// The end that step `i` released.
     End(usize),
-    /// Where the tunnel began.
+    /// The start of the tunnel.
     Start,
 }

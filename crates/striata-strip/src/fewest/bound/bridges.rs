@@ -1,49 +1,50 @@
-//! What bridges of the dual graph say about the number of strips.
+//! Lower bound of the strip count from the bridges of the dual graph.
 //!
-//! A link that is the only way between two parts of the dual graph, a bridge, can serve one strip only. So
-//! the parts between bridges form a tree, and however well each part is covered, a strip that passes through it uses two
-//! of its bridges. Counting the least number of strips over that tree gives a bound that holds whatever the
-//! parts look like inside: a triangle with three bridges, say, sends at most one strip through, and a triangle at
-//! the tip of a chain ends one.
+//! A bridge is a link that is the only connection between two parts of the dual graph; only one strip can
+//! use it. The parts between bridges form a tree, and however well each part is covered, a strip that
+//! passes through it uses two of its bridges. Counting the least number of strips over that tree gives a
+//! bound that is valid for any interior of the parts. For example, a triangle with three bridges lets at
+//! most one strip pass, and a triangle at the tip of a chain ends one.
 //!
-//! A tree of parts with at most three bridges each side: linear in time, 30 bytes a triangle.
+//! Every part of one triangle has at most three bridges. Linear in time, 30 bytes per triangle.
 
 use striata::mesh::{DualGraph, NO_TWIN};
 
-/// What the search for bridges knows of a triangle.
+/// Depth-first search data of a triangle.
 #[derive(Clone, Copy, Debug)]
 struct Visit {
-    /// When it was found; never is `NO_TWIN`.
+    /// Time of the first visit, or `NO_TWIN` if not visited.
     time: u32,
-    /// The earliest triangle that its subtree has a link to.
+    /// Earliest triangle that its subtree has a link to.
     low: u32,
-    /// The side by which it was entered, of the triangle it was entered from.
+    /// Side of the previous triangle through which it was entered.
     entered: u32,
-    /// Sides of it that were followed.
+    /// Number of its sides that were followed.
     followed: u8,
-    /// Children behind bridges that are worth joining, and whether it is a part by itself so far.
+    /// The part that this triangle belongs to, as far as its subtree has been searched.
     part: Part,
 }
 
-/// The part of the graph that hangs below a triangle without a bridge between.
+/// Connected part of the graph below a triangle, up to the next bridges.
 #[derive(Clone, Copy, Debug, Default)]
 struct Part {
-    /// Strips of everything behind its bridges, those bridges unused.
+    /// Number of strips behind its bridges if those bridges are not used.
     beyond: u32,
-    /// Bridges that save a strip when used.
+    /// Number of bridges that save a strip when used.
     useful: u32,
-    /// More than one triangle.
+    /// Whether it has more than one triangle.
     is_large: bool,
 }
 
 impl Part {
-    /// Strips of the part and of everything behind its bridges, `outer` further bridges used.
+    /// Returns the number of strips of the part and of everything behind its bridges, if `outer` further
+    /// bridges are used.
     fn strips(self, outer: u32) -> u32 {
         let used = if self.is_large { self.useful } else { self.useful.min(2 - outer) };
         self.beyond + (used + outer).div_ceil(2).max(1) - used
     }
 
-    /// Takes in what was found below, across a bridge or not.
+    /// Adds a part found below, across a bridge or a normal link.
     fn add(&mut self, below: Self, is_bridge: bool) {
         if is_bridge {
             let (unused, used) = (below.strips(0), below.strips(1) - 1);
@@ -57,8 +58,10 @@ impl Part {
     }
 }
 
-/// For each component, in the order of their first triangles, a number of strips that it needs at least; tells
-/// `found` the component of every triangle. Triangles that are `left_out` belong to none and have no link.
+/// Returns a lower bound of the strip count for each component, in the order of their first triangles.
+///
+/// Calls `found` with every triangle and its component. Triangles that are `left_out` belong to no
+/// component and have no link.
 pub(super) fn least_strips(
     graph: &DualGraph,
     left_out: impl Fn(u32) -> bool,
@@ -78,7 +81,7 @@ pub(super) fn least_strips(
     least
 }
 
-/// A depth-first search without recursion.
+/// Depth-first search without recursion.
 struct Search<'a> {
     twins: &'a [u32],
     visits: Vec<Visit>,
@@ -87,7 +90,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Searches a component from one triangle: the part that this one is in.
+    /// Searches a component and returns the part that contains the start triangle.
     fn run(&mut self, root: u32, mut found: impl FnMut(u32)) -> Part {
         self.enter(root, NO_TWIN);
         found(root);
@@ -101,7 +104,8 @@ impl Search<'_> {
             }
             visit.followed += 1;
             let twin = self.twins[side as usize];
-            // The link by which it was entered leads nowhere new; a second one between the same two does.
+            // The link by which it was entered leads back; a second link between the same two triangles
+            // does not count as back.
             if twin == NO_TWIN || twin == visit.entered {
                 continue;
             }
@@ -125,7 +129,7 @@ impl Search<'_> {
         self.stack.push(triangle);
     }
 
-    /// Hands what is below a triangle to the one that it was entered from.
+    /// Merges the part below a triangle into that of its predecessor.
     fn leave(&mut self, triangle: u32) {
         let Visit { low, entered, part, .. } = self.visits[triangle as usize];
         if entered == NO_TWIN {
@@ -157,17 +161,17 @@ mod tests {
 
     #[test]
     fn a_triangle_with_three_arms_needs_two() {
-        // A middle triangle, one beside each of its sides.
+        // A middle triangle with a neighbor on each of its sides.
         let star = [[0, 1, 2], [1, 0, 3], [2, 1, 4], [0, 2, 5]];
         let mesh = |triangles: &[[u32; 3]]| IndexedMesh::new(vec![[0.0; 3]; 20], triangles.to_vec());
         assert_eq!(bound(&mesh(&star)), 2);
-        // Each arm forks again: four triangles with three links each, six tips.
+        // Each arm forks again: four triangles with three links each, and six tips.
         let mut tree = star.to_vec();
         for (arm, k) in [(1, 6), (2, 9), (3, 12)] {
             let [a, b, c]: [u32; 3] = star[arm];
             tree.extend([[c, b, k], [a, c, k + 1]]);
         }
-        // However its middle is covered, two arms keep a tip for themselves, or the middle stays alone.
+        // However the middle is covered, two arms keep a tip for themselves, or the middle stays alone.
         assert_eq!(bound(&mesh(&tree)), 4);
     }
 }

@@ -1,9 +1,10 @@
-//! What counting links says about the number of strips.
+//! Lower bound of the strip count from counting links.
 //!
-//! A triangle of a strip has two solid links at most, so each triangle with three links has a dashed one. Triangles with
-//! three links that hang together, `k` of them, need at least `k / 2` dashed links, rounded up, as a link serves two.
-//! Strips without loops are as many as triangles less solid links; so every odd such island takes
-//! half a strip more. (It is Berge's bound for matchings with nothing taken out.)
+//! A triangle of a strip has at most two solid links, so each triangle with three links has a dashed one.
+//! An island of `k` connected triangles with three links needs at least `k / 2` dashed links, rounded up,
+//! as a link serves two triangles. The number of strips without loops is the number of triangles minus that
+//! of solid links, so every odd island costs half a strip more. (This is Berge's bound for matchings with
+//! the empty set removed.)
 //!
 //! ```text
 //!     o---o---o      the middle triangle has three links, its neighbors two: one of them stays dashed,
@@ -15,9 +16,10 @@
 
 use striata::mesh::{DualGraph, NO_TWIN};
 
-/// Raises the bound of each component where counting says more; `component` tells each triangle's, if it has one.
+/// Raises the bound of each component if counting gives a higher one; `component` lists each triangle's
+/// component, if any.
 pub(super) fn raise(least: &mut [u32], component: &[u32], graph: &DualGraph) {
-    // Twice the triangles, less the links twice, and twice the dashed links that are needed.
+    // Sum of twice the triangles, minus twice the links, plus twice the dashed links that are needed.
     let mut doubled = vec![0i64; least.len()];
     let mut is_seen = vec![false; component.len()];
     let mut island = Vec::new();
@@ -32,11 +34,12 @@ pub(super) fn raise(least: &mut [u32], component: &[u32], graph: &DualGraph) {
         let mut size = 0;
         while let Some(inner) = island.pop() {
             size += 1;
-            for beside in graph.neighbors(inner) {
-                let is_new = beside != NO_TWIN && !is_seen[beside as usize] && graph.degree(beside) == 3;
+            for neighbor in graph.neighbors(inner) {
+                let is_new =
+                    neighbor != NO_TWIN && !is_seen[neighbor as usize] && graph.degree(neighbor) == 3;
                 if is_new {
-                    is_seen[beside as usize] = true;
-                    island.push(beside);
+                    is_seen[neighbor as usize] = true;
+                    island.push(neighbor);
                 }
             }
         }
@@ -63,7 +66,8 @@ mod tests {
         raise(&mut least, &[0; 4], &DualGraph::of_vertices(&shapes::tetrahedron()));
         assert_eq!(least, [1]);
 
-        // Three arms of two triangles at a middle one, no bridges told: 7 triangles, 6 links, one island of one.
+        // Three arms of two triangles around a middle one; bridges are ignored: 7 triangles, 6 links, one
+        // island of one.
         let arms = [[0, 1, 2], [1, 0, 3], [3, 0, 6], [2, 1, 4], [4, 1, 7], [0, 2, 5], [5, 2, 8]];
         let mesh = IndexedMesh::new(vec![[0.0; 3]; 9], arms.to_vec());
         let mut least = vec![0];

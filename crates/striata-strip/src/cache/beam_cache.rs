@@ -1,37 +1,39 @@
-//! The vertex cache of one partial answer, and how much is still to be drawn around each cached vertex.
+//! Vertex cache of one search state, with the number of undrawn triangles around each cached vertex.
 
 use striata::mesh::NO_TWIN as NO_VERTEX;
 
-/// A first-in first-out cache.
+/// First-in first-out cache that counts undrawn triangles.
 #[derive(Clone)]
-pub(super) struct Cached {
+pub(super) struct BeamCache {
     vertices: Vec<u32>,
-    /// Undrawn triangles around each.
+    /// Number of undrawn triangles around each entry.
     opens: Vec<u32>,
-    /// The entry that goes next.
+    /// Entry that is replaced next.
     oldest: usize,
 }
 
-impl Cached {
+impl BeamCache {
     /// An empty cache.
     pub(super) fn new(size: usize) -> Self {
         Self { vertices: vec![NO_VERTEX; size], opens: vec![0; size], oldest: 0 }
     }
 
+    /// Returns the number of entries.
     pub(super) fn size(&self) -> usize {
         self.vertices.len()
     }
 
-    /// Does as `clone_from`, without asking for sizes.
+    /// Copies another cache of the same size, without the size checks of `clone_from`.
     pub(super) fn copy_from(&mut self, other: &Self) {
         self.vertices.copy_from_slice(&other.vertices);
         self.opens.copy_from_slice(&other.opens);
         self.oldest = other.oldest;
     }
 
+    /// Returns the slot of a vertex, if it is cached.
     #[inline]
     pub(super) fn slot(&self, v: u32) -> Option<usize> {
-        // Without an early end the comparisons go side by side; slots count from 1 here.
+        // Without an early exit the comparisons are vectorized; slots count from 1 here.
         let found = self.vertices.iter().zip(1u32..).fold(
             0,
             |found, (&cached, slot)| {
@@ -41,27 +43,27 @@ impl Cached {
         (found > 0).then(|| found as usize - 1)
     }
 
-    /// Misses since an entry came in.
+    /// Number of misses since an entry came in.
     #[inline]
     pub(super) fn age(&self, slot: usize) -> usize {
         let beyond = if slot < self.oldest { 0 } else { self.size() };
         self.oldest + beyond - slot - 1
     }
 
-    /// Undrawn triangles around an entry.
+    /// Number of undrawn triangles around an entry.
     #[inline]
     pub(super) fn open(&self, slot: usize) -> u32 {
         self.opens[slot]
     }
 
-    /// Entries with undrawn triangles around them, the oldest first: vertex and age.
+    /// Iterates over the entries with undrawn triangles, the oldest first: vertex and age.
     pub(super) fn open_vertices(&self) -> impl Iterator<Item = (u32, usize)> {
         let slots = (self.oldest..self.size()).chain(0..self.oldest);
         let by_age = slots.zip((0..self.size()).rev());
         by_age.filter(|&(slot, _)| self.opens[slot] > 0).map(|(slot, age)| (self.vertices[slot], age))
     }
 
-    /// A triangle with these corners has been drawn.
+    /// Records that a triangle with these corners has been drawn.
     pub(super) fn draw(&mut self, corners: [u32; 3]) {
         for v in corners {
             if let Some(slot) = self.slot(v) {
@@ -70,7 +72,7 @@ impl Cached {
         }
     }
 
-    /// A vertex comes in, and the oldest goes.
+    /// Adds a vertex in place of the oldest one.
     pub(super) fn push(&mut self, v: u32, open: u32) {
         self.vertices[self.oldest] = v;
         self.opens[self.oldest] = open;
@@ -83,8 +85,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_oldest_goes_first() {
-        let mut cached = Cached::new(3);
+    fn the_oldest_entry_is_replaced_first() {
+        let mut cached = BeamCache::new(3);
         for (v, open) in [(7, 1), (8, 0), (9, 2), (5, 3)] {
             cached.push(v, open);
         }

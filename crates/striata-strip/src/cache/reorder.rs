@@ -1,62 +1,64 @@
-//! Puts strips in the order, and each in the direction, that a vertex cache likes best.
+//! Reorders strips, and reverses some, for few vertex cache misses.
 //!
-//! Which of the cached vertices a strip finds is decided within its first few misses: after as many
-//! misses as the cache has entries nothing of before is left. So each strip is known by its first indices from
-//! either end, and the next strip is always the one that finds most: of those that begin with a cached vertex, all
-//! are tried on the cache as it stands. A strip that is turned around may need an index more, which is weighed.
-//! Where no strip finds anything, the next in the order of before follows.
+//! Which cached vertices a strip hits is decided within its first few misses: after as many misses as the
+//! cache has entries, nothing older is left. So each strip is represented by its first indices from either
+//! end, and the next strip is always the one with the most hits. All strips whose first indices contain a
+//! cached vertex are tried on the current cache. Reversing a strip may cost an index, which is weighed
+//! against the hits. If no strip has a hit, the next one in the original order follows.
 //!
-//! Cost: linear, about 0.1 microseconds an index; memory: 8 bytes for each of the first indices.
+//! Cost: linear, about 0.1 microseconds per index; memory: 8 bytes for each of the first indices.
 
 use striata::strip::StripSet;
 
 use super::fifo::Fifo;
 
-/// Live strips that are looked at around one vertex: hubs of large fans have any number.
-const MAX_AROUND: usize = 16;
+/// Limit of remaining strips examined around one vertex; the hub of a large fan has any number.
+const MAX_TRIES_PER_VERTEX: usize = 16;
 
-/// The same strips in another order, group by group.
+/// Returns the strips in a better order, group by group.
 pub(super) fn reorder(strips: &StripSet, weight: f64, cache_size: usize) -> StripSet {
-    let mut order = Order::new(strips, cache_size);
+    let mut reordering = Reordering::new(strips, cache_size);
     let mut out = StripSet::new();
     for group in 0..strips.group_count() {
         let group = strips.group_strips(group);
         let mut cursor = group.start;
         for _ in group.clone() {
-            while order.is_done[cursor] {
+            while reordering.is_done[cursor] {
                 cursor += 1;
             }
-            let run = order.best_next(weight, &group).unwrap_or(2 * cursor as u32);
-            order.write(run, &mut out);
+            let run = reordering.best_next(weight, &group).unwrap_or(2 * cursor as u32);
+            reordering.write(run, &mut out);
         }
         out.end_group();
     }
     out
 }
 
-/// What is known while strips are put in order. A **run** is twice a strip's number, and one more where the strip is
-/// turned around.
-struct Order<'a> {
+/// State of the reordering. A **run** is a strip and its direction: twice the index of the strip, plus one
+/// if it is reversed.
+struct Reordering<'a> {
     strips: &'a StripSet,
     is_done: Vec<bool>,
     fifo: Fifo,
-    /// By vertex, where its runs begin in `runs`, closed by the end; starts move past runs that are done.
+    /// For each vertex, the range of its runs in `runs`; starts advance past runs that are done.
     starts: Vec<u32>,
     ends: Vec<u32>,
     runs: Vec<u32>,
-    /// The last step at which each run was tried.
+    /// Last step at which each run was tried.
     stamps: Vec<u32>,
     stamp: u32,
     indices: Vec<u32>,
 }
 
-impl<'a> Order<'a> {
+impl<'a> Reordering<'a> {
     fn new(strips: &'a StripSet, cache_size: usize) -> Self {
         let vertex_limit = strips.indices().iter().max().map_or(0, |&v| v as usize + 1);
         let run_count = 2 * strips.strip_count() as u32;
-        let heads = || (0..run_count).flat_map(|run| head(strips, run, cache_size).map(move |v| (v, run)));
+        let leading = || {
+            (0..run_count).flat_map(|run| leading_vertices(strips, run, cache_size).map(move |v| (v, run)))
+        };
         let mut ends = vec![0u32; vertex_limit];
-        for (v, _) in heads() {
+        for (v, _) in leading() {
             ends[v as usize] += 1;
         }
         let mut total = 0;
@@ -65,7 +67,7 @@ impl<'a> Order<'a> {
         }
         let starts = ends.clone();
         let mut runs = vec![0; total as usize];
-        for (v, run) in heads() {
+        for (v, run) in leading() {
             runs[ends[v as usize] as usize] = run;
             ends[v as usize] += 1;
         }
@@ -82,7 +84,7 @@ impl<'a> Order<'a> {
         }
     }
 
-    /// The run that saves most against a cold cache, if one saves anything.
+    /// Returns the run that saves most compared with a cold cache, if one saves anything.
     fn best_next(&mut self, weight: f64, group: &std::ops::Range<usize>) -> Option<u32> {
         self.stamp += 1;
         let mut best: Option<(f64, u32)> = None;
@@ -96,16 +98,16 @@ impl<'a> Order<'a> {
             let around = &self.runs[self.starts[v] as usize..self.ends[v] as usize];
             for &run in around
                 .iter()
-                .take(4 * MAX_AROUND)
+                .take(4 * MAX_TRIES_PER_VERTEX)
                 .filter(|&&run| !self.is_done[run as usize / 2])
-                .take(MAX_AROUND)
+                .take(MAX_TRIES_PER_VERTEX)
             {
                 if self.stamps[run as usize] == self.stamp || !group.contains(&(run as usize / 2)) {
                     continue;
                 }
                 self.stamps[run as usize] = self.stamp;
-                let saved = self.fifo.found_by(run_indices(self.strips, run)) as f64;
-                let value = weight * saved - f64::from(u8::from(is_longer(self.strips, run)));
+                let hits = self.fifo.hit_count(run_indices(self.strips, run)) as f64;
+                let value = weight * hits - f64::from(u8::from(is_longer(self.strips, run)));
                 if value > 0.0
                     && best.is_none_or(|(most, other)| most < value || (most == value && run < other))
                 {
@@ -130,20 +132,21 @@ impl<'a> Order<'a> {
     }
 }
 
-/// The indices of a run, but for the one that keeps the winding of a strip of odd length.
+/// Iterates over the indices of a run, without the one that may be repeated to keep the winding.
 fn run_indices(strips: &StripSet, run: u32) -> impl Iterator<Item = u32> {
     let strip = strips.strip(run as usize / 2);
-    let is_turned = run % 2 == 1;
-    (0..strip.len()).map(move |i| if is_turned { strip[strip.len() - 1 - i] } else { strip[i] })
+    let is_reversed = run % 2 == 1;
+    (0..strip.len()).map(move |i| if is_reversed { strip[strip.len() - 1 - i] } else { strip[i] })
 }
 
-/// Whether a run has an index more than its strip: turned around, the last triangle must stand at an even place.
+/// Whether a run has one index more than its strip: a reversed strip whose last triangle has an even
+/// position.
 fn is_longer(strips: &StripSet, run: u32) -> bool {
     run % 2 == 1 && strips.strip(run as usize / 2).len() % 2 == 1
 }
 
-/// The distinct vertices of a run that can profit from what was cached before.
-fn head(strips: &StripSet, run: u32, cache_size: usize) -> impl Iterator<Item = u32> {
+/// Iterates over the distinct first vertices of a run, those that can hit what was cached before.
+fn leading_vertices(strips: &StripSet, run: u32, cache_size: usize) -> impl Iterator<Item = u32> {
     let reach = cache_size.min(32);
     let mut seen = Vec::with_capacity(reach);
     run_indices(strips, run).take(2 * reach).filter(move |&v| {
@@ -160,7 +163,7 @@ mod tests {
     use super::*;
     use striata::strip::{fifo_cache_cost, strip_triangles};
 
-    /// Rows of squares, far ones after each other, each one by itself a strip.
+    /// Rows of squares, one strip each; consecutive strips are far apart.
     fn scattered_rows(columns: u32) -> StripSet {
         let mut strips = StripSet::new();
         for row in (0..9).map(|i| 4 * i % 9) {
@@ -190,7 +193,7 @@ mod tests {
         strips.push(&[0, 1, 2, 3]);
         strips.push(&[6, 5, 4, 3, 2]);
         strips.end_group();
-        // Turned around it finds two vertices instead of one, for one index more.
+        // Reversed, it hits two vertices instead of one, for one index more.
         let ordered = reorder(&strips, 2.0, 4);
         assert_eq!(ordered.strip(1), [2, 2, 3, 4, 5, 6]);
         let ordered = reorder(&strips, 0.4, 4);

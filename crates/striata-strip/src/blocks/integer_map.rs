@@ -1,16 +1,16 @@
-//! Hash maps for keys that are whole numbers: quick, and the same on every machine.
+//! Hash maps with integer keys: fast, and the same on every machine.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// A map that is only asked, never listed, so that its order shows nowhere.
-pub(super) type NumberMap<K, V> = HashMap<K, V, BuildHasherDefault<NumberHasher>>;
+/// Map that is only queried, never iterated, so that its order has no effect.
+pub(super) type IntegerMap<K, V> = HashMap<K, V, BuildHasherDefault<IntegerHasher>>;
 
-/// One multiplication a number.
+/// Hasher that takes one multiplication per integer.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct NumberHasher(u64);
+pub(super) struct IntegerHasher(u64);
 
-impl Hasher for NumberHasher {
+impl Hasher for IntegerHasher {
     fn finish(&self) -> u64 {
         self.0
     }
@@ -27,7 +27,7 @@ impl Hasher for NumberHasher {
 
     fn write_u64(&mut self, number: u64) {
         let mixed = (self.0 ^ number).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        // Tables look at the lowest and the highest bits; only the latter depend on all of the number.
+        // Tables use the lowest and the highest bits; only the latter depend on the whole number.
         self.0 = mixed ^ mixed >> 32;
     }
 }

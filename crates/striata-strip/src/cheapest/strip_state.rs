@@ -1,29 +1,32 @@
-//! The strips under annealing: links, ends, and what they cost, all changed by one join or cut at a time.
+//! Strips during annealing: solid links, strip ends and their cost, updated by one join or cut at a time.
 //!
-//! Everything here is local. A link saves three indices (two and a restart); it costs one if the strip swaps across
-//! it, which the two triangles decide by their turns. Where a strip ends only the last triangle's
-//! free corner matters, its **apex**: two strips whose ends meet at one apex on the right windings go on from one into
-//! the other without a restart, which saves an index. An end on the wrong winding may cost one.
+//! All costs are local. A link saves three indices (two and a restart), and costs one if the strip swaps
+//! across it, which the turns in its two triangles decide. At the end of a strip only the free corner of
+//! the last triangle matters, its **apex**: two strips whose ends meet at one apex with matching windings
+//! continue from one into the other without a restart, which saves an index. An end with the wrong winding
+//! may cost one.
 
 use striata::mesh::NO_TWIN;
 use striata::strip::StripLinks;
 
-/// Cost of one index: costs are whole numbers of quarters.
+/// Cost of one index; costs are integers in quarters of an index.
 pub(super) const INDEX: i32 = 4;
-/// What an end of the wrong winding costs that meets no other: a strip pays an index if both of its ends are such.
-const ILL_END: i32 = 1;
+/// Cost of an unmatched end with the wrong winding: a strip pays an index if both of its ends are like
+/// that.
+const UNMATCHED_END: i32 = 1;
 
-/// A side as `4 * triangle + k`: shifts are cheaper than divisions by three.
+/// Side of a triangle as `4 * triangle + k`: shifts are cheaper than divisions by three.
 type Side = u32;
 
-/// The side after a side, and the one before it.
+/// Next and previous side of each side within a triangle.
 const NEXT: [u32; 3] = [1, 2, 0];
 const PREV: [u32; 3] = [2, 0, 1];
 
-/// A strip goes on from a solid side by the next side around the triangle.
+/// Turn of a strip that leaves by the side after the one it entered by.
 const BY_NEXT: u8 = 1;
 
-/// How a strip goes on, by solid bits and side: 0 it ends, 1 by the next side, 2 by the one before.
+/// Turn of a strip by solid bits and entered side: 0 if it ends, 1 for the next side, 2 for the previous
+/// one.
 const TURNS: [[u8; 4]; 8] = [
     [0, 0, 0, 0],
     [0, 0, 0, 0],
@@ -35,36 +38,37 @@ const TURNS: [[u8; 4]; 8] = [
     [0, 0, 0, 0],
 ];
 
-/// A triangle: the sides across its three sides, and its solid bits.
+/// Links of a triangle: the twins of its three sides, and its solid bits.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     twins: [Side; 3],
     solid: u32,
 }
 
-/// Strips as solid links, with the ends that meet at each vertex.
+/// Strips as solid links, with counts of the strip ends at each vertex.
 ///
-/// Triangles are numbered along strips, so that a sweep over them stays in cache.
+/// Triangles are numbered along strips, so that a sweep over them stays in the CPU cache.
 #[derive(Debug)]
-pub(super) struct State {
-    /// The mesh's number of each triangle.
+pub(super) struct StripState {
+    /// Mesh index of each triangle.
     order: Vec<u32>,
     corners: Vec<[u32; 3]>,
     nodes: Vec<Node>,
-    /// Ends at each vertex that begin well, and that begin ill, at an even place.
+    /// Number of strip ends at each vertex: those with the right winding at an even position, and the
+    /// others.
     ends: Vec<[u8; 2]>,
 }
 
-impl State {
-    /// Takes over the links of triangles, in an order that keeps neighbors near each other.
+impl StripState {
+    /// Copies the links of triangles, in an order that keeps neighbors close to each other in memory.
     pub(super) fn new(order: Vec<u32>, triangles: &[[u32; 3]], links: &StripLinks<'_>) -> Self {
-        let mut place = vec![NO_TWIN; triangles.len()];
+        let mut new_index = vec![NO_TWIN; triangles.len()];
         for (&triangle, i) in order.iter().zip(0..) {
-            place[triangle as usize] = i;
+            new_index[triangle as usize] = i;
         }
         let packed = |side: u32| match links.twins()[side as usize] {
             NO_TWIN => NO_TWIN,
-            twin => (place[twin as usize / 3] << 2) | (twin % 3),
+            twin => (new_index[twin as usize / 3] << 2) | (twin % 3),
         };
         let node = |&triangle: &u32| Node {
             twins: [0, 1, 2].map(|k| packed(3 * triangle + k)),
@@ -80,7 +84,7 @@ impl State {
         state
     }
 
-    /// Gives the links back, in the mesh's numbers.
+    /// Writes the links back, with the triangle indices of the mesh.
     pub(super) fn write_links(&self, links: &mut StripLinks<'_>) {
         links.clear();
         for (i, node) in self.nodes.iter().enumerate() {
@@ -93,22 +97,22 @@ impl State {
         }
     }
 
-    /// The mesh's number of each triangle.
+    /// Returns the mesh index of each triangle.
     pub(super) fn into_order(self) -> Vec<u32> {
         self.order
     }
 
-    /// Triangles.
+    /// Number of triangles.
     pub(super) fn triangle_count(&self) -> u32 {
         self.nodes.len() as u32
     }
 
-    /// Whether there is a link at all.
+    /// Whether the mesh has any link.
     pub(super) fn can_move(&self) -> bool {
         self.nodes.iter().any(|node| node.twins != [NO_TWIN; 3])
     }
 
-    /// The side on the other side of this one.
+    /// Returns the same edge as a side of the neighboring triangle, or [`NO_TWIN`].
     #[inline]
     pub(super) fn twin(&self, side: Side) -> Side {
         self.nodes[side as usize >> 2].twins[side as usize & 3]
@@ -120,18 +124,19 @@ impl State {
         self.nodes[side as usize >> 2].solid & 1 << (side & 3) != 0
     }
 
-    /// Solid bits of the triangle of a side.
+    /// Returns the solid bits of the triangle of a side.
     #[inline]
     pub(super) fn solid(&self, side: Side) -> u32 {
         self.nodes[side as usize >> 2].solid
     }
 
+    /// Returns how the strip that enters a triangle by this side leaves it, as in [`TURNS`].
     #[inline]
     fn turn(&self, side: Side) -> u8 {
         TURNS[self.nodes[side as usize >> 2].solid as usize & 7][side as usize & 3]
     }
 
-    /// The other solid side of a triangle that has one.
+    /// Returns the other solid side of a triangle, if it has one.
     #[inline]
     fn other(&self, side: Side) -> Option<Side> {
         let k = side & 3;
@@ -139,16 +144,16 @@ impl State {
         (others != 0).then(|| (side & !3) | others.trailing_zeros())
     }
 
-    /// 1 where the strip swaps across a solid link.
+    /// Returns 1 if the strip swaps across a solid link, else 0.
     #[inline]
     fn swap(&self, side: Side) -> i32 {
         let turns = (self.turn(side), self.turn(self.twin(side)));
         i32::from(turns == (1, 2) || turns == (2, 1))
     }
 
-    /// Counts the end of a strip in this triangle in or out, if there is one: the change of cost.
+    /// Adds or removes the strip end in this triangle, if there is one, and returns the change of cost.
     #[inline]
-    fn change_end(&mut self, triangle: u32, comes: bool) -> i32 {
+    fn change_end(&mut self, triangle: u32, is_added: bool) -> i32 {
         let node = self.nodes[triangle as usize];
         if node.solid.count_ones() != 1 {
             return 0;
@@ -158,17 +163,17 @@ impl State {
         let apex = self.corners[triangle as usize][PREV[k] as usize];
         let ends = &mut self.ends[apex as usize];
         let before = ends_cost(*ends);
-        ends[class] = if comes { ends[class].saturating_add(1) } else { ends[class].saturating_sub(1) };
+        ends[class] = if is_added { ends[class].saturating_add(1) } else { ends[class].saturating_sub(1) };
         ends_cost(*ends) - before
     }
 
-    /// The neighbor along the other solid side, if there is one.
+    /// Returns the neighbor along the other solid side, if there is one.
     #[inline]
     fn beyond(&self, side: Side) -> Option<u32> {
         self.other(side).map(|other| self.twin(other) >> 2)
     }
 
-    /// Makes a dashed link solid: the change of cost.
+    /// Makes a dashed link solid and returns the change of cost.
     pub(super) fn join(&mut self, side: Side) -> i32 {
         let twin = self.twin(side);
         let mut change = -3 * INDEX + self.ends_around(side, twin, false);
@@ -178,7 +183,7 @@ impl State {
         change + self.ends_around(side, twin, true)
     }
 
-    /// Makes a solid link dashed: the change of cost.
+    /// Makes a solid link dashed and returns the change of cost.
     pub(super) fn cut(&mut self, side: Side) -> i32 {
         let twin = self.twin(side);
         let mut change = 3 * INDEX + self.ends_around(side, twin, false);
@@ -188,33 +193,36 @@ impl State {
         change + self.ends_around(side, twin, true)
     }
 
-    /// Swaps across a solid link and across its neighbors along the strip: those that it has a part in.
+    /// Number of swaps that a solid link influences: across itself and across its neighbors along the
+    /// strip.
     #[inline]
     pub(super) fn swaps_at(&self, side: Side) -> i32 {
         self.swaps_around(side, self.twin(side))
     }
 
+    /// Number of swaps across a solid link and the links next to it along the strip.
     #[inline]
     fn swaps_around(&self, side: Side, twin: Side) -> i32 {
-        let beside = |side: Side| self.other(side).map_or(0, |other| self.swap(other));
-        self.swap(side) + beside(side) + beside(twin)
+        let swap_beyond = |side: Side| self.other(side).map_or(0, |other| self.swap(other));
+        self.swap(side) + swap_beyond(side) + swap_beyond(twin)
     }
 
-    /// Counts in or out the ends that a link has a part in: of its two triangles and of their neighbors.
+    /// Adds or removes the strip ends that a link influences: those in its two triangles and in their
+    /// neighbors.
     #[inline]
-    fn ends_around(&mut self, side: Side, twin: Side, come: bool) -> i32 {
-        let mut change = self.change_end(side >> 2, come) + self.change_end(twin >> 2, come);
+    fn ends_around(&mut self, side: Side, twin: Side, is_added: bool) -> i32 {
+        let mut change = self.change_end(side >> 2, is_added) + self.change_end(twin >> 2, is_added);
         for side in [side, twin] {
             if let Some(neighbor) = self.beyond(side) {
-                change += self.change_end(neighbor, come);
+                change += self.change_end(neighbor, is_added);
             }
         }
         change
     }
 
-    /// Whether a dashed link would close a loop: both of its triangles lie in one strip.
+    /// Whether joining a dashed link would close a loop because both of its triangles are in one strip.
     ///
-    /// Follows the strip from both at once, so that the shorter way decides.
+    /// Follows the strip from both triangles in parallel, so that the shorter path decides.
     pub(super) fn closes_loop(&self, side: Side) -> bool {
         let ends = [side, self.twin(side)];
         let mut exits = ends.map(|side| {
@@ -233,22 +241,22 @@ impl State {
         }
     }
 
-    /// The next side around the triangle of a side.
+    /// Returns the next side around the triangle.
     #[inline]
     pub(super) fn next(side: Side) -> Side {
         (side & !3) | NEXT[side as usize & 3]
     }
 
-    /// The side before this one around its triangle.
+    /// Returns the previous side around the triangle.
     #[inline]
     pub(super) fn prev(side: Side) -> Side {
         (side & !3) | PREV[side as usize & 3]
     }
 }
 
-/// What the ends at one vertex cost: pairs of a kind save a restart.
+/// Cost of the ends at one vertex: each pair of the same kind saves a restart.
 #[inline]
-fn ends_cost([well, ill]: [u8; 2]) -> i32 {
-    let pairs = i32::from(well >> 1) + i32::from(ill >> 1);
-    ILL_END * i32::from(ill & 1) - INDEX * pairs
+fn ends_cost([right, wrong]: [u8; 2]) -> i32 {
+    let pairs = i32::from(right >> 1) + i32::from(wrong >> 1);
+    UNMATCHED_END * i32::from(wrong & 1) - INDEX * pairs
 }

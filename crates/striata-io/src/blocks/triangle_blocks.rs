@@ -1,4 +1,4 @@
-//! The triangles of a file, block by block.
+//! Triangles of a PLY file, block by block.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
@@ -8,22 +8,22 @@ use striata::mesh::Bounds;
 use striata_strip::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
 
 use super::paged::PagedFile;
-use super::scratch::Scratch;
-use super::sorted::{Merged, Record, Sorter};
+use super::scratch::ScratchFolder;
+use super::sorter::{Record, SortedRecords, Sorter};
 use crate::ReadError;
 use crate::error::{Fault, Place};
 use crate::ply::PlyStream;
 
-/// A binary PLY file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
+/// Binary PLY file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
 #[derive(Debug)]
 pub struct TriangleBlocks {
     pub(super) stream: PlyStream,
-    scratch: Scratch,
+    scratch: ScratchFolder,
     /// Corners of all triangles, block by block.
     triangles: File,
-    /// The first triangle of each block, closed by their count.
+    /// First triangle of each block, followed by the triangle count.
     starts: Vec<u64>,
-    /// The last block that uses each vertex.
+    /// Last block that uses each vertex.
     last_blocks: PagedFile,
     bounds: Option<Bounds>,
 }
@@ -31,33 +31,34 @@ pub struct TriangleBlocks {
 const TRIANGLE_BYTES: usize = 12;
 
 impl TriangleBlocks {
-    /// Cuts the mesh of a file into blocks of at most so many triangles (at least one); `scratch` is the folder
-    /// for what does not fit into memory.
+    /// Cuts the mesh of a file into blocks of at most `block_triangles` triangles (at least one). Temporary
+    /// files are created in the folder `scratch`.
     ///
     /// # Errors
-    /// [`ReadError`], where the file is no binary PLY or is damaged, or the system refuses.
+    /// Returns [`ReadError`] if the file is not a binary PLY or is damaged, or if a file cannot be read or
+    /// written.
     pub fn open(path: &Path, block_triangles: usize, scratch: &Path) -> Result<Self, ReadError> {
         let stream = PlyStream::open(path)?;
-        let scratch = Scratch { folder: scratch.to_owned() };
+        let scratch = ScratchFolder { folder: scratch.to_owned() };
         let bounds = bounds_of(&stream)?;
         let sorted = sorted_triangles(&stream, bounds, &scratch)?;
-        let cut = Cut::new(&stream, &scratch)?;
+        let cutter = BlockCutter::new(&stream, &scratch)?;
         let Blocks { triangles, starts, last_blocks } =
-            cut.run(sorted, block_triangles.max(1)).map_err(|error| scratch.error(error))?;
+            cutter.run(sorted, block_triangles.max(1)).map_err(|error| scratch.error(error))?;
         Ok(Self { stream, scratch, triangles, starts, last_blocks, bounds })
     }
 
-    /// Vertices of the mesh.
+    /// Returns the number of vertices of the mesh.
     pub fn vertex_count(&self) -> u32 {
         self.stream.vertex_count
     }
 
-    /// Triangles of the mesh, degenerate ones counted.
+    /// Returns the number of triangles of the mesh, including degenerate ones.
     pub fn triangle_count(&self) -> u64 {
         self.starts.last().copied().unwrap_or(0)
     }
 
-    /// Bounds of the mesh; none without vertices.
+    /// Returns the bounds of the mesh, or [`None`] if it has no vertices.
     pub fn bounds(&self) -> Option<Bounds> {
         self.bounds
     }
@@ -76,6 +77,7 @@ impl BlockSource for TriangleBlocks {
 }
 
 impl TriangleBlocks {
+    /// Reads a block from the temporary files.
     fn fill(&mut self, number: usize, block: &mut Block) -> io::Result<()> {
         let (start, end) = (self.starts[number], self.starts[number + 1]);
         let mut bytes = vec![0; (end - start) as usize * TRIANGLE_BYTES];
@@ -97,14 +99,14 @@ fn corners_of(bytes: &[u8; TRIANGLE_BYTES]) -> [u32; 3] {
     [0, 4, 8].map(|at| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]))
 }
 
-/// The bounds of all vertices, each of which must be a point.
+/// Computes the bounds of all vertices; fails if a coordinate is not finite.
 fn bounds_of(stream: &PlyStream) -> Result<Option<Bounds>, ReadError> {
     let mut bounds: Option<Bounds> = None;
-    stream.for_rows(|first, rows| {
+    stream.for_each_row_batch(|first, rows| {
         for (vertex, row) in (first..).zip(rows.chunks_exact(stream.stride)) {
             let position = stream.position(row);
             if let Some(axis) = position.iter().position(|x| !x.is_finite()) {
-                let place = Place::Byte(stream.vertices_at + u64::from(vertex) * stream.stride as u64);
+                let place = Place::Byte(stream.vertices_offset + u64::from(vertex) * stream.stride as u64);
                 let reason = format!("vertex {vertex} has the coordinate {} on axis {axis}", position[axis]);
                 return Err(Fault::Malformed(place, reason).in_file(stream.name()));
             }
@@ -119,19 +121,19 @@ fn bounds_of(stream: &PlyStream) -> Result<Option<Bounds>, ReadError> {
     Ok(bounds)
 }
 
-/// All triangles, in the order in which a curve through space meets their centers.
+/// Sorts all triangles in the order in which a space-filling curve visits their centers.
 fn sorted_triangles(
     stream: &PlyStream,
     bounds: Option<Bounds>,
-    scratch: &Scratch,
-) -> Result<Merged, ReadError> {
+    scratch: &ScratchFolder,
+) -> Result<SortedRecords, ReadError> {
     let curve = BlockCurve::new(bounds);
     let mut sorter = Sorter::new(scratch.file()?);
     let vertices_bytes = u64::from(stream.vertex_count) * stream.stride as u64;
-    let mut vertices = PagedFile::new(stream.file()?, stream.vertices_at, vertices_bytes);
+    let mut vertices = PagedFile::new(stream.file()?, stream.vertices_offset, vertices_bytes);
     let mut row = vec![0; stream.stride];
     let mut number = 0u32;
-    stream.for_triangles(|corners| {
+    stream.for_each_triangle(|corners| {
         let mut points = [[0.0; 3]; 3];
         for (point, vertex) in points.iter_mut().zip(corners) {
             let at = u64::from(vertex) * stream.stride as u64;
@@ -148,24 +150,24 @@ fn sorted_triangles(
     sorter.merged().map_err(|error| scratch.error(error))
 }
 
-/// All blocks, as [`TriangleBlocks`] has them.
+/// Files and offsets of all blocks, as in [`TriangleBlocks`].
 struct Blocks {
     triangles: File,
     starts: Vec<u64>,
     last_blocks: PagedFile,
 }
 
-/// Cuts sorted triangles into blocks, and notes for each vertex the last block that uses it.
-struct Cut {
+/// Cuts sorted triangles into blocks, and records the last block that uses each vertex.
+struct BlockCutter {
     triangles: BufWriter<File>,
     last_blocks: PagedFile,
     starts: Vec<u64>,
-    /// The triangles that come next, rising by their keys.
+    /// The next triangles, in the order of their keys.
     ahead: Vec<Record>,
 }
 
-impl Cut {
-    fn new(stream: &PlyStream, scratch: &Scratch) -> Result<Self, ReadError> {
+impl BlockCutter {
+    fn new(stream: &PlyStream, scratch: &ScratchFolder) -> Result<Self, ReadError> {
         let last_blocks = scratch.file()?;
         let bytes = u64::from(stream.vertex_count) * 4;
         last_blocks.set_len(bytes).map_err(|error| scratch.error(error))?;
@@ -177,7 +179,7 @@ impl Cut {
         })
     }
 
-    fn run(mut self, mut sorted: Merged, longest: usize) -> io::Result<Blocks> {
+    fn run(mut self, mut sorted: SortedRecords, longest: usize) -> io::Result<Blocks> {
         loop {
             while self.ahead.len() <= longest {
                 let Some(record) = sorted.next()? else { break };

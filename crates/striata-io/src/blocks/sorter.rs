@@ -1,14 +1,15 @@
-//! Triangles in the order of their keys, sorted through a file.
+//! External sort of triangles by their keys.
 //!
-//! Runs that fit into memory are sorted there and written one after another; reading merges them. 24 bytes a
-//! triangle in the file; some 15 MB of memory up to a billion triangles, and 4 kB for every 250,000 beyond.
+//! Runs that fit into memory are sorted there and written one after another; reading merges them. 24 bytes
+//! per triangle in the file; some 15 MB of memory up to a billion triangles, and 4 kB for every 250,000
+//! beyond.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 
-/// A triangle on its way: where it comes along the curve, its number in its file, and its corners.
+/// Triangle to be sorted: its position along the curve, its index in the input file, and its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Record {
     pub(super) key: u64,
@@ -17,11 +18,11 @@ pub(super) struct Record {
 }
 
 const RECORD_BYTES: usize = 24;
-/// Records of a run: 6 MiB.
+/// Number of records in a run: 6 MiB.
 const RUN_RECORDS: usize = 1 << 18;
-/// Bytes of all read buffers together, as long as they are not too small.
+/// Total size of the read buffers, in bytes, unless that makes them too small.
 const BUFFER_BYTES: usize = 1 << 23;
-const LEAST_BUFFER_BYTES: usize = 170 * RECORD_BYTES;
+const MIN_BUFFER_BYTES: usize = 170 * RECORD_BYTES;
 
 impl Record {
     fn to_bytes(self) -> [u8; RECORD_BYTES] {
@@ -41,21 +42,22 @@ impl Record {
     }
 }
 
-/// Takes records in any order.
+/// Collects records in any order.
 #[derive(Debug)]
 pub(super) struct Sorter {
     run: Vec<Record>,
     file: BufWriter<File>,
-    /// Where each run ends, in records.
+    /// End of each run, in records.
     ends: Vec<u64>,
 }
 
 impl Sorter {
-    /// Sorts through an empty file.
+    /// Creates a sorter that uses an empty file.
     pub(super) fn new(file: File) -> Self {
         Self { run: Vec::new(), file: BufWriter::with_capacity(1 << 16, file), ends: Vec::new() }
     }
 
+    /// Adds a record.
     pub(super) fn push(&mut self, record: Record) -> io::Result<()> {
         self.run.push(record);
         if self.run.len() == RUN_RECORDS { self.end_run() } else { Ok(()) }
@@ -71,15 +73,15 @@ impl Sorter {
         Ok(())
     }
 
-    /// The records, rising.
-    pub(super) fn merged(mut self) -> io::Result<Merged> {
+    /// Sorts the records and returns a reader of them in ascending order.
+    pub(super) fn merged(mut self) -> io::Result<SortedRecords> {
         self.end_run()?;
         self.run = Vec::new();
         let file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
-        let buffer_bytes = (BUFFER_BYTES / self.ends.len()).max(LEAST_BUFFER_BYTES);
+        let buffer_bytes = (BUFFER_BYTES / self.ends.len()).max(MIN_BUFFER_BYTES);
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
         let runs = starts.zip(&self.ends).map(|(next, &end)| Run { next, end, buffer: Vec::new(), at: 0 });
-        let mut merged = Merged {
+        let mut merged = SortedRecords {
             file,
             runs: runs.collect(),
             heads: BinaryHeap::new(),
@@ -92,16 +94,16 @@ impl Sorter {
     }
 }
 
-/// Gives records back, rising by key and number.
+/// Reads the sorted records back, in ascending order of key and index.
 #[derive(Debug)]
-pub(super) struct Merged {
+pub(super) struct SortedRecords {
     file: File,
     runs: Vec<Run>,
     heads: BinaryHeap<Reverse<(Record, usize)>>,
     buffer_records: usize,
 }
 
-/// What is left of a run: records in memory from `at` on, and in the file from `next` to `end`.
+/// Rest of a run: records in memory from `at` on, and in the file from `next` to `end`.
 #[derive(Debug)]
 struct Run {
     next: u64,
@@ -110,13 +112,15 @@ struct Run {
     at: usize,
 }
 
-impl Merged {
+impl SortedRecords {
+    /// Returns the next record, or [`None`] after the last.
     pub(super) fn next(&mut self) -> io::Result<Option<Record>> {
         let Some(Reverse((record, run))) = self.heads.pop() else { return Ok(None) };
         self.push_head(run)?;
         Ok(Some(record))
     }
 
+    /// Moves the next record of a run to the heap, and refills the run's buffer if it is empty.
     fn push_head(&mut self, index: usize) -> io::Result<()> {
         let run = &mut self.runs[index];
         if run.at == run.buffer.len() {
@@ -160,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_sorted_too() {
+    fn an_empty_input_is_sorted() {
         assert_eq!(Sorter::new(tempfile::tempfile().unwrap()).merged().unwrap().next().unwrap(), None);
     }
 }

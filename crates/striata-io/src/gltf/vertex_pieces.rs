@@ -1,7 +1,7 @@
-//! A GLB of one mesh in strips whose vertices come piece by piece, for meshes that do not fit into memory.
+//! GLB of one mesh in strips whose vertices arrive piece by piece, for meshes that do not fit into memory.
 //!
-//! All pieces are looked at once to know counts, bounds and types, then again for each attribute, since a GLB
-//! holds one attribute after another. The document is made between the two.
+//! All pieces are read once to find counts, bounds and types, then again for each attribute, because a GLB
+//! stores one attribute after another. The document is written in between.
 
 use std::io::{self, Write};
 
@@ -13,7 +13,7 @@ use super::component_type::ComponentType;
 use super::write_layers::attributes;
 use crate::error::Refusal;
 
-/// What all pieces of a mesh's vertices have in common.
+/// Attributes that all pieces of a mesh's vertices have in common.
 #[derive(Debug, Default)]
 pub(crate) struct VertexPieces {
     attributes: Map<String, Value>,
@@ -24,7 +24,7 @@ pub(crate) struct VertexPieces {
 }
 
 impl VertexPieces {
-    /// Takes the next piece into account.
+    /// Adds the next piece.
     pub(crate) fn add(&mut self, piece: &IndexedMesh) -> Result<(), Refusal> {
         let mut builder = Builder::default();
         let found = attributes(&mut builder, piece)?;
@@ -47,12 +47,12 @@ impl VertexPieces {
         Ok(())
     }
 
-    /// Attributes, each in a view of its own.
+    /// Returns the number of attributes, each of which has a view of its own.
     pub(crate) fn view_count(&self) -> usize {
         self.views.len()
     }
 
-    /// The bytes of a piece in one of the views.
+    /// Returns the bytes of a piece in one of the views.
     pub(crate) fn view_of(piece: &IndexedMesh, view: usize) -> Result<Vec<u8>, Refusal> {
         let mut builder = Builder::default();
         attributes(&mut builder, piece)?;
@@ -61,12 +61,12 @@ impl VertexPieces {
         Ok(builder.binary[start..start + length].to_vec())
     }
 
-    /// Whether indices are written in two bytes each; the last such number is left for primitive restart.
+    /// Whether indices take two bytes each; the largest 16-bit value is left for primitive restart.
     pub(crate) fn has_short_indices(&self) -> bool {
         self.vertex_count <= u64::from(u16::MAX)
     }
 
-    /// Writes all that stands before the first vertex: headers and the document.
+    /// Writes everything before the first vertex: headers and the document.
     pub(crate) fn write_head(&mut self, index_count: u64, out: &mut dyn Write) -> io::Result<()> {
         let (mut json, binary_bytes) = self.document(index_count);
         json.resize(json.len().next_multiple_of(4), b' ');
@@ -86,7 +86,7 @@ impl VertexPieces {
         Ok(())
     }
 
-    /// The document, and the bytes of the buffer that it describes, a multiple of four.
+    /// Returns the document and the size in bytes of the buffer that it describes, a multiple of four.
     fn document(&mut self, index_count: u64) -> (Vec<u8>, u64) {
         let mut root = json!({ "asset": { "version": "2.0", "generator": "striata" }, "scene": 0 });
         if index_count == 0 {
@@ -136,7 +136,7 @@ fn number(value: &Value, key: &str) -> u64 {
     value.get(key).and_then(Value::as_u64).unwrap_or(0)
 }
 
-/// Adds a piece's accessor to that of the pieces before it.
+/// Merges a piece's accessor into that of the previous pieces.
 fn add_accessor(all: &mut Value, piece: &Value) -> Result<(), Refusal> {
     let is_alike = ["componentType", "type", "normalized"].iter().all(|&key| all.get(key) == piece.get(key));
     if !is_alike {

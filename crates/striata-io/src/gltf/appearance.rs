@@ -1,4 +1,4 @@
-//! Materials, textures, samplers and images, carried along as they are.
+//! Materials, textures, samplers and images, passed through unchanged.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -7,23 +7,24 @@ use serde_json::Value;
 use striata::mesh::{Appearance, Image, Material};
 
 use super::document::Document;
-use super::json::At;
-use super::primitive::whole;
+use super::json::JsonNode;
+use super::primitive::document_fault;
 use super::uri;
 use crate::error::Fault;
 
-/// Images may always take this much memory, and beyond it so many times the file's size.
+/// Memory that images may always take, in bytes; beyond it, a multiple of the file's size.
 const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
 const BYTES_PER_INPUT_BYTE: u64 = 64;
 
+/// Reads the materials, textures, samplers and images of a document.
 pub(super) fn appearance(document: &Document<'_>) -> Result<Appearance, Fault> {
     let root = &document.root;
     let mut extensions = BTreeSet::new();
-    let mut raw = |at: &At<'_>| {
+    let mut raw = |at: &JsonNode<'_>| {
         extensions_in(at.value, &mut extensions);
         at.value.to_string()
     };
-    let material = |at: At<'_>, gltf_json| Material { name: at.text("name").to_owned(), gltf_json };
+    let material = |at: JsonNode<'_>, gltf_json| Material { name: at.text("name").to_owned(), gltf_json };
     let materials = root.entries("materials")?.into_iter().map(|at| {
         let gltf_json = raw(&at);
         material(at, gltf_json)
@@ -38,7 +39,9 @@ pub(super) fn appearance(document: &Document<'_>) -> Result<Appearance, Fault> {
         image_bytes += image.bytes.len() as u64;
         if image_bytes > ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE) {
             let input_bytes = document.input_bytes;
-            return Err(whole(format!("{image_bytes} bytes of images in a file of {input_bytes} bytes")));
+            return Err(document_fault(format!(
+                "{image_bytes} bytes of images in a file of {input_bytes} bytes"
+            )));
         }
         images.push(image);
     }
@@ -53,7 +56,7 @@ pub(super) fn appearance(document: &Document<'_>) -> Result<Appearance, Fault> {
     })
 }
 
-/// Collects the names of all extensions within a value.
+/// Collects the names of all extensions used within a value.
 pub(super) fn extensions_in(value: &Value, found: &mut BTreeSet<String>) {
     match value {
         Value::Object(map) => {
@@ -67,8 +70,8 @@ pub(super) fn extensions_in(value: &Value, found: &mut BTreeSet<String>) {
     }
 }
 
-/// An image with its bytes, where they can be had; else its URI has to do.
-fn image(document: &Document<'_>, at: &At<'_>) -> Result<Image, Fault> {
+/// Reads an image with its bytes if they are available, otherwise with its URI.
+fn image(document: &Document<'_>, at: &JsonNode<'_>) -> Result<Image, Fault> {
     let mut image = Image {
         name: at.text("name").to_owned(),
         mime_type: at.text("mimeType").to_owned(),
@@ -94,7 +97,7 @@ fn image(document: &Document<'_>, at: &At<'_>) -> Result<Image, Fault> {
     Ok(image)
 }
 
-/// The type of an image by its first bytes.
+/// Detects the media type of an image by its first bytes.
 fn mime_type(bytes: &[u8]) -> &'static str {
     match bytes {
         [0x89, b'P', b'N', b'G', ..] => "image/png",

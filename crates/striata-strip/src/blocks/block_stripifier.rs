@@ -1,46 +1,49 @@
-//! What happens to each block: a window of it and of what waited, strips, and which of them wait in turn.
+//! Processing of each block: builds a window, makes strips, and decides which of them wait for later
+//! blocks.
 
 use striata::strip::{RESTART, StripCost, StripSet, strip_triangles};
 
 use super::chain::{Chain, End};
-use super::held::{Held, HeldStrip, OpenEnd, Reached};
 use super::joints::Joints;
 use super::options::{BlockOptions, BlocksError, BlocksReport, WriteStripFn};
+use super::pending::{OpenEnd, PendingStrip, PendingStrips, TouchedStrip};
 use super::source::Block;
 use super::window::Window;
 
-/// A strip that has more triangles than this for each of its open sides is not taken apart again.
+/// A strip with more triangles than this per open side is not taken apart again.
 const LOOSE_TRIANGLES: usize = 8;
-/// Fewest triangles of a strip that others may go on with: shorter ones are taken apart.
-const SHORTEST_CHAIN: usize = 8;
-/// Strips that have so many triangles are written: what going on would save is nothing beside them.
-const LONGEST_CHAIN: usize = 1000;
-/// Fewest triangles that may be taken apart again, however small the block was.
-const LEAST_LOOSE: usize = 4096;
+/// Fewest triangles of a chain that others may continue: shorter strips are taken apart.
+const MIN_CHAIN_TRIANGLES: usize = 8;
+/// Strips with this many triangles are written: continuing them would save a negligible part of their
+/// indices.
+const MAX_CHAIN_TRIANGLES: usize = 1000;
+/// Number of triangles that may always be taken apart again, however small the block was.
+const MIN_LOOSE_TRIANGLES: usize = 4096;
 
-/// The state between two blocks.
-pub(super) struct Work<'a, W> {
+/// State between two blocks.
+pub(super) struct BlockStripifier<'a, W> {
     options: &'a BlockOptions,
     writer: Writer<'a, W>,
-    held: Held,
+    pending: PendingStrips,
     window: Window,
     joints: Joints,
     report: BlocksReport,
 }
 
-impl<'a, W> Work<'a, W> {
+impl<'a, W> BlockStripifier<'a, W> {
+    /// Creates a stripifier that passes finished strips to `write`.
     pub(super) fn new(options: &'a BlockOptions, write: &'a mut WriteStripFn<'a, W>) -> Self {
         Self {
             options,
             writer: Writer { write, group: 0, is_begun: false, cost: StripCost::default() },
-            held: Held::default(),
+            pending: PendingStrips::default(),
             window: Window::default(),
             joints: Joints::default(),
             report: BlocksReport::default(),
         }
     }
 
-    /// Makes strips of a block and of what waited for it; writes those that are complete.
+    /// Makes strips of a block and the strips it takes over, and writes those that are complete.
     pub(super) fn add<R>(&mut self, number: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
         self.enter_group(number, block.group)?;
         check_vertices(number, block)?;
@@ -49,21 +52,21 @@ impl<'a, W> Work<'a, W> {
         let strips = self.window.stripify(&self.options.strip);
         let strips = strips.map_err(|error| BlocksError::TooLarge { block: number, error })?;
         self.window.find_rim(number, self.joints.sides());
-        self.place(&strips, block.triangles.len()).map_err(BlocksError::Write)
+        self.distribute(&strips, block.triangles.len()).map_err(BlocksError::Write)
     }
 
-    /// Writes what still waits.
+    /// Writes the strips that still wait.
     pub(super) fn finish(mut self, block_count: u32) -> Result<BlocksReport, W> {
         self.write_expired(u32::MAX)?;
         let mut cost = self.writer.cost;
         if cost.triangle_count > 0 {
             cost.indices_per_triangle = cost.index_count as f64 / cost.triangle_count as f64;
         }
-        let peak_held_triangles = self.held.peak_triangle_count();
+        let peak_held_triangles = self.pending.peak_triangle_count();
         Ok(BlocksReport { cost, block_count, peak_held_triangles, ..self.report })
     }
 
-    /// Nothing waits for a group that is over.
+    /// Enters the group of a block; when a group ends, its waiting strips are written.
     fn enter_group<R>(&mut self, block: u32, found: u32) -> Result<(), BlocksError<R, W>> {
         let previous = self.writer.group;
         if found < previous {
@@ -77,13 +80,15 @@ impl<'a, W> Work<'a, W> {
         Ok(())
     }
 
-    /// A block's triangles, before them those of loose strips and the ends of chains beside them.
+    /// Fills the window with adjacent loose strips, the ends of adjacent chains, and the block's triangles.
     fn fill_window(&mut self, block: &Block) {
         self.window.clear();
-        for Reached { strip, at } in self.held.take_beside(block) {
+        for TouchedStrip { strip, touched_sides } in self.pending.take_adjacent(block) {
             match strip {
-                HeldStrip::Loose { triangles, .. } => triangles.iter().for_each(|t| self.window.push(t)),
-                HeldStrip::Chain { chain, ends } => self.joints.push(chain, ends, &at, &mut self.window),
+                PendingStrip::Loose { triangles, .. } => triangles.iter().for_each(|t| self.window.push(t)),
+                PendingStrip::Chain { chain, ends } => {
+                    self.joints.push(chain, ends, &touched_sides, &mut self.window)
+                }
             }
         }
         let report = &mut self.report;
@@ -94,23 +99,23 @@ impl<'a, W> Work<'a, W> {
     }
 
     fn write_expired(&mut self, block: u32) -> Result<(), W> {
-        while let Some(strip) = self.held.take_expired(block) {
+        while let Some(strip) = self.pending.take_expired(block) {
             self.writer.push(&strip)?;
         }
         Ok(())
     }
 
-    /// Puts every strip of the window where it belongs: on to a chain, among what waits, or out.
-    fn place(&mut self, strips: &StripSet, block_triangles: usize) -> Result<(), W> {
-        let is_loose = self.choose_loose(strips, block_triangles.max(LEAST_LOOSE) / 2);
+    /// Distributes the strips of the window: appended to a chain, added to the waiting strips, or written.
+    fn distribute(&mut self, strips: &StripSet, block_triangles: usize) -> Result<(), W> {
+        let is_loose = self.choose_loose(strips, block_triangles.max(MIN_LOOSE_TRIANGLES) / 2);
         for (strip, is_loose) in strips.strips().zip(is_loose) {
             let in_mesh = self.window.strip_in_mesh(strip);
             if self.joints.join(&in_mesh, &self.window) {
                 continue;
             }
-            let held = if is_loose {
-                let triangles = strip_triangles(strip).map(|t| self.window.in_mesh(t)).collect();
-                HeldStrip::Loose { strip: in_mesh, triangles, open: self.window.open_sides(strip) }
+            let pending = if is_loose {
+                let triangles = strip_triangles(strip).map(|t| self.window.to_mesh_triangle(t)).collect();
+                PendingStrip::Loose { strip: in_mesh, triangles, open: self.window.open_sides(strip) }
             } else {
                 let chain = Chain::new(&in_mesh);
                 let end_of = |end| {
@@ -118,24 +123,25 @@ impl<'a, W> Work<'a, W> {
                     self.window.open_sides_in_mesh(chain.end_triangle(end))
                 };
                 let ends = End::BOTH.map(|e| end_of(e).map(|(triangle, open)| OpenEnd { triangle, open }));
-                HeldStrip::Chain { chain, ends }
+                PendingStrip::Chain { chain, ends }
             };
-            self.hold_or_write(held)?;
+            self.keep_or_write(pending)?;
         }
         for part in self.joints.take_all() {
-            self.hold_or_write(part)?;
+            self.keep_or_write(part)?;
         }
         Ok(())
     }
 
-    /// Which strips are worth to be taken apart by a later block: those with most open sides for their length.
+    /// Selects the strips that a later block may take apart: those with the most open sides for their
+    /// length.
     fn choose_loose(&self, strips: &StripSet, budget: usize) -> Vec<bool> {
         let mut chosen = vec![false; strips.strip_count()];
         let mut candidates: Vec<(usize, usize, usize)> = Vec::new();
         for (index, strip) in strips.strips().enumerate() {
             let side_count = self.window.open_side_count(strip);
             let triangle_count = strip_triangles(strip).count();
-            if side_count > 0 && triangle_count <= SHORTEST_CHAIN.max(LOOSE_TRIANGLES * side_count) {
+            if side_count > 0 && triangle_count <= MIN_CHAIN_TRIANGLES.max(LOOSE_TRIANGLES * side_count) {
                 candidates.push((side_count, triangle_count, index));
             }
         }
@@ -148,22 +154,25 @@ impl<'a, W> Work<'a, W> {
         chosen
     }
 
-    fn hold_or_write(&mut self, strip: HeldStrip) -> Result<(), W> {
+    /// Keeps a strip for later blocks if it can grow and the limit allows it; otherwise writes it.
+    fn keep_or_write(&mut self, strip: PendingStrip) -> Result<(), W> {
         let count = strip.triangle_count();
         let can_grow = match &strip {
-            HeldStrip::Loose { .. } => true,
-            HeldStrip::Chain { ends, .. } => {
-                ends.iter().any(Option::is_some) && (SHORTEST_CHAIN..LONGEST_CHAIN).contains(&count)
+            PendingStrip::Loose { .. } => true,
+            PendingStrip::Chain { ends, .. } => {
+                ends.iter().any(Option::is_some)
+                    && (MIN_CHAIN_TRIANGLES..MAX_CHAIN_TRIANGLES).contains(&count)
             }
         };
-        if can_grow && self.held.triangle_count() + count <= self.options.held_limit {
-            self.held.push(strip);
+        if can_grow && self.pending.triangle_count() + count <= self.options.held_limit {
+            self.pending.push(strip);
             return Ok(());
         }
         self.writer.push(&strip)
     }
 }
 
+/// Checks that no vertex has the index that is reserved for restarts.
 fn check_vertices<R, W>(number: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
     match block.triangles.iter().position(|triangle| triangle.corners.contains(&RESTART)) {
         Some(triangle) => Err(BlocksError::ReservedVertex { block: number, triangle }),
@@ -171,17 +180,17 @@ fn check_vertices<R, W>(number: u32, block: &Block) -> Result<(), BlocksError<R,
     }
 }
 
-/// Hands strips out and counts what they cost.
+/// Writes strips and sums up their cost.
 struct Writer<'a, W> {
     write: &'a mut WriteStripFn<'a, W>,
     group: u32,
-    /// Whether the group has a strip.
+    /// Whether the group already has a strip.
     is_begun: bool,
     cost: StripCost,
 }
 
 impl<W> Writer<'_, W> {
-    fn push(&mut self, strip: &HeldStrip) -> Result<(), W> {
+    fn push(&mut self, strip: &PendingStrip) -> Result<(), W> {
         let mut indices = Vec::new();
         strip.write(&mut indices);
         let triangle_count = strip_triangles(&indices).count();

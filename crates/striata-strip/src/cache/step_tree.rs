@@ -1,30 +1,32 @@
-//! The steps of all partial answers as one tree, of which the common trunk is final.
+//! Tree of the steps of all search states, whose common trunk is final.
 
-use super::answer::{ROOT, Step};
+use super::beam_state::{ROOT, Step};
 
-/// Steps that answers may differ in before those that parted earliest from the best are dropped.
+/// Number of steps in which states may differ; beyond it, those that diverged earliest from the best are
+/// dropped.
 const MAX_DEPTH: usize = 384;
 
+/// Step and its predecessor.
 #[derive(Clone, Copy)]
 struct Node {
     parent: u32,
     step: Step,
 }
 
-/// The tree.
+/// Steps of all states, each with its predecessor.
 #[derive(Default)]
-pub(super) struct Steps {
+pub(super) struct StepTree {
     nodes: Vec<Node>,
 }
 
-impl Steps {
-    /// Adds a step after `parent`.
+impl StepTree {
+    /// Adds a step after `parent` and returns its node.
     pub(super) fn push(&mut self, parent: u32, step: Step) -> u32 {
         self.nodes.push(Node { parent, step });
         self.nodes.len() as u32 - 1
     }
 
-    /// The steps from the root to a leaf.
+    /// Returns the nodes from the root to a leaf.
     fn path(&self, leaf: u32) -> Vec<u32> {
         let parent = |&node: &u32| Some(self.nodes[node as usize].parent).filter(|&parent| parent != ROOT);
         let mut path: Vec<u32> =
@@ -33,21 +35,22 @@ impl Steps {
         path
     }
 
-    /// Cuts the trunk that all leaves share off into `trunk` and renumbers the leaves, the best of which is the first.
+    /// Moves the steps that all leaves share to `trunk` and renumbers the leaves; the first leaf is the
+    /// best.
     ///
-    /// Leaves that parted from the best one too long ago become [`None`].
+    /// Leaves that diverged too early from the best one become [`None`].
     pub(super) fn cut_trunk(&mut self, leaves: &mut [Option<u32>], trunk: &mut Vec<Step>) {
         let Some(Some(best)) = leaves.first().copied() else { return };
         let path = self.path(best);
-        let mut place_on_path = vec![usize::MAX; self.nodes.len()];
-        for (place, &node) in path.iter().enumerate() {
-            place_on_path[node as usize] = place;
+        let mut index_on_path = vec![usize::MAX; self.nodes.len()];
+        for (index, &node) in path.iter().enumerate() {
+            index_on_path[node as usize] = index;
         }
-        let last_parting = if path.len() > MAX_DEPTH { path.len() - MAX_DEPTH / 2 } else { 0 };
+        let min_shared_count = if path.len() > MAX_DEPTH { path.len() - MAX_DEPTH / 2 } else { 0 };
         let mut shared_count = path.len();
         for leaf in leaves.iter_mut() {
-            let count = leaf.map_or(0, |leaf| self.shared_count(leaf, &place_on_path));
-            if count < last_parting {
+            let count = leaf.map_or(0, |leaf| self.shared_count(leaf, &index_on_path));
+            if count < min_shared_count {
                 *leaf = None;
             } else {
                 shared_count = shared_count.min(count);
@@ -55,28 +58,28 @@ impl Steps {
         }
         trunk.extend(path[..shared_count].iter().map(|&node| self.nodes[node as usize].step));
         let mut renumbered = vec![ROOT; self.nodes.len()];
-        let mut crown = Self::default();
+        let mut remaining = Self::default();
         for leaf in leaves.iter_mut().flatten() {
             let branch = self.path(*leaf);
             let mut parent = ROOT;
             for &node in &branch[shared_count..] {
                 if renumbered[node as usize] == ROOT {
-                    renumbered[node as usize] = crown.push(parent, self.nodes[node as usize].step);
+                    renumbered[node as usize] = remaining.push(parent, self.nodes[node as usize].step);
                 }
                 parent = renumbered[node as usize];
             }
             *leaf = parent;
         }
-        *self = crown;
+        *self = remaining;
     }
 
-    /// How many steps a leaf's path shares with the best one's.
-    fn shared_count(&self, leaf: u32, place_on_path: &[usize]) -> usize {
+    /// Number of steps that a leaf's path shares with the best one's.
+    fn shared_count(&self, leaf: u32, index_on_path: &[usize]) -> usize {
         let mut node = leaf;
-        while node != ROOT && place_on_path[node as usize] == usize::MAX {
+        while node != ROOT && index_on_path[node as usize] == usize::MAX {
             node = self.nodes[node as usize].parent;
         }
-        if node == ROOT { 0 } else { place_on_path[node as usize] + 1 }
+        if node == ROOT { 0 } else { index_on_path[node as usize] + 1 }
     }
 }
 
@@ -86,7 +89,7 @@ mod tests {
 
     #[test]
     fn the_trunk_is_cut_off_once() {
-        let mut steps = Steps::default();
+        let mut steps = StepTree::default();
         let a = steps.push(ROOT, Step::Start(0));
         let b = steps.push(a, Step::Cross(1));
         let left = steps.push(b, Step::Cross(2));
@@ -104,8 +107,8 @@ mod tests {
     }
 
     #[test]
-    fn who_parted_long_ago_is_dropped() {
-        let mut steps = Steps::default();
+    fn leaves_that_diverged_early_are_dropped() {
+        let mut steps = StepTree::default();
         let mut grow = |mut leaf, count| {
             for side in 0..count {
                 leaf = steps.push(leaf, Step::Cross(side));

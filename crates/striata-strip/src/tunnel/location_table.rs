@@ -1,34 +1,34 @@
-//! The strip and place of every triangle, kept in two arrays.
+//! Table of the strip of every triangle and its index within that strip.
 
 use striata::strip::StripLinks;
 
-use super::trace::{Places, Step};
+use super::trace::{Step, StripLocations};
 
-/// The strip and place of every triangle.
+/// Strip of every triangle, and its index within that strip.
 #[derive(Debug)]
-pub(crate) struct PlaceTable {
-    /// Strip and place.
-    places: Vec<(u32, u32)>,
-    /// The next strip's number: strips are numbered anew when they change.
+pub(crate) struct LocationTable {
+    /// For each triangle: strip id, and index within the strip.
+    locations: Vec<(u32, u32)>,
+    /// Next unused strip id; strips get new ids when they change.
     next_strip: u32,
 }
 
-impl Places for PlaceTable {
+impl StripLocations for LocationTable {
     #[inline]
     fn strip(&self, triangle: u32) -> u32 {
-        self.places[triangle as usize].0
+        self.locations[triangle as usize].0
     }
 
     #[inline]
-    fn place(&self, triangle: u32) -> u32 {
-        self.places[triangle as usize].1
+    fn index(&self, triangle: u32) -> u32 {
+        self.locations[triangle as usize].1
     }
 }
 
-impl PlaceTable {
-    /// Numbers all strips; no loops, please.
+impl LocationTable {
+    /// Numbers all strips, which must not contain loops.
     pub(crate) fn new(links: &StripLinks<'_>) -> Self {
-        let mut table = Self { places: vec![(u32::MAX, 0); links.triangle_count()], next_strip: 0 };
+        let mut table = Self { locations: vec![(u32::MAX, 0); links.triangle_count()], next_strip: 0 };
         for end in 0..links.triangle_count() as u32 {
             if links.solid_degree(end) < 2 && table.strip(end) == u32::MAX {
                 table.number(end, links);
@@ -37,7 +37,7 @@ impl PlaceTable {
         table
     }
 
-    /// Numbers the strips that a tunnel has changed, after it was complemented.
+    /// Renumbers the strips that a tunnel has changed, after it was applied.
     pub(crate) fn renumber(&mut self, steps: &[Step], last: Option<u32>, links: &StripLinks<'_>) {
         let first_new = self.next_strip;
         let last = last.map(|side| side / 3);
@@ -54,13 +54,13 @@ impl PlaceTable {
     fn number(&mut self, end: u32, links: &StripLinks<'_>) {
         let strip = self.next_strip;
         self.next_strip += 1;
-        let mut place = 0;
-        self.places[end as usize] = (strip, place);
+        let mut index = 0;
+        self.locations[end as usize] = (strip, index);
         let mut exit = links.first_solid(end);
         while let Some(side) = exit {
             let entered = links.twins()[side as usize];
-            place += 1;
-            self.places[entered as usize / 3] = (strip, place);
+            index += 1;
+            self.locations[entered as usize / 3] = (strip, index);
             exit = links.other_solid(entered);
         }
     }
