@@ -7,7 +7,7 @@ use striata::file::{DecodeError, StriataFile, Verify};
 use striata::mesh::{FragmentSequence, RefinableMesh, canonical_triangles, fragment_faces, replay};
 use striata::model::{
     FanFront, FanScene, Fans, Overlap, PatternInstance, PatternScene, Patterns, StoredModel, StripModel,
-    Wanted,
+    CriterionCondition,
 };
 use striata::view::{Camera, DetailBox, ScreenError};
 use striata_fuzz::with_correct_checksums;
@@ -103,7 +103,7 @@ fn check_detail_boxes(scene: PatternScene<'_>) {
         DetailBox { min: [-1.0; 3], max: [0.5; 3], error_outside: f32::INFINITY },
         DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside: 0.1 },
     ] {
-        let condition = Wanted::new(scene, &detail);
+        let condition = CriterionCondition::new(scene, &detail);
         instance.adapt(patterns, &condition);
         let mut fresh = PatternInstance::base(patterns);
         fresh.adapt(patterns, &condition);

@@ -88,9 +88,9 @@ impl FanWords {
         if fan.is_closed() {
             flags |= CLOSED;
         }
-        if fan.lasting_arcs() != 0 {
+        if fan.permanent_arcs() != 0 {
             flags |= PERMANENT;
-            self.words.push(fan.lasting_arcs());
+            self.words.push(fan.permanent_arcs());
         }
         let is_wide = fan.makers().any(|m| m.arcs > 0xff || m.step - own >= 1 << 24);
         for maker in fan.makers() {
@@ -140,7 +140,7 @@ mod tests {
                 assert_eq!(nodes, fan.nodes().collect::<Vec<_>>());
                 assert_eq!(flags & CLOSED != 0, fan.is_closed());
                 let lasting = if flags & PERMANENT != 0 { rest.next().unwrap() } else { 0 };
-                assert_eq!(lasting, fan.lasting_arcs());
+                assert_eq!(lasting, fan.permanent_arcs());
                 assert_eq!((flags >> MAKERS) as usize, fan.makers().count());
                 for maker in fan.makers() {
                     let word = rest.next().unwrap();

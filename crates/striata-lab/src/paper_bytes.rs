@@ -58,7 +58,7 @@ impl PaperBytes for Fans {
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let (mut nodes, mut dependencies, mut mask_bytes) = (0, 0, 0);
         for fan in self.table_fans() {
-            let count = usize::from(fan.lasting_arcs() != 0) + fan.makers().count();
+            let count = usize::from(fan.permanent_arcs() != 0) + fan.makers().count();
             nodes += fan.node_count();
             dependencies += count;
             mask_bytes += count * fan.node_count().div_ceil(8);

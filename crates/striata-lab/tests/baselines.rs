@@ -13,7 +13,7 @@ use striata_lab::baseline::{DiscreteLevels, DiscreteLevelsError, OrderedMeshes, 
 use striata_lab::{Accounting, PaperBytes};
 use striata_strip::{StripOptions, Stripifier};
 use support::{
-    Random, Wildness, follows_the_oracle, follows_the_oracle_at, grid, hub_cases, nasty_cases,
+    Random, RandomSequenceOptions, follows_the_oracle, follows_the_oracle_at, grid, hub_cases, nasty_cases,
     random_refinable, seam_cases, soups, surface_cases, with_seams_and_groups,
 };
 
@@ -46,8 +46,8 @@ fn nasty_shapes_follow_the_oracle_at_every_level() {
             continue;
         }
         eprintln!("{name}");
-        let wildness = Wildness { far_percent: 20, base_position_count: 2 };
-        check_baselines(&random_refinable(&mesh, wildness, &mut Random::new(5)), 1);
+        let sequence_options = RandomSequenceOptions { far_percent: 20, base_position_count: 2 };
+        check_baselines(&random_refinable(&mesh, sequence_options, &mut Random::new(5)), 1);
     }
 }
 
@@ -110,8 +110,8 @@ fn groups_of_one(group_count: u32) -> IndexedMesh {
 #[test]
 fn many_groups_follow_the_oracle() {
     for group_count in [2, 256, 257, 300] {
-        let wildness = Wildness { far_percent: 40, base_position_count: 1 };
-        let refinable = random_refinable(&groups_of_one(group_count), wildness, &mut Random::new(2));
+        let sequence_options = RandomSequenceOptions { far_percent: 40, base_position_count: 1 };
+        let refinable = random_refinable(&groups_of_one(group_count), sequence_options, &mut Random::new(2));
         check_baselines(&refinable, 23);
     }
 }
@@ -120,7 +120,7 @@ fn many_groups_follow_the_oracle() {
 fn degenerate_triangles_are_not_listed() {
     let mut refinable = random_refinable(
         &grid(3, false),
-        Wildness { far_percent: 0, base_position_count: 3 },
+        RandomSequenceOptions { far_percent: 0, base_position_count: 3 },
         &mut Random::new(8),
     );
     refinable.mesh.triangles.splice(4..4, [[1, 1, 2], [5, 7, 5], [3, 3, 3]]);
@@ -134,8 +134,11 @@ fn degenerate_triangles_are_not_listed() {
 #[test]
 fn groups_are_drawn_from_the_list_in_place() {
     let mesh = with_seams_and_groups(grid(8, false));
-    let refinable =
-        random_refinable(&mesh, Wildness { far_percent: 5, base_position_count: 3 }, &mut Random::new(3));
+    let refinable = random_refinable(
+        &mesh,
+        RandomSequenceOptions { far_percent: 5, base_position_count: 3 },
+        &mut Random::new(3),
+    );
     let meshes = ProgressiveMeshes::build(&refinable);
     let ordered = OrderedMeshes::build(&refinable);
     let levels = DiscreteLevels::build(&refinable, 5, stripify).unwrap();
@@ -170,8 +173,8 @@ fn groups_are_drawn_from_the_list_in_place() {
 
 #[test]
 fn levels_fall_geometrically() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 20 };
-    let refinable = random_refinable(&grid(40, true), wildness, &mut Random::new(1));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 20 };
+    let refinable = random_refinable(&grid(40, true), sequence_options, &mut Random::new(1));
     let triangles_of = |level_count| {
         let model = DiscreteLevels::build(&refinable, level_count, stripify).unwrap();
         let counts = model.split_counts().map(|s| refinable.sequence.triangle_count_at(s));
@@ -193,8 +196,8 @@ fn levels_fall_geometrically() {
 #[test]
 fn levels_of_any_stripifier_follow_the_oracle() {
     let mesh = with_seams_and_groups(grid(10, true));
-    let wildness = Wildness { far_percent: 2, base_position_count: 4 };
-    let refinable = random_refinable(&mesh, wildness, &mut Random::new(6));
+    let sequence_options = RandomSequenceOptions { far_percent: 2, base_position_count: 4 };
+    let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(6));
     for stripifier in [Stripifier::Stripe, Stripifier::Fewest, Stripifier::Cheapest] {
         let options = StripOptions::default().with_stripifier(stripifier);
         let model =
@@ -207,8 +210,8 @@ fn levels_of_any_stripifier_follow_the_oracle() {
 
 #[test]
 fn invalid_inputs_are_rejected() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let mut refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let mut refinable = random_refinable(&grid(4, false), sequence_options, &mut Random::new(1));
     let build = |refinable: &RefinableMesh, n| DiscreteLevels::build(refinable, n, stripify);
     assert_eq!(build(&refinable, 0).unwrap_err(), DiscreteLevelsError::NoLevels);
     assert_eq!(build(&refinable, usize::MAX).unwrap().split_counts().last(), {
@@ -286,8 +289,8 @@ proptest! {
         seed in any::<u64>(),
         jumps in prop::collection::vec(0.0f64..=1.0, 1..20),
     ) {
-        let wildness = Wildness { far_percent: 3, base_position_count: 4 };
-        let refinable = random_refinable(&grid(16, true), wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 3, base_position_count: 4 };
+        let refinable = random_refinable(&grid(16, true), sequence_options, &mut Random::new(seed));
         let model = ProgressiveMeshes::build(&refinable);
         let mut state = model.new_state();
         for jump in jumps {

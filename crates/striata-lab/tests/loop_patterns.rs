@@ -15,8 +15,8 @@ use striata_lab::baseline::{
 };
 use striata_lab::{Accounting, PaperBytes};
 use support::{
-    Random, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases, nasty_cases,
-    random_closed_set, random_removals, seam_cases, shows_a_set, smallest_set,
+    Random, assert_shows_set, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases,
+    nasty_cases, random_closed_set, random_removals, seam_cases, smallest_set,
 };
 
 /// Surfaces with collapses in cost order; most have borders, whose last triangles are attached by one edge
@@ -56,7 +56,7 @@ fn inserted(model: &LoopPatterns, state: &LoopPatternsState) -> Vec<u32> {
 }
 
 fn shows_what_is_inserted(mesh: &FragmentedMesh, state: &LoopPatternsState) {
-    shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
+    assert_shows_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
     let shown: BTreeSet<u32> = state.triangles().iter().flatten().copied().collect();
     assert!((0..mesh.mesh.vertex_count() as u32).all(|v| state.is_active(v) == shown.contains(&v)));
 }

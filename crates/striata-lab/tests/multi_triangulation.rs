@@ -9,8 +9,8 @@ use striata::model::{LodModel, PatternChange, Patterns, StoredModel};
 use striata_lab::baseline::{MtQuery, MultiTriangulation, MultiTriangulationState};
 use striata_lab::{Accounting, PaperBytes};
 use support::{
-    Case, Random, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases, nasty_cases,
-    random_closed_set, random_removals, seam_cases, shows_a_set, smallest_set, soup, soups, surface_cases,
+    Case, Random, assert_shows_set, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases,
+    nasty_cases, random_closed_set, random_removals, seam_cases, smallest_set, soup, soups, surface_cases,
 };
 
 fn fragmented(case: &Case) -> FragmentedMesh {
@@ -104,8 +104,8 @@ fn small_cases() -> impl Iterator<Item = FragmentedMesh> {
     });
     let soups = (0..20).map(|seed| {
         let mesh = soup(13, 8 + seed as usize * 2, &mut Random::new(seed + 1));
-        let wildness = support::Wildness { far_percent: 20, base_position_count: 3 };
-        let refinable = support::random_refinable(&mesh, wildness, &mut Random::new(seed + 3));
+        let sequence_options = support::RandomSequenceOptions { far_percent: 20, base_position_count: 3 };
+        let refinable = support::random_refinable(&mesh, sequence_options, &mut Random::new(seed + 3));
         FragmentedMesh::from_collapses(&refinable)
     });
     surfaces.chain(soups).filter(|mesh| mesh.fragments.step_count() <= 12)
@@ -124,7 +124,7 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
             let expected = smallest_set(&mesh.fragments, &sets, evaluate);
             model.adapt(&mut state, &condition);
             assert_eq!(set_of(&model, &state), expected, "mesh {seed}, round {round}");
-            shows_a_set(&mesh.fragments, state.triangles(), |step| expected >> step & 1 == 1);
+            assert_shows_set(&mesh.fragments, state.triangles(), |step| expected >> step & 1 == 1);
             assert_eq!(model.adapt(&mut state, &condition), PatternChange::default());
             sizes[expected.count_ones() as usize] += 1;
         }
@@ -148,7 +148,7 @@ fn coarsening_and_refining_reach_the_same_set_for_monotone_conditions() {
             assert_eq!(before + added - removed, walked.split_count());
             model.adapt(&mut adapted, &condition);
             assert!(adapted == walked, "another set, seed {seed}, {percent} percent");
-            shows_a_set(fragments, adapted.triangles(), |step| set[step as usize]);
+            assert_shows_set(fragments, adapted.triangles(), |step| set[step as usize]);
             assert!((0..set.len()).all(|step| adapted.is_refined(step as u32) == set[step]));
         }
     }
@@ -164,7 +164,7 @@ fn refining_leaves_nothing_too_coarse_for_any_condition() {
             model.coarsen(&mut state, &condition);
             model.refine(&mut state, &condition);
             model.adapt(&mut smallest, &condition);
-            shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
+            assert_shows_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
             for shown in [&state, &smallest] {
                 for &index in shown.triangle_indices() {
                     let upper = model.triangles()[index as usize].upper;
@@ -177,7 +177,7 @@ fn refining_leaves_nothing_too_coarse_for_any_condition() {
         }
         model.move_to(&mut state, model.step_count() / 2);
         assert_eq!(model.split_count(&state), model.step_count() / 2);
-        shows_a_set(&mesh.fragments, state.triangles(), |step| (step as usize) < model.step_count() / 2);
+        assert_shows_set(&mesh.fragments, state.triangles(), |step| (step as usize) < model.step_count() / 2);
     }
 }
 
@@ -191,7 +191,7 @@ fn inserting_a_fragment_inserts_its_prerequisites() {
             assert_eq!((count, model.insert(&mut state, step)), (state.split_count(), 0));
             let top = (0..model.step_count() as u32).rev().find(|&step| state.is_refined(step));
             assert_eq!(top, Some(step), "nothing finer is needed");
-            shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
+            assert_shows_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
         }
     }
 }

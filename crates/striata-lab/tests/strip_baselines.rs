@@ -10,8 +10,8 @@ use striata_lab::baseline::{OriginalLodStrips, SkipStrips};
 use striata_lab::{Accounting, PaperBytes};
 use striata_strip::{StripOptions, Stripifier, stripify};
 use support::{
-    Random, Wildness, follows_the_oracle, grid, nasty_cases, random_refinable, seam_cases, soups,
-    surface_cases, with_seams_and_groups,
+    Random, RandomSequenceOptions, follows_the_oracle, grid, nasty_cases, random_refinable, seam_cases,
+    soups, surface_cases, with_seams_and_groups,
 };
 
 /// Greedy strips contain repeated vertices, cheapest ones also joints, and fewest ones are long.
@@ -64,10 +64,14 @@ fn seams_and_groups_follow_the_oracle() {
 #[test]
 fn base_of_one_position_follows_the_oracle() {
     // Every strip loses its last triangle before the base.
-    let wildness = Wildness { far_percent: 20, base_position_count: 1 };
+    let sequence_options = RandomSequenceOptions { far_percent: 20, base_position_count: 1 };
     for seed in 0..4 {
         all_follow(
-            &random_refinable(&with_seams_and_groups(grid(6, false)), wildness, &mut Random::new(seed)),
+            &random_refinable(
+                &with_seams_and_groups(grid(6, false)),
+                sequence_options,
+                &mut Random::new(seed),
+            ),
             1,
         );
     }
@@ -81,8 +85,8 @@ fn strips_with_joints_and_degenerate_ends_are_used_unchanged() {
     let positions = positions.map(|[x, y]| [x, y, x * y]).to_vec();
     let mesh = IndexedMesh::new(positions, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
     for seed in 0..40 {
-        let wildness = Wildness { far_percent: 30, base_position_count: 1 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 30, base_position_count: 1 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
         let mut strips = StripSet::new();
         let triangles = &refinable.mesh.triangles;
         let mut strip = vec![triangles[0][0]; 4];
@@ -102,8 +106,8 @@ fn strips_with_joints_and_degenerate_ends_are_used_unchanged() {
 #[test]
 fn groups_are_drawn_one_by_one() {
     let mesh = with_seams_and_groups(grid(8, false));
-    let wildness = Wildness { far_percent: 5, base_position_count: 3 };
-    let refinable = random_refinable(&mesh, wildness, &mut Random::new(7));
+    let sequence_options = RandomSequenceOptions { far_percent: 5, base_position_count: 3 };
+    let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(7));
     let strips = strips_of(&refinable, Stripifier::Cheapest);
     let original = OriginalLodStrips::build(&refinable, &strips).unwrap();
     let skip = SkipStrips::build(&refinable, &strips).unwrap();
@@ -129,8 +133,8 @@ fn groups_are_drawn_one_by_one() {
 
 #[test]
 fn jumps_agree_with_single_steps() {
-    let wildness = Wildness { far_percent: 3, base_position_count: 4 };
-    let refinable = random_refinable(&grid(20, true), wildness, &mut Random::new(3));
+    let sequence_options = RandomSequenceOptions { far_percent: 3, base_position_count: 4 };
+    let refinable = random_refinable(&grid(20, true), sequence_options, &mut Random::new(3));
     let strips = strips_of(&refinable, Stripifier::Cheapest);
     let model = SkipStrips::build(&refinable, &strips).unwrap();
     let (mut jumping, mut stepping) = (model.new_state(), model.new_state());
@@ -146,8 +150,8 @@ fn jumps_agree_with_single_steps() {
 
 #[test]
 fn strips_of_another_mesh_are_rejected() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(4, false), sequence_options, &mut Random::new(1));
     let assert_rejected = |strips: &StripSet, expected: ModelError| {
         assert_eq!(OriginalLodStrips::build(&refinable, strips).unwrap_err(), expected);
         assert_eq!(SkipStrips::build(&refinable, strips).unwrap_err(), expected);
@@ -169,8 +173,8 @@ fn paper_bytes_of_a_small_model_match_manual_counts() {
     let positions = (0..4).map(|i| [i as f32, (i * i) as f32, 0.0]).collect();
     let mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [2, 1, 3]]);
     let mut random = Random::new(1);
-    let wildness = Wildness { far_percent: 0, base_position_count: 3 };
-    let refinable = random_refinable(&mesh, wildness, &mut random);
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 3 };
+    let refinable = random_refinable(&mesh, sequence_options, &mut random);
     let strips = strips_of(&refinable, Stripifier::Greedy);
     assert_eq!((strips.strip_count(), strips.indices().len()), (1, 4));
     let slot_count = strips.indices().iter().filter(|&&v| v == 3).count();
@@ -202,8 +206,8 @@ fn strip_without_triangles_is_not_changed() {
     // to change.
     let mesh = IndexedMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]]);
     for seed in 0..8 {
-        let wildness = Wildness { far_percent: 0, base_position_count: 1 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 1 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
         assert_eq!(refinable.sequence.step_count(), 2);
         let strips = strips_of(&refinable, Stripifier::Greedy);
         let original = OriginalLodStrips::build(&refinable, &strips).unwrap();

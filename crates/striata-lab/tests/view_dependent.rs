@@ -419,7 +419,7 @@ fn bytes_match_the_arrays() {
 fn empty_meshes_have_nothing_to_adapt() {
     let nothing = support::random_refinable(
         &IndexedMesh::default(),
-        support::Wildness { far_percent: 0, base_position_count: 1 },
+        support::RandomSequenceOptions { far_percent: 0, base_position_count: 1 },
         &mut Random::new(1),
     );
     let model = ViewDependentMeshes::build(&nothing).unwrap();

@@ -16,7 +16,7 @@ use striata_stream::{
     GrowingHierarchy, HierarchyCut, PrefixMesh, StreamDecoder, StreamOptions, encode_stream,
 };
 use support::{
-    Case, Random, Whim, hub_cases, nasty_cases, seam_cases, selective_triangles, surface_cases,
+    ArbitraryCriterion, Case, Random, hub_cases, nasty_cases, seam_cases, selective_triangles, surface_cases,
     with_seams_and_groups,
 };
 
@@ -227,7 +227,7 @@ fn requested_steps_include_the_same_dependencies_as_in_fans() {
             let fans = Fans::build(&refinable);
             let mut cut = HierarchyCut::new();
             for round in 0..4 {
-                cut.refine(hierarchy, &Whim(round), usize::MAX);
+                cut.refine(hierarchy, &ArbitraryCriterion(round), usize::MAX);
                 let expected = FanInstance::refined(&fans, |step| cut.is_refined(step));
                 assert_eq!(expected.split_count(), cut.split_count());
                 let plain = selective_triangles(&refinable, &prefix.triangles, |step| !cut.is_refined(step));
@@ -302,7 +302,7 @@ fn a_growing_stream_gives_the_same_cuts_as_fans() {
             let fans = Fans::build(&refinable);
             let mut cut = HierarchyCut::new();
             for round in 0..6 {
-                cut.refine(&hierarchy, &Whim(round), usize::MAX);
+                cut.refine(&hierarchy, &ArbitraryCriterion(round), usize::MAX);
                 let expected = FanInstance::refined(&fans, |step| cut.is_refined(step));
                 assert_eq!(expected.split_count(), cut.split_count());
                 let mut shown = Vec::new();

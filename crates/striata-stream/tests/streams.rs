@@ -14,7 +14,7 @@ use striata_stream::{
     DecodeError, Effort, EncodedStream, Precision, StreamDecoder, StreamError, StreamOptions, StreamVersion,
     encode_stream,
 };
-use support::{Random, Wildness, random_refinable, soup, with_seams_and_groups};
+use support::{Random, RandomSequenceOptions, random_refinable, soup, with_seams_and_groups};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 const VERSIONS: [StreamVersion; 2] = [StreamVersion::One, StreamVersion::Two];
@@ -503,8 +503,8 @@ proptest! {
     ) {
         let mut random = Random::new(seed);
         let mesh = soup(vertices, triangles, &mut random);
-        let wildness = Wildness { far_percent: far, base_position_count: 1 };
-        let source = with_used_base(random_refinable(&mesh, wildness, &mut random));
+        let sequence_options = RandomSequenceOptions { far_percent: far, base_position_count: 1 };
+        let source = with_used_base(random_refinable(&mesh, sequence_options, &mut random));
         let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
         check_sequence(source, &options, seed);
     }

@@ -8,7 +8,7 @@ use striata::mesh::{DualGraph, RefinableMesh, canonical_triangles, replay, shape
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::StripSet;
 use striata_strip::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, StripOptions, stripify};
-use support::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_and_groups};
+use support::{Random, RandomSequenceOptions, grid, nasty, random_refinable, soup, with_seams_and_groups};
 
 const GOALS: [RepairGoal; 2] = [RepairGoal::FewestIndices, RepairGoal::FewestStrips];
 
@@ -73,8 +73,9 @@ fn degenerate_meshes_follow_the_oracle_at_every_level() {
     let shapes = shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
     for (name, mesh) in nasty().into_iter().chain(shapes) {
         for seed in 0..4 {
-            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
-            let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+            let sequence_options =
+                RandomSequenceOptions { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
+            let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
             eprintln!("{name}, seed {seed}");
             let stride = 1 + refinable.sequence.step_count() / 200;
             for aim in GOALS {
@@ -88,8 +89,9 @@ fn degenerate_meshes_follow_the_oracle_at_every_level() {
 fn surfaces_follow_the_oracle() {
     for (mesh, stride) in [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)] {
         for seed in 0..3 {
-            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
-            let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+            let sequence_options =
+                RandomSequenceOptions { far_percent: seed as usize * 4, base_position_count: 4 };
+            let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
             for aim in GOALS {
                 check_all_levels(&refinable, &goal(aim), stride);
             }
@@ -101,8 +103,8 @@ fn surfaces_follow_the_oracle() {
 fn seams_and_groups_follow_the_oracle() {
     for seed in 0..4 {
         let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
-        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 5, base_position_count: 3 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
         for aim in GOALS {
             check_all_levels(&refinable, &goal(aim), 1);
         }
@@ -259,13 +261,13 @@ proptest! {
         if has_seams {
             mesh = with_seams_and_groups(mesh);
         }
-        let wildness = Wildness { far_percent, base_position_count: 1 };
+        let sequence_options = RandomSequenceOptions { far_percent, base_position_count: 1 };
         let options = goal(GOALS[aim])
             .with_tunnel_length(tunnel_length)
             .with_walk_limit(walk_limit)
             .with_search_limit(search_limit)
             .with_reach(reach);
-        check_all_levels(&random_refinable(&mesh, wildness, &mut random), &options, 1);
+        check_all_levels(&random_refinable(&mesh, sequence_options, &mut random), &options, 1);
     }
 
     #[test]
@@ -274,8 +276,8 @@ proptest! {
         jumps in prop::collection::vec(0.0f64..=1.0, 1..20),
         aim in 0usize..2,
     ) {
-        let wildness = Wildness { far_percent: 3, base_position_count: 4 };
-        let refinable = random_refinable(&grid(16, true), wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 3, base_position_count: 4 };
+        let refinable = random_refinable(&grid(16, true), sequence_options, &mut Random::new(seed));
         let step_count = refinable.sequence.step_count();
         let mut live = at_level(&refinable, step_count / 2, &goal(GOALS[aim]));
         for jump in jumps {

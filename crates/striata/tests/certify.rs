@@ -15,7 +15,9 @@ use striata::simplify::{
     SequenceOptions, build_sequence, certify, certify_collapses, certify_collapses_in_any_state,
     certify_with_progress,
 };
-use support::{Case, Wildness, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases};
+use support::{
+    Case, RandomSequenceOptions, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases,
+};
 
 /// Distance of samples of `full` from `state`; 0 if there is nothing to measure.
 fn measured(full: &IndexedMesh, state: &IndexedMesh, sample_count: usize) -> f64 {
@@ -125,8 +127,8 @@ proptest! {
     #[test]
     fn errors_hold_for_random_triangles(count in 1u32..60, seed in any::<u64>(), far_percent in 0usize..60) {
         let mesh = shapes::random_soup(count, seed);
-        let wildness = Wildness { far_percent, base_position_count: 1 };
-        let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent, base_position_count: 1 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut support::Random::new(seed));
         errors_hold_at_levels(&refinable, 1 + count as usize / 10, 500);
     }
 }
@@ -173,8 +175,8 @@ fn errors_hold_for_surfaces_in_random_order() {
     for (name, mesh) in surfaces() {
         eprintln!("{name}");
         for far_percent in [0, 2] {
-            let wildness = Wildness { far_percent, base_position_count: 4 };
-            let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(3));
+            let sequence_options = RandomSequenceOptions { far_percent, base_position_count: 4 };
+            let refinable = random_refinable(&mesh, sequence_options, &mut support::Random::new(3));
             errors_hold_at_levels(&refinable, 1 + refinable.sequence.step_count() / 8, 10_000);
         }
     }
@@ -188,8 +190,8 @@ fn errors_hold_at_any_scale_and_position() {
         for x in mesh.positions.iter_mut().flatten() {
             *x = *x * scale + shift;
         }
-        let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-        let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(1));
+        let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut support::Random::new(1));
         errors_hold_at_levels(&refinable, 1 + refinable.sequence.step_count() / 8, 5_000);
     }
 }

@@ -12,15 +12,16 @@ use striata::mesh::{
 use striata::model::{FanFront, FanScene, Fans, LodModel, LodStrips, ModelKind, Mts, StripModel};
 use striata::strip::{StripSet, stripify};
 use support::{
-    Random, Whim, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
-    with_seams_and_groups, with_valid_checksums,
+    ArbitraryCriterion, Random, RandomSequenceOptions, grid, hub_cases, nasty, nasty_cases, random_refinable,
+    seam_cases, surface_cases, with_seams_and_groups, with_valid_checksums,
 };
 
 /// A mesh that uses every feature of the file format.
 fn full_featured_mesh() -> RefinableMesh {
     let mut random = Random::new(7);
-    let wildness = Wildness { far_percent: 3, base_position_count: 5 };
-    let mut refinable = random_refinable(&with_seams_and_groups(grid(7, false)), wildness, &mut random);
+    let sequence_options = RandomSequenceOptions { far_percent: 3, base_position_count: 5 };
+    let mut refinable =
+        random_refinable(&with_seams_and_groups(grid(7, false)), sequence_options, &mut random);
     let mesh = &mut refinable.mesh;
     let n = mesh.vertex_count();
     let mut number = |limit| random.below(limit) as u32;
@@ -116,7 +117,7 @@ fn check_random_states(refinable: &RefinableMesh, fans: &Fans) {
     let scene = FanScene::new(fans, refinable);
     let mut front = FanFront::new(&scene);
     for round in 0..6 {
-        front.update(&scene, &Whim(round * 7919), [usize::MAX, 4][round as usize % 2]);
+        front.update(&scene, &ArbitraryCriterion(round * 7919), [usize::MAX, 4][round as usize % 2]);
         let mut indices = Vec::new();
         front.instance().indices_into(fans, &mut indices);
         assert_eq!(front.triangle_count(), indices.len() / 3);
@@ -245,8 +246,8 @@ fn files_without_strips_keep_the_triangles_in_order() {
 #[test]
 fn nasty_meshes_round_trip() {
     for (name, mesh) in nasty() {
-        let wildness = Wildness { far_percent: 10, base_position_count: 1 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(3));
+        let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 1 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(3));
         let bytes = bytes_of(&refinable);
         read_everything(&bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
         let found = StriataFile::parse(&bytes).unwrap().refinable_mesh().unwrap();
@@ -288,8 +289,8 @@ fn every_flipped_bit_of_header_and_table_is_rejected() {
 
 #[test]
 fn every_flipped_bit_of_a_section_is_detected() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let refinable = random_refinable(&grid(3, false), wildness, &mut Random::new(5));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(3, false), sequence_options, &mut Random::new(5));
     let bytes = bytes_of(&refinable);
     let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
     for section in sections {
@@ -333,8 +334,8 @@ fn unknown_sections_are_skipped_unless_required() {
 #[test]
 fn models_of_other_meshes_are_not_written() {
     let refinable = full_featured_mesh();
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let other = model_of(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let other = model_of(&random_refinable(&grid(3, false), sequence_options, &mut Random::new(5)));
     let error = to_striata(&refinable, &[FileModel::LodStrips(&other)], &WriteOptions::default());
     assert!(matches!(error, Err(EncodeError::Model { what: "vertices", .. })));
     let model = model_of(&refinable);
@@ -347,7 +348,7 @@ fn models_of_other_meshes_are_not_written() {
         triangles[group.range()].iter().for_each(|t| single.push(t));
         single.end_group();
     }
-    let fans = Fans::build(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
+    let fans = Fans::build(&random_refinable(&grid(3, false), sequence_options, &mut Random::new(5)));
     let error = to_striata(&refinable, &[FileModel::Fans(&fans)], &WriteOptions::default());
     assert!(matches!(error, Err(EncodeError::Model { model: ModelKind::Fans, what: "vertices", .. })));
     let fans = Fans::build_without_bounds(&refinable);
@@ -391,8 +392,8 @@ proptest! {
         seed in 0u64..6,
     ) {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(4, false) };
-        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
-        let mut bytes = bytes_of(&random_refinable(&mesh, wildness, &mut Random::new(seed)));
+        let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 4 };
+        let mut bytes = bytes_of(&random_refinable(&mesh, sequence_options, &mut Random::new(seed)));
         for (index, byte) in changes {
             // Magic, version, length and count are kept, because damage to these ends the reading early.
             let at = 28 + index.index(bytes.len() - 28);
@@ -408,8 +409,8 @@ proptest! {
         seed in 0u64..6,
     ) {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(5, false) };
-        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 4 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
         let fans = Fans::build(&refinable);
         let models = [FileModel::Fans(&fans)];
         let mut bytes = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();

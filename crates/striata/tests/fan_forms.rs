@@ -8,8 +8,8 @@ use striata::mesh::canonical_triangles;
 use striata::model::{FanForm, FanIndices, FanInstance, Fans, LodModel, fan_triangles_into};
 use striata::strip::{RESTART, restart_triangles_into};
 use support::{
-    Case, Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases,
-    with_seams_and_groups,
+    Case, Random, RandomSequenceOptions, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
+    surface_cases, with_seams_and_groups,
 };
 
 const FORMS: [FanForm; 3] = [FanForm::Triangles, FanForm::Fans, FanForm::Strips];
@@ -154,8 +154,8 @@ fn parallel_sections_join_to_the_sequential_output() {
             let mesh = grid(if has_groups { 80 } else { 120 }, true);
             let mesh = if has_groups { with_seams_and_groups(mesh) } else { mesh };
             let mut random = Random::new(base_position_count as u64);
-            let wildness = Wildness { far_percent: 1, base_position_count };
-            let refinable = random_refinable(&mesh, wildness, &mut random);
+            let sequence_options = RandomSequenceOptions { far_percent: 1, base_position_count };
+            let refinable = random_refinable(&mesh, sequence_options, &mut random);
             let fans = Fans::build(&refinable);
             let mut out = FanIndices::default();
             for split_count in [0, fans.step_count() / 3, fans.step_count()] {
@@ -172,7 +172,7 @@ fn parallel_sections_join_to_the_sequential_output() {
 fn a_whole_ring_is_one_fan() {
     let refinable = random_refinable(
         &grid(12, true),
-        Wildness { far_percent: 0, base_position_count: 4 },
+        RandomSequenceOptions { far_percent: 0, base_position_count: 4 },
         &mut Random::new(1),
     );
     let fans = Fans::build(&refinable);
@@ -198,8 +198,8 @@ fn empty_groups_at_either_end_have_empty_ranges() {
     for (group, (first, size)) in mesh.groups.iter_mut().zip([(0, 0), (0, count), (count, 0)]) {
         (group.first, group.count) = (first, size);
     }
-    let wildness = Wildness { far_percent: 0, base_position_count: 3 };
-    let fans = Fans::build(&random_refinable(&mesh, wildness, &mut Random::new(2)));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 3 };
+    let fans = Fans::build(&random_refinable(&mesh, sequence_options, &mut Random::new(2)));
     let mut out = FanIndices::default();
     check_instance(&fans, &FanInstance::full(&fans), &mut out);
     FanInstance::full(&fans).emit_into(&fans, FanForm::Strips, &mut out);
@@ -210,9 +210,9 @@ fn empty_groups_at_either_end_have_empty_ranges() {
 #[test]
 #[should_panic(expected = "the instance belongs to a different table")]
 fn an_instance_of_another_table_is_not_written() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 3 };
-    let [small, large] =
-        [4, 9].map(|n| Fans::build(&random_refinable(&grid(n, false), wildness, &mut Random::new(1))));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 3 };
+    let [small, large] = [4, 9]
+        .map(|n| Fans::build(&random_refinable(&grid(n, false), sequence_options, &mut Random::new(1))));
     FanInstance::full(&large).emit_into(&small, FanForm::Fans, &mut FanIndices::default());
 }
 

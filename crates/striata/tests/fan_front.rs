@@ -5,7 +5,7 @@ use striata_testing::support;
 use striata::mesh::{RefinableMesh, canonical_triangles};
 use striata::model::{FanFront, FanInstance, FanScene, Fans, LodModel};
 use striata::view::{Camera, Criterion, Fovea, Part, ScreenError, Sphere, Verdict};
-use support::{Random, Whim, nasty_cases, seam_cases, selective_triangles, surface_cases};
+use support::{ArbitraryCriterion, Random, nasty_cases, seam_cases, selective_triangles, surface_cases};
 
 struct Walk {
     random: Random,
@@ -69,13 +69,13 @@ fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
     for _ in 0..40 {
         let criterion = variant(walk.step(2.0), kind, scene.sphere());
         let update = front.update(&scene, &criterion, usize::MAX);
-        assert!(update.is_settled);
+        assert!(update.is_complete);
         fresh.refine(&scene, &criterion);
         assert_eq!(front.instance(), &fresh, "criterion {kind}");
         let mut indices = Vec::new();
         fresh.indices_into(&fans, &mut indices);
         assert_eq!(front.triangle_count(), indices.len() / 3);
-        evaluated += update.asked_count;
+        evaluated += update.evaluated_count;
         listed += fresh.split_count();
     }
     [evaluated, listed]
@@ -105,7 +105,7 @@ fn most_active_steps_are_not_evaluated_again() {
             &ScreenError::new(camera, 1.0).with_model_bounds(scene.sphere()),
             usize::MAX,
         );
-        evaluated += if frame > 0 { update.asked_count } else { 0 };
+        evaluated += if frame > 0 { update.evaluated_count } else { 0 };
         active += front.instance().split_count();
     }
     assert!(active > 40_000 && evaluated < active / 4, "{evaluated} of {active} active steps evaluated");
@@ -126,7 +126,7 @@ fn change_limits_hold_and_the_view_is_reached_eventually() {
                 assert!(update.changes() <= limit);
                 frame_count += 1;
                 assert!(frame_count <= 4 * fans.step_count() + 2, "the view is never reached");
-                if update.is_settled {
+                if update.is_complete {
                     break;
                 }
             }
@@ -151,7 +151,7 @@ fn views_that_were_never_reached_leave_nothing_behind() {
                 front.update(&scene, &walk.step(1.0), 1 + round % 3);
             }
             let criterion = walk.step(1.0);
-            assert!(front.update(&scene, &criterion, usize::MAX).is_settled);
+            assert!(front.update(&scene, &criterion, usize::MAX).is_complete);
             fresh.refine(&scene, &criterion);
             assert_eq!(front.instance(), &fresh);
         }
@@ -165,7 +165,7 @@ fn an_arbitrary_criterion_yields_levels_without_cracks() {
         let scene = FanScene::new(&fans, &case.refinable);
         let mut front = FanFront::new(&scene);
         for round in 0..20 {
-            front.update(&scene, &Whim(round * 7919), [usize::MAX, 5][round as usize % 2]);
+            front.update(&scene, &ArbitraryCriterion(round * 7919), [usize::MAX, 5][round as usize % 2]);
             let instance = front.instance();
             let mut indices = Vec::new();
             instance.indices_into(&fans, &mut indices);
@@ -264,10 +264,10 @@ fn a_pending_split_is_listed_once() {
     front.update(&scene, &all, 0);
     let bytes = front.bytes();
     for _ in 0..200 {
-        assert!(!front.update(&scene, &all, 0).is_settled);
+        assert!(!front.update(&scene, &all, 0).is_complete);
     }
     assert_eq!(front.bytes(), bytes);
-    assert!(front.update(&scene, &all, usize::MAX).is_settled);
+    assert!(front.update(&scene, &all, usize::MAX).is_complete);
     assert_eq!(front.instance(), &FanInstance::full(&fans));
 }
 

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles};
 use striata::model::{FanInstance, Fans, LodModel};
 use support::{
-    Case, Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases,
-    selective_triangles, soups, surface_cases,
+    Case, Random, RandomSequenceOptions, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable,
+    seam_cases, selective_triangles, soups, surface_cases,
 };
 
 fn check_instance(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance) {
@@ -124,8 +124,8 @@ fn refining_splits_wanted_steps_and_only_what_they_need() {
 
 #[test]
 fn an_instance_is_one_bit_a_step() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let refinable = random_refinable(&grid(40, true), wildness, &mut Random::new(3));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(40, true), sequence_options, &mut Random::new(3));
     let fans = Fans::build(&refinable);
     assert_eq!(FanInstance::full(&fans).bytes(), 8 * fans.step_count().div_ceil(64));
 }

@@ -10,7 +10,7 @@ use striata::mesh::{AttributeLayer, RefinableMesh, Semantic, canonical_triangles
 use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, VertexBlend};
 use striata::simplify::build_sequence;
 use support::{
-    Case, Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
+    Case, Random, RandomSequenceOptions, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
     with_seams_and_groups,
 };
 
@@ -210,8 +210,8 @@ fn normals_keep_their_length() {
         3,
         (0..mesh.vertex_count()).flat_map(normal).collect(),
     )];
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let refinable = random_refinable(&mesh, wildness, &mut Random::new(5));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(5));
     let fans = Fans::build(&refinable);
     let (layer, sequence) = (&refinable.mesh.layers[0], &refinable.sequence);
     let length = |out: &[f32], v: u32| out[3 * v as usize..][..3].iter().map(|x| x * x).sum::<f32>().sqrt();
@@ -333,8 +333,8 @@ fn nothing_pops_on_surfaces_and_seams() {
     seam_cases().chain(hub_cases().take(3)).for_each(|case| check_running(&case, 4 + (case.seed % 3) as u16));
     for seed in 0..3 {
         let mesh = with_seams_and_groups(grid(14, seed == 0));
-        let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
         check_running(&Case { stride: 1, seed, refinable }, 7);
     }
 }

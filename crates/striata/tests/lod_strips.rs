@@ -10,7 +10,8 @@ use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::{LodModel, LodStrips, LodStripsState, ModelError, StoredModel, StripBuffer, StripModel};
 use striata::strip::{RESTART, StripSet, restart_triangles_into, stripify};
 use support::{
-    Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases,
+    Random, RandomSequenceOptions, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
+    surface_cases,
 };
 
 fn build(refinable: &RefinableMesh) -> LodStrips<'static> {
@@ -123,8 +124,8 @@ fn a_vertex_in_many_strips_makes_a_long_record() {
 
 #[test]
 fn strips_of_another_mesh_are_rejected() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(4, false), sequence_options, &mut Random::new(1));
     let mut strips = StripSet::new();
     strips.push(&[0, 1, 2, 99]);
     let error = LodStrips::build(&refinable, &strips).unwrap_err();
@@ -152,8 +153,8 @@ proptest! {
         seed in any::<u64>(),
         jumps in prop::collection::vec(0.0f64..=1.0, 1..20),
     ) {
-        let wildness = Wildness { far_percent: 3, base_position_count: 4 };
-        let refinable = random_refinable(&grid(16, true), wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 3, base_position_count: 4 };
+        let refinable = random_refinable(&grid(16, true), sequence_options, &mut Random::new(seed));
         let model = build(&refinable);
         let mut state = model.new_state();
         let buffer = StripBuffer::new(&model, &mut state);

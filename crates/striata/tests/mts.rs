@@ -8,8 +8,8 @@ use striata::model::{LodModel, ModelError, Mts, StoredModel, StripModel};
 use striata::strip::StripSet;
 use striata_strip::{StripOptions, Stripifier, stripify};
 use support::{
-    Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
-    surface_cases,
+    Random, RandomSequenceOptions, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable,
+    seam_cases, soups, surface_cases,
 };
 
 /// Greedy strips, or strips joined where their ends meet at a vertex.
@@ -58,8 +58,8 @@ fn a_vertex_in_many_strips_makes_a_long_record() {
 
 #[test]
 fn strips_of_another_mesh_are_rejected() {
-    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
-    let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(4, false), sequence_options, &mut Random::new(1));
     let mut strips = StripSet::new();
     strips.push(&[0, 1, 2, 99]);
     let expected = ModelError::GroupCount { found: 0, expected: 1 };

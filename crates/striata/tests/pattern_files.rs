@@ -12,7 +12,7 @@ use striata::mesh::{
 };
 use striata::model::{LodModel, Overlap, PatternInstance, Patterns};
 use support::{
-    Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, surface_cases,
+    Random, RandomSequenceOptions, grid, hub_cases, nasty_cases, random_refinable, seam_cases, surface_cases,
     with_seams_and_groups, with_valid_checksums,
 };
 
@@ -69,7 +69,7 @@ fn patterns_of_every_kind_of_mesh_round_trip() {
 fn a_file_without_collapses_says_so_and_has_its_fragments() {
     let refinable = random_refinable(
         &with_seams_and_groups(grid(7, false)),
-        Wildness { far_percent: 3, base_position_count: 5 },
+        RandomSequenceOptions { far_percent: 3, base_position_count: 5 },
         &mut Random::new(7),
     );
     let [with_collapses, alone] = both_files(&refinable);
@@ -126,8 +126,8 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
 fn valid_files_are_read() {
     for seed in 0..4 {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(4, true)) } else { grid(5, false) };
-        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
-        for mut bytes in both_files(&random_refinable(&mesh, wildness, &mut Random::new(seed))) {
+        let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 4 };
+        for mut bytes in both_files(&random_refinable(&mesh, sequence_options, &mut Random::new(seed))) {
             let before = bytes.clone();
             with_valid_checksums(&mut bytes);
             assert!(bytes == before, "checksums are computed as the writer does");
@@ -140,10 +140,10 @@ fn valid_files_are_read() {
 /// fragments.
 #[test]
 fn damaged_numbers_never_yield_inconsistent_patterns() {
-    let wildness = Wildness { far_percent: 10, base_position_count: 4 };
+    let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 4 };
     let mut read = 0;
     for mesh in [with_seams_and_groups(grid(3, true)), grid(5, false)] {
-        let [_, bytes] = both_files(&random_refinable(&mesh, wildness, &mut Random::new(5)));
+        let [_, bytes] = both_files(&random_refinable(&mesh, sequence_options, &mut Random::new(5)));
         let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
         let pattern_sections =
             sections.iter().filter(|s| s.kind.0.starts_with(b"PT") && s.kind.0 != *b"PTBD");
@@ -193,8 +193,8 @@ proptest! {
         which in 0usize..2,
     ) {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(5, false) };
-        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 4 };
+        let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(seed));
         let mut bytes = both_files(&refinable)[which].clone();
         let is_damaged = |kind: SectionKind| kind.0.starts_with(b"PT") || kind == SectionKind::SUMMARY;
         let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();

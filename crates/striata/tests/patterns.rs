@@ -8,11 +8,12 @@ use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
     canonical_triangles, fragment_faces,
 };
-use striata::model::{Overlap, PatternInstance, PatternScene, Patterns, Wanted};
+use striata::model::{CriterionCondition, Overlap, PatternInstance, PatternScene, Patterns};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{
-    Case, Wildness, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases, grid, hub_cases,
-    nasty_cases, random_removals, seam_cases, smallest_set, soups, surface_cases, with_seams_and_groups,
+    Case, RandomSequenceOptions, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases,
+    grid, hub_cases, nasty_cases, random_removals, seam_cases, smallest_set, soups, surface_cases,
+    with_seams_and_groups,
 };
 
 /// Compares the triangles of an instance with the oracle, group by group.
@@ -168,7 +169,7 @@ fn with_errors_as_condition_both_algorithms_agree() {
 /// All fragments that a criterion wants are inserted, and besides them only what they depend on.
 fn check_wanted_set(patterns: &Patterns, scene: PatternScene<'_>, criterion: &impl Criterion) -> usize {
     let mut instance = PatternInstance::base(patterns);
-    instance.adapt(patterns, &Wanted::new(scene, criterion));
+    instance.adapt(patterns, &CriterionCondition::new(scene, criterion));
     let mut expected = PatternInstance::base(patterns);
     for step in 0..patterns.fragment_count() as u32 {
         if criterion.weigh(&scene.part(step)).should_refine() {
@@ -218,7 +219,7 @@ fn a_box_shows_full_detail() {
     let max = std::array::from_fn(|a| if a == 2 { all.max[a] } else { 0.6 * all.min[a] + 0.4 * all.max[a] });
     let detail = DetailBox { min: all.min, max, error_outside: f32::INFINITY };
     let mut instance = PatternInstance::full(&patterns);
-    instance.adapt(&patterns, &Wanted::new(scene, &detail));
+    instance.adapt(&patterns, &CriterionCondition::new(scene, &detail));
     let mut shown = Vec::new();
     instance.triangles_into(&mut shown);
     let shown = canonical_triangles(&shown);
@@ -249,10 +250,10 @@ fn hubs_of_rings_and_triangles_over_triangles_follow_the_oracle() {
     let meshes = [cone(400), with_copies(cone(120)), with_copies(grid(5, true)), with_copies(cone(3))];
     for (mesh, seed) in meshes.iter().zip(0..) {
         for (far_percent, base_position_count) in [(0, 1), (50, 1), (10, 40)] {
-            let wildness = Wildness { far_percent, base_position_count };
-            follows_the_oracle_for_any_set(&Case::new(mesh, wildness, seed, 11));
+            let sequence_options = RandomSequenceOptions { far_percent, base_position_count };
+            follows_the_oracle_for_any_set(&Case::new(mesh, sequence_options, seed, 11));
             let seams = with_seams_and_groups(mesh.clone());
-            follows_the_oracle_for_any_set(&Case::new(&seams, wildness, seed, 11));
+            follows_the_oracle_for_any_set(&Case::new(&seams, sequence_options, seed, 11));
         }
     }
 }
@@ -286,8 +287,8 @@ fn a_hub_can_replace_a_hub() {
 #[test]
 fn removing_fragments_releases_memory() {
     let mesh = with_seams_and_groups(grid(32, true));
-    let wildness = Wildness { far_percent: 0, base_position_count: 8 };
-    let case = Case::new(&mesh, wildness, 1, 100);
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 8 };
+    let case = Case::new(&mesh, sequence_options, 1, 100);
     let fragmented = FragmentedMesh::from_collapses(&case.refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
     let group_count = fragmented.mesh.groups.len() as u32;

@@ -23,7 +23,11 @@ where
 }
 
 /// Checks that triangles are those of a closed set of steps, in any order.
-pub fn shows_a_set(fragments: &FragmentSequence, triangles: &[[u32; 3]], is_refined: impl Fn(u32) -> bool) {
+pub fn assert_shows_set(
+    fragments: &FragmentSequence,
+    triangles: &[[u32; 3]],
+    is_refined: impl Fn(u32) -> bool,
+) {
     let faces = fragment_faces(fragments, is_refined);
     let expected: Vec<[u32; 3]> =
         faces.iter().map(|&face| fragments.faces()[face as usize].corners).collect();

@@ -10,11 +10,11 @@ mod removals;
 mod suite;
 mod topology;
 
-pub use arbitrary_criterion::Whim;
+pub use arbitrary_criterion::ArbitraryCriterion;
 pub use checksums::with_valid_checksums;
 pub use closed_surface::ClosedSurface;
 pub use fragment_oracle::{
-    closed_sets, follows_the_fragments, fragment_cases, random_closed_set, shows_a_set, smallest_set,
+    assert_shows_set, closed_sets, follows_the_fragments, fragment_cases, random_closed_set, smallest_set,
 };
 pub use oracle::{follows_the_oracle, follows_the_oracle_at, selective_triangles};
 pub use removals::random_removals;
@@ -120,7 +120,7 @@ pub fn with_seams_and_groups(mut mesh: IndexedMesh) -> IndexedMesh {
 
 /// Parameters of a random collapse sequence.
 #[derive(Clone, Copy, Debug)]
-pub struct Wildness {
+pub struct RandomSequenceOptions {
     /// Percentage of collapses that go to an arbitrary position instead of a neighbor.
     pub far_percent: usize,
     /// Minimum number of positions in the base mesh.
@@ -128,7 +128,11 @@ pub struct Wildness {
 }
 
 /// Welds a mesh and collapses its positions in random order to random targets, and wedges to random wedges.
-pub fn random_refinable(mesh: &IndexedMesh, wildness: Wildness, random: &mut Random) -> RefinableMesh {
+pub fn random_refinable(
+    mesh: &IndexedMesh,
+    sequence_options: RandomSequenceOptions,
+    random: &mut Random,
+) -> RefinableMesh {
     let welded = weld(mesh).expect("test meshes are valid");
     let positions = &welded.positions;
     let position_count = positions.position_count();
@@ -141,7 +145,7 @@ pub fn random_refinable(mesh: &IndexedMesh, wildness: Wildness, random: &mut Ran
     }
     let is_shown = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
     let (mut removed, mut removed_counts) = (Vec::new(), Vec::new());
-    while present.len() > wildness.base_position_count.max(1) {
+    while present.len() > sequence_options.base_position_count.max(1) {
         let p = present.swap_remove(random.below(present.len()));
         let mut neighbors: Vec<u32> = positions
             .wedges(p)
@@ -152,7 +156,7 @@ pub fn random_refinable(mesh: &IndexedMesh, wildness: Wildness, random: &mut Ran
             .filter(|&q| q != p)
             .collect();
         neighbors.sort_unstable();
-        let is_far = neighbors.is_empty() || random.below(100) < wildness.far_percent;
+        let is_far = neighbors.is_empty() || random.below(100) < sequence_options.far_percent;
         let pool = if is_far { &present } else { &neighbors };
         let wedges = positions.wedges(pool[random.below(pool.len())]);
         let mut removed_count = 0u8;

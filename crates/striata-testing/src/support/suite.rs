@@ -4,7 +4,7 @@
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh};
 
-use super::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_and_groups};
+use super::{Random, RandomSequenceOptions, grid, nasty, random_refinable, soup, with_seams_and_groups};
 
 /// A mesh with a random sequence.
 pub struct Case {
@@ -16,8 +16,13 @@ pub struct Case {
 }
 
 impl Case {
-    pub fn new(mesh: &IndexedMesh, wildness: Wildness, seed: u64, stride: usize) -> Self {
-        Self { stride, seed, refinable: random_refinable(mesh, wildness, &mut Random::new(seed)) }
+    pub fn new(
+        mesh: &IndexedMesh,
+        sequence_options: RandomSequenceOptions,
+        seed: u64,
+        stride: usize,
+    ) -> Self {
+        Self { stride, seed, refinable: random_refinable(mesh, sequence_options, &mut Random::new(seed)) }
     }
 }
 
@@ -26,8 +31,9 @@ pub fn nasty_cases() -> impl Iterator<Item = Case> {
     let with_seeds = |(name, mesh): (&'static str, IndexedMesh)| {
         (0..8).map(move |seed| {
             eprintln!("{name}, seed {seed}");
-            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
-            Case::new(&mesh, wildness, seed, 1)
+            let sequence_options =
+                RandomSequenceOptions { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
+            Case::new(&mesh, sequence_options, seed, 1)
         })
     };
     nasty().into_iter().flat_map(with_seeds)
@@ -38,8 +44,9 @@ pub fn surface_cases() -> impl Iterator<Item = Case> {
     let surfaces = [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)];
     surfaces.into_iter().flat_map(|(mesh, stride)| {
         (0..4).map(move |seed| {
-            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
-            Case::new(&mesh, wildness, seed, stride)
+            let sequence_options =
+                RandomSequenceOptions { far_percent: seed as usize * 4, base_position_count: 4 };
+            Case::new(&mesh, sequence_options, seed, stride)
         })
     })
 }
@@ -48,7 +55,7 @@ pub fn surface_cases() -> impl Iterator<Item = Case> {
 pub fn seam_cases() -> impl Iterator<Item = Case> {
     (0..4).map(|seed| {
         let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
-        Case::new(&mesh, Wildness { far_percent: 5, base_position_count: 3 }, seed, 1)
+        Case::new(&mesh, RandomSequenceOptions { far_percent: 5, base_position_count: 3 }, seed, 1)
     })
 }
 
@@ -59,8 +66,8 @@ pub fn hub_cases() -> impl Iterator<Item = Case> {
     let triangles = (0..n as u32).step_by(3).map(|i| [n as u32, i, i + 1]).collect();
     let mesh = IndexedMesh::new(positions, triangles);
     (0..20).map(move |seed| {
-        let wildness = Wildness { far_percent: 50, base_position_count: 500 };
-        Case::new(&mesh, wildness, seed, 7)
+        let sequence_options = RandomSequenceOptions { far_percent: 50, base_position_count: 500 };
+        Case::new(&mesh, sequence_options, seed, 7)
     })
 }
 
@@ -73,8 +80,8 @@ pub fn soups() -> impl Strategy<Value = Case> {
         if has_seams {
             mesh = with_seams_and_groups(mesh);
         }
-        let wildness = Wildness { far_percent, base_position_count: 1 };
-        Case { stride: 1, seed, refinable: random_refinable(&mesh, wildness, &mut random) }
+        let sequence_options = RandomSequenceOptions { far_percent, base_position_count: 1 };
+        Case { stride: 1, seed, refinable: random_refinable(&mesh, sequence_options, &mut random) }
     })
 }
 

@@ -20,7 +20,7 @@ pub(super) type Axes = [[f64; 3]; 3];
 
 /// Viewing direction as angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Angles {
+pub struct ViewAngles {
     /// Rotation around the up axis, from the front to the right.
     pub turn: f32,
     /// Elevation above the horizon.
@@ -31,7 +31,7 @@ pub struct Angles {
     pub fov: f32,
 }
 
-impl Angles {
+impl ViewAngles {
     /// Default angles: from the front, slightly from the left and above. Meshes that are flat along z, such
     /// as terrains, have z up and are seen from higher.
     pub fn usual(bounds: Option<&Bounds>) -> Self {
@@ -46,7 +46,7 @@ impl Angles {
 impl Camera {
     /// Places the camera as close as possible in a direction such that all points are in a picture of
     /// this aspect ratio, with a margin.
-    pub fn around(points: &[[f32; 3]], angles: &Angles, aspect: f32) -> Self {
+    pub fn around(points: &[[f32; 3]], angles: &ViewAngles, aspect: f32) -> Self {
         let up = unit(to_f64(angles.up));
         let front = front_of(up);
         let side = cross(up, front);
@@ -183,7 +183,7 @@ mod tests {
             [(0.0, 0.0, 1.0), (-0.6, 0.2, 2.5), (2.0, -0.8, 0.4), (0.3, 1.570_796_4, 1.0)]
         {
             for up in [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 0.0]] {
-                let angles = Angles { turn, rise, up, fov: 0.5 };
+                let angles = ViewAngles { turn, rise, up, fov: 0.5 };
                 let camera = Camera::around(&points, &angles, aspect);
                 let points_on_screen = points.map(|p| on_screen(&camera, f64::from(aspect), p));
                 let reach = |k: usize| points_on_screen.iter().map(|p| p[k].abs()).fold(0.0, f64::max);
@@ -197,14 +197,14 @@ mod tests {
     fn turning_goes_around_and_rising_goes_up() {
         let points = [[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]];
         let eye = |turn, rise| {
-            Camera::around(&points, &Angles { turn, rise, up: [0.0, 1.0, 0.0], fov: 0.5 }, 1.0).eye
+            Camera::around(&points, &ViewAngles { turn, rise, up: [0.0, 1.0, 0.0], fov: 0.5 }, 1.0).eye
         };
         assert!(eye(0.0, 0.0)[2] > 2.0 && eye(1.5, 0.0)[0] > 2.0 && eye(0.0, 1.0)[1] > 2.0);
     }
 
     #[test]
     fn empty_and_single_points_give_a_valid_camera() {
-        let angles = Angles { turn: 0.0, rise: 0.0, up: [0.0, 1.0, 0.0], fov: 0.5 };
+        let angles = ViewAngles { turn: 0.0, rise: 0.0, up: [0.0, 1.0, 0.0], fov: 0.5 };
         for points in [&[][..], &[[5.0, 5.0, 5.0]], &[[0.0; 3]]] {
             let camera = Camera::around(points, &angles, 1.0);
             assert!(camera.eye.iter().chain(&camera.look_at).all(|x| x.is_finite()), "{camera:?}");
@@ -214,11 +214,11 @@ mod tests {
 
     #[test]
     fn flat_meshes_have_z_up_and_are_seen_from_higher() {
-        let usual = |max: [f32; 3]| Angles::usual(Some(&Bounds { min: [0.0; 3], max }));
+        let usual = |max: [f32; 3]| ViewAngles::usual(Some(&Bounds { min: [0.0; 3], max }));
         let flat = usual([10.0, 8.0, 1.0]);
         assert!(flat.up == [0.0, 0.0, 1.0] && flat.rise > 0.5);
         for upright in [[1.0; 3], [10.0, 1.0, 10.0], [1.0, 10.0, 1.0], [10.0, 1.0, 1.0]] {
-            assert_eq!(usual(upright), Angles::usual(None), "{upright:?}");
+            assert_eq!(usual(upright), ViewAngles::usual(None), "{upright:?}");
         }
     }
 

@@ -7,14 +7,14 @@ use super::paint::Color;
 
 /// Distance of each vertex of a mesh from another surface.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Heat {
+pub struct DistanceMap {
     /// Distance of each vertex, mesh units; 0 for vertices that no triangle uses.
     pub distances: Vec<f64>,
     /// Largest distance.
     pub max: f64,
 }
 
-impl Heat {
+impl DistanceMap {
     /// Measures the distances of all vertices that triangles use.
     ///
     /// # Errors
@@ -74,7 +74,7 @@ mod tests {
         let mut original = level.clone();
         original.positions.extend([above, [0.0, 0.0, 9.0]]);
         original.triangles.push([0, 1, 4]);
-        let heat = Heat::of(&original, &level).expect("sound meshes");
+        let heat = DistanceMap::of(&original, &level).expect("sound meshes");
         assert!((heat.max - 0.25).abs() < 1e-6 && heat.distances[..4] == [0.0; 4], "{heat:?}");
         assert_eq!(heat.distances[5], 0.0, "no triangle uses this vertex");
         let colors = heat.colors(heat.max);

@@ -1,7 +1,7 @@
 //! Draws pictures of meshes and arranges them with text into PNG files.
 //!
 //! A [`Shot`] describes what is visible: triangles over the vertices of a mesh, their paint, and lines. An
-//! [`Artist`] draws it from a [`Camera`] with a GPU if one is available, or else with a small rasterizer
+//! [`PictureRenderer`] draws it from a [`Camera`] with a GPU if one is available, or else with a small rasterizer
 //! with the same lighting. A [`Sheet`] arranges panels and labels them. All pictures are in linear light
 //! with opacity until they are encoded as bytes.
 
@@ -23,15 +23,15 @@ mod text;
 #[cfg(feature = "serve")]
 mod thumbnail;
 
-pub use camera::{Angles, Camera};
+pub use camera::{Camera, ViewAngles};
 pub use canvas::{Canvas, Rgba};
-pub use distance_map::Heat;
+pub use distance_map::DistanceMap;
 pub use frustum::Frustum;
 #[cfg(feature = "gpu")]
 pub use gpu_renderer::GpuRenderer;
 pub use normals::with_normals;
-pub use paint::{Painted, fan_colors, group_colors, strip_colors, triangle_colors};
-pub use picture_renderer::Artist;
+pub use paint::{ColoredTriangles, fan_colors, group_colors, strip_colors, triangle_colors};
+pub use picture_renderer::PictureRenderer;
 pub use rendered_picture::Drawn;
 pub use sheet::{ColorBar, Panel, Sheet, Theme, significant};
 pub use shot::{Line, Paint, Shot, Style};

@@ -16,26 +16,26 @@ use super::canvas::from_srgb;
 pub(super) type Color = [u8; 4];
 
 /// Triangles and a color for each.
-pub type Painted = (Vec<[u32; 3]>, Vec<Color>);
+pub type ColoredTriangles = (Vec<[u32; 3]>, Vec<Color>);
 
 /// Colors the triangles of strips by strip.
-pub fn strip_colors(strips: &StripSet) -> Painted {
+pub fn strip_colors(strips: &StripSet) -> ColoredTriangles {
     by_region(strips.strips().map(|strip| strip_triangles(strip).collect()))
 }
 
 /// Colors the triangles of fans by fan.
-pub fn fan_colors(fans: &[Vec<Vec<u32>>]) -> Painted {
+pub fn fan_colors(fans: &[Vec<Vec<u32>>]) -> ColoredTriangles {
     let triangles =
         |fan: &Vec<u32>| fan[1..].windows(2).map(|edge| [fan[0], edge[0], edge[1]]).collect::<Vec<_>>();
     by_region(fans.iter().flatten().map(triangles))
 }
 
 /// Colors each triangle differently from its neighbors.
-pub fn triangle_colors(triangles: &[[u32; 3]]) -> Painted {
+pub fn triangle_colors(triangles: &[[u32; 3]]) -> ColoredTriangles {
     by_region(triangles.iter().map(|&triangle| vec![triangle]))
 }
 
-fn by_region(regions: impl Iterator<Item = Vec<[u32; 3]>>) -> Painted {
+fn by_region(regions: impl Iterator<Item = Vec<[u32; 3]>>) -> ColoredTriangles {
     let (mut triangles, mut region_of, mut region_count) = (Vec::new(), Vec::new(), 0);
     for region in regions {
         triangles.extend_from_slice(&region);
@@ -49,7 +49,7 @@ fn by_region(regions: impl Iterator<Item = Vec<[u32; 3]>>) -> Painted {
 }
 
 /// Colors the triangles of a mesh by group.
-pub fn group_colors(mesh: &IndexedMesh) -> Painted {
+pub fn group_colors(mesh: &IndexedMesh) -> ColoredTriangles {
     let colors = mesh.groups_or_whole().into_iter().zip(colorous::TABLEAU10.iter().cycle());
     let colors = colors.flat_map(|(group, &color)| vec![linear(color); group.range().len()]);
     (mesh.triangles.clone(), colors.collect())

@@ -21,7 +21,7 @@ const RASTERIZER: &str = "the software rasterizer";
 
 /// Draws shots with a GPU or the rasterizer.
 #[derive(Debug)]
-pub struct Artist {
+pub struct PictureRenderer {
     /// The GPU, until it fails.
     #[cfg(feature = "gpu")]
     gpu: Option<Box<GpuRenderer>>,
@@ -29,7 +29,7 @@ pub struct Artist {
     output: Output,
 }
 
-impl Artist {
+impl PictureRenderer {
     /// Uses the best working adapter, or else the rasterizer; the reason is reported to `output`.
     #[cfg(feature = "gpu")]
     pub fn best(output: &Output) -> Self {
@@ -120,18 +120,18 @@ mod tests {
     use striata::mesh::{IndexedMesh, shapes};
 
     use super::*;
-    use crate::picture::{Angles, Line, Paint, Style, triangle_colors, with_normals};
+    use crate::picture::{Line, Paint, Style, ViewAngles, triangle_colors, with_normals};
 
-    fn on_gpu() -> Artist {
+    fn on_gpu() -> PictureRenderer {
         let output = Output::quiet();
         let (renderer, _) = GpuRenderer::open(&GpuOptions::default(), &output)
             .expect("an adapter; apt-get install mesa-vulkan-drivers");
-        Artist { gpu: Some(Box::new(renderer)), output }
+        PictureRenderer { gpu: Some(Box::new(renderer)), output }
     }
 
     fn torus() -> (IndexedMesh, Camera) {
         let mesh = with_normals(shapes::torus(48, 24, 1.0, 0.4));
-        let angles = Angles { turn: 0.5, rise: 0.7, up: [0.0, 1.0, 0.0], fov: 0.5 };
+        let angles = ViewAngles { turn: 0.5, rise: 0.7, up: [0.0, 1.0, 0.0], fov: 0.5 };
         let camera = Camera::around(&mesh.positions, &angles, 1.5);
         (mesh, camera)
     }
@@ -139,7 +139,7 @@ mod tests {
     /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and sampling
     /// explain.
     fn both_draw_the_same(shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
-        let pictures = [on_gpu(), Artist::software(&Output::quiet())]
+        let pictures = [on_gpu(), PictureRenderer::software(&Output::quiet())]
             .map(|mut renderer| renderer.draw(shot, camera, [150, 100]).canvas);
         let pairs = pictures[0].pixels().iter().zip(pictures[1].pixels());
         let distances: Vec<f32> =
@@ -187,7 +187,7 @@ mod tests {
         let (mesh, camera) = torus();
         let shot = Shot::of(&mesh, Paint::Surface, Style::SMOOTH);
         let mut renderer = on_gpu();
-        let expected = Artist::software(&Output::quiet()).draw(&shot, &camera, [60, 40]).canvas;
+        let expected = PictureRenderer::software(&Output::quiet()).draw(&shot, &camera, [60, 40]).canvas;
         renderer.gpu.as_ref().expect("a GPU").destroy();
         assert_eq!(renderer.draw(&shot, &camera, [60, 40]).canvas, expected);
         assert_eq!(renderer.name(), RASTERIZER);

@@ -2,7 +2,7 @@
 
 use striata::mesh::IndexedMesh;
 
-use super::{Angles, Camera, Canvas, Paint, Rgba, Shot, Style, raster, with_normals};
+use super::{Camera, Canvas, Paint, Rgba, Shot, Style, ViewAngles, raster, with_normals};
 
 const BACKGROUND: Rgba = [0.012, 0.013, 0.017, 1.0];
 const FAINT: [u8; 4] = [13, 13, 15, 255];
@@ -59,7 +59,7 @@ fn camera(mesh: &IndexedMesh, aspect: f32) -> Option<Camera> {
     }
     let lies_flat = size[2] < MAX_TERRAIN_HEIGHT * size[0].min(size[1]);
     let (rise, up) = if lies_flat { (0.75, [0.0, 0.0, 1.0]) } else { (0.22, [0.0, 1.0, 0.0]) };
-    Some(Camera::around(&mesh.positions, &Angles { turn: -0.5, rise, up, fov: FOV }, aspect))
+    Some(Camera::around(&mesh.positions, &ViewAngles { turn: -0.5, rise, up, fov: FOV }, aspect))
 }
 
 #[cfg(test)]

@@ -47,7 +47,8 @@ pub use kind::{ModelKind, UnknownModel};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsState};
 pub use patterns::{
-    Condition, Overlap, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState, Wanted,
+    Condition, CriterionCondition, Overlap, PatternChange, PatternInstance, PatternScene, Patterns,
+    PatternsState,
 };
 pub use step_bits::StepBits;
 pub use step_vertices::StepVertices;

@@ -135,7 +135,7 @@ impl StepVertices<'_> {
 
 impl StepVertices<'static> {
     /// Returns steps with one vertex each and no targets.
-    pub fn one_a_step(base_vertex_count: u32, step_count: usize) -> Self {
+    pub fn one_per_step(base_vertex_count: u32, step_count: usize) -> Self {
         Self {
             vertex_count: base_vertex_count as usize + step_count,
             base_vertex_count,

@@ -20,7 +20,7 @@ use pictures::Picture;
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
-use striata_viewer::picture::Artist;
+use striata_viewer::picture::PictureRenderer;
 
 /// The bust of Nefertiti; for its origin, see `assets/README.md` in the root of the repository.
 const NEFERTITI: &[u8] = include_bytes!("../../../assets/nefertiti.ply.zst");
@@ -51,7 +51,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let file = striata_stream::open(&bytes)?;
     levels::write_meshes(&file, &built, &mut folder)?;
     bar.phase("pictures");
-    let pictures = pictures::draw_all(&built, &mut Artist::best(output))?;
+    let pictures = pictures::draw_all(&built, &mut PictureRenderer::best(output))?;
     for picture in &pictures {
         folder.write(picture.name, picture.what, &picture.png)?;
     }

@@ -11,15 +11,15 @@ use striata_command::args::tan;
 use striata_command::failure::Failure;
 use striata_command::output::format_count;
 use striata_viewer::picture::{
-    Angles, Artist, Camera, ColorBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Style, Theme, strip_colors,
-    with_normals,
+    Camera, ColorBar, DistanceMap, Frustum, Paint, Panel, PictureRenderer, Sheet, Shot, Style, Theme,
+    ViewAngles, strip_colors, with_normals,
 };
 
 /// Fractions of the triangles of the levels in the pictures.
 const SHARES: [f64; 4] = [1.0, 0.1, 0.02, 0.005];
 
 /// Camera angles for the bust.
-const PORTRAIT: Angles = Angles { turn: -0.62, rise: 0.04, up: [0.0, 1.0, 0.0], fov: 0.47 };
+const PORTRAIT: ViewAngles = ViewAngles { turn: -0.62, rise: 0.04, up: [0.0, 1.0, 0.0], fov: 0.47 };
 
 /// A picture of the demo.
 pub(super) struct Picture {
@@ -37,7 +37,7 @@ pub(super) struct Picture {
 ///
 /// # Errors
 /// If a distance cannot be measured, which is an internal error.
-pub(super) fn draw_all(built: &BuildOutput, artist: &mut Artist) -> Result<Vec<Picture>, Failure> {
+pub(super) fn draw_all(built: &BuildOutput, artist: &mut PictureRenderer) -> Result<Vec<Picture>, Failure> {
     let RefinableMesh { mesh, sequence } = built.refinable().clone();
     let refinable = RefinableMesh { mesh: with_normals(mesh), sequence };
     let mut studio = Studio { built, refinable, artist };
@@ -76,7 +76,7 @@ pub(super) fn draw_all(built: &BuildOutput, artist: &mut Artist) -> Result<Vec<P
 struct Studio<'a> {
     built: &'a BuildOutput,
     refinable: RefinableMesh,
-    artist: &'a mut Artist,
+    artist: &'a mut PictureRenderer,
 }
 
 impl Studio<'_> {
@@ -111,8 +111,8 @@ impl Studio<'_> {
 
     fn heat(&mut self) -> Result<Vec<u8>, Failure> {
         let shares = &SHARES[1..];
-        let heats = shares.iter().map(|&share| Heat::of(&self.refinable.mesh, &self.level(share)));
-        let heats: Vec<Heat> = heats.collect::<Result<_, _>>()?;
+        let heats = shares.iter().map(|&share| DistanceMap::of(&self.refinable.mesh, &self.level(share)));
+        let heats: Vec<DistanceMap> = heats.collect::<Result<_, _>>()?;
         let top = heats.iter().map(|heat| heat.max).fold(0.0, f64::max);
         let sheet =
             Sheet::new([1280, 560], (shares.len(), 1)).with_text(true).with_bar(ColorBar::up_to(top, top));
@@ -146,7 +146,7 @@ impl Studio<'_> {
         let mut shot = Shot::of(&level, Paint::Surface, Style::FACETED);
         frustum.draw_into(&mut shot);
         let points = [self.refinable.mesh.positions.clone(), frustum.points()].concat();
-        let angles = Angles { turn: 1.35, rise: 0.22, ..PORTRAIT };
+        let angles = ViewAngles { turn: 1.35, rise: 0.22, ..PORTRAIT };
         let sheet = Sheet::new(SIZE, (1, 1)).with_text(true);
         let [width, height] = sheet.panel_size();
         let outside = Camera::around(&points, &angles, width as f32 / height as f32);

@@ -10,7 +10,8 @@ use striata_command::args::Coloring;
 use striata_command::failure::Failure;
 use striata_command::output::format_noun_count;
 use striata_viewer::picture::{
-    Artist, Camera, Canvas, ColorBar, Heat, Paint, Panel, Sheet, Shot, Style, Theme, significant,
+    Camera, Canvas, ColorBar, DistanceMap, Paint, Panel, PictureRenderer, Sheet, Shot, Style, Theme,
+    significant,
 };
 
 /// A picture that is ready to be drawn.
@@ -20,7 +21,7 @@ pub(super) struct Layout<'a> {
     figures: &'a [Figure],
     viewpoint: &'a Viewpoint,
     /// Distances from the original to each level, if the picture shows them.
-    pub(super) heats: Vec<Heat>,
+    pub(super) heats: Vec<DistanceMap>,
     /// Distance at the end of the color scale.
     pub(super) heat_top: f64,
     diagonal: f64,
@@ -46,11 +47,11 @@ impl<'a> Layout<'a> {
     ) -> Result<Self, Failure> {
         let original = source.mesh();
         let heats = if args.heat {
-            figures.iter().map(|figure| Heat::of(original, &figure.mesh)).collect::<Result<_, _>>()?
+            figures.iter().map(|figure| DistanceMap::of(original, &figure.mesh)).collect::<Result<_, _>>()?
         } else {
             Vec::new()
         };
-        let largest = heats.iter().map(|heat: &Heat| heat.max).fold(0.0, f64::max);
+        let largest = heats.iter().map(|heat: &DistanceMap| heat.max).fold(0.0, f64::max);
         let diagonal = source.diagonal();
         let heat_top = args.heat_max.map_or(largest, |top| top.in_units(diagonal));
         let size = args.size.0.map(|side| side as usize);
@@ -69,7 +70,11 @@ impl<'a> Layout<'a> {
     ///
     /// # Errors
     /// If strips or fans for coloring cannot be made.
-    pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<FinishedPicture, Failure> {
+    pub(super) fn draw(
+        &self,
+        artist: &mut PictureRenderer,
+        theme: &Theme,
+    ) -> Result<FinishedPicture, Failure> {
         let size = self.sheet.panel_size();
         let camera = self.viewpoint.camera(size[0] as f32 / size[1] as f32);
         let (mut panels, mut frame_secs) = (Vec::new(), 0.0);
@@ -88,10 +93,10 @@ impl<'a> Layout<'a> {
         &self,
         (number, figure): (usize, &Figure),
         coloring: Coloring,
-        artist: &mut Artist,
+        artist: &mut PictureRenderer,
         (camera, size): (&Camera, [usize; 2]),
     ) -> Result<striata_viewer::picture::Drawn, Failure> {
-        let draw = |mut shot: Shot<'_>, artist: &mut Artist| {
+        let draw = |mut shot: Shot<'_>, artist: &mut PictureRenderer| {
             if let Some(frustum) = &self.viewpoint.frustum {
                 frustum.draw_into(&mut shot);
             }

@@ -19,7 +19,7 @@ use striata_command::input::Input;
 use striata_command::level::check_strict;
 use striata_command::output::{Bar, Output};
 use striata_command::save::{is_stdout, write_bytes};
-use striata_viewer::picture::{Artist, Canvas, Theme};
+use striata_viewer::picture::{Canvas, PictureRenderer, Theme};
 use viewpoint::Viewpoint;
 
 /// Reads the input, draws the requested levels, writes the picture, and reports.
@@ -77,15 +77,15 @@ fn check(args: &RenderArgs) -> Result<(), Failure> {
 ///
 /// # Errors
 /// If the named adapter does not exist.
-fn artist(args: &RenderArgs, output: &Output) -> Result<Artist, Failure> {
+fn artist(args: &RenderArgs, output: &Output) -> Result<PictureRenderer, Failure> {
     if args.software {
-        return Ok(Artist::software(output));
+        return Ok(PictureRenderer::software(output));
     }
     #[cfg(feature = "gpu")]
     if let Some(name) = &args.adapter {
-        return Artist::named(name, output);
+        return PictureRenderer::named(name, output);
     }
-    Ok(Artist::best(output))
+    Ok(PictureRenderer::best(output))
 }
 
 /// Returns all levels of the picture.

@@ -11,7 +11,7 @@ use super::source::Source;
 use crate::args::RenderArgs;
 use striata_command::level::shortfall_note;
 use striata_command::output::{format_duration, format_length, format_noun_count};
-use striata_viewer::picture::Artist;
+use striata_viewer::picture::PictureRenderer;
 
 /// Report on a picture.
 #[derive(Serialize)]
@@ -60,7 +60,7 @@ struct HeatReport {
 
 /// What drew the picture, and the times that it took.
 pub(super) struct Drawing<'a> {
-    pub(super) artist: &'a Artist,
+    pub(super) artist: &'a PictureRenderer,
     pub(super) frame_secs: f64,
     pub(super) started: Instant,
 }

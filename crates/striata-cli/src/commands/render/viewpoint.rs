@@ -3,7 +3,7 @@
 use crate::args::RenderArgs;
 use striata_command::args::Point;
 use striata_command::failure::Failure;
-use striata_viewer::picture::{Angles, Camera, Frustum};
+use striata_viewer::picture::{Camera, Frustum, ViewAngles};
 
 use super::source::Source;
 
@@ -19,7 +19,7 @@ enum CameraPlacement {
     /// A fixed camera.
     Fixed(Camera),
     /// A camera at these angles, as close as possible with all of these points visible.
-    Framing(Vec<[f32; 3]>, Angles),
+    Framing(Vec<[f32; 3]>, ViewAngles),
 }
 
 /// Default field of view of a camera given by `--from`, degrees.
@@ -36,7 +36,7 @@ impl Viewpoint {
         let mesh = source.mesh();
         let center = mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
         let is_outside = args.from.is_some() || args.turn.is_some() || args.rise.is_some();
-        let usual = Angles::usual(mesh.bounds().as_ref());
+        let usual = ViewAngles::usual(mesh.bounds().as_ref());
         let up = args.view.up().unwrap_or(usual.up);
         let fov = |usual: f32| args.view.fov().map_or(usual.to_radians(), |angle| angle as f32);
         let look_at = args.view.look_at().unwrap_or(center);
@@ -68,7 +68,7 @@ impl Viewpoint {
                 let turn = args.turn.map_or(usual.turn, f32::to_radians);
                 let rise = args.rise.map_or(usual.rise, f32::to_radians);
                 let seen = [points, frustum.iter().flat_map(Frustum::points).collect()].concat();
-                CameraPlacement::Framing(seen, Angles { turn, rise, up, fov })
+                CameraPlacement::Framing(seen, ViewAngles { turn, rise, up, fov })
             }
         };
         Ok(Self { placement, zoom: args.zoom, frustum })

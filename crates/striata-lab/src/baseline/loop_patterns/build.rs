@@ -282,7 +282,7 @@ impl<'a> Builder<'a> {
             records.push(&head, &self.links[first as usize..(first + count) as usize]);
         }
         Ok(LoopPatterns {
-            vertices: StepVertices::one_a_step(self.base_vertex_count, records.len()),
+            vertices: StepVertices::one_per_step(self.base_vertex_count, records.len()),
             base: base.to_vec(),
             base_covers: covers,
             rules,

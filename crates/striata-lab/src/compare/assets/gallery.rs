@@ -6,7 +6,7 @@
 use striata::mesh::{IndexedMesh, Semantic};
 
 use striata_command::output::Output;
-use striata_viewer::picture::{Angles, Artist, Camera, Paint, Shot, Style};
+use striata_viewer::picture::{Camera, Paint, PictureRenderer, Shot, Style, ViewAngles};
 
 /// Width and height of a picture in pixels.
 const SIDE: usize = 256;
@@ -45,7 +45,7 @@ impl Gallery {
     /// Renders the pictures of a mesh that has normals.
     pub(super) fn of(original: &IndexedMesh) -> Self {
         let camera = |(turn, rise)| {
-            let angles = Angles { turn, rise, up: [0.0, 1.0, 0.0], fov: FOV };
+            let angles = ViewAngles { turn, rise, up: [0.0, 1.0, 0.0], fov: FOV };
             Camera::around(&original.positions, &angles, 1.0)
         };
         let cameras: Vec<Camera> = directions().into_iter().map(camera).collect();
@@ -89,7 +89,7 @@ fn take_pictures(mesh: &IndexedMesh, cameras: &[Camera]) -> Vec<Vec<Pixel>> {
         layers: mesh.layers.iter().filter(|layer| layer.semantic == Semantic::Normal).cloned().collect(),
         ..IndexedMesh::default()
     };
-    let mut artist = Artist::software(&Output::quiet());
+    let mut artist = PictureRenderer::software(&Output::quiet());
     let shot = Shot::of(&plain, Paint::Surface, Style::SMOOTH);
     let mut picture = |camera: &Camera| -> Vec<Pixel> {
         artist.draw(&shot, camera, [SIDE; 2]).canvas.pixels().iter().map(pixel).collect()

@@ -80,7 +80,7 @@ impl<C: Criterion + Clone> FanFront<C> {
                 break;
             }
         }
-        update.is_settled = true;
+        update.is_complete = true;
         update.threshold = search.threshold;
         update
     }
@@ -99,7 +99,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             search.parts.extend(self.steps[first..].iter().map(|&step| scene.part(step)));
             search.verdicts.clear();
             criterion.weigh_all(&search.parts, &mut search.verdicts);
-            update.asked_count += search.parts.len();
+            update.evaluated_count += search.parts.len();
             for at in first..self.steps.len().min(first + search.parts.len()) {
                 let weight = search.verdicts[at - first].weight.max(0.0);
                 search.weights.push(weight);

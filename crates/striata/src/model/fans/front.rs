@@ -70,13 +70,13 @@ pub struct FanFront<C> {
 #[non_exhaustive]
 pub struct FanUpdate {
     /// Number of steps whose weight was evaluated.
-    pub asked_count: usize,
+    pub evaluated_count: usize,
     /// Number of steps that were split.
     pub split_count: usize,
     /// Number of steps that were collapsed.
     pub collapse_count: usize,
     /// Whether nothing is left to do for this view.
-    pub is_settled: bool,
+    pub is_complete: bool,
     /// Weight above which parts are refined: 1, or more if a triangle budget required it.
     pub threshold: f32,
 }
@@ -141,7 +141,7 @@ impl<C: Criterion + Clone> FanFront<C> {
         let elapsed = (self.elapsed as f32).next_up();
         let mut at = 0;
         while self.gather_due(scene, elapsed, &mut at) {
-            update.asked_count += self.batch.parts.len();
+            update.evaluated_count += self.batch.parts.len();
             let mut batch = std::mem::take(&mut self.batch);
             batch.verdicts.clear();
             criterion.weigh_all(&batch.parts, &mut batch.verdicts);
@@ -165,7 +165,7 @@ impl<C: Criterion + Clone> FanFront<C> {
         if self.pending_splits.is_empty() || update.changes() < change_limit {
             self.collapse_unneeded(scene.fans, change_limit, &mut update);
         }
-        update.is_settled = self.pending_splits.is_empty()
+        update.is_complete = self.pending_splits.is_empty()
             && self.unneeded.last_before(self.instance.step_count as u32).is_none();
         update
     }

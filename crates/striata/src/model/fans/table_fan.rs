@@ -67,7 +67,7 @@ impl<'t> TableFan<'t> {
     }
 
     /// Bit mask of the arcs that are active whenever the vertex is.
-    pub fn lasting_arcs(&self) -> u32 {
+    pub fn permanent_arcs(&self) -> u32 {
         self.view.permanent
     }
 
@@ -98,7 +98,7 @@ mod tests {
                         continue;
                     }
                     let active = fan.makers().filter(|maker| !instance.is_refined(maker.step));
-                    let arcs = active.fold(fan.lasting_arcs(), |all, maker| all | maker.arcs);
+                    let arcs = active.fold(fan.permanent_arcs(), |all, maker| all | maker.arcs);
                     let nodes: Vec<u32> = fan.nodes().collect();
                     assert_eq!(nodes.len(), fan.node_count());
                     let ends = nodes.iter().skip(1).chain(fan.is_closed().then_some(&nodes[0]));

@@ -37,19 +37,19 @@ impl<F: Fn(Overlap) -> bool> Condition for F {
 /// A condition derived from a view criterion: an overlap is too coarse if the criterion wants its upper
 /// fragment.
 #[derive(Clone, Copy, Debug)]
-pub struct Wanted<'a, C> {
+pub struct CriterionCondition<'a, C> {
     scene: PatternScene<'a>,
     criterion: &'a C,
 }
 
-impl<'a, C: Criterion> Wanted<'a, C> {
+impl<'a, C: Criterion> CriterionCondition<'a, C> {
     /// Combines a scene with a view criterion.
     pub fn new(scene: PatternScene<'a>, criterion: &'a C) -> Self {
         Self { scene, criterion }
     }
 }
 
-impl<C: Criterion> Condition for Wanted<'_, C> {
+impl<C: Criterion> Condition for CriterionCondition<'_, C> {
     fn is_too_coarse(&self, overlap: Overlap) -> bool {
         self.criterion.weigh(&self.scene.part(overlap.upper)).should_refine()
     }

@@ -44,7 +44,7 @@ mod rulebook;
 mod scene;
 mod unpack;
 
-pub use condition::{Condition, Overlap, PatternChange, Wanted};
+pub use condition::{Condition, CriterionCondition, Overlap, PatternChange};
 pub use instance::PatternInstance;
 pub use level::PatternsState;
 pub(crate) use parts::PatternsParts;
