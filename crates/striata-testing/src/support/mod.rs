@@ -70,7 +70,7 @@ pub fn soup(vertex_count: usize, triangle_count: usize, random: &mut Random) -> 
     IndexedMesh::new(positions, triangles)
 }
 
-/// NamedMesh meshes that violate common assumptions.
+/// Meshes that violate common assumptions.
 pub fn nasty() -> Vec<(&'static str, IndexedMesh)> {
     let line = |n: usize| (0..n).map(|i| [i as f32, 0.0, 0.0]).collect::<Vec<_>>();
     let mesh = |n: usize, triangles: &[[u32; 3]]| IndexedMesh::new(line(n), triangles.to_vec());
