@@ -5,7 +5,7 @@
 //! one that needs no swap. Few triangles end up isolated this way; the price is swaps. This is the classic
 //! baseline for the number of strips.
 //!
-//! [ESV96, the local algorithm\]. Differs: strips grow from both ends, and the global step before it, which
+//! \[ESV96, the local algorithm\]. Differs: strips grow from both ends, and the global step before it, which
 //! cuts patches of quadrilaterals out of the mesh, is left out, because triangulated scans have none.
 //! Linear in time and memory.
 

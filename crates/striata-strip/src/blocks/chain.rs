@@ -5,8 +5,8 @@
 //! after the edge in one strip are appended to the other.
 //!
 //! ```text
-//! //!     a b c d  +  c d e f   ->   a b c d e f        same order of the edge
-//! //!     a b c d  +  d c e f   ->   a b c d c e f      opposite order: one more swap
+//!     a b c d  +  c d e f   ->   a b c d e f        same order of the edge
+//!     a b c d  +  d c e f   ->   a b c d c e f      opposite order: one more swap
 //! ```
 //!
 //! A join saves the restart and the edge (three indices) and costs at most three swaps.

@@ -5,7 +5,7 @@
 //! triangles and end alike count as one, and at most half may begin their last strip with the same step, so
 //! that rows that turn back early survive until they pay off. Steps that all states share are final.
 //!
-//! [Hop99b\] grows one strip and simulates at each triangle whether to turn back now or somewhat later.
+//! \[Hop99b\] grows one strip and simulates at each triangle whether to turn back now or somewhat later.
 //! Differs: the states of the beam replace the simulation, swaps and starts are decided in the same way,
 //! and a state is scored by the open vertices it loses, not by its misses so far.
 //!

@@ -1,4 +1,4 @@
-//! Strips as few as possible: ends of strips walk at random until they meet.
+//! Search for the fewest strips: ends of strips walk at random until they meet.
 //!
 //! The end of a strip takes a neighboring triangle, which releases one of its own neighbors; that one is
 //! the next end. The number of strips stays the same, no loop closes if a triangle of the same strip

@@ -6,14 +6,14 @@
 //! collapse removed it. A stack of the dead triangles is all that must be stored.
 //!
 //! ```text
-//! //!        a                     a           t1 and t2 are removed; the sides u - a
-//! //!      / | \                  / \          of their neighbors are linked to each other,
-//! //!    l t1|  r     v -> u     l | r         and so are the sides u - b
-//! //!    u---v--o    ------->      u - o
-//! //!    l t2|  r                l | r
-//! //!      \ | /                  \ /
-//! //!        b                     b
-//! //! ```
+//!        a                     a           t1 and t2 are removed; the sides u - a
+//!      / | \                  / \          of their neighbors are linked to each other,
+//!    l t1|  r     v -> u     l | r         and so are the sides u - b
+//!    u---v--o    ------->      u - o
+//!    l t2|  r                l | r
+//!      \ | /                  \ /
+//!        b                     b
+//! ```
 //!
 //! Links follow the rules of [`DualGraph`]: opposite directions, one group, each side at most once, and as
 //! many as possible; which of several sides on one edge are linked may differ. A step costs time for the

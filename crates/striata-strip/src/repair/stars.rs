@@ -7,7 +7,7 @@
 //!
 //! ```text
 //!     (u) - a - b -            collapse v -> u         (u) - c - d - e - a - b -
-//! //!     (v) - c - d - e -                                (v) still points at c and e
+//!     (v) - c - d - e -                                (v) still points at c and e
 //! ```
 //!
 //! 8 bytes per corner and per vertex; a collapse or split changes two links, whatever the valence.

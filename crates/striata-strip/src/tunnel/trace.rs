@@ -7,11 +7,11 @@
 //! length of the tunnel and not on that of the strips.
 //!
 //! ```text
-//! //!     t0 ===...=== z   the end t0 takes x, x releases b, b is the next moving end:
-//! //!      |
-//! //!     (x)===...        the strip of t0 now continues through x; the strip of b is the run beyond the cut
-//! //!      :
-//! //!     (b)===...
+//!     t0 ===...=== z   the end t0 takes x, x releases b, b is the next moving end:
+//!      |
+//!     (x)===...        the strip of t0 now continues through x; the strip of b is the run beyond the cut
+//!      :
+//!     (b)===...
 //! ```
 //!
 //! Cost: quadratic in the number of steps of the tunnel, which is small.
