@@ -195,9 +195,9 @@ fn the_same_blocks_give_the_same_strips() {
 }
 
 /// Blocks given as a list.
-struct Given(Vec<Block>);
+struct BlockList(Vec<Block>);
 
-impl BlockSource for Given {
+impl BlockSource for BlockList {
     type Error = String;
 
     fn block_count(&self) -> u32 {
@@ -227,7 +227,7 @@ fn a_strip_continues_across_a_border() {
         block(0, &[([2, 1, 3], [1, 1, 2])]),
         block(0, &[([3, 4, 5], [2, 2, 2])]),
     ];
-    let (set, report) = strips_of(&mut Given(blocks), 1, &BlockOptions::default()).unwrap();
+    let (set, report) = strips_of(&mut BlockList(blocks), 1, &BlockOptions::default()).unwrap();
     assert_eq!(set.strips().map(<[u32]>::len).collect::<Vec<_>>(), vec![3, 4, 3]);
     assert_eq!((report.carried_count, report.peak_held_triangles), (1, 1));
 }
@@ -237,7 +237,7 @@ fn wrong_last_uses_of_vertices_lose_no_triangle() {
     let at_border =
         |last: u32| vec![block(0, &[([0, 1, 2], [last; 3])]), block(0, &[([2, 1, 3], [last; 3])])];
     for (last, strip_count) in [(0, 2), (1, 1), (u32::MAX, 1)] {
-        let (set, report) = strips_of(&mut Given(at_border(last)), 1, &BlockOptions::default()).unwrap();
+        let (set, report) = strips_of(&mut BlockList(at_border(last)), 1, &BlockOptions::default()).unwrap();
         assert_eq!((set.strip_count(), report.cost.triangle_count), (strip_count, 2), "last {last}");
     }
 }
@@ -246,7 +246,7 @@ fn wrong_last_uses_of_vertices_lose_no_triangle() {
 fn invalid_blocks_are_reported_with_their_index() {
     let plain = ([0, 1, 2], [0; 3]);
     let message = |blocks: Vec<Block>| {
-        strips_of(&mut Given(blocks), 2, &BlockOptions::default()).unwrap_err().to_string()
+        strips_of(&mut BlockList(blocks), 2, &BlockOptions::default()).unwrap_err().to_string()
     };
     assert_eq!(message(vec![block(0, &[plain]), block(0, &[])]), "block 1: nothing there");
     let falling = vec![block(1, &[plain]), block(0, &[plain])];

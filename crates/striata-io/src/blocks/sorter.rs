@@ -13,7 +13,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Record {
     pub(super) key: u64,
-    pub(super) number: u32,
+    pub(super) index: u32,
     pub(super) corners: [u32; 3],
 }
 
@@ -29,7 +29,7 @@ impl Record {
         let mut bytes = [0; RECORD_BYTES];
         bytes[..8].copy_from_slice(&self.key.to_le_bytes());
         let [a, b, c] = self.corners;
-        for (word, to) in [self.number, a, b, c].into_iter().zip(bytes[8..].chunks_exact_mut(4)) {
+        for (word, to) in [self.index, a, b, c].into_iter().zip(bytes[8..].chunks_exact_mut(4)) {
             to.copy_from_slice(&word.to_le_bytes());
         }
         bytes
@@ -38,7 +38,7 @@ impl Record {
     fn from_bytes(bytes: &[u8; RECORD_BYTES]) -> Self {
         let word = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
         let key = u64::from(word(0)) | u64::from(word(4)) << 32;
-        Self { key, number: word(8), corners: [word(12), word(16), word(20)] }
+        Self { key, index: word(8), corners: [word(12), word(16), word(20)] }
     }
 }
 
@@ -146,18 +146,18 @@ mod tests {
     fn many_runs_come_out_in_order() {
         let mut sorter = Sorter::new(tempfile::tempfile().unwrap());
         let count = 2 * RUN_RECORDS as u32 + 1000;
-        let record = |number: u32| Record {
-            key: u64::from(number.wrapping_mul(0x9E37_79B9) >> 8),
-            number,
-            corners: [number, number + 1, number ^ 1],
+        let record = |index: u32| Record {
+            key: u64::from(index.wrapping_mul(0x9E37_79B9) >> 8),
+            index,
+            corners: [index, index + 1, index ^ 1],
         };
-        (0..count).for_each(|number| sorter.push(record(number)).unwrap());
+        (0..count).for_each(|index| sorter.push(record(index)).unwrap());
         let mut merged = sorter.merged().unwrap();
         let (mut last, mut found) = (None, 0);
         while let Some(next) = merged.next().unwrap() {
-            assert!(last < Some((next.key, next.number)));
-            assert_eq!(next, record(next.number));
-            last = Some((next.key, next.number));
+            assert!(last < Some((next.key, next.index)));
+            assert_eq!(next, record(next.index));
+            last = Some((next.key, next.index));
             found += 1;
         }
         assert_eq!(found, count);

@@ -71,15 +71,15 @@ impl BlockSource for TriangleBlocks {
         (self.starts.len() - 1) as u32
     }
 
-    fn read_block(&mut self, number: u32, block: &mut Block) -> Result<(), ReadError> {
-        self.fill(number as usize, block).map_err(|error| self.scratch.error(error))
+    fn read_block(&mut self, index: u32, block: &mut Block) -> Result<(), ReadError> {
+        self.fill(index as usize, block).map_err(|error| self.scratch.error(error))
     }
 }
 
 impl TriangleBlocks {
     /// Reads a block from the temporary files.
-    fn fill(&mut self, number: usize, block: &mut Block) -> io::Result<()> {
-        let (start, end) = (self.starts[number], self.starts[number + 1]);
+    fn fill(&mut self, index: usize, block: &mut Block) -> io::Result<()> {
+        let (start, end) = (self.starts[index], self.starts[index + 1]);
         let mut bytes = vec![0; (end - start) as usize * TRIANGLE_BYTES];
         self.triangles.seek(SeekFrom::Start(start * TRIANGLE_BYTES as u64))?;
         self.triangles.read_exact(&mut bytes)?;
@@ -132,7 +132,7 @@ fn sorted_triangles(
     let vertices_bytes = u64::from(stream.vertex_count) * stream.stride as u64;
     let mut vertices = PagedFile::new(stream.file()?, stream.vertices_offset, vertices_bytes);
     let mut row = vec![0; stream.stride];
-    let mut number = 0u32;
+    let mut index = 0u32;
     stream.for_each_triangle(|corners| {
         let mut points = [[0.0; 3]; 3];
         for (point, vertex) in points.iter_mut().zip(corners) {
@@ -140,8 +140,8 @@ fn sorted_triangles(
             vertices.read(at, &mut row).map_err(|error| stream.io(error))?;
             *point = stream.position(&row);
         }
-        let record = Record { key: curve.key(points), number, corners };
-        number = number.checked_add(1).ok_or_else(|| {
+        let record = Record { key: curve.key(points), index, corners };
+        index = index.checked_add(1).ok_or_else(|| {
             let reason = format!("more than {} triangles cannot be numbered", u32::MAX);
             Fault::Malformed(Place::File, reason).in_file(stream.name())
         })?;
@@ -198,7 +198,7 @@ impl BlockCutter {
     fn end_block(&mut self, length: usize) -> io::Result<()> {
         let block = (self.starts.len() - 1) as u32;
         // Neighbors in a file are often neighbors in a row of triangles, which strips follow well.
-        self.ahead[..length].sort_unstable_by_key(|record| record.number);
+        self.ahead[..length].sort_unstable_by_key(|record| record.index);
         for record in self.ahead.drain(..length) {
             for vertex in record.corners {
                 self.last_blocks.write_u32(vertex, block)?;

@@ -44,14 +44,14 @@ impl<'a, W> BlockStripifier<'a, W> {
     }
 
     /// Makes strips of a block and the strips it takes over, and writes those that are complete.
-    pub(super) fn add<R>(&mut self, number: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
-        self.enter_group(number, block.group)?;
-        check_vertices(number, block)?;
+    pub(super) fn add<R>(&mut self, index: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
+        self.enter_group(index, block.group)?;
+        check_vertices(index, block)?;
         self.fill_window(block);
-        self.write_expired(number).map_err(BlocksError::Write)?;
+        self.write_expired(index).map_err(BlocksError::Write)?;
         let strips = self.window.stripify(&self.options.strip);
-        let strips = strips.map_err(|error| BlocksError::TooLarge { block: number, error })?;
-        self.window.find_rim(number, self.joints.sides());
+        let strips = strips.map_err(|error| BlocksError::TooLarge { block: index, error })?;
+        self.window.find_rim(index, self.joints.sides());
         self.distribute(&strips, block.triangles.len()).map_err(BlocksError::Write)
     }
 
@@ -173,9 +173,9 @@ impl<'a, W> BlockStripifier<'a, W> {
 }
 
 /// Checks that no vertex has the index that is reserved for restarts.
-fn check_vertices<R, W>(number: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
+fn check_vertices<R, W>(index: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
     match block.triangles.iter().position(|triangle| triangle.corners.contains(&RESTART)) {
-        Some(triangle) => Err(BlocksError::ReservedVertex { block: number, triangle }),
+        Some(triangle) => Err(BlocksError::ReservedVertex { block: index, triangle }),
         None => Ok(()),
     }
 }

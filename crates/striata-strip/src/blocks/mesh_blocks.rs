@@ -70,8 +70,8 @@ impl BlockSource for MeshBlocks<'_> {
         self.blocks.len() as u32
     }
 
-    fn read_block(&mut self, number: u32, block: &mut Block) -> Result<(), Infallible> {
-        let (group, ref range) = self.blocks[number as usize];
+    fn read_block(&mut self, index: u32, block: &mut Block) -> Result<(), Infallible> {
+        let (group, ref range) = self.blocks[index as usize];
         block.group = group;
         block.triangles.clear();
         block.triangles.extend(self.order[range.clone()].iter().map(|&t| {
@@ -94,14 +94,14 @@ mod tests {
         let (mut block, mut found, mut group) = (Block::default(), Vec::new(), 0);
         let mut last_seen = vec![0; mesh.vertex_count()];
         let mut declared = vec![0; mesh.vertex_count()];
-        for number in 0..source.block_count() {
-            source.read_block(number, &mut block).unwrap();
+        for index in 0..source.block_count() {
+            source.read_block(index, &mut block).unwrap();
             assert!(block.triangles.len() <= 17 && block.group >= group);
             group = block.group;
             for triangle in &block.triangles {
                 found.push(triangle.corners);
                 for (v, last) in triangle.corners.into_iter().zip(triangle.last_blocks) {
-                    last_seen[v as usize] = number;
+                    last_seen[v as usize] = index;
                     declared[v as usize] = last;
                 }
             }

@@ -104,13 +104,13 @@ pub fn stripify_blocks_with_progress<S: BlockSource, W>(
     let total = source.block_count();
     let mut stripifier = BlockStripifier::new(options, write);
     let mut block = Block::default();
-    for number in 0..total {
-        let now = Progress { phase: "strip", done: u64::from(number), total: u64::from(total) };
+    for index in 0..total {
+        let now = Progress { phase: "strip", done: u64::from(index), total: u64::from(total) };
         if progress(now).is_break() {
             return Err(Cancelled.into());
         }
-        source.read_block(number, &mut block).map_err(|error| BlocksError::Read { block: number, error })?;
-        stripifier.add(number, &block)?;
+        source.read_block(index, &mut block).map_err(|error| BlocksError::Read { block: index, error })?;
+        stripifier.add(index, &block)?;
     }
     stripifier.finish(total).map_err(BlocksError::Write)
 }

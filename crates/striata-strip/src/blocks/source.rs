@@ -35,5 +35,5 @@ pub trait BlockSource {
     /// # Errors
     /// Returns an error if the source fails; stripification then ends with
     /// [`BlocksError::Read`](super::BlocksError::Read).
-    fn read_block(&mut self, number: u32, block: &mut Block) -> Result<(), Self::Error>;
+    fn read_block(&mut self, index: u32, block: &mut Block) -> Result<(), Self::Error>;
 }

@@ -2,7 +2,7 @@
 //!
 //! Few indices alone do not make a mesh cheap to draw: when a long strip comes back along its other side,
 //! the cache has forgotten the vertices, and the GPU transforms them again. There are two remedies.
-//! `reorder` puts existing strips into a better order; it keeps the number of indices and takes
+//! `reorder` puts existing strips into a better order; it hardly changes the number of indices and takes
 //! milliseconds. `grow` makes new strips in rows that turn back before the cache forgets, as in \[Hop99b\];
 //! it trades indices for misses. Which one pays off depends on the weight, so both are tried, and the
 //! cheapest set of strips is returned.

@@ -31,7 +31,7 @@ impl LocationTable {
         let mut table = Self { locations: vec![(u32::MAX, 0); links.triangle_count()], next_strip: 0 };
         for end in 0..links.triangle_count() as u32 {
             if links.solid_degree(end) < 2 && table.strip(end) == u32::MAX {
-                table.number(end, links);
+                table.number_strip(end, links);
             }
         }
         table
@@ -45,13 +45,13 @@ impl LocationTable {
         for triangle in changed {
             if self.strip(triangle) < first_new {
                 let end = links.first_solid(triangle).map_or(triangle, |side| links.end_beyond(side));
-                self.number(end, links);
+                self.number_strip(end, links);
             }
         }
     }
 
     /// Numbers one strip from this end.
-    fn number(&mut self, end: u32, links: &StripLinks<'_>) {
+    fn number_strip(&mut self, end: u32, links: &StripLinks<'_>) {
         let strip = self.next_strip;
         self.next_strip += 1;
         let mut index = 0;
