@@ -37,7 +37,7 @@ pub enum ReadError {
     /// The file could not be opened or read.
     #[error("{file}: {source}")]
     Io {
-        /// The file.
+        /// Name of the file.
         file: String,
         /// Error of the operating system.
         source: io::Error,
@@ -48,15 +48,15 @@ pub enum ReadError {
          (.ply .obj .stl .off .gltf .glb)"
     )]
     UnknownFormat {
-        /// The file.
+        /// Name of the file.
         file: String,
     },
     /// The format is supported, but this build does not include it.
     #[error("{file}: this build cannot read {what}: the feature `{feature}` is off")]
     FeatureOff {
-        /// The file.
+        /// Name of the file.
         file: String,
-        /// The format or compression.
+        /// Name of the format or compression.
         what: &'static str,
         /// Cargo feature of `striata-io` that includes it.
         feature: &'static str,
@@ -64,13 +64,13 @@ pub enum ReadError {
     /// The file is a striata container: it contains models, not a plain mesh.
     #[error("{file}: a .striata file contains multiresolution models, not one mesh: extract a level from it")]
     StriataContainer {
-        /// The file.
+        /// Name of the file.
         file: String,
     },
     /// A glTF file requires an extension that is not supported.
     #[error("{file}: requires the glTF extension {extension}, which cannot be read")]
     UnsupportedExtension {
-        /// The file.
+        /// Name of the file.
         file: String,
         /// Name of the extension.
         extension: String,
@@ -78,7 +78,7 @@ pub enum ReadError {
     /// The file is valid, but uses something that is not supported.
     #[error("{file}: {place}: {what} cannot be read")]
     Unsupported {
-        /// The file.
+        /// Name of the file.
         file: String,
         /// Location in the file.
         place: Place,
@@ -88,7 +88,7 @@ pub enum ReadError {
     /// The file cannot be read block by block.
     #[error("{file}: is {found}; only binary PLY files are read block by block")]
     NotInBlocks {
-        /// The file.
+        /// Name of the file.
         file: String,
         /// Description of what the file is instead.
         found: String,
@@ -96,7 +96,7 @@ pub enum ReadError {
     /// The file violates the rules of its format.
     #[error("{file}: {place}: {reason}")]
     Malformed {
-        /// The file.
+        /// Name of the file.
         file: String,
         /// Location in the file.
         place: Place,
@@ -142,7 +142,7 @@ pub enum WriteError {
     /// The file could not be created or written.
     #[error("{file}: {source}")]
     Io {
-        /// The file.
+        /// Name of the file.
         file: String,
         /// Error of the operating system.
         source: io::Error,
@@ -150,15 +150,15 @@ pub enum WriteError {
     /// The extension belongs to no format that can be written.
     #[error("{file}: the extension names no mesh format (.ply .obj .stl .off .gltf .glb)")]
     UnknownFormat {
-        /// The file.
+        /// Name of the file.
         file: String,
     },
     /// The format is supported, but this build does not include it.
     #[error("{file}: this build cannot write {what}: the feature `{feature}` is off")]
     FeatureOff {
-        /// The file, or the format if there is no file yet.
+        /// Name of the file, or of the format if there is no file yet.
         file: String,
-        /// The format or compression.
+        /// Name of the format or compression.
         what: &'static str,
         /// Cargo feature of `striata-io` that includes it.
         feature: &'static str,
@@ -166,7 +166,7 @@ pub enum WriteError {
     /// The format cannot store this mesh.
     #[error("{file}: {format} cannot store this mesh: {reason}")]
     Unsupported {
-        /// The file, or the format if there is no file yet.
+        /// Name of the file, or of the format if there is no file yet.
         file: String,
         /// The format.
         format: Format,
@@ -176,7 +176,7 @@ pub enum WriteError {
     /// The mesh is inconsistent.
     #[error("{file}: the mesh is inconsistent: {reason}")]
     BadMesh {
-        /// The file, or the format if there is no file yet.
+        /// Name of the file, or of the format if there is no file yet.
         file: String,
         /// Description of the inconsistency and its location.
         reason: String,
