@@ -78,9 +78,11 @@ fn walk(
 
 /// Returns the exit to the free triangle with the fewest free neighbors; the first one wins a tie.
 fn most_isolated<const N: usize>(free: &FreeTriangles<'_>, exits: [u32; N]) -> Option<u32> {
-    let open = exits.into_iter().filter_map(|exit| free.free_entry_across(exit).map(|enter| (exit, enter / 3)));
+    let open =
+        exits.into_iter().filter_map(|exit| free.free_entry_across(exit).map(|enter| (exit, enter / 3)));
     open.min_by_key(|&(_, triangle)| {
-        let free_entry_across = (3 * triangle..3 * triangle + 3).filter_map(|side| free.free_entry_across(side));
+        let free_entry_across =
+            (3 * triangle..3 * triangle + 3).filter_map(|side| free.free_entry_across(side));
         (free.neighbor_count(triangle), free_entry_across.map(|enter| free.neighbor_count(enter / 3)).min())
     })
     .map(|(exit, _)| exit)

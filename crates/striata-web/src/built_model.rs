@@ -112,7 +112,7 @@ impl BuiltModel {
             limit => front.update_to_budget(&scene, &criterion, limit as usize),
         };
         self.last = LastShown::View;
-        Ok((self.shown(), update.is_settled))
+        Ok((self.shown(), update.is_complete))
     }
 
     /// Emits the triangles of the level shown last.
