@@ -6,6 +6,11 @@
 //! [`Viewpoint`] is the camera. [`Inspection`] draws individual triangles, colored by strip or fan, with
 //! their edges.
 //!
+//! Positions are stored relative to the middle of the bounds, so that a mesh far from the origin keeps its
+//! shape in 32 bits. Depth is reversed, from 1 at the near plane to 0 at infinity. The instance index tells
+//! shaders the group, so each group is one draw without a change of bindings. One buffer write costs as much
+//! as some 8,192 indices, so changed ranges that are closer than that are joined.
+//!
 //! Every wgpu backend works, including OpenGL and CPU adapters. [`Gpu::new`] draws a small test triangle on
 //! each adapter before it accepts one, and reports why each other adapter was rejected.
 //!

@@ -33,3 +33,8 @@ pub use paper_bytes::{Accounting, PaperBytes};
 #[cfg(all(doctest, feature = "command"))]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+
+/// The example of the guide to views, compiled as a doc test.
+#[cfg(all(doctest, feature = "command"))]
+#[doc = include_str!("../../../docs/guide/views.md")]
+struct GuideToViews;

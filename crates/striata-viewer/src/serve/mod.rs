@@ -4,6 +4,11 @@
 //! `folder` decides which files are accessible, `files` sends them (whole, in ranges, compressed),
 //! `listing` lists them, `thumbnails` draws small pictures of them, `assets` is the viewer, `guard` checks
 //! every request, and `server` manages connections.
+//!
+//! Names are resolved through `cap-std`, so that symbolic links cannot leave the folder. On a loopback
+//! address only loopback host names are accepted, which prevents DNS rebinding. A slow reader costs its own
+//! memory only: a piece of 64 KiB is read when the previous one has been sent. A file is opened once per
+//! request, so its tag, its type and its bytes belong to the same version of it.
 
 mod args;
 mod assets;
