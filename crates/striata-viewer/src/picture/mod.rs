@@ -1,9 +1,9 @@
 //! Draws pictures of meshes and arranges them with text into PNG files.
 //!
 //! A [`Shot`] describes what is visible: triangles over the vertices of a mesh, their paint, and lines. A
-//! [`PictureRenderer`] draws it from a [`Camera`] with a GPU if one is available, or else with a small rasterizer
-//! with the same lighting. A [`Sheet`] arranges panels and labels them. All pictures are in linear light
-//! with opacity until they are encoded as bytes.
+//! [`PictureRenderer`] draws it from a [`Camera`] with a GPU if one is available, or else with a small
+//! rasterizer with the same lighting. A [`Sheet`] arranges panels and labels them. All pictures are in linear
+//! light with opacity until they are encoded as bytes.
 //!
 //! A picture never fails for lack of a GPU: adapters are opened in order of preference, and the first one
 //! on which a small triangle comes out right as a list, as strips and with edges is used. If none passes,
