@@ -50,10 +50,57 @@ pub(super) fn shows(cell: &str, measured: &[f64]) -> bool {
     shown.is_empty() || (shown.len() == measured.len() && shown.iter().zip(measured).all(is_same))
 }
 
+/// Returns a cell with its numbers replaced by measured values, in the same format; `None` if the counts differ.
+pub(super) fn with_values(cell: &str, measured: &[f64]) -> Option<String> {
+    let shown = numbers(cell);
+    if shown.len() != measured.len() {
+        return None;
+    }
+    let mut values = shown.iter().zip(measured);
+    let is_part = |c: char| c.is_ascii_digit() || c == ',' || c == '.';
+    let mut text = String::new();
+    let mut rest = cell;
+    while let Some(start) = rest.find(is_part) {
+        text.push_str(&rest[..start]);
+        let end = rest[start..].find(|c| !is_part(c)).map_or(rest.len(), |length| start + length);
+        let word = &rest[start..end];
+        if numbers(word).is_empty() {
+            text.push_str(word);
+        } else {
+            let (number, value) = values.next()?;
+            let formatted = with_separators(&format!("{value:.digits$}", digits = number.digits));
+            let formatted =
+                if word.starts_with('.') { formatted.trim_start_matches('0') } else { &formatted };
+            text.push_str(formatted);
+            text.push_str(&word[word.trim_end_matches([',', '.']).len()..]);
+        }
+        rest = &rest[end..];
+    }
+    text.push_str(rest);
+    Some(text)
+}
+
+/// Inserts commas between groups of three digits before the decimal point, from four digits on.
+fn with_separators(number: &str) -> String {
+    let (whole, fraction) = number.split_at(number.find('.').unwrap_or(number.len()));
+    let mut text = String::new();
+    for (at, digit) in whole.chars().enumerate() {
+        if at > 0 && (whole.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text + fraction
+}
+
+/// Returns the measured numbers of a printed cell.
+pub(super) fn printed_values(printed: &str) -> Vec<f64> {
+    numbers(printed).iter().map(|number| number.value).collect()
+}
+
 /// Whether a cell shows the same numbers as a printed one, with the same number of digits or fewer.
 pub(super) fn shows_printed(cell: &str, printed: &str) -> bool {
-    let measured: Vec<f64> = numbers(printed).iter().map(|number| number.value).collect();
-    shows(cell, &measured)
+    shows(cell, &printed_values(printed))
 }
 
 #[cfg(test)]
@@ -75,6 +122,14 @@ mod tests {
         assert!(shows("114.1 ± 9.3", &[114.08, 9.31]) && !shows("114.1", &[114.08, 9.31]));
         assert!(shows("", &[3.0]) && shows("–", &[]) && !shows("3", &[]));
         assert!(shows_printed("1.20 (98)", "1.198 (98)") && !shows_printed("1.20 (98)", "1.198 (99)"));
+    }
+
+    #[test]
+    fn values_are_written_in_the_format_of_the_cell() {
+        assert_eq!(with_values("**1,234** (5.60 MB)", &[98765.4, 7.123]).unwrap(), "**98,765** (7.12 MB)");
+        assert_eq!(with_values("1/11.8", &[1.0, 9.96]).unwrap(), "1/10.0");
+        assert_eq!(with_values(".51, then", &[0.493]).unwrap(), ".49, then");
+        assert_eq!(with_values("3", &[1.0, 2.0]), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use serde_json::Value;
 
 use super::address::values;
-use super::cells::{argument, numbers, shows, shows_printed};
+use super::cells::{argument, numbers, printed_values, shows, shows_printed, with_values};
 use super::page::{DocTable, Row, cells_of, column_of};
 
 /// Result of a check.
@@ -13,6 +13,19 @@ pub(super) struct CheckResult {
     pub(super) cell_count: usize,
     /// One line for each cell that differs.
     pub(super) differences: Vec<String>,
+    /// Cells that differ, with their measured values.
+    pub(super) corrections: Vec<Correction>,
+}
+
+/// A cell of a page with the text that it should have.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Correction {
+    pub(super) page: String,
+    /// Line of the row, from 1.
+    pub(super) line: usize,
+    /// Index of the cell in its row.
+    pub(super) column_index: usize,
+    pub(super) cell: String,
 }
 
 impl DocTable {
@@ -28,7 +41,13 @@ impl DocTable {
                 .iter()
                 .map(|command| self.filled(command, row).map(|line| without_options(&line)));
             let lines = lines.collect::<Result<Vec<_>>>()?;
-            let mut differs = |column: &str, cell: &str, measured: &str| {
+            let mut differs = |column: &str, cell: &str, measured: &str, values: &[f64]| {
+                let column_index = column_of(&self.head, column).ok();
+                if let (Some(column_index), Some(cell)) = (column_index, with_values(cell, values)) {
+                    let correction =
+                        Correction { page: self.page.clone(), line: row.line, column_index, cell };
+                    found.corrections.push(correction);
+                }
                 let keys: Vec<String> = self.keys.iter().map(|key| self.cell(row, key)).collect();
                 found.differences.push(format!(
                     "{}:{}: {}: {}: {column}: the page has `{cell}`, the command printed `{measured}`",
@@ -49,8 +68,8 @@ impl DocTable {
                 let address = self.filled(address, row)?;
                 match values(&json, &self.filled(&self.base, row)?, &address) {
                     Ok(measured) if shows(&cell, &measured) => (),
-                    Ok(measured) => differs(column, &cell, &format!("{measured:?}")),
-                    Err(error) => differs(column, &cell, &format!("nothing: {error:#}")),
+                    Ok(measured) => differs(column, &cell, &format!("{measured:?}"), &measured),
+                    Err(error) => differs(column, &cell, &format!("nothing: {error:#}"), &[]),
                 }
                 found.cell_count += 1;
             }
@@ -60,8 +79,8 @@ impl DocTable {
                 found.cell_count += 1;
                 match printed {
                     Some(printed) if shows_printed(&cell, &printed) => (),
-                    Some(printed) => differs(column, &cell, &printed),
-                    None => differs(column, &cell, "nothing: no such row"),
+                    Some(printed) => differs(column, &cell, &printed, &printed_values(&printed)),
+                    None => differs(column, &cell, "nothing: no such row", &[]),
                 }
             }
         }
@@ -194,8 +213,12 @@ Text.
         let json = r#"{ "strip_count": 1234, "index_count": 1346, "triangle_count": 1000 }"#;
         let (lines, checked) = check(PAGE, json);
         assert_eq!(lines[1], "striata strip $MESHES/kine.* --block 10000 --json");
-        let line = "a.md:18: blocks: cow, 10,000: strips: the page says `1,300`, the command `[1234.0]`";
-        assert_eq!(checked.unwrap().differences, [line]);
+        let line =
+            "a.md:18: blocks: cow, 10,000: strips: the page has `1,300`, the command printed `[1234.0]`";
+        let checked = checked.unwrap();
+        assert_eq!(checked.differences, [line]);
+        let correction = Correction { page: "a.md".into(), line: 18, column_index: 2, cell: "1,234".into() };
+        assert_eq!(checked.corrections, [correction]);
         let missing = check(PAGE, "{}").1.unwrap();
         assert_eq!(missing.differences.len(), 3);
         assert!(check(PAGE, "no JSON").1.is_err());
@@ -213,7 +236,7 @@ Text.
         let differences = check(page, printed).1.unwrap().differences;
         assert_eq!(
             differences,
-            ["a.md:9: t: cow, b: strips: the page says `4`, the command `nothing: no such row`"]
+            ["a.md:9: t: cow, b: strips: the page has `4`, the command printed `nothing: no such row`"]
         );
     }
 }

@@ -9,11 +9,13 @@ mod check;
 mod page;
 mod source;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use clap::Args;
 
+use self::check::Correction;
 use self::page::{DocTable, tables_of};
 use self::source::Commands;
 use crate::steps::say;
@@ -32,6 +34,9 @@ pub(crate) struct ResultsArgs {
     /// Run the commands of these tables and compare counts and sizes with the docs [default: all tables]
     #[arg(long, group = "what", value_name = "TABLE", num_args = 0..)]
     check: Option<Vec<String>>,
+    /// Write the measured values into the pages instead of reporting differences
+    #[arg(long, requires = "check")]
+    write: bool,
     /// Folder that `$MESHES` stands for in commands
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
@@ -43,7 +48,7 @@ pub(crate) struct ResultsArgs {
 /// Lists or checks tables.
 ///
 /// # Errors
-/// If a page or marker cannot be read, a command fails, or a cell differs.
+/// If a page or marker cannot be read, a command fails, or a cell differs and is not to be written.
 pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
     let tables = all_tables()?;
     if args.list {
@@ -59,7 +64,7 @@ pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
         chosen.extend(tables.iter().filter(|table| table.is_checkable()));
     }
     let mut commands = Commands::new(args.meshes.as_deref(), args.striata.as_deref())?;
-    let (mut cell_count, mut differences) = (0, Vec::new());
+    let (mut cell_count, mut differences, mut corrections) = (0, Vec::new(), Vec::new());
     for table in chosen {
         ensure!(
             table.is_checkable(),
@@ -73,10 +78,44 @@ pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
         checked.differences.iter().for_each(|line| say(line));
         cell_count += checked.cell_count;
         differences.extend(checked.differences);
+        corrections.extend(checked.corrections);
+    }
+    if args.write {
+        write(&corrections)?;
+        say(&format!("{} of {} cells that differed were written", corrections.len(), differences.len()));
+        return Ok(());
     }
     ensure!(differences.is_empty(), "{} of {cell_count} cells differ from the docs", differences.len());
     say(&format!("all {cell_count} cells match the docs"));
     Ok(())
+}
+
+/// Replaces cells in the pages.
+fn write(corrections: &[Correction]) -> Result<()> {
+    let mut pages: BTreeMap<&str, Vec<&Correction>> = BTreeMap::new();
+    for correction in corrections {
+        pages.entry(&correction.page).or_default().push(correction);
+    }
+    for (page, corrections) in pages {
+        let path = workspace().join(page);
+        let mut lines: Vec<String> = std::fs::read_to_string(&path)?.lines().map(str::to_owned).collect();
+        for correction in corrections {
+            let line = lines.get_mut(correction.line - 1).context("the page has changed")?;
+            *line = with_cell(line, correction);
+        }
+        std::fs::write(&path, lines.join("\n") + "\n")?;
+    }
+    Ok(())
+}
+
+/// Returns the row of a Markdown table with one cell replaced.
+fn with_cell(line: &str, correction: &Correction) -> String {
+    let mut cells: Vec<String> = line.split('|').map(str::to_owned).collect();
+    // The first part is empty: a row begins with a bar.
+    if let Some(cell) = cells.get_mut(correction.column_index + 1) {
+        *cell = format!(" {} ", correction.cell);
+    }
+    cells.join("|")
 }
 
 fn list_entry(table: &DocTable) -> String {
