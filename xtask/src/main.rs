@@ -6,6 +6,8 @@ mod command;
 mod cpu_time;
 mod golden;
 mod licenses;
+#[cfg(test)]
+mod links;
 mod machine;
 mod oldest_rust;
 mod packages;
