@@ -54,6 +54,7 @@ fn blended(v: u32) -> VertexState {
     }
     // The target may be moving too: start from the first target at rest and blend towards each vertex of
     // the chain in turn.
+    var count = 0u;
     var root = v;
     while motions[root].x != root {
         root = motions[root].x;
