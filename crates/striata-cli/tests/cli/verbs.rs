@@ -469,6 +469,6 @@ fn shapes_are_meshes_for_every_verb() {
     }
     assert!(bench.refused("extract shape:cube -o x.ply --detail 1").contains("striata build"));
     let message = bench.refused("strip shape:grid --block-triangles 1000");
-    assert!(message.contains("hint: write one first"), "{message}");
+    assert!(message.contains("hint: write a file first"), "{message}");
     assert_eq!(bench.names(), ["cube.ply", "grid.striata", "small.ply"]);
 }
