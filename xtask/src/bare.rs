@@ -33,7 +33,7 @@ const KINDS: [Kind; 3] = [
     },
 ];
 
-/// Extensions of files without times, which must be identical.
+/// Extensions of files that contain no timings and must therefore be identical on all machines.
 const SAME_BYTES: [&str; 4] = ["striata", "stri", "glb", "ply"];
 
 /// Pixels per thousand whose channels may differ by more than [`FAR`]: drivers disagree about the edges of
@@ -64,7 +64,7 @@ pub(crate) fn run() -> Result<()> {
     machine::remove_folder(&scratch)
 }
 
-/// Runs the demo as a new user would; messages of drivers are a failure.
+/// Runs the demo as a new user would; messages from drivers count as failures.
 fn demo(command: &Path, kind: &Kind, folder: &Path) -> Result<()> {
     say(&format!("$ striata demo   ({})", kind.name));
     let mut run = std::process::Command::new(command);
