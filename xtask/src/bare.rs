@@ -1,4 +1,5 @@
-//! Runs the demo as on machines with Vulkan, with only OpenGL, and without any graphics drivers.
+//! Runs the demo under the conditions of three machines: with Vulkan, with only OpenGL, and without any
+//! graphics drivers.
 //!
 //! The demo is the first command of the README. It must succeed in each case, write the same files, and draw
 //! the same pictures. This uses the release build, as a new user would, and runs before anything is
