@@ -59,7 +59,7 @@ async function openUrl(source: string | URL, name: string | undefined, signal: A
     await response.body?.cancel();
     response = await get(url, {}, signal);
   }
-  // The length of a compressed response does not tell the length of its contents.
+  // The length of a compressed response does not give the length of its contents.
   const isCompressed = response.headers.has('Content-Encoding');
   const length = total ?? (isCompressed ? null : response.headers.get('Content-Length'));
   const isPart = response.status === 206;

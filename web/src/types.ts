@@ -79,7 +79,7 @@ export interface StriataEvents extends Object3DEventMap {
   change: object;
   /** More of the model has loaded. */
   progress: { progress: Progress };
-  /** The rest of the model could not be loaded; the mesh keeps the part that has. */
+  /** The rest of the model could not be loaded; the mesh keeps the part that has been loaded. */
   error: { error: Error & { code: ErrorCode; hint?: string | undefined } };
 }
 

@@ -60,7 +60,7 @@ export class DetailControls {
     return true;
   }
 
-  /** Moves the active slider by one step, towards more detail (1) or less (-1). */
+  /** Moves the active slider by one step, toward more detail (1) or less (-1). */
   step(direction: 1 | -1): void {
     const id = this.mode === 'level' ? 'detail' : this.mode;
     const slider = input(id);

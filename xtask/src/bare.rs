@@ -1,4 +1,5 @@
-//! Runs the demo as on machines with Vulkan, with only OpenGL, and without any graphics drivers.
+//! Runs the demo under the conditions of three machines: with Vulkan, with only OpenGL, and without any
+//! graphics drivers.
 //!
 //! The demo is the first command of the README. It must succeed in each case, write the same files, and draw
 //! the same pictures. This uses the release build, as a new user would, and runs before anything is
@@ -33,7 +34,7 @@ const KINDS: [Kind; 3] = [
     },
 ];
 
-/// Extensions of files without times, which must be identical.
+/// Extensions of files that contain no timings and must therefore be identical on all machines.
 const SAME_BYTES: [&str; 4] = ["striata", "stri", "glb", "ply"];
 
 /// Pixels per thousand whose channels may differ by more than [`FAR`]: drivers disagree about the edges of
@@ -64,7 +65,7 @@ pub(crate) fn run() -> Result<()> {
     machine::remove_folder(&scratch)
 }
 
-/// Runs the demo as a new user would; messages of drivers are a failure.
+/// Runs the demo as a new user would; messages from drivers count as failures.
 fn demo(command: &Path, kind: &Kind, folder: &Path) -> Result<()> {
     say(&format!("$ striata demo   ({})", kind.name));
     let mut run = std::process::Command::new(command);

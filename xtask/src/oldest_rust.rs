@@ -47,7 +47,8 @@ fn is_this_rust() -> bool {
     rustc_output(&["--version"]).is_ok_and(|output| is_release_of(&output, RUST_VERSION))
 }
 
-/// Whether the output of `rustc --version` is that of a release of a version, ignoring the patch number.
+/// Whether the output of `rustc --version` names a release of the `expected` version; the patch number may
+/// differ.
 fn is_release_of(version_output: &str, expected: &str) -> bool {
     let minor = |version: &str| version.split('.').take(2).map(str::to_owned).collect::<Vec<_>>();
     let version = version_output.split_whitespace().nth(1).unwrap_or_default();

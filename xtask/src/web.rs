@@ -9,7 +9,7 @@
 //! The viewer is committed, so that building the command requires neither a wasm target nor Node.js. A file
 //! next to it records what it was built from. Everything else is built when it is needed.
 //!
-//! The same toolchain makes the same bytes in any folder (paths are remapped, lock files fix the rest). So if
+//! A given toolchain makes the same bytes in any folder (paths are remapped, lock files fix the rest). So if
 //! the current rustc is the one that the viewer was built with, the check builds the viewer again and
 //! compares the bytes; comments in the library make no difference. With another rustc the bytes would differ
 //! without being wrong. In that case, and if there are no tools to build with, the check compares digests of

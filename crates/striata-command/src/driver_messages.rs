@@ -2,7 +2,7 @@
 //!
 //! Drivers and the libraries below them write directly to the standard error of the process, about things
 //! that a user cannot change (`XDG_RUNTIME_DIR is invalid or not set`). While adapters are probed, file
-//! descriptor 2 is redirected to `/dev/null`; afterwards striata reports in one line what was found. With
+//! descriptor 2 is redirected to `/dev/null`; afterward striata reports in one line what was found. With
 //! `--verbose` nothing is redirected.
 
 use crate::output::Output;

@@ -67,7 +67,7 @@ impl Output {
     /// Checks that stdout does not have to take both a JSON report and the output.
     ///
     /// # Errors
-    /// If it does.
+    /// If both would be written to stdout.
     pub fn check_stdout_is_free(&self, output_to_stdout: bool) -> Result<(), Failure> {
         if self.json && output_to_stdout {
             return Err(Failure::user("--json and the output cannot both go to stdout")

@@ -184,7 +184,7 @@ pub fn default_output_path(input: &Path, extension: &str) -> Result<PathBuf, Fai
 /// Checks that an output name does not end in `.gz` or `.zst`, since these outputs are not compressed again.
 ///
 /// # Errors
-/// If it does.
+/// If the extension is `.gz` or `.zst`.
 pub fn check_not_compressed(path: &Path, what: &str) -> Result<(), Failure> {
     let is_packed =
         path.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz") || e.eq_ignore_ascii_case("zst"));

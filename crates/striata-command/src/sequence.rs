@@ -104,7 +104,7 @@ pub struct SimplifiedSteps {
     pub error_is_guaranteed: bool,
     /// Split counts at which batches begin, followed by the number of steps; `None` without batches.
     pub batches: Option<Vec<u32>>,
-    /// The same steps as fragments with an error for each floor, if they are known in addition to collapses.
+    /// The steps as fragments with an error for each floor, if they are known in addition to collapses.
     floors: Option<FragmentedMesh>,
 }
 
@@ -137,7 +137,7 @@ pub struct BatchSettings {
     pub shape_step: Option<f64>,
 }
 
-/// Which states of a mesh the errors of its collapses are guaranteed for.
+/// States of a mesh for which the errors of its collapses are guaranteed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorGuarantee {
     /// Errors are estimates.

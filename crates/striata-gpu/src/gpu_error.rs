@@ -39,7 +39,7 @@ pub enum GpuError {
         "{what}: {needed_bytes} bytes are needed, but {adapter} allows at most {limit_bytes} bytes per buffer"
     )]
     TooLarge {
-        /// What was to be stored in the buffer.
+        /// Intended contents of the buffer.
         what: &'static str,
         /// Size of the buffer, bytes.
         needed_bytes: u64,
@@ -68,7 +68,7 @@ pub enum GpuError {
 pub struct RejectedAdapter {
     /// The adapter's name and backend.
     pub name: String,
-    /// What the adapter lacks, or what failed, in one line.
+    /// Missing feature or failed operation, in one line.
     pub reason: String,
 }
 

@@ -124,7 +124,7 @@ impl GpuFanInstance {
 
 impl FanExtractor {
     /// Records the extraction of the triangles last [written](GpuFanInstance::write) to an instance; draw
-    /// them afterwards.
+    /// them afterward.
     pub fn extract(&self, encoder: &mut CommandEncoder, instance: &GpuFanInstance) {
         self.run(encoder, &instance.passes, instance.block_count);
     }

@@ -13,9 +13,9 @@ use crate::indices::GpuIndices;
 /// has a fixed cost of about this many indices: 4.2 µs on the CPU and 2.5 µs on the queue, compared with
 /// 0.7 ns per index.
 ///
-/// Tried: one staging buffer from which the queue copies each range. That costs 1.1 µs per range plus 40
-/// µs, which pays off from 8 widely spaced ranges on; but with many ranges, uploading all indices is as
-/// fast for most meshes.
+/// We also tried one staging buffer from which the queue copies each range. That costs 1.1 µs per range plus
+/// 40 µs, which pays off for 8 or more widely spaced ranges; but with many ranges, uploading all indices is
+/// as fast for most meshes.
 const JOIN_GAP: u32 = 8192;
 
 /// Index buffer on the GPU that follows one [`LodStripsState`].

@@ -60,7 +60,7 @@ impl Viewpoint {
         std::array::from_fn(|axis| self.eye[axis] - origin[axis])
     }
 
-    /// Axes of the screen: right, up, and towards the eye.
+    /// Axes of the screen: right, up, and toward the eye.
     pub(crate) fn axes(&self) -> [[f32; 3]; 3] {
         self.axes_64().map(|axis| axis.as_vec3().into())
     }

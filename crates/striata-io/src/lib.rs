@@ -19,8 +19,8 @@
 //!
 //! | format | parser | why |
 //! | --- | --- | --- |
-//! | PLY | own, `ply` | `ply-rs-bw` builds a map per vertex (27 MB/s), and its errors name no byte |
-//! | OBJ | own, `obj` | `tobj` is slower, its errors name no line, and it loses material and library names |
+//! | PLY | own, `ply` | `ply-rs-bw` builds a map per vertex (27 MB/s), and its errors give no byte offsets |
+//! | OBJ | own, `obj` | `tobj` is slower, its errors give no line numbers, and it loses material and library names |
 //! | STL | own, `stl` | 84 + 50 n bytes; welding is the main work, and is done in the same pass |
 //! | OFF | own, `off` | uses the cursor that OBJ needs anyway |
 //! | glTF, GLB | `serde_json`, own `gltf` | the `gltf` crate rejects scenes without nodes; more in `gltf` |
@@ -34,7 +34,7 @@
 //! * **Counts are never trusted.** Before allocating, they are checked against the remaining bytes (PLY,
 //!   STL, OFF), against views and buffers (glTF accessors), or against the file's size (glTF instances,
 //!   zero-filled accessors, images).
-//! * **Texture coordinates of a mesh are glTF's** (`v` grows downwards). OBJ is flipped when read and
+//! * **Texture coordinates of a mesh are glTF's** (`v` grows downward). OBJ is flipped when read and
 //!   written; PLY and OFF define no origin and are kept as they are.
 //! * **Data that a format cannot store** are left out (layers in OBJ, STL and OFF; groups in PLY and STL),
 //!   or refused with a reason if the file would be wrong (NaN or 32-bit identifiers above 2^24 in glTF).

@@ -1,8 +1,8 @@
 //! OFF, ASCII: `[ST][C][N]OFF`, with normals, colors and texture coordinates at the vertices.
 //!
-//! Own parser, on the cursor that OBJ needs anyway: the available crates read plain OFF only, and their
-//! errors name no lines. Polygons are fanned; colors of polygons are ignored. Texture coordinates are kept
-//! unchanged, because the format defines no origin. Cost: one pass.
+//! The parser is our own and uses the cursor that OBJ needs anyway: the available crates read plain OFF only,
+//! and their errors give no line numbers. Polygons are triangulated as fans; colors of polygons are ignored.
+//! Texture coordinates are kept unchanged, because the format defines no origin. Cost: one pass.
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 

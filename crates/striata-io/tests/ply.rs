@@ -1,4 +1,4 @@
-//! PLY: round trips, files of other programs, and the crate `ply-rs-bw` for comparison.
+//! PLY: round trips, files written by other programs, and the crate `ply-rs-bw` for comparison.
 
 mod meshes;
 

@@ -388,8 +388,8 @@ fn stored_path(version: StreamVersion, name: &str) -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder).join(format!("{name}.stri"))
 }
 
-/// The stored files were written by another build, with other optimizations and on another machine than
-/// most that run this test.
+/// The stored files were written by a build with different optimizations, usually on a different machine
+/// from the one that runs this test.
 #[test]
 fn streams_have_the_same_bits_on_every_machine() {
     for StoredStream { name, mesh, options } in stored_streams() {

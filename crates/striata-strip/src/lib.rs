@@ -3,7 +3,7 @@
 //! [`striata::strip`] explains what strips are and what they cost, and has one quick stripifier. This crate
 //! adds the others:
 //!
-//! * [`stripify`] makes strips with any [`Stripifier`]: the classic local algorithm, tunnelling, fewest
+//! * [`stripify`] makes strips with any [`Stripifier`]: the classic local algorithm, tunneling, fewest
 //!   strips or fewest indices. [`stripify_from`] starts from existing strips and runs until the caller's
 //!   budget is spent.
 //! * A [`StripOptions::cache_weight`] above 0 reorders strips for a vertex cache, or grows new strips for

@@ -28,7 +28,7 @@ pub(crate) fn check_stream(facts: &StreamInfo) -> Result<(), Failure> {
     check_counts(facts.vertex_count, facts.triangle_count)
 }
 
-/// Checks that a finished model will fit into a page.
+/// Checks that a complete model will fit into the memory of a page.
 ///
 /// # Errors
 /// If it would not fit.

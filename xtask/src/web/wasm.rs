@@ -15,7 +15,7 @@ use crate::workspace;
 const TARGET_FEATURES: &str =
     "-Ctarget-feature=+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint,+mutable-globals";
 
-/// The same features as flags of wasm-opt, with those that wasm-bindgen adds. If all features were enabled,
+/// Flags of wasm-opt for these features and for those that wasm-bindgen adds. If all features were enabled,
 /// wasm-opt would write code that browsers reject.
 const WASM_OPT_FEATURES: [&str; 7] = [
     "--enable-simd",

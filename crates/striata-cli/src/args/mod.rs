@@ -308,7 +308,7 @@ pub(crate) struct DemoArgs {
     /// Folder to create and fill, as an alternative to DIR
     #[arg(short, long, value_name = "DIR", conflicts_with = "dir")]
     output: Option<PathBuf>,
-    /// What graphics drivers print.
+    /// Options for the messages of graphics drivers.
     #[cfg(feature = "gpu")]
     #[command(flatten)]
     pub(crate) drivers: DriverArgs,

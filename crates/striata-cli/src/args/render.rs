@@ -131,7 +131,7 @@ pub(crate) struct RenderArgs {
     /// Render on the CPU
     #[arg(long, help_heading = "Adapter")]
     pub(crate) software: bool,
-    /// What graphics drivers print.
+    /// Options for the messages of graphics drivers.
     #[cfg(feature = "gpu")]
     #[command(flatten)]
     pub(crate) drivers: DriverArgs,

@@ -127,7 +127,7 @@ fn check_output(args: &StripArgs, format: &FormatArgs, output: &Output) -> Resul
 /// format.
 ///
 /// # Errors
-/// If it does not.
+/// If the format does not support them.
 pub(super) fn check_form_fits(what: &str, path: &Path, format: Format, instead: &str) -> Result<(), Failure> {
     if matches!(format, Format::Glb | Format::Gltf) {
         return Ok(());

@@ -27,7 +27,7 @@ struct Report {
     index_count: usize,
     indices_per_triangle: f64,
     longest_strip: usize,
-    /// Null, like the next two fields: unknown unless the mesh is in memory.
+    /// This and the next two fields are null, because they are known only for a mesh in memory.
     component_count: Option<usize>,
     acmr_16: Option<f64>,
     atvr_16: Option<f64>,

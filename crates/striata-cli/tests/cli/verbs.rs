@@ -1,4 +1,4 @@
-//! What each verb does, and the keys of its report.
+//! Behavior of each verb, and the keys of its report.
 
 use crate::workbench::{Workbench, assert_keys, asset};
 
@@ -138,7 +138,7 @@ fn stored_fans_and_built_fans_give_the_same_view() {
     assert_eq!((&built["fans"], &built["triangle_count"]), (&"built".into(), &seen["triangle_count"]));
     // Triangles have the order of the fans in both cases.
     assert_eq!(bench.read("stored.glb"), bench.read("built.glb"));
-    // Uniform levels equal those of the other models, whether or not the file contains these.
+    // Uniform levels equal those of the other models, whether or not the file contains those models.
     bench.run("build sphere.obj -o all.striata --models fans,mts,lodstrips --quiet").success();
     assert_eq!(bench.json("extract all.striata -o x.ply --detail 0.5")["model"], "lodstrips");
     for (file, detail) in [("fans", 0.0), ("all", 0.4), ("fans", 0.4), ("all", 1.0)] {

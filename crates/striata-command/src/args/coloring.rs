@@ -1,8 +1,8 @@
-//! What the colors in a picture stand for.
+//! Meaning of the colors in a picture.
 
 use clap::ValueEnum;
 
-/// What the colors in a picture stand for.
+/// Meaning of the colors in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Coloring {
     /// The mesh as it looks: its vertex colors, or plain stone

@@ -150,7 +150,7 @@ impl RemovalArgs {
     }
 }
 
-/// Which parts of the mesh are simplified first.
+/// Order in which the parts of the mesh are simplified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum OrderArg {
     /// Half-edge collapses of least quadric cost
@@ -198,7 +198,7 @@ impl From<RetriangulationArg> for Retriangulation {
     }
 }
 
-/// Which triangulation of a hole is best.
+/// Criterion that selects the triangulation of a hole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CriterionArg {
     /// The one closest to the original surface

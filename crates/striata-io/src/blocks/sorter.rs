@@ -1,8 +1,8 @@
 //! External sort of triangles by their keys.
 //!
-//! Runs that fit into memory are sorted there and written one after another; reading merges them. 24 bytes
-//! per triangle in the file; some 15 MB of memory up to a billion triangles, and 4 kB for every 250,000
-//! beyond.
+//! Runs that fit into memory are sorted there and written one after another; reading merges them. The
+//! file takes 24 bytes per triangle. Memory is about 15 MB up to a billion triangles, and 4 kB more for
+//! every 250,000 triangles beyond that.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

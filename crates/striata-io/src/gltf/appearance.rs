@@ -12,8 +12,10 @@ use super::primitive::document_fault;
 use super::uri;
 use crate::error::Fault;
 
-/// Memory that images may always take, in bytes; beyond it, a multiple of the file's size.
+/// Memory that images may take regardless of the file size, in bytes.
 const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
+
+/// Additional memory allowed per byte of the file.
 const BYTES_PER_INPUT_BYTE: u64 = 64;
 
 /// Reads the materials, textures, samplers and images of a document.

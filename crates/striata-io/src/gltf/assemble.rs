@@ -17,7 +17,8 @@ use super::scene::{Transform, instances};
 use crate::error::Fault;
 use crate::normals;
 
-/// Memory that a mesh may always take, in bytes: small files with many instances are legal.
+/// Memory that a mesh may take regardless of the file size, in bytes: small files with many instances are
+/// legal.
 const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
 
 /// Additional memory allowed per byte of the file.

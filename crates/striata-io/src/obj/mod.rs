@@ -1,13 +1,13 @@
 //! Wavefront OBJ.
 //!
-//! Own parser: `tobj` names no lines in its errors, knows materials only through an MTL file that it can
-//! open (otherwise their names are lost), drops the names of groups and libraries, and is slower. Polygons
-//! are fanned. Each distinct triple of position, texture coordinate and normal becomes a vertex, in the
-//! order of first occurrence. If the three indices always agree, vertices are the positions themselves in
-//! the order of the file, so a file from our own writer is read back vertex for vertex. Cost: one pass, 12
-//! bytes per corner while reading.
+//! The parser is our own: the errors of `tobj` give no line numbers, it knows materials only through an MTL
+//! file that it can open (otherwise their names are lost), drops the names of groups and libraries, and is
+//! slower. Polygons are triangulated as fans. Each distinct triple of position, texture coordinate and normal
+//! becomes a vertex, in the order of first occurrence. If the three indices always agree, vertices are the
+//! positions themselves in the order of the file, so a file from our own writer is read back vertex for
+//! vertex. Cost: one pass, 12 bytes per corner while reading.
 //!
-//! OBJ's texture coordinates grow upwards, those of a mesh downwards: `v` becomes `1 - v`, subtracted in
+//! OBJ's texture coordinates grow upward, those of a mesh downward: `v` becomes `1 - v`, subtracted in
 //! decimal (`0.1` becomes `0.9`), so that a round trip changes no digit.
 
 mod corners;
@@ -197,7 +197,7 @@ impl Reader {
         Ok(corner)
     }
 
-    /// Reads an index that counts from 1, or backwards from the end if negative.
+    /// Reads an index that counts from 1, or backward from the end if negative.
     #[inline]
     fn index(&mut self, cursor: &mut Cursor<'_>, kind: usize, count: usize) -> Result<u32, Fault> {
         let index = cursor.integer()?;

@@ -1,9 +1,10 @@
 //! PLY, ASCII and binary of either byte order.
 //!
-//! Own parser: `ply-rs-bw` builds a map of properties for each vertex (27 MB/s), and its errors name no
-//! byte. Here vertices become rows with a fixed layout of little-endian bytes, which for the usual file are
-//! the bytes of the file itself; layers are then gathered column by column. Polygons are fanned as they are
-//! read. Cost: one pass, and one copy of the vertices if the file is ASCII, big-endian or has lists.
+//! The parser is our own: `ply-rs-bw` builds a map of properties for each vertex (27 MB/s), and its errors
+//! give no byte offsets. Here vertices become rows with a fixed layout of little-endian bytes, which for the
+//! usual file are the bytes of the file itself; layers are then gathered column by column. Polygons are
+//! triangulated as fans while they are read. Cost: one pass, and one copy of the vertices if the file is
+//! ASCII, big-endian or has lists.
 //!
 //! Texture coordinates are kept unchanged, because the format does not define their origin.
 

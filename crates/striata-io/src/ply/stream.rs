@@ -179,7 +179,7 @@ impl PlyStream {
         Ok(())
     }
 
-    /// Passes the triangles to `visit` in order; polygons are fanned.
+    /// Passes the triangles to `visit` in order; polygons are triangulated as fans.
     ///
     /// # Errors
     /// Returns an error if the file is truncated or a vertex index is out of range, or the error of

@@ -161,7 +161,8 @@ impl Subject {
         &self.welded.mesh
     }
 
-    /// The triangles of one level by meshoptimizer, which keeps original vertices as our simplifiers do.
+    /// Returns the triangles of one level made by meshoptimizer, which keeps original vertices as our
+    /// simplifiers do.
     fn meshoptimizer(&self, share: f64) -> Fallible<Vec<u32>> {
         let mesh = self.mesh();
         let goal = (mesh.triangle_count() as f64 * share) as usize;

@@ -1,5 +1,5 @@
-//! The scene that all ways draw: the mesh with its steps and strips, its vertices on the GPU, and the
-//! canvas.
+//! The scene that is drawn in every way: the mesh with its steps and strips, its vertices on the GPU, and
+//! the canvas.
 
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::simplify::{SequenceOptions, build_welded_sequence_with_progress};

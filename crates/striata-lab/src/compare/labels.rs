@@ -1,6 +1,6 @@
 //! Placement of series names in a chart: next to one of their points, without covering anything else.
 
-/// Pixel coordinates to the right and downwards.
+/// Pixel coordinates to the right and downward.
 pub(super) type Pixel = (i32, i32);
 
 /// Position of a label.

@@ -311,7 +311,7 @@ fn machine() -> String {
     format!("striata {version} on {system}, {processor}, {threads} threads{peers}")
 }
 
-/// Reports that the page cannot be written before the measurements instead of after them.
+/// Checks that the folder of the page exists, so that `compare` fails before it measures rather than after.
 fn check_folder(path: &Path) -> Result<(), Failure> {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {

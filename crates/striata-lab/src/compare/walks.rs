@@ -25,9 +25,9 @@ const EXPONENTIAL_RATE: f64 = 5.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Pace {
-    /// Linearly with time.
+    /// The same number of steps in each frame.
     Linear,
-    /// By a share of the remainder in each frame: large changes near, small ones far away.
+    /// A fixed share of the remaining steps in each frame: large changes near, small ones far away.
     Exponential,
 }
 
@@ -144,7 +144,7 @@ impl Walk {
         let both_ways = |value_of: fn(&FrameSecs) -> f64| -> Vec<f64> {
             let of_frame = |&frame: &usize| {
                 let ways = [&self.away[frame], &self.back[frame]].map(value_of);
-                // The nearest frame is only on the way back, the farthest only on the way away.
+                // The nearest frame is timed only on the way back, the farthest only on the way away.
                 mean(ways.into_iter().filter(|secs| secs.is_finite()))
             };
             frames.iter().map(of_frame).collect()

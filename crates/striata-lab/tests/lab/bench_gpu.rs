@@ -1,4 +1,4 @@
-//! `bench-gpu`: all ways draw the same walk, and their figures are consistent.
+//! `bench-gpu`: all ways of drawing show the same walk, and their figures are consistent.
 
 use serde_json::Value;
 

@@ -240,7 +240,7 @@ impl<C: Coder> BaseCoder<'_, C> {
         Ok(self.coded.len() as u32 - 1)
     }
 
-    /// Codes which of the vertices coded so far it is: often one at the next open edges.
+    /// Codes the choice among the vertices coded so far; often it is one at the next open edges.
     fn code_earlier_vertex(&mut self, actual: u32, gate: Option<u32>) -> u32 {
         let open_ends =
             gate.map_or([NONE; 2], |gate| [self.open_end(gate, true), self.open_end(gate, false)]);

@@ -25,15 +25,15 @@ pub(super) struct ChainCuts {
 /// The ring of a vertex that splits.
 #[derive(Clone, Copy)]
 pub(super) struct Edges<'a> {
-    /// Corners around it.
+    /// Corners around the vertex.
     pub(super) corners: &'a [u32],
-    /// Far ends of its edges.
+    /// Neighbors of the vertex, one at the far end of each edge.
     pub(super) neighbors: &'a [Neighbor],
     /// Grid coordinates of the vertex.
     pub(super) position: [i32; 3],
 }
 
-/// An edge from the split vertex, and the triangle counter-clockwise of it.
+/// An edge from the split vertex, and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug)]
 struct Spoke {
     /// Squared length of the edge.

@@ -49,7 +49,7 @@ struct Run {
     score: i32,
 }
 
-/// An edge and the triangle counter-clockwise of it.
+/// An edge and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug)]
 struct Side {
     edge: [u8; 4],

@@ -12,7 +12,7 @@ const WEIGHT_ONE: i32 = 1 << 16;
 /// Limit on the magnitude of the additional log-odds.
 const LOG_ODDS_LIMIT: i32 = 2047;
 
-/// What is known when a flag is coded.
+/// Data available when a flag is coded.
 pub(super) struct FlagContext<const N: usize> {
     /// Values of the contexts; the last one is unused.
     pub(super) contexts: [usize; N],

@@ -33,7 +33,7 @@ const STEP_BITS: i32 = 13;
 /// Heights below this are noise from the grid.
 const MIN_HEIGHT: i32 = -512;
 
-/// An edge from the split vertex, and the triangle counter-clockwise of it.
+/// An edge from the split vertex, and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Spoke {
     /// Vector to its far end; zeros if that is virtual.
@@ -316,7 +316,7 @@ impl LearnedCuts {
     }
 }
 
-/// Inverses of sums are in units of 2 to the power of minus this.
+/// Number of fraction bits of inverse sums.
 const INVERSE_BITS: u32 = 36;
 
 /// The part of the whole that is divided by weight: 15 bits, less one for each symbol, and less one because

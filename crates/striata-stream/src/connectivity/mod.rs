@@ -121,7 +121,7 @@ impl ConnectivityModel {
         self.is_thorough
     }
 
-    /// Codes whether a vertex splits, and its cut if so; `corners` are those around it, counter-clockwise.
+    /// Codes whether a vertex splits, and its cut if so; `corners` are those around it, counterclockwise.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,

@@ -20,7 +20,7 @@ use crate::refine::walk::Walk;
 use crate::topology::rings::{Neighbor, Rings};
 use crate::topology::surface::{Cut, Surface, triangle_of};
 
-/// What is stored with a vertex.
+/// Data stored with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
 struct VertexRecord {
     /// Number of triangles around it, at most 255.
@@ -59,7 +59,7 @@ pub(crate) struct QuickModel {
 enum Cuts {
     /// Sequences of binary decisions, as for other vertices.
     Chains,
-    /// Two symbols, by rank.
+    /// Two symbols: the length of the run and its rank.
     Ranked(RankedCuts),
     /// Two symbols, by scores of edges and triangles.
     Learned(Box<LearnedCuts>),

@@ -12,7 +12,7 @@ pub(crate) const MAX_RING: usize = 16;
 /// Final learning rate of the symbols, as a negative power of two.
 const LAST_SHIFT: u32 = 7;
 
-/// An edge from the split vertex, and the triangle counter-clockwise of it.
+/// An edge from the split vertex, and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Edge {
     /// Squared length.

@@ -6,7 +6,7 @@
 
 use crate::entropy::log2_q8;
 
-/// An edge from the vertex, and the triangle counter-clockwise of it.
+/// An edge from the vertex, and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Spoke {
     /// Far end of the edge.
@@ -41,7 +41,7 @@ pub(super) struct Spoke {
 /// The ring of a vertex and its measures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ring {
-    /// Edges and triangles, counter-clockwise.
+    /// Edges and triangles, counterclockwise.
     pub(super) spokes: Vec<Spoke>,
     /// Number of neighbors in each state.
     pub(super) states: [usize; 4],
@@ -49,7 +49,7 @@ pub(super) struct Ring {
     pub(super) young: usize,
     /// Number of triangles that may move to a new vertex.
     pub(super) free: usize,
-    /// Maximum number of these in a row.
+    /// Maximum number of consecutive triangles that may move to a new vertex.
     pub(super) free_run: usize,
     /// Mean of the share of splits around the neighbors that have been visited, in 1/256.
     pub(super) density: i32,

@@ -3,14 +3,14 @@
 use crate::refine::walk::Walk;
 use crate::topology::surface::Surface;
 
-/// What both sides know when the flag or cut of a vertex is coded.
+/// Data that both writer and reader have when the flag or cut of a vertex is coded.
 pub(crate) struct SplitContext<'a> {
     /// The surface after the splits of earlier stretches. Triangles that no other split of the batch may
     /// move are marked with the batch.
     pub(crate) surface: &'a Surface,
     /// Grid coordinates of all vertices; meaningless for virtual ones.
     pub(crate) grid_points: &'a [[i32; 3]],
-    /// Which vertices of the batch have been visited, and which of these split.
+    /// Records which vertices of the batch have been visited, and which of these split.
     pub(crate) walk: &'a Walk,
     /// Maximum number of triangles that move to a new vertex.
     pub(crate) max_patch: u32,

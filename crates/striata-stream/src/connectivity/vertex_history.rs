@@ -1,4 +1,4 @@
-//! What is stored with each vertex: a summary of its ring, so that flags can be coded without visiting the
+//! Data stored with each vertex: a summary of its ring, so that flags can be coded without visiting the
 //! ring.
 //!
 //! Splits are about seven times rarer than visited vertices. So each split updates all vertices around it,

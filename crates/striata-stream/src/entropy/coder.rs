@@ -9,7 +9,7 @@ pub(crate) type Shares = [i32; SYMBOLS];
 /// first is 0.
 pub(crate) type QuickShares = [i16; SYMBOLS];
 
-/// What a bit describes, for the writer's statistics.
+/// Kind of data that a bit describes, for the writer's statistics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     /// Flags and cuts: which vertices split, and where.

@@ -8,10 +8,10 @@ use wide::i16x8;
 
 use super::coder::{Coder, QuickShares, SYMBOLS};
 
-/// The uniform share has a weight of 2 to the power of minus this; each symbol gets at least a sixteenth of
+/// Negative binary logarithm of the weight of the uniform share; each symbol gets at least a sixteenth of
 /// it.
 const UNIFORM_SHIFT: u32 = 7;
-/// At first, shares move towards the coded symbol by 2 to the power of minus this.
+/// Negative binary logarithm of the rate at which shares move toward the coded symbol at first.
 const FIRST_SHIFT: u32 = 2;
 
 /// Adaptive frequencies of sixteen symbols.

@@ -1,13 +1,13 @@
 //! Adaptive coding of one of sixteen symbols with a single division, instead of several binary decisions.
 //!
-//! A model stores cumulative shares and moves them towards the coded symbol. All sixteen are updated by the
+//! A model stores cumulative shares and moves them toward the coded symbol. All sixteen are updated by the
 //! same operation, which vectorizes well, and the mean of two models is again a valid model.
 
 use super::coder::{Coder, SYMBOLS, Shares};
 
 /// Minimum share of a symbol, in 1/65536.
 const MIN_SHARE: i32 = 24;
-/// Shares move towards the coded symbol by 2 to the power of minus this: at first, and later.
+/// Negative binary logarithm of the rate at which shares move toward the coded symbol: at first, and later.
 const FIRST_SHIFT: u32 = 3;
 const LAST_SHIFT: u32 = 6;
 

@@ -156,7 +156,8 @@ impl PositionGrid {
             return Err(GridError::NoTolerance { tolerance });
         }
         let largest = (0..3).fold(0.0f32, |m, a| m.max(bounds.min[a].abs()).max(bounds.max[a].abs()));
-        // Quantizing costs up to half a step per axis, rounding the position half a float.
+        // Quantizing moves a position by up to half a step per axis, and rounding it to floats by up to half
+        // the distance between two floats.
         let step = 2.0 * tolerance / 3f64.sqrt() * (1.0 - 1e-12) - float_step(largest);
         let grid = Self::over(bounds, step.max(0.0), MAX_BITS);
         let min_tolerance = grid.largest_distance(largest);

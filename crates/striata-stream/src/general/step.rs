@@ -77,7 +77,7 @@ pub(crate) struct CodedStep {
     pub(crate) split: u32,
     /// Corners that move to the new position, in the order of the complex.
     pub(crate) moved: Vec<u32>,
-    /// The same corners, sorted so that neighbors follow each other where possible.
+    /// The corners in `moved`, sorted so that neighbors follow each other if possible.
     pub(crate) fan: Vec<u32>,
     /// Triangles that the step creates.
     pub(crate) new_triangles: Vec<NewTriangle>,

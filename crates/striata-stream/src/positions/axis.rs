@@ -25,8 +25,8 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) widths: [Width; WIDTHS],
     /// The expected grid coordinate.
     pub(super) center: i32,
-    /// Whether adaptive counters see the axis reversed. They always see the vertex that split, or on the
-    /// last axis the outside, in the upward direction.
+    /// Whether adaptive counters use this axis in reverse. The axis is reversed if needed so that for the
+    /// counters the vertex that split (on the last axis: the outside) always lies in the positive direction.
     pub(super) is_mirrored: bool,
     /// Whether this is the axis along the normal, on which little uncertainty remains.
     pub(super) is_last: bool,

@@ -31,7 +31,7 @@ impl Width {
     /// above the bump's center.
     #[inline]
     pub(super) fn below(self, off: i16x8) -> i16x8 {
-        // If 1 is 2^14: of a triangle over -1..1, the part 1/2 + t (2 - |t|) / 2 lies below t.
+        // For a triangular bump over -1..1, the share 1/2 + t (2 - |t|) / 2 lies below t; here 1 is 2^14.
         let t = off.max(-self.width).min(self.width) << self.lift;
         t.mul_keep_high(i16x8::splat(i16::MAX) - t.abs()) + i16x8::splat(4096)
     }

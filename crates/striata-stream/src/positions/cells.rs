@@ -25,7 +25,7 @@ const SCORE_LOG: u32 = 9;
 const WEIGHT_LOG: u32 = 8;
 /// Fixed-point unit of the density's weight.
 const DENSITY_ONE: i32 = 1 << 14;
-/// Minimum mass of every cell, of 2^14, in steps.
+/// Mass added to every cell so that none is impossible, in quantization steps: 192 of 2^14.
 const DOUBT: usize = 192 >> MASS_LOG;
 /// Masses are quantized in steps of 2 to this power.
 const MASS_LOG: u32 = 2;
@@ -67,7 +67,7 @@ struct CellWeights {
     seen: u32,
 }
 
-/// What is learned about one axis.
+/// Learned weights of one axis.
 #[derive(Clone, Debug)]
 pub(super) struct CellModel {
     by_size: Vec<CellWeights>,
@@ -122,7 +122,7 @@ impl CellModel {
         actual_cell: usize,
     ) -> usize {
         let trust = i16x8::splat(self.trust[axis.context] as i16);
-        // Scales by the weight of the density, from 1/256 times 1/16384 to scores.
+        // Multiplies the density (in 1/256) by its weight (in 1/16384); the product is in score units.
         let weighted = density.map(|score| (score << (SCORE_LOG - 6)).mul_keep_high(trust));
         let contexts = self.contexts(axis);
         let scores = add_weights(&contexts, weighted);

@@ -3,7 +3,7 @@
 //! The coordinate is searched in an interval around the expected value that is as wide as the ring; each
 //! decision codes whether it lies in the upper or the lower half, until one value is left. Most
 //! coordinates lie in the middle of the interval, so a first decision codes whether this one does, which
-//! saves two decisions afterwards. The inputs of each decision are its probability under every density,
+//! saves two decisions afterward. The inputs of each decision are its probability under every density,
 //! and counters of earlier outcomes at this node of the tree in similar contexts. Two mixers weight the
 //! inputs, and the mean of their outputs is used.
 
@@ -42,7 +42,7 @@ struct Decision {
     bit: bool,
 }
 
-/// What is learned about one axis. The inputs of a mixer are one for each kind of guess and width,
+/// Learned statistics of one axis. The inputs of a mixer are one for each kind of guess and width,
 /// [`COUNTERS`] counters and a constant, in vectors of 8.
 #[derive(Clone, Debug)]
 pub(super) struct AxisModel<const VECTORS: usize> {

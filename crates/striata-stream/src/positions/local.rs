@@ -21,7 +21,7 @@ pub(super) struct LocalRing {
     pub(super) origin: [i32; 3],
     /// Local units are grid units times 2 to this power, which is at least -16.
     pub(super) shift: i32,
-    /// The same scale as a factor, in 1/65536.
+    /// Scale of local units as a factor, in 1/65536.
     pub(super) factor: i64,
     /// Root mean square distance of the ring from its center, in local units: 1024 to 2047.
     pub(super) radius: i32,

@@ -181,7 +181,8 @@ impl<const USED: usize> PositionDensity<USED> {
             axis,
             bumps: &self.bumps,
             widths: widths.map(|width| Width::new(width.max(narrowest))),
-            // Seen from either end, the expected cell is the first one upward.
+            // Plus one if mirrored, so that the expected cell is the first one above the center in either
+            // direction.
             center: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),
             is_last: self.is_last,
             is_mirrored,

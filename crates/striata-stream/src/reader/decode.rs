@@ -149,7 +149,7 @@ impl StreamDecoder {
     }
 
     /// Decodes as much as possible of the last, incomplete chunk, without verifying its checksum. No more
-    /// bytes are accepted afterwards.
+    /// bytes are accepted afterward.
     ///
     /// # Errors
     /// [`DecodeError`] if the stream ends before its base mesh does, or if the remaining bytes are

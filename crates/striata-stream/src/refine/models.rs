@@ -41,7 +41,7 @@ impl Connectivity {
 /// One model for each part of a stream.
 #[derive(Clone, Debug)]
 pub(crate) struct Models {
-    /// Which vertices split, and how.
+    /// Connectivity: which vertices split, and how.
     pub(crate) connectivity: Connectivity,
     /// Grid coordinates of new vertices.
     pub(crate) positions: PositionModel,

@@ -182,8 +182,8 @@ impl Walk {
         }
     }
 
-    /// Returns all vertices that remain to be visited, in order; not available breadth first. Report how
-    /// many of them were visited with [`skip`](Self::skip).
+    /// Returns all vertices that remain to be visited, in order. Do not call this on a breadth-first walk.
+    /// Report how many of them were visited with [`skip`](Self::skip).
     pub(crate) fn rest(&self) -> &[u32] {
         &self.queue[self.head..]
     }

@@ -12,7 +12,7 @@ pub(crate) struct Neighborhood<'a> {
     pub(crate) coords: &'a [[i32; 3]],
     /// Index of the new vertex.
     pub(crate) vertex: u32,
-    /// Corners at the vertex, counter-clockwise: first the one in triangle A, whose next vertex is the
+    /// Corners at the vertex, counterclockwise: first the one in triangle A, whose next vertex is the
     /// one that split, then those of the patch, and last the one in triangle B.
     pub(crate) corners: &'a [u32],
 }

@@ -30,7 +30,7 @@ pub(crate) struct Neighbor {
 }
 
 impl Rings {
-    /// Finds the corners around each vertex, counter-clockwise from [`Surface::corner_of`].
+    /// Finds the corners around each vertex, counterclockwise from [`Surface::corner_of`].
     pub(crate) fn find(&mut self, surface: &Surface, vertices: &[u32]) {
         self.corners.clear();
         self.ends.clear();

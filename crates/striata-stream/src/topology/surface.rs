@@ -29,7 +29,7 @@ struct Corner {
 pub(crate) struct Cut {
     /// Corner of the first of these triangles at the vertex that splits.
     pub(crate) first: u32,
-    /// Number of triangles, counter-clockwise.
+    /// Number of triangles, counterclockwise.
     pub(crate) length: u32,
 }
 
@@ -44,7 +44,7 @@ pub(crate) struct Undo {
     pub(crate) removed_corners: [u32; 2],
 }
 
-/// Returns the next corner of the triangle, counter-clockwise.
+/// Returns the next corner of the triangle, counterclockwise.
 #[inline]
 pub(crate) fn next(corner: u32) -> u32 {
     if corner & 3 == 2 { corner - 2 } else { corner + 1 }
@@ -201,13 +201,13 @@ impl Surface {
         self.corner_of[vertex as usize]
     }
 
-    /// Returns the corner at the same vertex in the next triangle counter-clockwise.
+    /// Returns the corner at the same vertex in the next triangle counterclockwise.
     #[inline]
     pub(crate) fn swing(&self, corner: u32) -> u32 {
         next(self.opposite(next(corner)))
     }
 
-    /// Iterates over the corners at a vertex, counter-clockwise from [`Self::corner_of`].
+    /// Iterates over the corners at a vertex, counterclockwise from [`Self::corner_of`].
     pub(crate) fn ring(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         let first = self.corner_of[vertex as usize];
         let mut corner = first;

@@ -2,7 +2,7 @@
 //!
 //! The triangles of the patch referred to vertices of the position that splits. The new position has one
 //! vertex (wedge) for each run of them, and more if a seam begins. A wedge has only one target, so
-//! corners that referred to different vertices also do so afterwards. The two new triangles almost always
+//! corners that referred to different vertices also do so afterward. The two new triangles almost always
 //! continue the wedges and the group next to them. Everything is coded as a flag for whether an expected
 //! guess is right, which costs almost nothing away from seams.
 

@@ -26,7 +26,7 @@ pub enum BatchDefect {
     Step {
         /// Index of the step, coarse to fine.
         step: usize,
-        /// What is wrong with it.
+        /// The defect of the step.
         defect: StepDefect,
     },
     /// Below this level, a triangle would have two corners at one position.

@@ -30,8 +30,8 @@ impl GeneralOrder {
         let count = stage.steps.len();
         let mut order =
             Self { followers: vec![Vec::new(); count], waits_for: vec![0; count], ..Self::default() };
-        // A triangle goes through its steps in order, and a step needs the positions of the triangles it
-        // adds.
+        // The steps that change a triangle keep their order, and a step follows those that create the
+        // positions of its new triangles.
         let mut last_at = vec![NONE; triangle_count];
         let mut before = Vec::new();
         for step in 0..count as u32 {

@@ -108,8 +108,8 @@ mod tests {
         let refinable = built.refinable;
         let sequence = &refinable.sequence;
         let base = sequence.base_vertex_count();
-        // Swaps neighboring steps if neither is the other's target: some batches of two, and single
-        // steps.
+        // Swaps consecutive steps whose vertices share no triangle. The result has some batches of two
+        // steps and some of one.
         let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
         let mut swapped = Vec::new();
         let mut vertex = base;

@@ -87,9 +87,9 @@ pub(crate) struct ReferenceMesh<'a> {
     base_triangles: Vec<u32>,
     /// The reader's index of each position.
     index_of_position: Vec<u32>,
-    /// The stream's vertex for each vertex of the mesh, as far as they are named.
+    /// The stream's vertex for each vertex of the mesh, if it already has one.
     vertex_of: Vec<u32>,
-    /// The mesh's vertex for each vertex of the stream, as far as they are named.
+    /// The mesh's vertex for each vertex of the stream so far.
     pub(crate) source_vertex: Vec<u32>,
     /// Positions of the base, in stream order.
     pub(crate) base_positions: Vec<u32>,

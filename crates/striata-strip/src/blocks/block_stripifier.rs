@@ -12,7 +12,7 @@ use super::window::Window;
 
 /// A strip with more triangles than this per open side is not taken apart again.
 const LOOSE_TRIANGLES: usize = 8;
-/// Fewest triangles of a chain that others may continue: shorter strips are taken apart.
+/// Minimum number of triangles of a chain that other strips may continue; shorter ones are taken apart.
 const MIN_CHAIN_TRIANGLES: usize = 8;
 /// Strips with this many triangles are written: continuing them would save a negligible part of their
 /// indices.

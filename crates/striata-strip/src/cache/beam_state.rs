@@ -6,9 +6,9 @@
 //! are compared when they have drawn equally many triangles, by what they have paid and what they will
 //! probably pay:
 //!
-//! * An **open** vertex (one with undrawn triangles) is the likelier to be lost the longer it has been in
-//!   the cache.
-//! * An undrawn triangle is the likelier to end a strip the fewer undrawn neighbors it has. This price
+//! * The longer an **open** vertex (one with undrawn triangles) has been in the cache, the more likely it is
+//!   to be lost.
+//! * The fewer undrawn neighbors an undrawn triangle has, the more likely it is to end a strip. This price
 //!   (`isolation`) grows with every link between drawn and undrawn triangles, so states with short borders
 //!   win, which keeps the rows of strips compact.
 

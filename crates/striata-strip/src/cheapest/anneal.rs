@@ -72,7 +72,7 @@ impl<'s> Annealer<'s> {
         }
     }
 
-    /// Returns the highest cost that is accepted for a random number.
+    /// Draws the highest cost increase to accept, from a uniform random number.
     #[inline]
     fn allowance(&self, random: u32) -> i32 {
         self.chances.iter().skip(1).take_while(|&&chance| random < chance).count() as i32

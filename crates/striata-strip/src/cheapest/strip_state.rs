@@ -18,7 +18,7 @@ const UNMATCHED_END: i32 = 1;
 /// Side of a triangle as `4 * triangle + k`: shifts are cheaper than divisions by three.
 type Side = u32;
 
-/// Next and previous side of each side within a triangle.
+/// The side after and the side before each side of a triangle.
 const NEXT: [u32; 3] = [1, 2, 0];
 const PREV: [u32; 3] = [2, 0, 1];
 

@@ -7,9 +7,9 @@
 //! answer which strip a triangle is in. In each component the walk stops at a number that provably cannot
 //! be beaten (`bound`).
 //!
-//! Our own, based on the step of \[PS03\]; within one strip the step is Pósa's rotation of Hamiltonian
-//! paths. A step costs about a microsecond; with `s` strips left, some `n / s` steps are needed per join.
-//! 60 bytes per triangle.
+//! The algorithm is our own, based on the step of \[PS03\]; within one strip the step is Pósa's rotation of
+//! Hamiltonian paths. A step costs about a microsecond; with `s` strips left, some `n / s` steps are needed
+//! per join. Memory is 60 bytes per triangle.
 
 mod bound;
 mod path_forest;
@@ -203,7 +203,8 @@ impl<'a, 'g> RandomWalk<'a, 'g> {
         Some(left)
     }
 
-    /// Chooses a link to cross: to the end of another strip if possible, otherwise at random, but not back.
+    /// Chooses a link to cross: one to the end of another strip if possible, otherwise a random one, but
+    /// the link that was just cut only if there is no other.
     fn choose(&mut self, end: u32) -> Option<u32> {
         let mut side = 3 * end + self.random.below(3);
         let mut chosen = None;

@@ -220,7 +220,7 @@ mod tests {
                 let tail = lists.0[s].split_off(i.max(j));
                 lists.0.push(tail);
             } else if s == r {
-                // The neighbor of `b` towards `a`.
+                // The neighbor of `b` toward `a`.
                 let side = forest.side_of(a, b).unwrap();
                 let expected = lists.0[s][if i < j { j - 1 } else { j + 1 }];
                 assert_eq!(forest.neighbor(b, side), Some(expected));

@@ -1,6 +1,6 @@
 //! Options of strip repair, and its report.
 
-/// What repair minimizes.
+/// Quantity that repair minimizes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RepairGoal {
@@ -71,9 +71,9 @@ impl RepairOptions {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct RepairReport {
-    /// Number of steps towards the base mesh.
+    /// Number of steps toward the base mesh.
     pub collapse_count: usize,
-    /// Number of steps towards the full mesh.
+    /// Number of steps toward the full mesh.
     pub split_count: usize,
     /// Number of solid links that steps and repair cut.
     pub cut_count: usize,

@@ -9,7 +9,7 @@ use super::scratch::Scratch;
 use super::tunnel_search::{TunnelChange, TunnelSearch, swap_at};
 
 impl LiveStrips<'_> {
-    /// Takes one step towards the base mesh, to the level at the current split count.
+    /// Takes one step toward the base mesh, to the level at the current split count.
     pub(super) fn coarsen(&mut self, report: &mut RepairReport) {
         self.scratch.touched.clear();
         for vertex in self.sequence.step_vertices(self.split_count()).rev() {
@@ -19,7 +19,7 @@ impl LiveStrips<'_> {
         self.repair(report);
     }
 
-    /// Takes one step towards the full mesh, from the level at the current split count.
+    /// Takes one step toward the full mesh, from the level at the current split count.
     pub(super) fn refine(&mut self, report: &mut RepairReport) {
         self.scratch.touched.clear();
         for vertex in self.sequence.step_vertices(self.split_count()) {

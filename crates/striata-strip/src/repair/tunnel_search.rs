@@ -124,8 +124,8 @@ impl TunnelSearch {
 
     /// Extends the cheapest chain repeatedly, and leaves the links as the best chain has them.
     ///
-    /// If none is cheaper than the original strips, the first one of equal cost is applied, because ends
-    /// that move around meet others.
+    /// If none is cheaper than the original strips, the first one of equal cost is applied: strip ends that
+    /// keep moving eventually meet others.
     fn search(&mut self, links: &mut StripLinks<'_>, cut: u32, end: u32, cost: i32) -> Option<TunnelChange> {
         self.chains.clear();
         self.applied.clear();

@@ -1,4 +1,4 @@
-//! Stripification by tunnelling \[PS03\]: `tunnel`, and its predecessor `tunnel-static` \[Ste01\].
+//! Stripification by tunneling \[PS03\]: `tunnel`, and its predecessor `tunnel-static` \[Ste01\].
 //!
 //! Two strips become one along a tunnel: a path between their ends on which dashed and solid links
 //! alternate. Swapping dashed and solid on the path joins the strips. Ends are tried in random order, each

@@ -185,7 +185,7 @@ impl Trace {
     }
 }
 
-/// What a run ends at.
+/// Element at the far end of a run.
 #[derive(Clone, Copy, Debug)]
 enum RunEnd {
     /// The triangle that step `i` took.

@@ -11,7 +11,7 @@ use striata::model::LodModel;
 use super::oracle::follows_levels;
 use super::{Random, grid, random_removals};
 
-/// Checks a model of fragments like [`follows_the_oracle`](super::follows_the_oracle) checks a model of
+/// Checks a model of fragments, as [`follows_the_oracle`](super::follows_the_oracle) checks a model of
 /// collapses.
 pub fn follows_the_fragments<M>(mesh: &FragmentedMesh, model: &M, stride: usize)
 where

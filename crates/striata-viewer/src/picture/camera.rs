@@ -15,7 +15,7 @@ pub struct Camera {
     pub fov: f32,
 }
 
-/// Unit vectors of the screen in world space: right, up, and towards the eye.
+/// Unit vectors of the screen in world space: right, up, and toward the eye.
 pub(super) type Axes = [[f64; 3]; 3];
 
 /// Viewing direction as angles in radians.
@@ -134,7 +134,7 @@ fn fit_eye(points: &[[f32; 3]], axes: &Axes, fov: f64, aspect: f64) -> EyePositi
     EyePosition { position, distance: depth - (near + far) / 2.0 }
 }
 
-/// Front direction of an upright mesh: towards the viewer, perpendicular to up.
+/// Front direction of an upright mesh: toward the viewer, perpendicular to up.
 fn front_of(up: [f64; 3]) -> [f64; 3] {
     // With z up, as in surveying and printing, the front faces -y.
     let preferred = if up[2].abs() > 0.8 { [0.0, -1.0, 0.0] } else { [0.0, 0.0, 1.0] };

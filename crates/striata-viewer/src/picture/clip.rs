@@ -4,7 +4,7 @@ use super::camera::Camera;
 
 type Vec3 = [f32; 3];
 
-/// A triangle corner with its interpolated attributes, in camera space: x right, y up, z towards the eye.
+/// A triangle corner with its interpolated attributes, in camera space: x right, y up, z toward the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corner {
     pub(super) position: Vec3,

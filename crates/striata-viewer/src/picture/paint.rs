@@ -94,7 +94,7 @@ fn distinct_numbers(neighbors: &[Vec<u32>], count: usize) -> Vec<usize> {
                 *uses += 1;
             }
         }
-        // The starting number is scattered, so that all colors are used.
+        // Starting at a pseudo-random number makes sure that all colors are used.
         let first = (node.wrapping_mul(2_654_435_769) >> 16) as usize;
         let in_turn = (0..count).map(|i| (first + i) % count);
         numbers[node as usize] = in_turn.min_by_key(|&number| used[number]).unwrap_or(0);

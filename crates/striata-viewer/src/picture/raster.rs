@@ -172,7 +172,7 @@ impl View {
         }
     }
 
-    /// Transforms a direction to camera space: right, up, towards the eye.
+    /// Transforms a direction to camera space: right, up, toward the eye.
     fn direction_to_camera_space(&self, n: Vec3) -> Vec3 {
         self.axes.map(|axis| dot(axis, to_f64(n)) as f32)
     }
@@ -274,7 +274,7 @@ fn smooth_step(x: f32) -> f32 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// Normal of a triangle, flipped towards the eye.
+/// Normal of a triangle, flipped toward the eye.
 fn facing(corners: &[Corner; 3]) -> Vec3 {
     let [a, b, c] = corners.map(|corner| to_f64(corner.position));
     let normal = unit(cross(sub(b, a), sub(c, a)));

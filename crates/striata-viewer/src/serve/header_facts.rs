@@ -79,7 +79,7 @@ fn of_off(bytes: &[u8]) -> Option<HeaderFacts> {
     let text = String::from_utf8_lossy(bytes);
     let lines = text.lines().map(|line| line.split('#').next().unwrap_or_default());
     let mut words = lines.flat_map(str::split_whitespace);
-    // The keyword names binary files and other dimensions.
+    // The keyword also marks binary files and dimensions other than three, which are not supported here.
     let keyword = words.next().filter(|word| word.ends_with("OFF") && !word.contains(['4', 'n']))?;
     debug_assert!(!keyword.is_empty());
     Some(HeaderFacts { vertex_count: words.next()?.parse().ok(), ..HeaderFacts::default() })

@@ -1,4 +1,4 @@
-//! Which files are served, and their MIME types.
+//! Kinds of files that are served, and their MIME types.
 
 use std::path::Path;
 

@@ -51,7 +51,7 @@ pub(super) struct List {
 struct Document<'a> {
     name: String,
     models: Vec<Model<'a>>,
-    /// Whether models are missing from the list.
+    /// Whether the list was truncated.
     is_cut: bool,
 }
 
@@ -104,7 +104,7 @@ impl Listing {
     }
 }
 
-/// Builds the list, and the headers of all files in it.
+/// Builds the list and returns it with what the header of each file says.
 fn build_list(
     folder: &Folder,
     mut known: BTreeMap<String, (Stamp, HeaderFacts)>,

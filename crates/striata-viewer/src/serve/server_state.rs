@@ -9,7 +9,7 @@ use super::folder::Folder;
 use super::listing::Listing;
 use super::thumbnails::Thumbnails;
 
-/// State that request handlers access, each its own part.
+/// State of the server; each request handler accesses the part that it needs.
 #[derive(Clone, Debug)]
 pub(super) struct ServerState {
     pub(super) folder: Arc<Folder>,

@@ -20,7 +20,7 @@ use striata_command::sequence::{SequencePlan, Steps};
 /// Callback that wakes the window.
 pub(super) type Waker = Arc<dyn Fn() + Send + Sync>;
 
-/// What a background job does.
+/// A background job.
 #[derive(Clone, Debug)]
 pub(super) enum Task {
     /// Opens a file and builds the model to show first.

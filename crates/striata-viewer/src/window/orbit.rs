@@ -12,7 +12,7 @@ const MAX_RISE: f32 = 1.553_343;
 /// Turn and rise of the initial view.
 const INITIAL_ANGLES: [f32; 2] = [0.55, 0.3];
 
-/// Which axis of the model is up.
+/// Up axis of the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Up {
     /// Used by glTF.

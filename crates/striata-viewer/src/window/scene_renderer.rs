@@ -129,7 +129,7 @@ impl SceneRenderer {
                 resources.inspection = Some(inspection);
                 self.uploaded_bytes += 16 * triangles.len() as u64;
             }
-            // Individual triangles are drawn at rest; motions are uploaded again afterwards.
+            // Individual triangles are drawn at rest; motions are uploaded again afterward.
             (resources.inspection_mode, resources.morph) = (inspection_mode, None);
             resources.fans.iter_mut().for_each(|fans| fans.is_drawn = false);
             return Ok(());

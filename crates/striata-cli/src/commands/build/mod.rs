@@ -156,10 +156,10 @@ fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failu
     }
 }
 
-/// Checks that the output name is not that of another format.
+/// Checks that the extension of the output does not belong to another format.
 ///
 /// # Errors
-/// If it is.
+/// If it does, or if it is the extension of a compressed file.
 fn check_output_name(path: &Path) -> Result<(), Failure> {
     check_not_compressed(path, ".striata files")?;
     match striata_io::Format::from_extension(path) {

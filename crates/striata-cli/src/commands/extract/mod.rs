@@ -121,7 +121,7 @@ fn seconds(started: Instant) -> f64 {
 /// Checks that the output format supports the requested primitives.
 ///
 /// # Errors
-/// If it does not.
+/// If the format of an output does not support the form.
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
     for path in check_paths(&args.level, &args.levels, &args.output.output)? {
         let format = format_of(&path, &args.output.format)?;

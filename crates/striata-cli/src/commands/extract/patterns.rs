@@ -20,7 +20,7 @@ use striata_command::input::Input;
 pub(crate) struct FilePatterns {
     patterns: Patterns,
     mesh: IndexedMesh,
-    /// Whether the patterns were stored in the file, and not built from its collapses.
+    /// Whether the patterns were stored in the file, rather than built from its collapses.
     pub(crate) are_stored: bool,
 }
 

@@ -47,12 +47,12 @@ pub(in crate::commands) fn full_mesh(
     })
 }
 
-/// Why a level of a stream is neither finer nor coarser.
+/// Reason why extraction stopped at this level of a stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::commands) enum StreamStopReason {
     /// The stream ends before the target.
     InputEnded,
-    /// Any other reason, as for levels of a file.
+    /// A reason that also applies to models in a file.
     Level(StopReason),
 }
 

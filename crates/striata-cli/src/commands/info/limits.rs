@@ -1,4 +1,4 @@
-//! What limits simplification of a mesh, and at what cost: seams, connected parts, and non-manifold edges.
+//! Limits on simplifying a mesh, and their cost: seams, connected parts, and non-manifold edges.
 
 use super::part_statistics::PartStatistics;
 use super::seam_statistics::{SeamCause, SeamStatistics};

@@ -6,7 +6,7 @@
 
 use striata::mesh::{Adjacency, Semantic, Welded};
 
-/// What the wedges of a position differ in.
+/// Difference between the wedges of a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub(crate) enum SeamCause {

@@ -58,7 +58,7 @@ struct HeatReport {
     top_of_diagonal: f64,
 }
 
-/// What drew the picture, and the times that it took.
+/// The renderer that drew the picture, and the times that it took.
 pub(super) struct Drawing<'a> {
     pub(super) artist: &'a PictureRenderer,
     pub(super) frame_secs: f64,

@@ -110,8 +110,8 @@ struct Builder<'a> {
     anchored_at: Vec<u32>,
     /// Whether the fragment that creates this triangle is the first in the fragment's loop.
     has_leader: Vec<bool>,
-    /// Pairs of a covering and a covered fragment. The latter creates a triangle with the anchors of
-    /// the former that is not the intended one.
+    /// Pairs of a covering fragment and a fragment that it covers, where the covered one creates a triangle
+    /// that contains both anchors of the covering one but is not the triangle at which it is located.
     rivals: Vec<[u32; 2]>,
     /// Fragments without a floor, by the triangle that they are attached to.
     attached: HashMap<u32, Vec<u32>>,

@@ -34,7 +34,7 @@ pub(super) struct Link {
 }
 
 impl Link {
-    /// Which of its fragment's loops continues this one.
+    /// Returns the index of the loop that continues this one, among the loops of its fragment.
     pub(super) fn loop_index(self) -> usize {
         self.loop_index as usize
     }

@@ -12,8 +12,9 @@ impl LoopPatterns {
     /// Moves to the smallest closed set of fragments in which no overlap is too coarse, from any current
     /// set.
     ///
-    /// That set is unique for any condition, even one that considers a fine overlap too coarse but not the
-    /// one below it. In that case the two steps of the paper may stop above the smallest set.
+    /// That set is unique for any condition, even if the condition calls a fine overlap too coarse but
+    /// accepts the coarser one below it. With such a condition, the paper's two operations may stop at a
+    /// larger set.
     ///
     /// # Panics
     /// If the state belongs to another model.

@@ -78,8 +78,8 @@ impl LoopPatternsState {
             let (on, _) = side.expect("the triangle a fragment is attached to exists before it");
             self.region.attach([a, b], on);
         } else {
-            // Two triangles may have the anchors. The right one was created by the first fragment of the
-            // loop, unless it is in the base.
+            // Two triangles may contain both anchors. The correct one was created by the first fragment of
+            // the loop, or else is in the base.
             let is_made_by = |maker: Option<u32>| {
                 move |(slot, _): Side| model.maker(&surface.corners()[slot as usize]) == maker
             };

@@ -200,7 +200,7 @@ impl ViewDependentState {
         self.highest = self.highest.max(step as usize + 1);
     }
 
-    /// Collapses a step for which this is possible.
+    /// Collapses a step that can be collapsed in this state.
     pub(super) fn collapse(&mut self, model: &ViewDependentMeshes, step: u32) {
         let split = &model.splits[step as usize];
         let (kept, restored) = (split.target, model.restored(step));

@@ -1,4 +1,4 @@
-//! All ways of drawing a level that are timed.
+//! The ways of drawing a level that are timed.
 
 mod fans;
 mod resident;

@@ -16,7 +16,7 @@ const LIMITS: [f64; 7] = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
 /// is left.
 ///
 /// # Errors
-/// The error of `simplify`, or that no limit leaves a triangle.
+/// If `simplify` fails, or no limit leaves a triangle.
 pub(super) fn with_smallest_limit(
     request: &Request,
     simplify: impl Fn(f64) -> Result<Option<Level>, String>,

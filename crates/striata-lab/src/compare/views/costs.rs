@@ -35,7 +35,7 @@ pub(super) struct CostRow {
 pub(super) struct Cost {
     /// Name of the follower.
     pub(super) name: &'static str,
-    /// Number of triangles shown afterwards.
+    /// Number of triangles shown afterward.
     pub(super) triangles: usize,
     /// Time to evaluate the criterion and apply changes.
     pub(super) follow_ms: f64,

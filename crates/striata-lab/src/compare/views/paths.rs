@@ -1,4 +1,4 @@
-//! Camera paths around, towards and through a mesh, with identical cameras on every machine.
+//! Camera paths around, toward and through a mesh, with identical cameras on every machine.
 //!
 //! All lengths are in diagonals of the mesh's bounds, so a path shows meshes of all sizes in the same way.
 //! Sines and cosines are derived from a tangent computed as a continued fraction, which rounds the same on
@@ -150,7 +150,7 @@ impl MeshExtent {
 pub(super) struct Frame {
     eye: [f32; 3],
     target: [f32; 3],
-    /// Directions to the right, upwards and into the picture.
+    /// Directions to the right, upward and into the picture.
     axes: [[f64; 3]; 3],
 }
 

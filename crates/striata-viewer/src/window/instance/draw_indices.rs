@@ -7,7 +7,7 @@ use striata::strip::RESTART;
 
 use crate::window::subject::Subject;
 
-/// Which indices must be uploaded.
+/// Indices that must be uploaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::window) enum Changes {
     /// Nothing has changed.

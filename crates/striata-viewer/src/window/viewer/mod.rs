@@ -43,7 +43,7 @@ struct PictureInputs {
     inspection_mode: InspectionMode,
 }
 
-/// What a frame did.
+/// Summary of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Frame {
     /// Whether the picture was redrawn.
