@@ -10,12 +10,12 @@
 //! use striata::mesh::shapes;
 //! use striata::model::{LodModel, Mts};
 //! use striata::simplify::build_sequence;
-//! use striata::strip::{StripOptions, stripify};
+//! use striata::strip::stripify;
 //! use striata_lab::{Accounting, MtsGraph, PaperBytes};
 //!
 //! let torus = shapes::torus(32, 16, 1.0, 0.4);
 //! let refinable = build_sequence(&torus, &Default::default())?.refinable;
-//! let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+//! let strips = stripify(&refinable.mesh)?;
 //! let (ours, published) = (Mts::build(&refinable, &strips)?, MtsGraph::build(&refinable, &strips)?);
 //! assert_eq!(ours.step_count(), published.step_count());
 //! assert!(ours.paper_bytes(Accounting::Words) < published.paper_bytes(Accounting::Words));

@@ -50,7 +50,7 @@
 //! pays for one flag in the header.
 //!
 //! **Versions.** The current version is 2. Streams of version 1, which has no general batches, are read and
-//! written bit for bit (`tests/kept_streams`).
+//! written bit for bit (`tests/stored_streams`).
 //!
 //! **Damage.** Every chunk has a checksum. A truncated last chunk has none to compare, so every step must be
 //! valid whatever the bits are: a split of any closed surface gives a closed surface. Work is bounded by

@@ -187,12 +187,12 @@ fn rejects_streams_of_other_meshes() {
     };
     assert_eq!(
         refused(&other.stream.bytes).to_string(),
-        "the progressive model has 264 vertices, the mesh has 288"
+        "the progressive model has 264 vertices, but the mesh has 288"
     );
     let whole = encoded.stream.bytes.len();
     assert_eq!(
         refused(&encoded.stream.bytes[..whole - 1]).to_string(),
-        format!("the progressive model has {} bytes, the mesh has {whole}", whole - 1)
+        format!("the progressive model has {} bytes, but the mesh has {whole}", whole - 1)
     );
     assert!(refused(&encoded.stream.bytes[..100]).to_string().contains("bytes"));
     assert!(refused(b"no stream").to_string().contains("bytes"));
