@@ -14,7 +14,7 @@ type Stripify = fn(&IndexedMesh) -> Result<TimedStrips, Failure>;
 pub(super) const PEERS: [(&str, Stripify); 1] = [("meshoptimizer", meshoptimizer)];
 
 /// Stripifies with meshoptimizer, after reordering the triangles as it recommends; the time includes both.
-fn meshoptimizer(mesh: &IndexedMesh) -> Result<Stripped, Failure> {
+fn meshoptimizer(mesh: &IndexedMesh) -> Result<TimedStrips, Failure> {
     by_group(mesh, |indices, vertex_count| {
         let ordered = meshopt::optimize_vertex_cache_strip(indices, vertex_count);
         meshopt::stripify(&ordered, vertex_count, RESTART)
