@@ -1,6 +1,8 @@
 //! Adjacency, dual graph, statistics, validation and distance on every problematic mesh and on random
 //! soups.
 
+use striata_testing::meshes;
+
 use std::collections::BTreeMap;
 
 use proptest::prelude::*;
@@ -119,9 +121,21 @@ fn check_weld_keeps_topology(name: &str, mesh: &IndexedMesh, statistics: &Statis
 
 #[test]
 fn nasty_meshes_are_described() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         check_everything(name, &mesh);
     }
+}
+
+#[test]
+fn component_count_agrees_with_statistics() {
+    let mut compared = 0;
+    for (name, mesh) in meshes::nasty() {
+        // An error may contain a NaN, which is not equal to itself, so compare only successes.
+        let whole = Statistics::of(&mesh).ok().map(|statistics| statistics.component_count);
+        assert_eq!(mesh.component_count().ok(), whole, "{name}");
+        compared += usize::from(whole.is_some_and(|count| count > 1));
+    }
+    assert!(compared > 0, "no mesh of several pieces was among them");
 }
 
 #[test]
@@ -140,7 +154,7 @@ fn euler_characteristics_of_known_surfaces() {
 
 #[test]
 fn each_defect_is_reported_on_its_own_line() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         let report = validate(&mesh);
         let lines = report.to_string();
         assert!(lines.lines().count() >= report.defects().len(), "{name}");
@@ -168,7 +182,7 @@ mod distance {
 
     #[test]
     fn a_mesh_is_no_distance_from_itself() {
-        for (name, mesh) in shapes::nasty() {
+        for (name, mesh) in meshes::nasty() {
             let options = DistanceOptions::default().with_sample_count(2_000);
             match surface_distance(&mesh, &mesh, &options) {
                 Ok(d) => {

@@ -9,7 +9,7 @@ use striata::mesh::{Adjacency, IndexedMesh, Levels, shapes, weld};
 use striata::simplify::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 use striata::{Cancelled, ProgressFn, ignore_progress};
 
-use crate::meshes::{NamedMesh, all, check_each_variant, closed, open};
+use crate::meshes::{NamedMesh, all, check_each_variant, closed, nasty, open};
 use crate::support::Topology;
 
 /// Result of a simplifier.
@@ -252,7 +252,7 @@ pub fn rejects<S: Simplifier>(mesh: &IndexedMesh, cases: &[(&str, S)]) {
 
 pub fn invalid_meshes_are_rejected_with_the_location<S: Simplifier>() {
     let mut count = 0;
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in nasty() {
         let Err(expected) = mesh.check() else { continue };
         let (_, options) = S::variants().swap_remove(0);
         let error = options.run(&mesh, &mut ignore_progress).map(|_| ()).unwrap_err();
