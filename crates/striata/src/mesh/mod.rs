@@ -16,7 +16,6 @@ mod dual_graph;
 mod fragments;
 mod indexed_mesh;
 mod levels;
-pub mod octahedral;
 mod positions;
 mod random;
 mod replay;
