@@ -1,5 +1,4 @@
-//! Adjacency, dual graph, statistics, validation and distance on every problematic mesh and on random
-//! soups.
+//! Adjacency, dual graph, statistics, validation and distance on every problematic mesh and on random soups.
 
 use striata_testing::meshes;
 
@@ -10,8 +9,7 @@ use striata::mesh::{
     Adjacency, DefectKind, DualGraph, Edge, IndexedMesh, Statistics, shapes, validate, weld,
 };
 
-/// Finds edges by brute force: every side of every triangle with three different corners, by its end
-/// points.
+/// Finds edges by brute force: every side of every triangle with three different corners, by its end points.
 fn sides_by_ends(mesh: &IndexedMesh) -> BTreeMap<[u32; 2], [Vec<u32>; 2]> {
     let mut sides: BTreeMap<[u32; 2], [Vec<u32>; 2]> = BTreeMap::new();
     for (t, &[a, b, c]) in mesh.triangles.iter().enumerate() {

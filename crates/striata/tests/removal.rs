@@ -254,9 +254,8 @@ fn limits_hold_for_the_whole_surface() {
 
 #[test]
 fn limits_leave_little_to_remove() {
-    // Lower bound on the triangle count of a unit sphere approximated within 0.02: a cap of that height
-    // has a radius of sqrt(2 * 0.02), and an equilateral triangle in it covers 3 sqrt(3) / 4 of its
-    // square.
+    // Lower bound on the triangle count of a unit sphere approximated within 0.02: a cap of that height has a
+    // radius of sqrt(2 * 0.02), and an equilateral triangle in it covers 3 sqrt(3) / 4 of its square.
     let needed = 4.0 * std::f64::consts::PI / (1.299 * 0.04);
     let sphere = shapes::icosphere(4, 1.0);
     let built = build(&sphere, &RemovalOptions::default().with_max_error(0.02));

@@ -70,8 +70,7 @@ fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
     build_sequence(mesh, options).expect("valid meshes can be simplified")
 }
 
-/// Triangles as positions, smallest corner first, sorted; those with two corners at one position are
-/// dropped.
+/// Triangles as positions, smallest corner first, sorted; those with two corners at one position are dropped.
 fn triangles_in_space(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
     let mut out: Vec<[[u32; 3]; 3]> = mesh
         .triangles
