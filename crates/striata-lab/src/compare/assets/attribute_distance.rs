@@ -13,7 +13,6 @@
 //! are the same for any number of threads and on every machine.
 
 use glam::DVec3;
-
 use striata::mesh::{
     AttributeLayer, DistanceError, DistanceOptions, IndexedMesh, Semantic, SurfaceSample, SurfaceSamples,
     TriangleTree,
