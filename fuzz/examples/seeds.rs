@@ -5,13 +5,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
-use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
+use striata::mesh::{FragmentedMesh, IndexedMesh};
 use striata::model::{Fans, LodStrips, Mts, Patterns};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::strip::stripify;
 use striata_io::Format;
 use striata_lab::baseline::SequentialPatterns;
 use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_stream, file_model};
+use striata_testing::meshes;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
@@ -19,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let path = corpus.join(target);
         fs::create_dir_all(&path).map(|()| path)
     };
-    let meshes: Vec<(&str, IndexedMesh)> = shapes::nasty()
+    let meshes: Vec<(&str, IndexedMesh)> = meshes::nasty()
         .into_iter()
         .filter(|(_, mesh)| mesh.check().is_ok() && mesh.triangle_count() < 100)
         .collect();

@@ -109,6 +109,7 @@ impl<'m> FanCover<'m> {
 #[cfg(test)]
 mod tests {
     use striata::mesh::{TriangleGroup, canonical_triangles, shapes};
+    use striata_testing::meshes;
 
     use super::*;
 
@@ -121,7 +122,7 @@ mod tests {
 
     #[test]
     fn fans_cover_each_triangle_once() {
-        for (name, mesh) in shapes::nasty() {
+        for (name, mesh) in meshes::nasty() {
             if mesh.check().is_err() {
                 continue;
             }

@@ -16,6 +16,7 @@ use striata_gpu::{
     Canvas, Drawing, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuIndices, GpuVertices, Look, Painter,
     Viewpoint,
 };
+use striata_testing::meshes;
 use support::{differing_pixels, drawn_pixels, gpu};
 
 /// Table on the CPU and the GPU, and one instance that is rewritten again and again.
@@ -86,7 +87,7 @@ fn degenerate_meshes_are_extracted_exactly() {
     let gpu = gpu();
     let extractor = FanExtractor::new(&gpu);
     let mut mesh_count = 0;
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         let Some(refinable) = refinable(&mesh) else { continue };
         let mut test = ExtractionTest::new(&gpu, &extractor, &refinable);
         test.check_levels(6, name);

@@ -8,6 +8,7 @@ use striata::model::{LodModel, LodStrips};
 use striata::simplify::build_sequence;
 use striata::strip::stripify;
 use striata_gpu::{Drawing, Gpu, GpuLodStrips};
+use striata_testing::meshes;
 use support::gpu;
 
 fn refinable(mesh: &IndexedMesh) -> Option<RefinableMesh> {
@@ -64,7 +65,7 @@ fn random_levels(step_count: usize, seed: u64) -> impl Iterator<Item = usize> {
 fn any_sequence_of_moves_leaves_equal_indices_on_cpu_and_gpu() {
     let gpu = gpu();
     let mut mesh_count = 0;
-    for (_, mesh) in shapes::nasty() {
+    for (_, mesh) in meshes::nasty() {
         let Some(refinable) = refinable(&mesh) else { continue };
         mesh_count += 1;
         let step_count = refinable.sequence.step_count();

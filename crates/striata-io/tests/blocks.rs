@@ -7,6 +7,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles, 
 use striata::strip::{restart_triangles_into, strip_triangles};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteOptions, read, to_bytes};
 use striata_strip::{Block, BlockOptions, BlockSource, BlocksReport, MeshBlocks, stripify_blocks};
+use striata_testing::meshes;
 
 /// A folder with one file in it, and a folder for temporary files.
 struct TestFolder {
@@ -137,7 +138,7 @@ fn strips_written_in_blocks_keep_the_mesh_and_its_layers() {
 
 #[test]
 fn unusual_meshes_are_kept() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         if mesh.check().is_err() || !mesh.layers.is_empty() {
             continue;
         }

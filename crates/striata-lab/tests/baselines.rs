@@ -1,11 +1,11 @@
 //! Progressive meshes, ordered meshes and discrete levels against the oracle.
 
-use striata_testing::support;
+use striata_testing::{meshes, support};
 
 use proptest::prelude::*;
 use striata::mesh::{
     CollapseSequence, IndexedMesh, MeshError, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
-    canonical_triangles, replay, shapes,
+    canonical_triangles, replay,
 };
 use striata::model::{LodModel, PartBytes};
 use striata::strip::{restart_triangles_into, stripify};
@@ -40,7 +40,7 @@ fn nasty_meshes_follow_the_oracle_at_every_level() {
 
 #[test]
 fn nasty_shapes_follow_the_oracle_at_every_level() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         // Meshes that fail their own check cannot be welded, so they have no sequence.
         if mesh.check().is_err() || mesh.triangle_count() > 1000 {
             continue;

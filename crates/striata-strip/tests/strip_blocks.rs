@@ -1,7 +1,7 @@
 //! Strips made block by block: they cover the mesh at nearly the cost of strips for the whole mesh, in
 //! bounded memory.
 
-use striata_testing::support;
+use striata_testing::{meshes, support};
 
 use std::convert::Infallible;
 
@@ -60,7 +60,7 @@ fn check(name: &str, mesh: &IndexedMesh, block_triangles: usize, options: &Block
 #[test]
 fn every_triangle_is_in_exactly_one_strip() {
     let options = BlockOptions::default();
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         if mesh.check().is_err() {
             assert!(MeshBlocks::new(&mesh, 10).is_err(), "{name}");
             continue;
@@ -77,7 +77,7 @@ fn any_stripifier_works_in_blocks() {
         let stripifier = name.replace("[:MAX]", ":5").replace(":MAX", ":5").parse().unwrap();
         let strip = StripOptions::default().with_stripifier(stripifier).with_effort(0.2);
         let options = BlockOptions::default().with_strip(strip);
-        for (name, mesh) in shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok()) {
+        for (name, mesh) in meshes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok()) {
             check(name, &mesh, 20, &options);
         }
         let mesh = with_seams_and_groups(shapes::terrain(40, 8));

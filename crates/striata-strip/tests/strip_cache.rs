@@ -1,6 +1,6 @@
 //! Strips for a vertex cache, and the miss counts by which they are rated.
 
-use striata_testing::support;
+use striata_testing::{meshes, support};
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, canonical_triangles, shapes};
@@ -48,7 +48,7 @@ fn assert_improves(name: &str, mesh: &IndexedMesh, options: &StripOptions) {
 #[test]
 fn degenerate_meshes_are_covered() {
     let mut meshes = nasty();
-    meshes.extend(shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok()));
+    meshes.extend(meshes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok()));
     for (name, mesh) in meshes {
         for (weight, size) in [(0.05, 16), (1.0, 16), (3.0, 3), (1.0, 0), (1.0, 2), (0.5, usize::MAX)] {
             assert_improves(name, &mesh, &options(weight).with_cache_size(size));

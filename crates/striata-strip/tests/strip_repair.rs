@@ -1,7 +1,7 @@
 //! Repaired strips compared with the oracle: same triangles at every level, no loops, links as in a new
 //! dual graph.
 
-use striata_testing::support;
+use striata_testing::{meshes, support};
 
 use proptest::prelude::*;
 use striata::mesh::{DualGraph, RefinableMesh, canonical_triangles, replay, shapes};
@@ -70,7 +70,7 @@ fn check_all_levels(refinable: &RefinableMesh, options: &RepairOptions, stride: 
 
 #[test]
 fn degenerate_meshes_follow_the_oracle_at_every_level() {
-    let shapes = shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
+    let shapes = meshes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
     for (name, mesh) in nasty().into_iter().chain(shapes) {
         for seed in 0..4 {
             let sequence_options =

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use striata::mesh::{DualGraph, IndexedMesh, Random, TriangleGroup, canonical_triangles, shapes};
 use striata::strip::{RESTART, StripSet, restart_triangles_into, strip_triangles};
 use striata_strip::{StripOptions, Stripifier, strip_count_bound, stripify, stripify_from};
+use striata_testing::meshes;
 
 /// One spelling of each stripifier, with relevant parameters.
 const SPECS: [&str; 8] =
@@ -69,7 +70,7 @@ fn check_all(mesh: &IndexedMesh, what: &str) {
 
 #[test]
 fn shapes_and_degenerate_meshes_are_covered() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         if mesh.check().is_ok() {
             check_all(&mesh, name);
         }

@@ -3,4 +3,5 @@
 #![expect(missing_docs, reason = "only used by tests, and the names describe the meshes")]
 
 pub mod meshes;
+pub mod simplifier;
 pub mod support;

@@ -1,5 +1,6 @@
-//! Adjacency, dual graph, statistics, validation and distance on every problematic mesh and on random
-//! soups.
+//! Adjacency, dual graph, statistics, validation and distance on every problematic mesh and on random soups.
+
+use striata_testing::meshes;
 
 use std::collections::BTreeMap;
 
@@ -8,8 +9,7 @@ use striata::mesh::{
     Adjacency, DefectKind, DualGraph, Edge, IndexedMesh, Statistics, shapes, validate, weld,
 };
 
-/// Finds edges by brute force: every side of every triangle with three different corners, by its end
-/// points.
+/// Finds edges by brute force: every side of every triangle with three different corners, by its end points.
 fn sides_by_ends(mesh: &IndexedMesh) -> BTreeMap<[u32; 2], [Vec<u32>; 2]> {
     let mut sides: BTreeMap<[u32; 2], [Vec<u32>; 2]> = BTreeMap::new();
     for (t, &[a, b, c]) in mesh.triangles.iter().enumerate() {
@@ -119,9 +119,21 @@ fn check_weld_keeps_topology(name: &str, mesh: &IndexedMesh, statistics: &Statis
 
 #[test]
 fn nasty_meshes_are_described() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         check_everything(name, &mesh);
     }
+}
+
+#[test]
+fn component_count_agrees_with_statistics() {
+    let mut compared = 0;
+    for (name, mesh) in meshes::nasty() {
+        // An error may contain a NaN, which is not equal to itself, so compare only successes.
+        let whole = Statistics::of(&mesh).ok().map(|statistics| statistics.component_count);
+        assert_eq!(mesh.component_count().ok(), whole, "{name}");
+        compared += usize::from(whole.is_some_and(|count| count > 1));
+    }
+    assert!(compared > 0, "no mesh of several pieces was among them");
 }
 
 #[test]
@@ -140,7 +152,7 @@ fn euler_characteristics_of_known_surfaces() {
 
 #[test]
 fn each_defect_is_reported_on_its_own_line() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         let report = validate(&mesh);
         let lines = report.to_string();
         assert!(lines.lines().count() >= report.defects().len(), "{name}");
@@ -168,7 +180,7 @@ mod distance {
 
     #[test]
     fn a_mesh_is_no_distance_from_itself() {
-        for (name, mesh) in shapes::nasty() {
+        for (name, mesh) in meshes::nasty() {
             let options = DistanceOptions::default().with_sample_count(2_000);
             match surface_distance(&mesh, &mesh, &options) {
                 Ok(d) => {

@@ -1,52 +1,18 @@
 //! Checks batches of collapses against what a progressive coder relies on, on every mesh of the test set.
 //! The checker is independent of how the batches were found.
 
-use striata_testing::meshes;
-
-mod simplifier;
-
-use striata_testing::support;
+use striata_testing::{meshes, simplifier, support, test_guarantees};
 
 use std::collections::BTreeSet;
 
 use meshes::{COSTS, NamedMesh, all, asset, check_each_variant, closed, open, rough, with_patches};
 use proptest::prelude::*;
-use simplifier::{Outcome, Rules, Simplifier};
-use striata::ProgressFn;
 use striata::mesh::{IndexedMesh, RefinableMesh, Statistics, canonical_triangles, replay, shapes, weld};
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltBatches, BuiltSequence, SequenceOptions, SimplifyError, StopReason,
-    TopologyRule, build_batches, build_batches_with_progress, build_welded_batches,
+    BatchOptions, BoundaryRule, BuiltBatches, SequenceOptions, StopReason, TopologyRule, build_batches,
+    build_welded_batches,
 };
 use support::{ClosedSurface, nasty};
-
-impl Simplifier for BatchOptions {
-    fn variants() -> Vec<(String, Self)> {
-        vec![("default".to_owned(), Self::default())]
-    }
-
-    fn rules(&mut self) -> Rules<'_> {
-        Rules {
-            base_triangle_count: &mut self.sequence.base_triangle_count,
-            boundary: &mut self.sequence.boundary,
-            group_borders: &mut self.sequence.group_borders,
-            seams: &mut self.sequence.seams,
-            topology: &mut self.sequence.topology,
-            locked_vertices: &mut self.sequence.locked_vertices,
-        }
-    }
-
-    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
-        let BuiltSequence { refinable, stop_reason, .. } =
-            build_batches_with_progress(mesh, self, progress)?.built;
-        Ok(Outcome {
-            full: refinable.mesh.clone(),
-            levels: refinable.sequence.levels().clone(),
-            replay: Box::new(move |split_count| replay(&refinable, split_count)),
-            stop_reason,
-        })
-    }
-}
 
 test_guarantees! {
     BatchOptions:

@@ -1,5 +1,4 @@
-//! Progressive fans against the oracle: uniform levels, and any set of steps reached by collapses and
-//! splits.
+//! Progressive fans against the oracle: uniform levels, and any set of steps reached by collapses and splits.
 
 use striata_testing::support;
 

@@ -41,7 +41,7 @@ fn volume(mesh: &IndexedMesh) -> f64 {
 
 #[test]
 fn nothing_panics_on_nasty_meshes() {
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in meshes::nasty() {
         let targets = [
             Target::Triangles(0),
             Target::Vertices(3),

@@ -75,8 +75,7 @@ fn check_level(
     assert_eq!(canonical_triangles(&all), canonical_triangles(&level.triangles));
 }
 
-/// Moves down and up by `stride`, checks each level, and checks that moving up restores the original
-/// state.
+/// Moves down and up by `stride`, checks each level, and checks that moving up restores the original state.
 fn check_all_levels(refinable: &RefinableMesh, stride: usize) {
     let model = build(refinable);
     let full = model.new_state();

@@ -136,8 +136,7 @@ fn valid_files_are_read() {
     }
 }
 
-/// Damages one number at a time: whatever can still be read must equal what a build makes of its
-/// fragments.
+/// Damages one number at a time: whatever can still be read must equal what a build makes of its fragments.
 #[test]
 fn damaged_numbers_never_yield_inconsistent_patterns() {
     let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 4 };

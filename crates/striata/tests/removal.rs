@@ -1,53 +1,19 @@
 //! Checks vertex removal against the guarantees of its fragments, on every mesh of the test set.
 
-use striata_testing::meshes;
-
-mod simplifier;
-
-use striata_testing::support;
+use striata_testing::{meshes, simplifier, support, test_guarantees};
 
 use meshes::{all, closed, odd, open, with_patches};
 use proptest::prelude::*;
-use simplifier::{Outcome, Rules, Simplifier, boundary_of, check_each, key, positions_of};
-use striata::ProgressFn;
+use simplifier::{Simplifier, boundary_of, check_each, hole_fillings, key, positions_of};
 use striata::mesh::{
     DistanceOptions, FragmentedMesh, IndexedMesh, canonical_triangles, replay, replay_fragments, shapes,
     surface_distance, weld,
 };
 use striata::simplify::{
-    BoundaryRule, BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, SequenceOptions,
-    SimplifyError, StopReason, TopologyRule, build_fragments, build_fragments_with_progress, build_sequence,
-    certify_collapses,
+    BoundaryRule, BuiltFragments, RemovalOptions, Retriangulation, SequenceOptions, StopReason, TopologyRule,
+    build_fragments, build_sequence, certify_collapses,
 };
 use support::Topology;
-
-impl Simplifier for RemovalOptions {
-    fn variants() -> Vec<(String, Self)> {
-        hole_fillings().map(|(filling, options)| (filling.to_owned(), options)).to_vec()
-    }
-
-    fn rules(&mut self) -> Rules<'_> {
-        Rules {
-            base_triangle_count: &mut self.base_triangle_count,
-            boundary: &mut self.boundary,
-            group_borders: &mut self.group_borders,
-            seams: &mut self.seams,
-            topology: &mut self.topology,
-            locked_vertices: &mut self.locked_vertices,
-        }
-    }
-
-    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
-        let BuiltFragments { fragmented, stop_reason, .. } =
-            build_fragments_with_progress(mesh, self, progress)?;
-        Ok(Outcome {
-            full: fragmented.mesh.clone(),
-            levels: fragmented.fragments.levels().clone(),
-            replay: Box::new(move |split_count| replay_fragments(&fragmented, split_count)),
-            stop_reason,
-        })
-    }
-}
 
 test_guarantees! {
     RemovalOptions:
@@ -65,17 +31,6 @@ test_guarantees! {
 
 fn build(mesh: &IndexedMesh, options: &RemovalOptions) -> BuiltFragments {
     build_fragments(mesh, options).expect("valid meshes can be simplified")
-}
-
-/// All methods of filling holes.
-fn hole_fillings() -> [(&'static str, RemovalOptions); 4] {
-    let free = RemovalOptions::default;
-    [
-        ("distance", free()),
-        ("flatness", free().with_criterion(HoleCriterion::Flatness)),
-        ("shape", free().with_criterion(HoleCriterion::Shape)),
-        ("collapse", free().with_retriangulation(Retriangulation::Collapse)),
-    ]
 }
 
 /// Returns triangles with their corners mapped to the vertices of the input.
@@ -254,9 +209,8 @@ fn limits_hold_for_the_whole_surface() {
 
 #[test]
 fn limits_leave_little_to_remove() {
-    // Lower bound on the triangle count of a unit sphere approximated within 0.02: a cap of that height
-    // has a radius of sqrt(2 * 0.02), and an equilateral triangle in it covers 3 sqrt(3) / 4 of its
-    // square.
+    // Lower bound on the triangle count of a unit sphere approximated within 0.02: a cap of that height has a
+    // radius of sqrt(2 * 0.02), and an equilateral triangle in it covers 3 sqrt(3) / 4 of its square.
     let needed = 4.0 * std::f64::consts::PI / (1.299 * 0.04);
     let sphere = shapes::icosphere(4, 1.0);
     let built = build(&sphere, &RemovalOptions::default().with_max_error(0.02));

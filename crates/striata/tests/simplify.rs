@@ -1,56 +1,22 @@
 //! Checks the simplifier against the guarantees of its sequence, on every mesh of the test set and with
 //! every cost.
 
-use striata_testing::meshes;
-
-mod simplifier;
-
-use striata_testing::support;
+use striata_testing::{meshes, simplifier, support, test_guarantees};
 
 use std::collections::BTreeSet;
 
 use meshes::{COSTS, all, check_each, closed, open, with_patches};
 use proptest::prelude::*;
-use simplifier::{Outcome, Rules, Simplifier, boundary_of, group_border_of, key, positions_of};
-use striata::ProgressFn;
+use simplifier::{Simplifier, boundary_of, group_border_of, key, positions_of};
 use striata::file::{WriteOptions, to_striata};
 use striata::mesh::{
     Adjacency, CollapseSequence, IndexedMesh, RefinableMesh, SequenceParts, canonical_triangles, replay,
     shapes, weld,
 };
 use striata::simplify::{
-    BoundaryRule, BuiltSequence, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
-    build_sequence, build_sequence_with_progress,
+    BoundaryRule, BuiltSequence, SeamRule, SequenceOptions, StopReason, TopologyRule, build_sequence,
 };
 use support::Topology;
-
-impl Simplifier for SequenceOptions {
-    fn variants() -> Vec<(String, Self)> {
-        meshes::by_cost()
-    }
-
-    fn rules(&mut self) -> Rules<'_> {
-        Rules {
-            base_triangle_count: &mut self.base_triangle_count,
-            boundary: &mut self.boundary,
-            group_borders: &mut self.group_borders,
-            seams: &mut self.seams,
-            topology: &mut self.topology,
-            locked_vertices: &mut self.locked_vertices,
-        }
-    }
-
-    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
-        let BuiltSequence { refinable, stop_reason, .. } =
-            build_sequence_with_progress(mesh, self, progress)?;
-        Ok(Outcome {
-            full: refinable.mesh.clone(),
-            levels: refinable.sequence.levels().clone(),
-            replay: Box::new(move |split_count| replay(&refinable, split_count)),
-            stop_reason,
-        })
-    }
-}
 
 test_guarantees! {
     SequenceOptions:
@@ -70,8 +36,7 @@ fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
     build_sequence(mesh, options).expect("valid meshes can be simplified")
 }
 
-/// Triangles as positions, smallest corner first, sorted; those with two corners at one position are
-/// dropped.
+/// Triangles as positions, smallest corner first, sorted; those with two corners at one position are dropped.
 fn triangles_in_space(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
     let mut out: Vec<[[u32; 3]; 3]> = mesh
         .triangles

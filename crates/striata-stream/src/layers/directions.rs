@@ -1,6 +1,6 @@
 //! Directions on the unfolded octahedron, in integers: conversion, and differences across its folds.
 //!
-//! The grid is the one of [`octahedral`](striata::mesh::octahedral). A point of the square represents a
+//! The grid is the one of [`octahedral`](super::octahedral). A point of the square represents a
 //! direction whose absolute coordinates sum to the half side. Sums of such directions, projected back to
 //! the grid, serve as means. If a prediction lies in the lower half, both it and the coded point are
 //! flipped to the upper half, so that the seams of the square are always far from the points between
@@ -92,8 +92,9 @@ pub(crate) fn scaled(direction: [i64; 3], length: i64) -> [i64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::{Random, octahedral};
+    use striata::mesh::Random;
 
+    use super::super::octahedral;
     use super::*;
 
     /// One point for each direction of the grid.

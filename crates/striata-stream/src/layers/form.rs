@@ -6,8 +6,9 @@
 //! order. Decoded numbers convert to the same integers again, so a stream can be encoded again without
 //! further loss.
 
-use striata::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
+use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
+use super::octahedral;
 use super::options::LayerOptions;
 use crate::format::grid::{Axis, float_to_ordered, ordered_to_float};
 

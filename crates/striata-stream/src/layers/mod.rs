@@ -10,7 +10,7 @@
 //! | `history.rs` | which vertices were copies, and how well others were predicted |
 //! | `layer_neighborhood.rs` | integers of a layer, and the neighborhood of a vertex |
 //! | `ring_fit.rs`, `least_squares.rs` | affine fits and learned sums of predictions |
-//! | `directions.rs`, `direction_model.rs`, `tangents.rs` | normals and tangents |
+//! | `octahedral.rs`, `directions.rs`, `direction_model.rs`, `tangents.rs` | normals and tangents |
 //! | `residuals.rs`, `number_model.rs` | numbers, and the residuals of predictions |
 
 pub(crate) mod attributes;
@@ -23,6 +23,7 @@ pub(crate) mod layer_neighborhood;
 pub(crate) mod least_squares;
 pub(crate) mod model;
 pub(crate) mod number_model;
+mod octahedral;
 pub(crate) mod options;
 pub(crate) mod residuals;
 pub(crate) mod ring_fit;

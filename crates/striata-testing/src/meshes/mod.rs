@@ -1,10 +1,14 @@
 //! Test meshes for the whole pipeline.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses only a part")]
 
+mod nasty;
+
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Material, Random, Semantic, TriangleGroup, shapes};
 use striata::simplify::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
+
+pub use nasty::nasty;
 
 pub const COSTS: [CollapseCost; 3] =
     [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
@@ -51,7 +55,7 @@ pub fn open() -> Vec<NamedMesh> {
 
 /// All other valid meshes: problematic ones, soups, one-sided surfaces, books.
 pub fn odd() -> Vec<NamedMesh> {
-    let nasty = shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
+    let nasty = nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
     let mut all: Vec<NamedMesh> = nasty.map(|(name, mesh)| named(name, mesh)).collect();
     all.push(named("long moebius strip", shapes::moebius_strip(40)));
     all.push(named("klein bottle", shapes::klein_bottle(12, 9)));

@@ -15,7 +15,7 @@
 use crate::setters::setters;
 use glam::DVec3;
 
-use super::surface_samples::{Samples, Strata, low_discrepancy_point, map_chunks};
+use super::surface_samples::{Strata, SurfaceSamples, low_discrepancy_point, map_chunks};
 use super::triangle_tree::to_dvec3;
 use super::{IndexedMesh, MeshError, TriangleTree};
 
@@ -119,8 +119,8 @@ pub fn surface_distance(
     }
     let tree_a = surface_tree(a, "first")?;
     let tree_b = surface_tree(b, "second")?;
-    let from_a = Samples::new(a, options.sample_count, options.seed);
-    let from_b = Samples::new(b, options.sample_count, options.seed);
+    let from_a = SurfaceSamples::new(a, options.sample_count, options.seed);
+    let from_b = SurfaceSamples::new(b, options.sample_count, options.seed);
     let a_to_b = from_a.measure(&tree_b);
     let b_to_a = from_b.measure(&tree_a);
     Ok(SurfaceDistance {
@@ -139,14 +139,14 @@ fn surface_tree(mesh: &IndexedMesh, which: &'static str) -> Result<TriangleTree,
     if mesh.triangles.is_empty() { Err(DistanceError::Empty { which }) } else { Ok(tree) }
 }
 
-impl Samples<'_> {
+impl SurfaceSamples<'_> {
     /// Measures all samples. Means are over the area or, if the area is 0, over the edges or else the
     /// vertices.
     fn measure(&self, tree: &TriangleTree) -> OneSidedDistance {
         let vertices = sum_chunks(self.used_vertices.len(), |range, sums| {
             let mut hint = usize::MAX;
             for &v in &self.used_vertices[range] {
-                sums.add(tree.distance_from_hint(to_dvec3(self.mesh.positions[v as usize]), &mut hint));
+                sums.add(tree.distance_within(to_dvec3(self.mesh.positions[v as usize]), 0.0, &mut hint));
             }
         });
         let sides = self.measure_strata(&self.sides, tree, |t, [u, _]| self.point_on_side(t, u));
@@ -168,9 +168,9 @@ impl Samples<'_> {
     ) -> Sums {
         sum_chunks(strata.count(), |range, sums| {
             let mut hint = usize::MAX;
-            strata.for_each(range, |k, t| {
-                sums.add(tree.distance_from_hint(point(t, low_discrepancy_point(self.seed, k)), &mut hint));
-            });
+            for (k, t) in strata.samples(range) {
+                sums.add(tree.distance_within(point(t, low_discrepancy_point(self.seed, k)), 0.0, &mut hint));
+            }
         })
     }
 }

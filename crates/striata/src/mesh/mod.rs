@@ -6,7 +6,6 @@
 
 mod adjacency;
 mod appearance;
-mod attribute_distance;
 mod attributes;
 mod box_tree;
 mod defect;
@@ -16,7 +15,6 @@ mod dual_graph;
 mod fragments;
 mod indexed_mesh;
 mod levels;
-pub mod octahedral;
 mod positions;
 mod random;
 mod replay;
@@ -31,7 +29,6 @@ mod weld;
 
 pub use adjacency::{Adjacency, Edge, is_proper};
 pub use appearance::{Appearance, Image, Material};
-pub use attribute_distance::{AttributeDistance, AttributeSpread, attribute_distance};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 pub(crate) use box_tree::{AxisBox, BoxTree};
 pub use defect::{Defect, DefectKind};
@@ -50,6 +47,7 @@ pub use replay::{canonical_triangles, replay, replay_into};
 pub use sequence::{CollapseSequence, RefinableMesh, SequenceParts};
 pub use sequence_error::SequenceError;
 pub use statistics::Statistics;
+pub use surface_samples::{SurfaceSample, SurfaceSamples};
 pub use triangle_tree::{Nearest, TriangleTree};
 pub use validate::{MAX_LISTED_PER_KIND, Report, validate};
 pub use weld::{Welded, weld};

@@ -222,18 +222,6 @@ mod tests {
     }
 
     #[test]
-    fn component_count_agrees_with_statistics() {
-        let mut compared = 0;
-        for (name, mesh) in shapes::nasty() {
-            // An error may contain a NaN, which is not equal to itself, so compare only successes.
-            let whole = Statistics::of(&mesh).ok().map(|statistics| statistics.component_count);
-            assert_eq!(mesh.component_count().ok(), whole, "{name}");
-            compared += usize::from(whole.is_some_and(|count| count > 1));
-        }
-        assert!(compared > 0, "no mesh of several pieces was among them");
-    }
-
-    #[test]
     fn duplicates_report_their_direction() {
         let found = duplicate_triangles(&[[3, 1, 2], [1, 2, 3], [4, 4, 4], [2, 1, 3], [4, 4, 4], [1, 2, 4]]);
         let duplicate = |triangle, is_opposite| Duplicate { triangle, first: 0, is_opposite };

@@ -17,8 +17,19 @@ const AREA_SAMPLES_PER_EDGE_SAMPLE: usize = 4;
 /// Number of samples that one task measures; fixed, so that sums do not depend on the number of threads.
 const CHUNK_SIZE: usize = 4_096;
 
+/// A sample point on the area of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceSample {
+    /// Position, in mesh units.
+    pub point: [f64; 3],
+    /// Index of the triangle that contains it.
+    pub triangle: usize,
+    /// Barycentric coordinates in that triangle.
+    pub weights: [f64; 3],
+}
+
 /// The sample points of one surface, computed on demand.
-pub(super) struct Samples<'a> {
+pub struct SurfaceSamples<'a> {
     pub(super) mesh: &'a IndexedMesh,
     pub(super) used_vertices: Vec<u32>,
     pub(super) sides: Strata,
@@ -26,9 +37,12 @@ pub(super) struct Samples<'a> {
     pub(super) seed: u64,
 }
 
-impl<'a> Samples<'a> {
-    /// Places `sample_count` samples on the area and fewer on the edges; see `DistanceOptions`.
-    pub(super) fn new(mesh: &'a IndexedMesh, sample_count: usize, seed: u64) -> Self {
+impl<'a> SurfaceSamples<'a> {
+    /// Places `sample_count` samples on the area and a quarter as many on the edges.
+    ///
+    /// # Panics
+    /// If [`IndexedMesh::check`] fails with an index out of range.
+    pub fn new(mesh: &'a IndexedMesh, sample_count: usize, seed: u64) -> Self {
         let mut used = vec![false; mesh.positions.len()];
         for &v in mesh.triangles.iter().flatten() {
             used[v as usize] = true;
@@ -51,11 +65,26 @@ impl<'a> Samples<'a> {
         }
     }
 
+    /// Calls `measure` with chunks of the samples on the area, on several threads if enabled.
+    ///
+    /// Returns the results in the order of the samples. There are no samples if the area is 0.
+    pub fn map_area_chunks<T: Send>(
+        &self,
+        measure: impl Fn(&mut dyn Iterator<Item = SurfaceSample>) -> T + Sync,
+    ) -> Vec<T> {
+        let sample = |(k, triangle)| {
+            let uv = low_discrepancy_point(self.seed, k);
+            let point = self.point_on_triangle(triangle, uv).to_array();
+            SurfaceSample { point, triangle, weights: weights_on_triangle(uv) }
+        };
+        map_chunks(self.areas.count(), |range| measure(&mut self.areas.samples(range).map(sample)))
+    }
+
     pub(super) fn point_count(&self) -> usize {
         self.used_vertices.len() + self.sides.count() + self.areas.count()
     }
 
-    pub(super) fn corners(&self, triangle: usize) -> [DVec3; 3] {
+    fn corners(&self, triangle: usize) -> [DVec3; 3] {
         self.mesh.triangles[triangle].map(|v| to_dvec3(self.mesh.positions[v as usize]))
     }
 
@@ -84,7 +113,7 @@ impl<'a> Samples<'a> {
 
 /// Barycentric coordinates for a point of the unit square, whose upper half is folded onto the lower one:
 /// areas stay in proportion.
-pub(super) fn weights_on_triangle([u, v]: [f64; 2]) -> [f64; 3] {
+fn weights_on_triangle([u, v]: [f64; 2]) -> [f64; 3] {
     let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
     [1.0 - u - v, u, v]
 }
@@ -131,15 +160,15 @@ impl Strata {
         self.first[self.first.len() - 1]
     }
 
-    /// Calls `f` with every sample of the range and its triangle.
-    pub(super) fn for_each(&self, range: Range<usize>, mut f: impl FnMut(usize, usize)) {
+    /// Returns every sample of the range, with its triangle.
+    pub(super) fn samples(&self, range: Range<usize>) -> impl Iterator<Item = (usize, usize)> {
         let mut triangle = self.first.partition_point(|&first| first <= range.start) - 1;
-        for k in range {
+        range.map(move |k| {
             while self.first[triangle + 1] <= k {
                 triangle += 1;
             }
-            f(k, triangle);
-        }
+            (k, triangle)
+        })
     }
 }
 
@@ -164,7 +193,7 @@ mod tests {
         let strata = Strata::new([1.0, 0.0, 3.0, 0.5].into_iter(), 900, 0.3);
         assert_eq!(strata.first, vec![0, 200, 200, 800, 900]);
         let mut dealt = [0; 4];
-        strata.for_each(150..850, |_, t| dealt[t] += 1);
+        strata.samples(150..850).for_each(|(_, t)| dealt[t] += 1);
         assert_eq!(dealt, [50, 0, 600, 50]);
         assert_eq!(Strata::new([0.0, 0.0].into_iter(), 10, 0.5).count(), 0);
     }

@@ -81,15 +81,16 @@ impl TriangleTree {
     pub fn nearest(&self, point: [f64; 3]) -> Option<Nearest> {
         let point = DVec3::from_array(point);
         let mut triangle = usize::MAX;
-        let distance = if point.is_finite() { self.distance_from_hint(point, &mut triangle) } else { 0.0 };
+        let distance = if point.is_finite() { self.distance_within(point, 0.0, &mut triangle) } else { 0.0 };
         (triangle != usize::MAX).then_some(Nearest { distance, triangle: triangle as u32 })
     }
 
     /// Distance of a finite point whose nearest triangle is probably the one found by the previous query.
     ///
-    /// `triangle` passes that triangle on from query to query. It affects the speed, never the result.
-    pub(super) fn distance_from_hint(&self, point: DVec3, triangle: &mut usize) -> f64 {
-        self.distance_within(point, 0.0, triangle)
+    /// `triangle` passes that triangle on from query to query; start with `usize::MAX`. It affects the speed,
+    /// never the distance.
+    pub fn distance_from_hint(&self, point: [f64; 3], triangle: &mut usize) -> f64 {
+        self.distance_within(DVec3::from_array(point), 0.0, triangle)
     }
 
     /// Distance like [`Self::distance_from_hint`], but stops at any triangle that is no farther than
@@ -126,7 +127,8 @@ impl TriangleTree {
     ///
     /// `visit` returns the reach for the rest of the search, which may shrink. A few triangles beyond the
     /// reach are visited as well.
-    pub(super) fn visit_within(&self, point: DVec3, reach: f64, mut visit: impl FnMut(usize, f64) -> f64) {
+    pub fn visit_within(&self, point: [f64; 3], reach: f64, mut visit: impl FnMut(usize, f64) -> f64) {
+        let point = DVec3::from_array(point);
         let in_frame = (point - self.center) * self.scale;
         let distance_to =
             |candidate: usize| squared_distance_to_triangle(point, &self.corners[candidate]).sqrt();

@@ -33,8 +33,7 @@ pub(in crate::model) fn bound(steps: &mut impl Bounded) -> Vec<PartRecord> {
     let mut normals = vec![DVec3::ZERO; parents.len()];
     let (mut first_child, mut next_child) = (vec![NO_STEP; parents.len()], vec![NO_STEP; parents.len()]);
     let mut changed = Vec::new();
-    // Descendants are finer, so their bounds are known by then; and children are linked in ascending
-    // order.
+    // Descendants are finer, so their bounds are known by then; and children are linked in ascending order.
     for step in (0..parents.len()).rev() {
         let children =
             || std::iter::successors(some_step(first_child[step]), |&c| some_step(next_child[c as usize]));

@@ -38,8 +38,7 @@ impl StepBounds {
         Ok(Self { records: records.into() })
     }
 
-    /// Returns the bounds of a step in the form that a criterion evaluates, given the center of its
-    /// sphere.
+    /// Returns the bounds of a step in the form that a criterion evaluates, given the center of its sphere.
     ///
     /// # Panics
     /// If the step does not exist.

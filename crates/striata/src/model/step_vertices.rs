@@ -11,8 +11,7 @@ use crate::mesh::{CollapseSequence, Levels, PositionIndex};
 pub struct StepVertices<'a> {
     pub(crate) vertex_count: usize,
     pub(crate) base_vertex_count: u32,
-    /// First vertex of each step, followed by the vertex count; empty if every step has exactly one
-    /// vertex.
+    /// First vertex of each step, followed by the vertex count; empty if every step has exactly one vertex.
     /// Target of each vertex above the base, or empty if targets are not kept.
     pub(crate) firsts: Cow<'a, [u32]>,
     pub(crate) targets: Cow<'a, [u32]>,

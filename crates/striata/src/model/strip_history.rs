@@ -112,8 +112,7 @@ impl<'s> StripHistory<'s> {
         debug_assert_eq!(places.len(), length);
     }
 
-    /// Breaks a piece wherever that takes fewer indices, and inserts the remainder as new pieces behind
-    /// it.
+    /// Breaks a piece wherever that takes fewer indices, and inserts the remainder as new pieces behind it.
     fn break_up(&mut self, piece: usize) {
         let mut at = piece;
         while let Some((end, next)) = find_break(&self.pieces[at].vertices) {

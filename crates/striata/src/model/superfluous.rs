@@ -8,8 +8,7 @@
 
 use super::strip_run::{Run, drop_run};
 
-/// Longest run that is dropped from inside a strip in one piece; longer ones are dropped in several
-/// pieces.
+/// Longest run that is dropped from inside a strip in one piece; longer ones are dropped in several pieces.
 const MAX_RUN: usize = 16;
 
 /// Drops the runs that have become superfluous around the `changed` indices; returns the remaining live

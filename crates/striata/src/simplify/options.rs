@@ -71,8 +71,7 @@ pub enum BoundaryRule {
     Locked,
 }
 
-/// How collapses treat seams: edges at which the wedges of a position differ, and borders between
-/// materials.
+/// How collapses treat seams: edges at which the wedges of a position differ, and borders between materials.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SeamRule {
@@ -151,8 +150,7 @@ pub struct SequenceOptions {
     pub group_borders: BoundaryRule,
     /// How collapses treat seams; default [`SeamRule::Cross`].
     pub seams: SeamRule,
-    /// Whether collapses may change the topology once no others are left; default
-    /// [`TopologyRule::Change`].
+    /// Whether collapses may change the topology once no others are left; default [`TopologyRule::Change`].
     pub topology: TopologyRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,

@@ -1,8 +1,9 @@
 //! Measurements of one level of one contender.
 
 use serde::Serialize;
-use striata::mesh::{AttributeSpread, DistanceOptions, attribute_distance, surface_distance};
+use striata::mesh::{DistanceOptions, surface_distance};
 
+use super::attribute_distance::{AttributeSpread, attribute_distance};
 use super::contender::{Level, Request};
 use super::subject::Subject;
 use striata_command::failure::Failure;

@@ -5,6 +5,7 @@
 //! set of texture coordinates, one set of colors. Every level is measured with the same samples and
 //! cameras.
 
+mod attribute_distance;
 mod contender;
 #[cfg(feature = "peers")]
 mod error_limits;

@@ -2,16 +2,15 @@
 //!
 //! Examples, tests and benchmarks need meshes that require no files and whose counts, areas and topology
 //! are known in advance. All shapes are deterministic, and noise is seeded. Parameters below the minimum of
-//! a shape are raised to that minimum. [`nasty`] returns one small mesh for each thing that can be wrong
-//! with a mesh.
+//! a shape are raised to that minimum.
 
 mod attributed;
-mod nasty;
+mod difficult;
 mod sin_cos;
 mod solids;
 mod surfaces;
 
 pub use attributed::{hard_cube, two_material_sphere, uv_cylinder};
-pub use nasty::{book, bow_tie, many_components, nasty, needle, random_soup};
+pub use difficult::{book, bow_tie, many_components, needle, random_soup};
 pub use solids::{cube, icosphere, paper_sphere, tetrahedron, torus, uv_sphere};
 pub use surfaces::{closed_fan, grid, height_field, klein_bottle, moebius_strip, terrain, triangle_fan};

@@ -265,8 +265,7 @@ fn push_crowns(crowns: &[Vec<RingArc>], group: u32, fans: &mut Vec<Fan>) {
     }
 }
 
-/// Makes a fan of consecutive arcs; `is_whole` is set if they are an entire crown, which may then be
-/// closed.
+/// Makes a fan of consecutive arcs; `is_whole` is set if they are an entire crown, which may then be closed.
 fn fan_of(arcs: &[RingArc], is_whole: bool, group: u32) -> Fan {
     let mut fan = Fan { group, arc_count: arcs.len(), ..Fan::default() };
     fan.nodes.extend(arcs.iter().map(|arc| arc.from));

@@ -2,12 +2,11 @@
 //! changed.
 //!
 //! The list of candidates contains the children of all wanted steps, so it covers the front between wanted
-//! and unwanted steps and everything above it. A verdict states for how much camera motion it remains
-//! valid; it is compared with the accumulated motion, so most steps are not evaluated for many frames.
-//! Wanted steps are split together with everything that they need. An unwanted step is collapsed once no
-//! active step needs it; whenever such a step is collapsed, those that it needed are reconsidered. The
-//! instance therefore always shows what is wanted and what that needs, regardless of the path that led
-//! there \[Hop97\].
+//! and unwanted steps and everything above it. A verdict states for how much camera motion it remains valid;
+//! it is compared with the accumulated motion, so most steps are not evaluated for many frames. Wanted steps
+//! are split together with everything that they need. An unwanted step is collapsed once no active step needs
+//! it; whenever such a step is collapsed, those that it needed are reconsidered. The instance therefore
+//! always shows what is wanted and what that needs, regardless of the path that led there \[Hop97\].
 //!
 //! Differs: \[Hop97\] maintains the active mesh with its adjacency; here the table provides it. In
 //! addition to its instance, a front stores three bits per step, and twelve bytes per step in the list.

@@ -4,9 +4,8 @@ use super::{FanScene, Fans, listed};
 use crate::model::step_bits::StepBits;
 use crate::view::Criterion;
 
-/// A selectively refined instance of the model: the set of its collapsed steps, one bit each. Every set
-/// that it can reach is also reachable by running the collapse sequence while leaving out some of its
-/// steps.
+/// A selectively refined instance of the model: the set of its collapsed steps, one bit each. Every set that
+/// it can reach is also reachable by running the collapse sequence while leaving out some of its steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FanInstance {
     pub(super) step_count: usize,

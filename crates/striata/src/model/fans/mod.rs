@@ -14,12 +14,11 @@
 //!        e---a               with 7 collapsed and 9 not, arcs 11110 are active: the fan v; a b c d e
 //! ```
 //!
-//! **Valid sets of steps.** A step can be collapsed once all steps are collapsed that replaced a triangle
-//! at one of its vertices: those that create the triangles of its entry, and some whose floor left no
-//! triangle at the vertex, for example at a boundary; these are listed separately. A step can be split
-//! once every position around it is active, and so is its target if the floor uses a target that is not in
-//! the ring. [`FanInstance::collapse`] and [`FanInstance::split`] also move all steps that are needed for
-//! this.
+//! **Valid sets of steps.** A step can be collapsed once all steps are collapsed that replaced a triangle at
+//! one of its vertices: those that create the triangles of its entry, and some whose floor left no triangle
+//! at the vertex, for example at a boundary; these are listed separately. A step can be split once every
+//! position around it is active, and so is its target if the floor uses a target that is not in the ring.
+//! [`FanInstance::collapse`] and [`FanInstance::split`] also move all steps that are needed for this.
 //!
 //! Differs: \[Cor01\] stores machine words, while an entry here is a few bytes (see `table.rs`). The paper
 //! recurses; this implementation uses a stack. A ring longer than [`MAX_ARCS`] is cut into several fans of

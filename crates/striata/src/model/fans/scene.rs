@@ -41,8 +41,8 @@ impl<'a> FanScene<'a> {
     }
 
     /// Returns a sphere around all positions, for
-    /// [`ScreenError::of_model`](crate::view::ScreenError::of_model). Takes time linear in the vertex
-    /// count, so keep the result.
+    /// [`ScreenError::with_model_bounds`](crate::view::ScreenError::with_model_bounds). Takes time linear in
+    /// the vertex count, so keep the result.
     pub fn sphere(&self) -> Sphere {
         let mut corners = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
         for position in self.positions {

@@ -184,8 +184,7 @@ impl<'f> Validator<'f> {
         }
     }
 
-    /// Checks that each step needs exactly the positions that its floor touches and those that wait for
-    /// it.
+    /// Checks that each step needs exactly the positions that its floor touches and those that wait for it.
     fn check_needs(&self) -> Result<(), ModelError> {
         let corners = self.corners();
         let mut marks = Marks { marks: vec![0; self.fans.step_count], step: 0, open_count: 0 };

@@ -1,11 +1,10 @@
 //! Geomorphs \[Hop96\]: smooth transitions from one level to another.
 //!
-//! While a geomorph runs, every vertex of either level is drawn. A vertex that the first level lacks
-//! starts at the position of its nearest target in the first level and moves to its own position. A vertex
-//! that the second level lacks starts at its own position and moves to that of its nearest target in the
-//! second level. At blend 0 the drawn surface is exactly that of the first level, because all additional
-//! triangles have zero area; at blend 1 it is that of the second. In between, vertices move along straight
-//! lines.
+//! While a geomorph runs, every vertex of either level is drawn. A vertex that the first level lacks starts
+//! at the position of its nearest target in the first level and moves to its own position. A vertex that the
+//! second level lacks starts at its own position and moves to that of its nearest target in the second level.
+//! At blend 0 the drawn surface is exactly that of the first level, because all additional triangles have
+//! zero area; at blend 1 it is that of the second. In between, vertices move along straight lines.
 //!
 //! ```text
 //!    first          drawn at 0        0.5            1 = second
@@ -42,8 +41,7 @@ pub struct MorphVertex {
     pub target: u32,
 }
 
-/// Blend parameters of one vertex for a vertex shader: `mix(positions[target], positions[vertex],
-/// factor)`.
+/// Blend parameters of one vertex for a vertex shader: `mix(positions[target], positions[vertex], factor)`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct VertexBlend {

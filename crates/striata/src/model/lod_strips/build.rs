@@ -1,5 +1,4 @@
-//! Builds the edit records in one pass from the full mesh to the base, tracking which strips use each
-//! vertex.
+//! Builds the edit records in one pass from the full mesh to the base, tracking which strips use each vertex.
 
 use super::record::{Edit, FLAG_BITS, write_record};
 use super::{LodStrips, LodStripsParts, MAX_STRIP_INDICES};

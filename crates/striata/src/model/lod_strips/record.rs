@@ -32,8 +32,7 @@ const COUNT_FOLLOWS: u32 = 2;
 #[derive(Debug, Default)]
 pub(super) struct Edit {
     pub(super) strip: u32,
-    /// Live indices that are replaced, before any drop, in ascending order; each with the wedge found
-    /// there.
+    /// Live indices that are replaced, before any drop, in ascending order; each with the wedge found there.
     pub(super) substitutions: Vec<(u32, u32)>,
     pub(super) drops: Vec<Run>,
 }

@@ -88,8 +88,7 @@ impl LodStripsState {
             let done = self.refine(model);
             debug_assert!(done.is_some(), "a checked record ended early");
         }
-        // Leaves no trace of the path, so that states of one level are equal once buffers have
-        // synchronized.
+        // Leaves no trace of the path, so that states of one level are equal once buffers have synchronized.
         self.drops.clear();
     }
 

@@ -198,8 +198,7 @@ impl StripBuffer {
         }
         let used = at - region.first;
         self.regions[group] = Region { used, live: used, is_full: false, ..region };
-        // Earlier changes in this region are covered by the new range, or lie behind the part that is
-        // drawn.
+        // Earlier changes in this region are covered by the new range, or lie behind the part that is drawn.
         self.changed.retain(|r| r.start < region.first || r.start >= region.first + region.capacity);
         if used > 0 {
             self.changed.push(region.first..at);

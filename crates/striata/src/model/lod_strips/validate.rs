@@ -1,10 +1,9 @@
 //! Validates a stored model once, so that later moves can trust its records.
 //!
-//! All records are applied once, from the full mesh to the base, to a copy of the strips. Every index and
-//! run must lie within its strip, every replaced vertex must be found at its index, and none of the step's
-//! vertices may be left over. A model that passes can be moved up and down without failing, and each of
-//! its levels uses only vertices of that level. Takes the time of one full sweep and the memory of one
-//! instance.
+//! All records are applied once, from the full mesh to the base, to a copy of the strips. Every index and run
+//! must lie within its strip, every replaced vertex must be found at its index, and none of the step's
+//! vertices may be left over. A model that passes can be moved up and down without failing, and each of its
+//! levels uses only vertices of that level. Takes the time of one full sweep and the memory of one instance.
 
 use super::record::{HAS_DROPS, RecordReader};
 use super::{LodStrips, ModelError};

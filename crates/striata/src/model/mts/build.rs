@@ -1,5 +1,4 @@
-//! Builds the model: follows each strip through its history, then collects the strips that each step
-//! changes.
+//! Builds the model: follows each strip through its history, then collects the strips that each step changes.
 
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::mesh::{CollapseSequence, RefinableMesh};

@@ -28,8 +28,7 @@ pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
     })
 }
 
-/// For each strip, the steps that change it in ascending order, each with the strip's change count after
-/// it.
+/// For each strip, the steps that change it in ascending order, each with the strip's change count after it.
 struct Touches {
     /// Index of the first touch of each strip, followed by the number of touches.
     firsts: Vec<usize>,

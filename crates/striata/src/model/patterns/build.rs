@@ -12,8 +12,7 @@ use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
 use crate::model::step_bounds::StepBounds;
 use crate::model::{ModelError, StepVertices};
 
-/// Limit of the search for redundant links down. A dependency that is not recognized as redundant is
-/// stored.
+/// Limit of the search for redundant links down. A dependency that is not recognized as redundant is stored.
 const MAX_VISITED: usize = 24;
 
 impl Patterns {
@@ -185,8 +184,7 @@ impl<'a> FaceLocations<'a> {
         let count = faces.len();
         let mut sharing = vec![Share { link: Share::FULL, offset: 0 }; count];
         let mut up = Vec::new();
-        // Starting at the beginning of a run ensures that no run is split at an arbitrary point of the
-        // ring.
+        // Starting at the beginning of a run ensures that no run is split at an arbitrary point of the ring.
         let start = (0..count).find(|&s| !follows(s, (s + count - 1) % count)).unwrap_or(0);
         let mut offset = 0;
         for i in 0..count {

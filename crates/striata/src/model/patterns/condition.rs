@@ -1,5 +1,4 @@
-//! Selective refinement: the coarsest set of fragments that satisfies a condition (section 3.4 of
-//! \[KG98\]).
+//! Selective refinement: the coarsest set of fragments that satisfies a condition (section 3.4 of \[KG98\]).
 //!
 //! A condition decides whether the triangles of an overlap are too coarse. Among all valid sets of
 //! fragments without triangles that are too coarse, one is contained in all others: if two sets are valid
@@ -119,9 +118,8 @@ impl PatternInstance {
         change
     }
 
-    /// Removes fragments on which no other depends and whose floor is not too coarse, youngest first,
-    /// until there is none left: the first half of the paper's algorithm. Returns the number of fragments
-    /// removed.
+    /// Removes fragments on which no other depends and whose floor is not too coarse, youngest first, until
+    /// there is none left: the first half of the paper's algorithm. Returns the number of fragments removed.
     ///
     /// Fragments that keep each other alive remain: those that are only wanted because of triangles that
     /// are not needed themselves. There are none if the condition never rejects a triangle without also
@@ -184,8 +182,7 @@ impl PatternInstance {
 }
 
 impl Patterns {
-    /// Returns fragments whose floor contains base triangles, possibly repeated, and those without a
-    /// floor.
+    /// Returns fragments whose floor contains base triangles, possibly repeated, and those without a floor.
     fn above_base(&self) -> impl Iterator<Item = u32> + use<'_> {
         let of_base = self.base.iter().map(|face| face.above).filter(|&above| above != super::rule::NONE);
         of_base.chain(self.floorless.iter().copied())

@@ -1,9 +1,8 @@
 //! Finds the rule of each fragment, adding new rules as they occur.
 //!
 //! If the ceiling is a ring or an open run of triangles around one vertex, the other vertices are numbered
-//! along it, starting at the rotation that yields the smallest floor. Otherwise (seams, non-manifold
-//! edges) vertices are numbered in order of first use; such fragments are valid too, but rarely share a
-//! rule.
+//! along it, starting at the rotation that yields the smallest floor. Otherwise (seams, non-manifold edges)
+//! vertices are numbered in order of first use; such fragments are valid too, but rarely share a rule.
 
 use std::collections::HashMap;
 
@@ -50,8 +49,7 @@ impl<'a> Rulebook<'a> {
         RuleTable::pack(self.rules)
     }
 
-    /// Returns the rule of a step's fragment, which is a new rule if the fragment is the first of its
-    /// kind.
+    /// Returns the rule of a step's fragment, which is a new rule if the fragment is the first of its kind.
     pub(super) fn find(&mut self, step: u32) -> Matched {
         let own: Vec<u32> = self.fragments.levels().step_vertices(step as usize).collect();
         let ceiling: Vec<u32> = self.fragments.ceiling(step).collect();

@@ -66,8 +66,7 @@ impl Patterns {
             .map_err(combination_error)
     }
 
-    /// Finds the vertices of a fragment from its floor, and checks that the floor's triangles agree on
-    /// them.
+    /// Finds the vertices of a fragment from its floor, and checks that the floor's triangles agree on them.
     fn find_locals(
         &self,
         step: u32,

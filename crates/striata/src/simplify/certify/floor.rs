@@ -1,8 +1,7 @@
 //! Distances of points from the triangles of a step's floor, four triangles at a time.
 //!
 //! Each distance is computed to a point that was found on the triangle. Whatever the search rounds, the
-//! result is therefore less than the true distance by no more than the rounding of the last
-//! subtraction.
+//! result is therefore less than the true distance by no more than the rounding of the last subtraction.
 
 use glam::DVec3;
 use wide::f64x4;
@@ -70,8 +69,7 @@ impl Floor {
         (normal.length_squared() > 1e-6).then_some((start, normal))
     }
 
-    /// Appends the squared distances of a point from all triangles, four per entry; returns the
-    /// smallest.
+    /// Appends the squared distances of a point from all triangles, four per entry; returns the smallest.
     #[inline]
     pub(super) fn push_squared_distances(&self, point: DVec3, out: &mut Vec<f64x4>) -> f64 {
         let mut least = f64x4::splat(f64::INFINITY);

@@ -56,8 +56,7 @@ const ROUNDING: f64 = 1e-11;
 /// Share of the diagonal below which a distance does not justify a cut.
 const NEGLIGIBLE: f64 = 1e-11;
 
-/// Maximum number of triangles of a face's pieces that are searched for the one nearest to another
-/// piece.
+/// Maximum number of triangles of a face's pieces that are searched for the one nearest to another piece.
 const MAX_ASSIGNED_TRIANGLES: usize = 1 << 10;
 
 /// Assignment of pieces of the original surface to the faces of the current one.

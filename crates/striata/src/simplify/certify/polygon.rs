@@ -9,8 +9,7 @@ pub(super) const MAX_CORNERS: usize = 8;
 /// The three corners of the whole triangle.
 pub(super) const WHOLE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// A corner closer than this to the line between its neighbors is dropped, in units of the triangle's
-/// sides.
+/// A corner closer than this to the line between its neighbors is dropped, in units of the triangle's sides.
 const FLATNESS_TOLERANCE: f64 = 1e-14;
 
 /// A convex polygon, counterclockwise.

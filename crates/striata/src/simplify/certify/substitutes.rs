@@ -1,5 +1,4 @@
-//! Finds substitute faces for a step whose floor is empty, which has no triangle to assign its pieces
-//! to.
+//! Finds substitute faces for a step whose floor is empty, which has no triangle to assign its pieces to.
 //!
 //! An ear (a triangle attached by only one side) or an island vanishes without a replacement. A
 //! triangle `g` nearby takes over its pieces. For the levels of the sequence that is sufficient. But

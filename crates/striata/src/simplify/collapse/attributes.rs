@@ -181,8 +181,7 @@ impl AttributeSpace {
         if self.share_material(a, b) { squared } else { squared + self.material_squared }
     }
 
-    /// Squared difference in attributes and material between the two sides of a seam whose shape
-    /// changes.
+    /// Squared difference in attributes and material between the two sides of a seam whose shape changes.
     pub(in crate::simplify) fn border_squared(&self, a: u32, b: u32) -> f32 {
         let squared = self.weighted_squared(a, b, |factors| factors.border);
         if self.share_material(a, b) { squared } else { squared + self.material_squared }
@@ -227,8 +226,7 @@ impl AttributeSpace {
         }
     }
 
-    /// Squared difference of two vertices' attributes, with a factor that depends on the coordinates of
-    /// `a`.
+    /// Squared difference of two vertices' attributes, with a factor that depends on the coordinates of `a`.
     fn weighted_squared(&self, a: u32, b: u32, factor: impl Fn(SeamFactors) -> f32) -> f32 {
         let pairs = self.of(a).iter().zip(self.of(b)).enumerate();
         pairs.map(|(d, (x, y))| factor(self.factors(a, d)) * (x - y) * (x - y)).sum()
@@ -260,8 +258,7 @@ impl AttributeSpace {
             })
         };
         let u = star.offset(k);
-        // For each wedge: its vertex, the least distance to its side of the fan, and the difference
-        // there.
+        // For each wedge: its vertex, the least distance to its side of the fan, and the difference there.
         let mut nearest_by_wedge: [(u32, f32, f32); MAX_WEDGES] =
             [(u32::MAX, f32::INFINITY, 0.0); MAX_WEDGES];
         let mut crossing = 0.0;
@@ -298,8 +295,7 @@ impl AttributeSpace {
         star.area() * nearest_by_wedge.iter().map(|f| f.2).sum::<f32>() + CORNER_SHARE * crossing
     }
 
-    /// Squared difference between a vertex's attributes and those at barycentric coordinates in a
-    /// triangle.
+    /// Squared difference between a vertex's attributes and those at barycentric coordinates in a triangle.
     pub(in crate::simplify) fn interpolation_error(
         &self,
         wedge: u32,

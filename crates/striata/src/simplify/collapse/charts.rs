@@ -12,8 +12,7 @@ use crate::mesh::{AttributeLayer, IndexedMesh, Welded};
 const CELL_COUNT: usize = 512;
 /// A material that covers more cells than this uses the texture several times over.
 const MAX_CELLS: u64 = 3 * (CELL_COUNT * CELL_COUNT) as u64;
-/// Maximum extent of the coordinates along each axis: charts may extend slightly beyond the unit
-/// square.
+/// Maximum extent of the coordinates along each axis: charts may extend slightly beyond the unit square.
 const MAX_EXTENT: f32 = 1.25;
 /// Share of the covered cells that may be covered twice.
 const MAX_OVERLAP: f64 = 0.6;
@@ -140,8 +139,7 @@ mod tests {
     use super::*;
     use crate::mesh::{LayerData, Semantic, weld};
 
-    /// A row of squares, each with its own part of the texture; `repeat` scales the texture
-    /// coordinates.
+    /// A row of squares, each with its own part of the texture; `repeat` scales the texture coordinates.
     fn lengths(count: usize, repeat: f32, overlap: bool) -> Vec<f32> {
         let (mut positions, mut triangles, mut uvs) = (Vec::new(), Vec::new(), Vec::new());
         for i in 0..count {

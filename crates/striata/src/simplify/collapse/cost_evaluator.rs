@@ -1,5 +1,4 @@
-//! Evaluates the cost of collapsing a position: a quick lower bound, or the best target with its full
-//! cost.
+//! Evaluates the cost of collapsing a position: a quick lower bound, or the best target with its full cost.
 
 use glam::DVec3;
 
@@ -393,8 +392,7 @@ impl<'a> CostEvaluator<'a> {
         self.memoryless_share() * self.star.distance_cost(squared)
     }
 
-    /// Returns the cheapest contraction of `v` with a partner if it is cheaper than `best`, otherwise
-    /// `best`.
+    /// Returns the cheapest contraction of `v` with a partner if it is cheaper than `best`, otherwise `best`.
     fn best_pair(&mut self, v: u32, mut best: Option<CollapseChoice>) -> Option<CollapseChoice> {
         if !self.has_partner(v) {
             return best;
@@ -449,8 +447,7 @@ fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32
     (quadrics[v as usize].at(at) + quadrics[u as usize].at(at)) as f32
 }
 
-/// Returns which positions must stay: those of locked vertices and those on locked borders between
-/// groups.
+/// Returns which positions must stay: those of locked vertices and those on locked borders between groups.
 pub(in crate::simplify) fn locked_positions(
     welded: &Welded,
     locked_vertices: &[u32],

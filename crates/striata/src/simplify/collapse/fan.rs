@@ -65,8 +65,7 @@ fn ratio(x: f32, y: f32) -> f32 {
 
 /// Least cosine allowed between the normals of an old triangle and its replacement.
 const FLIP_COSINE: f32 = 0.2;
-/// A new triangle must have at least this quality (1 is equilateral), unless the one it replaces was
-/// worse.
+/// A new triangle must have at least this quality (1 is equilateral), unless the one it replaces was worse.
 const SLIVER_QUALITY: f32 = 0.01;
 /// Below this quality, the normal of a triangle is noise.
 const NEEDLE_QUALITY: f32 = 0.02;
@@ -90,8 +89,7 @@ pub(in crate::simplify) struct Change {
     /// Lengths of the unscaled normals.
     pub(in crate::simplify) old_length: f32x8,
     pub(in crate::simplify) new_length: f32x8,
-    /// Dot products of the unscaled normals with each other, and with the sum of all normals of the
-    /// star.
+    /// Dot products of the unscaled normals with each other, and with the sum of all normals of the star.
     pub(in crate::simplify) new_on_old: f32x8,
     pub(in crate::simplify) new_on_mean: f32x8,
     pub(in crate::simplify) old_on_mean: f32x8,

@@ -1,9 +1,8 @@
 //! Link condition: whether a collapse preserves the topology, for any kind of link.
 //!
-//! On a manifold this is the condition of [DEGN99]: `v` and `u` may share only neighbors that span a
-//! triangle with both, or the collapse would pinch the surface. The same condition applies at edges
-//! with three or more triangles: a collapse must not create a triangle that exists already, or a
-//! neighbor without any triangle.
+//! On a manifold this is the condition of [DEGN99]: `v` and `u` may share only neighbors that span a triangle
+//! with both, or the collapse would pinch the surface. The same condition applies at edges with three or more
+//! triangles: a collapse must not create a triangle that exists already, or a neighbor without any triangle.
 
 use super::links::{LinkEdge, LinkKind, Links};
 
@@ -145,8 +144,7 @@ mod tests {
 
     #[test]
     fn pinching_is_refused() {
-        // A tube with a triangular cross-section: 0 1 2 below, 3 4 5 above; collapsing across would
-        // pinch it.
+        // A tube with a triangular cross-section: 0 1 2 below, 3 4 5 above; collapsing across would pinch it.
         let mut tube = Vec::new();
         for i in 0..3u32 {
             let j = (i + 1) % 3;

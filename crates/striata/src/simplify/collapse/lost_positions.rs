@@ -32,9 +32,8 @@ impl CostEvaluator<'_> {
         }
     }
 
-    /// Whether steps are also measured from the new surface to the original mesh: if there are seams,
-    /// or once a relaxed collapse has been applied. Closed scans skip this, which would take a third of
-    /// their time.
+    /// Whether steps are also measured from the new surface to the original mesh: if there are seams, or once
+    /// a relaxed collapse has been applied. Closed scans skip this, which would take a third of their time.
     pub(in crate::simplify) fn measures_outward(&self) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
         self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.begins_last)
@@ -51,8 +50,7 @@ impl CostEvaluator<'_> {
         self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_relaxed)
     }
 
-    /// Collects positions that were merged into `u`, evenly spread, if there are at least `least` of
-    /// them.
+    /// Collects positions that were merged into `u`, evenly spread, if there are at least `least` of them.
     pub(in crate::simplify) fn followers_into(&self, u: u32, least: usize, out: &mut Vec<u32>) {
         out.clear();
         let Some(relaxed) = &self.relaxed else { return };

@@ -1,10 +1,9 @@
 //! Distances of the simplified surface from the original mesh.
 //!
-//! Witnesses measure original vertices only. A triangle that bridges a valley or leaves a sheet may lie
-//! far from the original although every original vertex is near it. Each position therefore has an
-//! upper bound for the triangles around it. A collapse adds to it how far its new edges stick out of
-//! the star that they replace, and the triangles themselves are measured only if the bound exceeds the
-//! largest error so far.
+//! Witnesses measure original vertices only. A triangle that bridges a valley or leaves a sheet may lie far
+//! from the original although every original vertex is near it. Each position therefore has an upper bound
+//! for the triangles around it. A collapse adds to it how far its new edges stick out of the star that they
+//! replace, and the triangles themselves are measured only if the bound exceeds the largest error so far.
 
 use glam::Vec3;
 
@@ -36,8 +35,7 @@ const SAMPLES: [[f32; 3]; 9] = [
 #[derive(Default)]
 pub(in crate::simplify) struct OutwardBounds {
     original: Option<SurfaceSnapshot>,
-    /// Largest distance of the triangles around each position from the original; empty until first
-    /// queried.
+    /// Largest distance of the triangles around each position from the original; empty until first queried.
     bounds: Vec<f32>,
 }
 

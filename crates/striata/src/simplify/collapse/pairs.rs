@@ -27,8 +27,7 @@ pub(in crate::simplify) struct Pairs {
 }
 
 impl Pairs {
-    /// Finds all pairs closer than `threshold` (scaled units) that `is_neighbor` does not connect
-    /// already.
+    /// Finds all pairs closer than `threshold` (scaled units) that `is_neighbor` does not connect already.
     pub(in crate::simplify) fn new(
         positions: &[[f32; 4]],
         threshold: f32,

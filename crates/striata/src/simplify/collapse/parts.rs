@@ -1,11 +1,10 @@
 //! Connected parts of a mesh, and the cost of letting one of them vanish.
 //!
-//! A part exists as long as it has a triangle. Its last triangles vanish together, at a cost that
-//! depends on the distance of the *original* part from the remaining surface of the others: a screw in
-//! its hole costs little, a part in free space as much as its own extent. The **hosts** of a vanished
-//! part are the parts that replace it. They inherit its area, and the **reach** of a part is the
-//! largest distance at which anything that it replaces may lie. A host that vanishes later is charged
-//! for both.
+//! A part exists as long as it has a triangle. Its last triangles vanish together, at a cost that depends on
+//! the distance of the *original* part from the remaining surface of the others: a screw in its hole costs
+//! little, a part in free space as much as its own extent. The **hosts** of a vanished part are the parts
+//! that replace it. They inherit its area, and the **reach** of a part is the largest distance at which
+//! anything that it replaces may lie. A host that vanishes later is charged for both.
 //!
 //! Time: one pass over the mesh to find the parts, and up to 64 distances for each part that is down to
 //! its last triangles.
@@ -388,9 +387,8 @@ impl Parts {
         Some(estimate)
     }
 
-    /// Adds hosts along the edges of a part that is long compared with its distance from them. All of
-    /// them replace the part; otherwise a rod could lose one host after another as if each replaced
-    /// only itself.
+    /// Adds hosts along the edges of a part that is long compared with its distance from them. All of them
+    /// replace the part; otherwise a rod could lose one host after another as if each replaced only itself.
     fn add_hosts_along(&self, part: u32, estimate: &mut VanishingEstimate, context: &MeasuringContext<'_>) {
         let part_triangles = self.triangles_of(part);
         let count = part_triangles.len().min(MAX_SAMPLES);

@@ -1,5 +1,4 @@
-//! Accumulated quadrics [GH97]: every position sums the planes of all triangles that were merged into
-//! it.
+//! Accumulated quadrics [GH97]: every position sums the planes of all triangles that were merged into it.
 
 use glam::DVec3;
 

@@ -2,8 +2,7 @@
 
 use crate::mesh::{CollapseSequence, PositionIndex, RefinableMesh, SequenceError, SequenceParts, Welded};
 
-/// Everything recorded during the collapses, in the numbering of the welded mesh and in order of
-/// removal.
+/// Everything recorded during the collapses, in the numbering of the welded mesh and in order of removal.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct CollapseRecord {
     /// Removed positions.

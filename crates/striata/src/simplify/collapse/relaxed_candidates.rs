@@ -291,8 +291,7 @@ impl CostEvaluator<'_> {
         })
     }
 
-    /// Cost and squared distance if all triangles of `v` and of a neighbor vanish, but the part keeps
-    /// others.
+    /// Cost and squared distance if all triangles of `v` and of a neighbor vanish, but the part keeps others.
     fn remnant_cost(&mut self, v: u32, part: u32, removed: usize) -> (f32, f32) {
         let longest = self.star.longest_edge_squared();
         let Self { relaxed: Some(relaxed), links, wedges, positions, star, .. } = self else {

@@ -7,9 +7,8 @@
 //! is higher than the next bound, it goes back. The order is therefore by full cost, except for the
 //! rare position whose full cost is below its bound, at a fraction of the work.
 //!
-//! A position that has no **strict** target, one that preserves the topology, gets a relaxed one at its
-//! cost instead. On a closed surface of a few parts, relaxed collapses begin only after the last strict
-//! one.
+//! A position that has no **strict** target, one that preserves the topology, gets a relaxed one at its cost
+//! instead. On a closed surface of a few parts, relaxed collapses begin only after the last strict one.
 //!
 //! Time O(n log n); memory 87 to 91 bytes per triangle in addition to a large loaded mesh
 //! (docs/results/simplification.md).

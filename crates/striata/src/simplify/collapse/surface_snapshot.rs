@@ -91,8 +91,7 @@ impl SurfaceSnapshot {
         self.triangles.len()
     }
 
-    /// Nearest point on the triangles that `is_host` accepts, if one is within the squared distance
-    /// `limit`.
+    /// Nearest point on the triangles that `is_host` accepts, if one is within the squared distance `limit`.
     pub(in crate::simplify) fn nearest(
         &self,
         positions: &[[f32; 4]],
@@ -113,8 +112,7 @@ impl SurfaceSnapshot {
                     best = Some(SnapshotPoint { distance_squared, triangle, weights });
                 }
             }
-            // The distance of a box may equal that of its triangle; rounding must not exclude the
-            // triangle.
+            // The distance of a box may equal that of its triangle; rounding must not exclude the triangle.
             least * 1.000_01
         });
         best

@@ -1,10 +1,8 @@
-//! Tracked cost: follows all removed vertices. Slower than the other costs, and better at coarse
-//! levels.
+//! Tracked cost: follows all removed vertices. Slower than the other costs, and better at coarse levels.
 //!
-//! Each removed vertex belongs to the triangle nearest to it and is weighted by the area that it
-//! represented. The cost of a collapse is the increase of the weighted squared distances of the removed
-//! vertices around it. A share of the memoryless cost is added, since points alone do not detect a
-//! surface that sticks out.
+//! Each removed vertex belongs to the triangle nearest to it and is weighted by the area that it represented.
+//! The cost of a collapse is the increase of the weighted squared distances of the removed vertices around
+//! it. A share of the memoryless cost is added, since points alone do not detect a surface that sticks out.
 //!
 //! Memory: 20 bytes per position and 4 per triangle. Time: about five times the memoryless cost.
 
@@ -93,9 +91,8 @@ impl Tracker {
     }
 }
 
-/// Returns the squared distance of a point from the fan around neighbor `k`, and the index of the
-/// nearest triangle. If the fan is empty, measures the vanished triangles, of which the remaining edge
-/// counts.
+/// Returns the squared distance of a point from the fan around neighbor `k`, and the index of the nearest
+/// triangle. If the fan is empty, measures the vanished triangles, of which the remaining edge counts.
 fn nearest_exactly(star: &Star, k: usize, at: Vec3) -> Option<(f32, usize)> {
     let distance = |t: usize| {
         let [i, j] = star.triangle(t);

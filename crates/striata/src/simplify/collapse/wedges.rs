@@ -1,5 +1,4 @@
-//! Pairing of wedges: the vertex of the target position that replaces each vertex of the removed
-//! position.
+//! Pairing of wedges: the vertex of the target position that replaces each vertex of the removed position.
 //!
 //! A collapse removes a position with all its wedges. The triangles at the collapsing edge show which
 //! wedges lie on the same side of the seam. A wedge without such a partner has to **cross** the seam:

@@ -114,10 +114,9 @@ impl Witnesses {
         (Witness { distance: distance_squared.sqrt(), ..candidate }, position)
     }
 
-    /// Updates witnesses after a relaxed collapse. The `lost` positions, their witnesses and the
-    /// `points` of removed triangles are measured again, starting at `position`; distances above the
-    /// largest so far are verified by a search of the whole mesh. Returns the largest squared distance
-    /// seen so far.
+    /// Updates witnesses after a relaxed collapse. The `lost` positions, their witnesses and the `points` of
+    /// removed triangles are measured again, starting at `position`; distances above the largest so far are
+    /// verified by a search of the whole mesh. Returns the largest squared distance seen so far.
     pub(in crate::simplify) fn remeasure(
         &mut self,
         evaluator: &mut CostEvaluator<'_>,

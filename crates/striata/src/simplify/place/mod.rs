@@ -1,5 +1,4 @@
-//! Free placement: simplifies to one level by edge collapses with optimal positions of the new
-//! vertices.
+//! Free placement: simplifies to one level by edge collapses with optimal positions of the new vertices.
 //!
 //! The cost of an edge is the squared distance of its new vertex from the planes of the *current*
 //! triangles around both ends, weighted by area; the new position minimizes it while preserving the
@@ -57,8 +56,7 @@ use measure::measured_error;
 use merger::Merger;
 use stop_criteria::StopCriteria;
 
-/// Number of times that a level beyond the error limit is simplified again, each time with a smaller
-/// limit.
+/// Number of times that a level beyond the error limit is simplified again, each time with a smaller limit.
 const MAX_RETRIES: usize = 8;
 /// Share of the diagonal that rounding to single precision may add to a distance.
 const NOISE: f64 = 1e-6;

@@ -7,8 +7,7 @@ use crate::simplify::collapse::links::{LinkEdge, LinkKind, Links};
 
 /// Least squared cosine between the normals of an old triangle and its replacement.
 const FLIP_COSINE_SQUARED: f64 = 0.04;
-/// A new triangle must have at least this quality (1 is equilateral), unless the one it replaces was
-/// worse.
+/// A new triangle must have at least this quality (1 is equilateral), unless the one it replaces was worse.
 const SLIVER_QUALITY: f64 = 0.01;
 /// Below this quality, the normal of a triangle is noise.
 const NEEDLE_QUALITY: f64 = 0.02;
@@ -39,8 +38,7 @@ pub(super) struct Neighborhood {
 
 impl Neighborhood {
     /// Gathers the star of `v`. `seam_weight(triangles, along)` returns the weight of leaving the edge
-    /// `along` if the two triangles at it use different wedges of `v`; infinite for seams that must
-    /// stay.
+    /// `along` if the two triangles at it use different wedges of `v`; infinite for seams that must stay.
     pub(super) fn gather(
         &mut self,
         links: &Links,
@@ -150,9 +148,8 @@ impl Neighborhood {
 
     /// Whether all kept triangles stay unflipped and do not become slivers with the center at `position`.
     ///
-    /// `mean` is the summed normal of both stars. The normal of a needle is meaningless, so its
-    /// replacement must agree with the mean, or stay as small; a triangle that was folded over may
-    /// unfold.
+    /// `mean` is the summed normal of both stars. The normal of a needle is meaningless, so its replacement
+    /// must agree with the mean, or stay as small; a triangle that was folded over may unfold.
     pub(super) fn may_move(&self, position: DVec3, other: u32, mean: DVec3) -> bool {
         let x = position - self.center;
         self.kept_triangles(other).all(|KeptTriangle { a, b, normal: old }| {

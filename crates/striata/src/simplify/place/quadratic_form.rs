@@ -81,8 +81,7 @@ impl StarForm {
         self.form[0] + self.form[1] + self.form[2]
     }
 
-    /// Returns the sum of two stars; triangles in both count once for the volume and twice for the
-    /// planes.
+    /// Returns the sum of two stars; triangles in both count once for the volume and twice for the planes.
     fn united(&self, other: &Self, shared: SharedTriangles) -> Self {
         Self {
             form: std::array::from_fn(|i| self.form[i] + other.form[i]),
@@ -185,8 +184,7 @@ impl EdgeForm {
         self.accept_if_near(free + step * ((self.volume - normal.dot(free)) / along))
     }
 
-    /// Returns the cheapest position with the change of volume as a penalty; `None` if it is too far
-    /// away.
+    /// Returns the cheapest position with the change of volume as a penalty; `None` if it is too far away.
     pub(super) fn cheapest(&self) -> Option<DVec3> {
         let mut form = self.united;
         form.add_square(self.united.normal, self.volume_weight());
@@ -194,8 +192,7 @@ impl EdgeForm {
         self.accept_if_near(inverse.times(linear + self.united.normal * (self.volume * self.volume_weight())))
     }
 
-    /// Returns the inverse of a form with the pull towards the midpoint, and the linear part with that
-    /// pull.
+    /// Returns the inverse of a form with the pull towards the midpoint, and the linear part with that pull.
     fn regular(&self, mut form: StarForm) -> Option<(StarForm, DVec3)> {
         let pull = MIDDLE_WEIGHT * form.trace();
         for i in 0..3 {

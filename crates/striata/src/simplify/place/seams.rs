@@ -1,10 +1,8 @@
-//! Wedges at an edge of which either end may be removed: their pairing, and the cost of crossing a
-//! seam.
+//! Wedges at an edge of which either end may be removed: their pairing, and the cost of crossing a seam.
 //!
 //! Seams that may be crossed do not count as borders; leaving their path only adds to the cost. A wedge
-//! without a partner goes to the most similar wedge of the other end, as with half-edge collapses. It
-//! keeps its attributes while its vertex moves, and so does a wedge of the kept end that has no partner
-//! either.
+//! without a partner goes to the most similar wedge of the other end, as with half-edge collapses. It keeps
+//! its attributes while its vertex moves, and so does a wedge of the kept end that has no partner either.
 
 use glam::DVec3;
 

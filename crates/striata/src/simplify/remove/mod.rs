@@ -1,12 +1,11 @@
 //! Vertex removal with optimal retriangulation: the simplifier behind every fragment sequence.
 //!
-//! A removal takes away the triangles around a vertex and fills the hole with triangles of its ring,
-//! one or two fewer than before. Of all triangulations, the one nearest to all vertices removed so far
-//! is chosen (`hole::search`), and of all removals the cheapest is applied. Costs combine two measures
-//! of distance: squared distances over the surface, and the largest distance alone
-//! (`removal_evaluator`). Before a removal is applied, its true effect on the distance from the
-//! original surface is bounded (`Cover`), so that the error of each step, and the caller's error limit,
-//! hold for every point of the original.
+//! A removal takes away the triangles around a vertex and fills the hole with triangles of its ring, one or
+//! two fewer than before. Of all triangulations, the one nearest to all vertices removed so far is chosen
+//! (`hole::search`), and of all removals the cheapest is applied. Costs combine two measures of distance:
+//! squared distances over the surface, and the largest distance alone (`removal_evaluator`). Before a removal
+//! is applied, its true effect on the distance from the original surface is bounded (`Cover`), so that the
+//! error of each step, and the caller's error limit, hold for every point of the original.
 //!
 //! ```text
 //!       r1 ---- r2             r1 ---- r2
@@ -50,9 +49,8 @@ use crate::simplify::options::{SimplifyError, check_locked};
 
 /// Removes vertices as far as the options allow and returns the sequence of all levels on the way.
 ///
-/// Compared with [`build_sequence`](super::build_sequence), levels are closer to the original,
-/// especially in their maximum error, for twenty times the time; the steps are not collapses in
-/// general.
+/// Compared with [`build_sequence`](super::build_sequence), levels are closer to the original, especially in
+/// their maximum error, for twenty times the time; the steps are not collapses in general.
 ///
 /// # Errors
 /// [`SimplifyError`] if the mesh is invalid or an option is out of range.

@@ -66,8 +66,7 @@ pub(super) enum Filling {
     Free,
     /// By moving the removed vertex to a neighbor, given as an index into the star.
     Collapse(usize),
-    /// By moving the removed vertex to a neighbor without preserving the topology or the path of
-    /// borders.
+    /// By moving the removed vertex to a neighbor without preserving the topology or the path of borders.
     RelaxedState(usize),
 }
 
@@ -268,8 +267,7 @@ impl<'a> RemovalEvaluator<'a> {
         })
     }
 
-    /// Loads the ring of `v` and the new edges that it may get; returns false if it cannot have a
-    /// floor.
+    /// Loads the ring of `v` and the new edges that it may get; returns false if it cannot have a floor.
     fn load_hole(&mut self, v: u32) -> bool {
         let CostEvaluator { links, star, .. } = &self.collapse_evaluator;
         let is_closed = links.kind(v) == LinkKind::Closed;

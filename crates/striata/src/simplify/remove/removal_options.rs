@@ -15,8 +15,7 @@ pub enum Retriangulation {
     Collapse,
 }
 
-/// Which triangulation of a hole is the best one. The order of removals depends on distances in any
-/// case.
+/// Which triangulation of a hole is the best one. The order of removals depends on distances in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HoleCriterion {
@@ -59,8 +58,7 @@ pub struct RemovalOptions {
     /// How borders between triangle groups are treated; default kept. If they are locked, every vertex
     /// whose position is used by more than one group stays.
     pub group_borders: BoundaryRule,
-    /// How collapses treat seams, at which they are the only way to fill a hole; default
-    /// [`SeamRule::Cross`].
+    /// How collapses treat seams, at which they are the only way to fill a hole; default [`SeamRule::Cross`].
     pub seams: SeamRule,
     /// Whether a vertex without any removal that preserves the topology may be collapsed nevertheless;
     /// default it may. No part vanishes if [`Self::max_error`] is set, and the topology stays if

@@ -84,8 +84,7 @@ impl TrackedVertices {
     }
 }
 
-/// Returns the squared distance of a point from the nearest of some triangles, and that triangle's
-/// index.
+/// Returns the squared distance of a point from the nearest of some triangles, and that triangle's index.
 #[inline]
 pub(super) fn nearest(corners: &[[Vec3; 3]], at: Vec3) -> Option<(f32, usize)> {
     let mut best = None;

@@ -9,10 +9,9 @@
 //! a run across the end of the mask is one fan rather than two. Current GPUs do not draw fans, so a run
 //! can also be written as a strip; see `fan_form.rs`.
 //!
-//! Cost: linear in the number of active vertices, plus a scan of one 64-bit word per 64 steps. On the
-//! bunny, at any level, the average run has 3.1 triangles, and a triangle takes 3 indices in a list, 2.24
-//! in strips and 1.97 in fans. With several groups, the indices of all groups but the first are copied
-//! once.
+//! Cost: linear in the number of active vertices, plus a scan of one 64-bit word per 64 steps. On the bunny,
+//! at any level, the average run has 3.1 triangles, and a triangle takes 3 indices in a list, 2.24 in strips
+//! and 1.97 in fans. With several groups, the indices of all groups but the first are copied once.
 
 mod fan_form;
 mod walk;
@@ -97,8 +96,7 @@ impl FanInstance {
         append_all(fans, self, FanForm::Fans, out);
     }
 
-    /// Appends the fans that the instance shows as strips, separated by
-    /// [`RESTART`](crate::strip::RESTART).
+    /// Appends the fans that the instance shows as strips, separated by [`RESTART`](crate::strip::RESTART).
     ///
     /// # Panics
     /// If the instance belongs to a different table.

@@ -22,11 +22,10 @@ pub struct BatchOptions {
     /// the first general one 0.7 of it. A larger share gives fewer and larger batches, which are coded
     /// in fewer bits, but less accurate levels.
     pub share: f64,
-    /// Collapse short edges first: each edge costs as much as an error of this size, in mesh units,
-    /// over the square of its length. The remaining mesh is then more regular, which a coder predicts
-    /// better. Default none. One to two steps of the grid to which positions will be rounded cost
-    /// almost no error compared with the rounding, even in flat regions, and save a twentieth of a
-    /// stream.
+    /// Collapse short edges first: each edge costs as much as an error of this size, in mesh units, over the
+    /// square of its length. The remaining mesh is then more regular, which a coder predicts better. Default
+    /// none. One to two steps of the grid to which positions will be rounded cost almost no error compared
+    /// with the rounding, even in flat regions, and save a twentieth of a stream.
     pub shape_step: Option<f64>,
     /// Largest valence of a removed position, at least 3; default 7. At a boundary, the virtual
     /// triangles that close the hole count too.

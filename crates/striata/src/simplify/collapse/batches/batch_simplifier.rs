@@ -1,5 +1,4 @@
-//! The loop over batches: evaluates changed positions, then collapses cheap ones that are far enough
-//! apart.
+//! The loop over batches: evaluates changed positions, then collapses cheap ones that are far enough apart.
 //!
 //! Every removable position is evaluated in full, and its cheapest target stored. A batch changes the
 //! stars in its rings only, which are evaluated again before the next batch. Elsewhere only the link of
@@ -44,8 +43,7 @@ pub(super) struct BatchSimplifier<'a> {
     pub(super) choices: Vec<Option<CollapseChoice>>,
     /// Positions whose choice only a general batch can apply.
     pub(super) is_general: Vec<bool>,
-    /// Positions that a surface batch may remove: manifold after the last general batch, and not
-    /// locked.
+    /// Positions that a surface batch may remove: manifold after the last general batch, and not locked.
     pub(super) is_removable: Vec<bool>,
     /// Positions whose stars have changed, each once.
     changed: Vec<u32>,

@@ -162,8 +162,7 @@ impl BatchSimplifier<'_> {
         absorbing_collapse.flatten().unwrap_or((v, choice))
     }
 
-    /// Evaluates the ring of the last collapse again and queues its members that wait for a general
-    /// batch.
+    /// Evaluates the ring of the last collapse again and queues its members that wait for a general batch.
     fn update_ring(&mut self, queue: &mut BinaryHeap<Entry>) {
         let ring = std::mem::take(&mut self.executor.ring);
         for &w in &ring {

@@ -11,12 +11,11 @@
 //! coarse   a --------- b --------- c      b is in the rings of both, and a target: it stays
 //! ```
 //!
-//! A batch of this kind only removes manifold positions and keeps the mesh manifold even if every
-//! boundary is closed by a virtual vertex: the link condition holds on that closed surface, a position
-//! on a boundary moves only along it, and each part keeps at least a tetrahedron or a triangle.
-//! Non-manifold positions, and collapses that change the topology, wait for a **general batch**, whose
-//! collapses are applied one after another and may be of any kind (`general.rs`). Closed scans need
-//! none, or a few at their coarse end.
+//! A batch of this kind only removes manifold positions and keeps the mesh manifold even if every boundary is
+//! closed by a virtual vertex: the link condition holds on that closed surface, a position on a boundary
+//! moves only along it, and each part keeps at least a tetrahedron or a triangle. Non-manifold positions, and
+//! collapses that change the topology, wait for a **general batch**, whose collapses are applied one after
+//! another and may be of any kind (`general.rs`). Closed scans need none, or a few at their coarse end.
 //!
 //! Differs: removed positions must not be neighbors, but their stars may touch, which makes batches
 //! twice as large as with disjoint stars. The RMS error of levels is 3 to 8 % larger than with one

@@ -11,8 +11,7 @@ const CROWD_WEIGHT: f32 = 0.1;
 #[derive(Debug)]
 pub(super) struct Selection {
     batch: u32,
-    /// The batch in which each position was last in the ring of a removed one, and therefore had to
-    /// stay.
+    /// The batch in which each position was last in the ring of a removed one, and therefore had to stay.
     ring: Vec<u32>,
     /// The batch in which each position was last a target.
     target: Vec<u32>,

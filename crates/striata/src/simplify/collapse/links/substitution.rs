@@ -9,8 +9,7 @@ impl Links {
     /// Replaces `v` by `u` in every link and drops the triangles that lose a corner; the link of `v`
     /// becomes empty.
     ///
-    /// Works for any two positions, neighbors or not; the caller decides whether the collapse makes
-    /// sense.
+    /// Works for any two positions, neighbors or not; the caller decides whether the collapse makes sense.
     pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32) {
         if !self.splice(v, u) {
             self.merge(v, u);
@@ -194,8 +193,7 @@ impl Links {
                 ring.copy_within(i + 1.., i);
                 self.slabs[w as usize].len -= 1;
                 if self.follows_triangles {
-                    // The triangle between v and u vanishes; if u comes first, it gets v's other
-                    // triangle.
+                    // The triangle between v and u vanishes; if u comes first, it gets v's other triangle.
                     let triangles = &mut self.triangles[start..start + n];
                     if precedes {
                         triangles[last] = triangles[i];

@@ -1,5 +1,4 @@
-//! Geometric tests of one candidate: whether its fan is valid, and how far the old and new surface are
-//! apart.
+//! Geometric tests of one candidate: whether its fan is valid, and how far the old and new surface are apart.
 
 use glam::Vec3;
 use wide::f32x8;
@@ -17,8 +16,7 @@ impl Star {
         if distance_squared < f32::INFINITY {
             return Some(distance_squared);
         }
-        // No triangle is left (the last one of a border): measure the edges that remain of the old
-        // triangles.
+        // No triangle is left (the last one of a border): measure the edges that remain of the old triangles.
         let edge = |t: usize| {
             let [a, b] = self.triangle(t).map(|i| self.offset(i));
             fan::distance_squared(self.offset(k), a, b)
@@ -60,8 +58,7 @@ impl Star {
             if !(change.is_allowed(star) | vanishes).all() {
                 return None;
             }
-            // The origin against the triangle (u, a, b); u dot the old normal is the height for all of
-            // them.
+            // The origin against the triangle (u, a, b); u dot the old normal is the height for all of them.
             let triangle = fan::Products {
                 d: [uu - ua, uu - ub, ua - aa, ua - ab, ub - ab, ub - bb],
                 corners: [uu, aa, bb],
@@ -128,8 +125,7 @@ impl Star {
         self.vanishes = vanishes;
     }
 
-    /// Largest squared distance of the new edges' midpoints from the old star: how far the fan sticks
-    /// out.
+    /// Largest squared distance of the new edges' midpoints from the old star: how far the fan sticks out.
     ///
     /// The distance of `v` alone does not detect a fan that bridges a valley.
     pub(in crate::simplify) fn protrusion_squared(&mut self, k: usize) -> f32 {

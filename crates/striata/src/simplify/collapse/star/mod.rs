@@ -63,8 +63,7 @@ pub(in crate::simplify) struct Star {
     area_doubled: f32,
     /// Sum of the normals, which is the same for any surface with this border.
     mean_normal: Vec3,
-    /// 1 for triangles that a candidate removes, `NO_TRIANGLE` in lanes past the last triangle,
-    /// otherwise 0.
+    /// 1 for triangles that a candidate removes, `NO_TRIANGLE` in lanes past the last triangle, otherwise 0.
     vanishes: Vec<f32>,
     /// Midpoints of new edges, and their squared distances from the old triangles.
     middles: Vec<(Vec3, f32x8)>,

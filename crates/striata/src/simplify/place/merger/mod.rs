@@ -255,9 +255,8 @@ impl<'a> Merger<'a> {
         self.evaluator.positions[p as usize] = [x, y, z, 0.0];
     }
 
-    /// Measures the witnesses at the ends of a collapsed edge again; returns the largest squared
-    /// distance. Leaves the removed position, the kept one and all that lost their last triangle in
-    /// `gone`.
+    /// Measures the witnesses at the ends of a collapsed edge again; returns the largest squared distance.
+    /// Leaves the removed position, the kept one and all that lost their last triangle in `gone`.
     fn measure_witnesses(
         &mut self,
         (removed, kept): (u32, u32),

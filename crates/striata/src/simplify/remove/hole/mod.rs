@@ -59,8 +59,7 @@ pub(super) struct Hole {
     gap_squared: [[f32; MAX_RING]; MAX_RING],
     /// Bit `j` of entry `i`: whether the edge `i`-`j` is allowed.
     allowed: [u32; MAX_RING],
-    /// Search state: the least cost between two members of the ring, and the apex of the triangle
-    /// there.
+    /// Search state: the least cost between two members of the ring, and the apex of the triangle there.
     best: [[f32; MAX_RING]; MAX_RING],
     apex: [[u8; MAX_RING]; MAX_RING],
     /// For each diagonal, a bit mask of the points to its left, in `words` words.
@@ -148,8 +147,7 @@ impl Hole {
         }
     }
 
-    /// Finds the sharp spokes, at which the cosine between the normals on both sides is less than
-    /// `cosine`.
+    /// Finds the sharp spokes, at which the cosine between the normals on both sides is less than `cosine`.
     pub(super) fn features(&self, cosine: f32) -> Features {
         let first = usize::from(!self.is_closed);
         let is_sharp = |i: &usize| {

@@ -1,8 +1,7 @@
 //! Determines which points lie over which triangle of the ring.
 //!
-//! Each diagonal separates the points; those of a triangle are on its side of all three edges. Each
-//! point is then over exactly one triangle of any triangulation, so sums over points are sums over
-//! triangles.
+//! Each diagonal separates the points; those of a triangle are on its side of all three edges. Each point is
+//! then over exactly one triangle of any triangulation, so sums over points are sums over triangles.
 
 use super::{Hole, RingTriangle};
 use crate::simplify::remove::tracked_vertices::TrackedVertex;

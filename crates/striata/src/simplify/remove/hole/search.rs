@@ -10,9 +10,8 @@
 //!        i ----- j
 //! ```
 //!
-//! The result is exact if costs add up over triangles and new edges. Distances do: each tracked vertex
-//! lies over one triangle, and old and new surface are farthest apart where new edges cross the old
-//! spokes.
+//! The result is exact if costs add up over triangles and new edges. Distances do: each tracked vertex lies
+//! over one triangle, and old and new surface are farthest apart where new edges cross the old spokes.
 //!
 //! Time O(n^3) for a ring of n; each triangle is evaluated once.
 

@@ -1,5 +1,6 @@
 //! Guarantees that every simplifier gives for its levels, written once for all simplifiers.
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+
+mod implementations;
 
 use std::collections::BTreeSet;
 use std::fmt::Debug;
@@ -9,8 +10,10 @@ use striata::mesh::{Adjacency, IndexedMesh, Levels, shapes, weld};
 use striata::simplify::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 use striata::{Cancelled, ProgressFn, ignore_progress};
 
-use crate::meshes::{NamedMesh, all, check_each_variant, closed, open};
+use crate::meshes::{NamedMesh, all, check_each_variant, closed, nasty, open};
 use crate::support::Topology;
+
+pub use implementations::hole_fillings;
 
 /// Result of a simplifier.
 pub struct Outcome {
@@ -64,14 +67,14 @@ pub trait Simplifier: Clone + Debug {
     }
 }
 
-/// Turns each of the named checks into a test of a simplifier.
+/// Turns each of the named checks of [`simplifier`](crate::simplifier) into a test.
 #[macro_export]
 macro_rules! test_guarantees {
     ($options:ty: $($check:ident),+ $(,)?) => {
         $(
             #[test]
             fn $check() {
-                simplifier::$check::<$options>();
+                $crate::simplifier::$check::<$options>();
             }
         )+
     };
@@ -252,7 +255,7 @@ pub fn rejects<S: Simplifier>(mesh: &IndexedMesh, cases: &[(&str, S)]) {
 
 pub fn invalid_meshes_are_rejected_with_the_location<S: Simplifier>() {
     let mut count = 0;
-    for (name, mesh) in shapes::nasty() {
+    for (name, mesh) in nasty() {
         let Err(expected) = mesh.check() else { continue };
         let (_, options) = S::variants().swap_remove(0);
         let error = options.run(&mesh, &mut ignore_progress).map(|_| ()).unwrap_err();

@@ -13,10 +13,10 @@
 //! are the same for any number of threads and on every machine.
 
 use glam::DVec3;
-
-use super::surface_samples::{Samples, low_discrepancy_point, map_chunks, weights_on_triangle};
-use super::triangle_tree::to_dvec3;
-use super::{AttributeLayer, DistanceError, DistanceOptions, IndexedMesh, Semantic, TriangleTree};
+use striata::mesh::{
+    AttributeLayer, DistanceError, DistanceOptions, IndexedMesh, Semantic, SurfaceSample, SurfaceSamples,
+    TriangleTree,
+};
 
 /// Smallest dot product of two unit normals that count as being on the same side.
 const SAME_SIDE: f64 = 0.3;
@@ -33,38 +33,30 @@ const TIE_SHARE: f64 = 1e-6;
 
 /// Mean and 95th percentile of the differences of one attribute.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct AttributeSpread {
+pub(super) struct AttributeSpread {
     /// Mean, weighted by area.
-    pub mean: f64,
+    pub(super) mean: f64,
     /// Value that 95 % of the area does not exceed.
-    pub percentile_95: f64,
+    pub(super) percentile_95: f64,
 }
 
 /// Result of [`attribute_distance`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct AttributeDistance {
+pub(super) struct AttributeDistance {
     /// Angles between interpolated normals, in radians; `None` if either mesh has no normals.
-    pub normal: Option<AttributeSpread>,
+    pub(super) normal: Option<AttributeSpread>,
     /// Distances between texture coordinates of set 0, in UV units (1 is the width of the texture); `None`
     /// if either mesh has none.
-    pub uv: Option<AttributeSpread>,
+    pub(super) uv: Option<AttributeSpread>,
     /// Fraction of the samples for which a triangle on the same side was within reach.
-    pub same_side_share: f64,
+    pub(super) same_side_share: f64,
 }
 
 /// Measures how far the normals and texture coordinates of `level` differ from those of `original`.
 ///
-/// ```
-/// use striata::mesh::{DistanceOptions, attribute_distance, shapes};
-/// let (fine, coarse) = (shapes::icosphere(4, 1.0), shapes::icosphere(2, 1.0));
-/// let distance = attribute_distance(&fine, &coarse, &DistanceOptions::default().with_sample_count(1_000))?;
-/// assert_eq!((distance.same_side_share, distance.uv), (1.0, None));
-/// # Ok::<(), striata::mesh::DistanceError>(())
-/// ```
-///
 /// # Errors
 /// [`DistanceError`] if a mesh is inconsistent or has no triangles, or if the sample count is 0.
-pub fn attribute_distance(
+pub(super) fn attribute_distance(
     original: &IndexedMesh,
     level: &IndexedMesh,
     options: &DistanceOptions,
@@ -81,7 +73,7 @@ pub fn attribute_distance(
     check(level, "second")?;
     let tree = TriangleTree::new(level).map_err(|source| DistanceError::Mesh { which: "second", source })?;
     let comparison = Comparison {
-        samples: Samples::new(original, options.sample_count, options.seed),
+        samples: SurfaceSamples::new(original, options.sample_count, options.seed),
         original: Attributes::of(original),
         level: Attributes::of(level),
         tree,
@@ -149,35 +141,23 @@ struct Differences {
 
 /// The data of one measurement.
 struct Comparison<'a> {
-    samples: Samples<'a>,
+    samples: SurfaceSamples<'a>,
     original: Attributes<'a>,
     level: Attributes<'a>,
     tree: TriangleTree,
     diagonal: f64,
 }
 
-/// A sample point on the original surface.
-struct Sample {
-    point: DVec3,
-    triangle: usize,
-    /// Barycentric coordinates of the point in the triangle.
-    weights: [f64; 3],
-}
-
 impl Comparison<'_> {
     fn measure(&self) -> AttributeDistance {
-        let chunks = map_chunks(self.samples.areas.count(), |range| {
+        let chunks = self.samples.map_area_chunks(|samples| {
             let mut found = Differences::default();
             let (mut hint, mut triangles) = (usize::MAX, Vec::new());
-            self.samples.areas.for_each(range, |k, triangle| {
-                let uv = low_discrepancy_point(self.samples.seed, k);
-                let point = self.samples.point_on_triangle(triangle, uv);
-                found.same_side_count +=
-                    usize::from(self.find_nearest((point, triangle), &mut hint, &mut triangles));
+            for sample in samples {
+                found.same_side_count += usize::from(self.find_nearest(&sample, &mut hint, &mut triangles));
                 found.sample_count += 1;
-                let sample = Sample { point, triangle, weights: weights_on_triangle(uv) };
                 self.compare(&sample, &triangles, &mut found);
-            });
+            }
             found
         });
         let count = |of: fn(&Differences) -> usize| chunks.iter().map(of).sum::<usize>();
@@ -191,13 +171,9 @@ impl Comparison<'_> {
     }
 
     /// Finds the triangles of the level to compare a sample with; returns whether they are on the same side.
-    fn find_nearest(
-        &self,
-        (point, triangle): (DVec3, usize),
-        hint: &mut usize,
-        found: &mut Vec<usize>,
-    ) -> bool {
-        let own_normal = self.original.triangle_normals[triangle];
+    fn find_nearest(&self, sample: &SurfaceSample, hint: &mut usize, found: &mut Vec<usize>) -> bool {
+        let point = sample.point;
+        let own_normal = self.original.triangle_normals[sample.triangle];
         let is_same_side =
             |candidate: usize| self.level.triangle_normals[candidate].dot(own_normal) > SAME_SIDE;
         let nearest_distance = self.tree.distance_from_hint(point, hint);
@@ -223,8 +199,9 @@ impl Comparison<'_> {
         has_same_side
     }
 
-    fn compare(&self, sample: &Sample, triangles: &[usize], found: &mut Differences) {
-        let Sample { point, triangle: own, weights } = *sample;
+    fn compare(&self, sample: &SurfaceSample, triangles: &[usize], found: &mut Differences) {
+        let SurfaceSample { point, triangle: own, weights } = *sample;
+        let point = DVec3::from_array(point);
         let (mut angle, mut distance) = (None::<f64>, None::<f64>);
         let lower =
             |least: &mut Option<f64>, value: f64| *least = Some(least.map_or(value, |x| x.min(value)));
@@ -291,8 +268,15 @@ fn angle_between(a: DVec3, b: DVec3) -> f64 {
     16.0 * x * series
 }
 
+/// Converts a position to f64, which is exact.
+fn to_dvec3(position: [f32; 3]) -> DVec3 {
+    DVec3::from_array(position.map(f64::from))
+}
+
 #[cfg(test)]
 mod tests {
+    use striata::mesh::{LayerData, shapes};
+
     use super::*;
 
     /// A unit square at height `z`, with normals along z and texture coordinates shifted by `u`.
@@ -317,9 +301,7 @@ mod tests {
         mesh.positions.extend(&b.positions);
         mesh.triangles.extend(b.triangles.iter().map(|t| t.map(|v| v + first)));
         for (layer, other) in mesh.layers.iter_mut().zip(&b.layers) {
-            if let (super::super::LayerData::F32(into), super::super::LayerData::F32(from)) =
-                (&mut layer.data, &other.data)
-            {
+            if let (LayerData::F32(into), LayerData::F32(from)) = (&mut layer.data, &other.data) {
                 into.extend(from);
             }
         }
@@ -328,6 +310,12 @@ mod tests {
 
     fn measured(a: &IndexedMesh, b: &IndexedMesh) -> AttributeDistance {
         attribute_distance(a, b, &DistanceOptions::default().with_sample_count(10_000)).unwrap()
+    }
+
+    #[test]
+    fn samples_of_similar_spheres_are_on_the_same_side() {
+        let found = measured(&shapes::icosphere(4, 1.0), &shapes::icosphere(2, 1.0));
+        assert_eq!((found.same_side_share, found.uv), (1.0, None));
     }
 
     #[test]

@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 ///
 /// # Panics
 /// If `bits` is not from 2 to 16.
-pub fn encode(direction: [f32; 3], bits: u32) -> [i16; 2] {
+pub(super) fn encode(direction: [f32; 3], bits: u32) -> [i16; 2] {
     let scale = scale_of(bits);
     let direction = DVec3::from(direction.map(f64::from)).try_normalize().unwrap_or(DVec3::Z);
     let sum = direction.abs().element_sum();
@@ -32,7 +32,7 @@ pub fn encode(direction: [f32; 3], bits: u32) -> [i16; 2] {
 ///
 /// # Panics
 /// If `bits` is not from 2 to 16.
-pub fn decode(point: [i16; 2], bits: u32) -> [f32; 3] {
+pub(super) fn decode(point: [i16; 2], bits: u32) -> [f32; 3] {
     let scale = scale_of(bits);
     let point = DVec2::from(point.map(f64::from)) / scale;
     direction_at(point.clamp(DVec2::NEG_ONE, DVec2::ONE)).as_vec3().into()
@@ -58,7 +58,7 @@ fn direction_at(point: DVec2) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     #[test]
     fn directions_round_trip_within_half_a_cell() {
