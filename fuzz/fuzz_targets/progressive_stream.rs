@@ -48,8 +48,7 @@ fn check(decoder: &StreamDecoder) {
     }
 }
 
-/// Overwrites the expected checksum with the actual one. Returns false if the error is not about a
-/// checksum.
+/// Overwrites the expected checksum with the actual one. Returns false if the error is not about a checksum.
 fn correct_checksum(bytes: &mut [u8], error: &DecodeError) -> bool {
     let (found, expected) = match *error {
         DecodeError::HeaderChecksum { found, expected }

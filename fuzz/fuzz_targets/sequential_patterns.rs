@@ -16,8 +16,7 @@ fuzz_target!(|data: &[u8]| {
         }
         assert_eq!(decoder.triangles().len(), triangle_count, "triangles must not be lost");
     };
-    // A step may add a triangle that duplicates another one, which a surface allows and a sequence does
-    // not.
+    // A step may add a triangle that duplicates another one, which a surface allows and a sequence does not.
     assert!(
         is_whole || decode_sequential(data).is_err(),
         "a whole that decodes must consist of parts that decode"

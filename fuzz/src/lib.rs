@@ -25,8 +25,7 @@ impl Bytes<'_> {
         }
     }
 
-    /// Returns a mesh with up to 48 vertices, whose triangles use up the remaining bytes. It may be
-    /// invalid.
+    /// Returns a mesh with up to 48 vertices, whose triangles use up the remaining bytes. It may be invalid.
     pub fn mesh(&mut self) -> IndexedMesh {
         let shape = self.byte();
         let vertex_count = usize::from(self.byte() % 48) + 1;

@@ -1,10 +1,9 @@
 //! Draws striata's levels of detail with wgpu, in a window or into an offscreen picture.
 //!
 //! A mesh's vertices are uploaded once ([`GpuVertices`]). Each level is only another set of indices over
-//! them, drawn as a triangle list, as strips with primitive restart, or by many indirect draws
-//! ([`Drawing`]). [`Painter`] owns the pipelines, [`Canvas`] is an offscreen render target, and
-//! [`Viewpoint`] is the camera. [`Inspection`] draws individual triangles, colored by strip or fan, with
-//! their edges.
+//! them, drawn as a triangle list, as strips with primitive restart, or by many indirect draws ([`Drawing`]).
+//! [`Painter`] owns the pipelines, [`Canvas`] is an offscreen render target, and [`Viewpoint`] is the camera.
+//! [`Inspection`] draws individual triangles, colored by strip or fan, with their edges.
 //!
 //! Positions are stored relative to the middle of the bounds, so that a mesh far from the origin keeps its
 //! shape in 32 bits. Depth is reversed, from 1 at the near plane to 0 at infinity. The instance index tells

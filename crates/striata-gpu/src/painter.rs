@@ -162,8 +162,7 @@ impl Scene {
         let aspect = width.max(1) as f32 / height.max(1) as f32;
         let clip_from_model = viewpoint.clip_from_model(vertices.origin(), vertices.radius(), aspect);
         let [right, up, back] = viewpoint.axes();
-        // The lights follow the camera: the key light from the upper left, a weak fill light from the
-        // right.
+        // The lights follow the camera: the key light from the upper left, a weak fill light from the right.
         let towards = |x: f32, y: f32, z: f32| {
             let to: [f32; 3] = std::array::from_fn(|k| x * right[k] + y * up[k] + z * back[k]);
             let length = (x * x + y * y + z * z).sqrt();

@@ -1,5 +1,4 @@
-//! Tests a device by drawing a small triangle in every way that pictures are drawn, and checking the
-//! pixels.
+//! Tests a device by drawing a small triangle in every way that pictures are drawn, and checking the pixels.
 
 use striata::mesh::IndexedMesh;
 use wgpu::RenderPass;
@@ -21,8 +20,7 @@ const SIDE: u32 = 16;
 /// Samples per pixel, the same as for real pictures.
 const SAMPLES: u32 = 4;
 
-/// A triangle that covers the middle of the picture but no corner of it, and two that leave the middle
-/// free.
+/// A triangle that covers the middle of the picture but no corner of it, and two that leave the middle free.
 const CORNERS: [[f32; 3]; 9] = [
     [-0.5, -0.4, 0.0],
     [0.5, -0.4, 0.0],

@@ -47,8 +47,7 @@ impl GpuVertices {
         })
     }
 
-    /// Replaces the vertex colors, one per vertex, linear light as bytes; for example to visualize an
-    /// error.
+    /// Replaces the vertex colors, one per vertex, linear light as bytes; for example to visualize an error.
     ///
     /// # Panics
     /// If the numbers of colors and vertices differ.

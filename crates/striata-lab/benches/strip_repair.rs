@@ -184,8 +184,7 @@ fn best_move<'a>(from: &LiveStrips<'a>, split_count: usize) -> (f64, (RepairRepo
     })
 }
 
-/// Wall-clock time of the fastest of several runs, and its result; too short for the system's CPU
-/// accounting.
+/// Wall-clock time of the fastest of several runs, and its result; too short for the system's CPU accounting.
 fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
     let mut run = || {
         let start = Instant::now();

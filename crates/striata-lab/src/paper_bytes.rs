@@ -76,8 +76,7 @@ impl PaperBytes for Patterns {
     }
 }
 
-/// Bits that \[KG98\] counts per fragment: two anchors, the rule with the number of loops, and the link
-/// down.
+/// Bits that \[KG98\] counts per fragment: two anchors, the rule with the number of loops, and the link down.
 const FRAGMENT_BITS: usize = 64 + 16 + 36;
 
 /// Bits that \[KG98\] counts per overlap: a fragment and one of its loops.

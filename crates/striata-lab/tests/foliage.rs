@@ -119,8 +119,7 @@ fn crowns_keep_their_silhouette() {
 
 #[test]
 fn parts_that_must_stay_do_not_grow() {
-    // Parts that must stay cannot grow to compensate for others: every card keeps one of its two
-    // triangles.
+    // Parts that must stay cannot grow to compensate for others: every card keeps one of its two triangles.
     let mesh = crown(40, 5);
     let options = SequenceOptions::default().with_topology(TopologyRule::KeepParts);
     let refinable = build_sequence(&mesh, &options).expect("cards are sound").refinable;

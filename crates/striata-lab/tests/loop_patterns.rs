@@ -289,8 +289,7 @@ fn ragged(seed: u64) -> IndexedMesh {
     mesh
 }
 
-/// If holes close or borders touch, both forms reject the same meshes, and every set of the others is
-/// right.
+/// If holes close or borders touch, both forms reject the same meshes, and every set of the others is right.
 #[test]
 fn ragged_surfaces_are_right_or_rejected() {
     let (mut right, mut rejected) = (0, 0);

@@ -79,8 +79,7 @@ fn chance(query: MtQuery, seed: u64) -> u64 {
     (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 40
 }
 
-/// A condition that considers some percentage of all triangles too coarse, independently of their
-/// position.
+/// A condition that considers some percentage of all triangles too coarse, independently of their position.
 fn scattered(percent: u64, seed: u64) -> impl Fn(MtQuery) -> bool {
     move |query| chance(query, seed) % 100 < percent
 }

@@ -79,8 +79,7 @@ fn base_of_one_position_follows_the_oracle() {
 
 #[test]
 fn strips_with_joints_and_degenerate_ends_are_used_unchanged() {
-    // One strip over a square of four triangles: it turns, joins, and has degenerate triangles at both
-    // ends.
+    // One strip over a square of four triangles: it turns, joins, and has degenerate triangles at both ends.
     let positions = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]];
     let positions = positions.map(|[x, y]| [x, y, x * y]).to_vec();
     let mesh = IndexedMesh::new(positions, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
@@ -183,8 +182,7 @@ fn paper_bytes_of_a_small_model_match_manual_counts() {
     // Four Collapses, a strip of four, a Change, a RecordChange, a slot.
     assert_eq!(original.paper_bytes(Accounting::Words), 4 * (4 + (1 + 4) + 2 + 3 + 1));
     let skip = SkipStrips::build(&refinable, &strips).unwrap();
-    // A strip of four slots, four nodes of which one is a child, four vertices, one of which affects a
-    // strip.
+    // A strip of four slots, four nodes of which one is a child, four vertices, one of which affects a strip.
     assert_eq!(skip.paper_bytes(Accounting::Words), 4 * ((1 + 4) + (4 * 4 + 1) + (3 * 4 + 1)));
     let both =
         |model: &dyn Fn(Accounting) -> usize| [Accounting::Words, Accounting::ShortIntegers].map(model);

@@ -196,8 +196,7 @@ fn requiring_all_or_nothing_gives_the_full_mesh_or_the_base() {
     }
 }
 
-/// The front does not depend on previous views: only required vertices and their prerequisites are
-/// refined.
+/// The front does not depend on previous views: only required vertices and their prerequisites are refined.
 #[test]
 fn fronts_do_not_depend_on_previous_views() {
     for (seed, refinable) in cases() {

@@ -9,9 +9,8 @@
 //! predicted from the geometry decoded so far.
 //!
 //! [`encode_stream`] writes a stream and [`StreamDecoder`] reads it in pieces of any size.
-//! [`GrowingHierarchy`] makes view-dependent cuts of what has been decoded so far. [`open`] reads
-//! `.striata` files whose mesh is a stream, and [`file_model`] prepares a stream for storage in such a
-//! file.
+//! [`GrowingHierarchy`] makes view-dependent cuts of what has been decoded so far. [`open`] reads `.striata`
+//! files whose mesh is a stream, and [`file_model`] prepares a stream for storage in such a file.
 //!
 //! # Reading order
 //!

@@ -147,8 +147,7 @@ fn a_truncated_file_gives_the_beginning_of_its_stream() {
     }
     assert!(counts.len() > 20 && counts.is_sorted(), "{counts:?}");
     assert!(open_truncated(&bytes).is_ok_and(|file| !file.is_truncated()));
-    // A file must not be longer than its header states, and a file without a stream must not be
-    // truncated.
+    // A file must not be longer than its header states, and a file without a stream must not be truncated.
     let longer = [&bytes[..], &[0]].concat();
     assert!(matches!(open_truncated(&longer), Err(DecodeError::FileLength { .. })));
     let plain = to_striata(&encoded.refinable, &[], &WriteOptions::default()).unwrap();

@@ -1,5 +1,4 @@
-//! Progressive streams: decoded meshes equal the encoded ones at any prefix, and damaged bytes do no
-//! harm.
+//! Progressive streams: decoded meshes equal the encoded ones at any prefix, and damaged bytes do no harm.
 
 use striata_testing::meshes;
 use striata_testing::support;
@@ -428,8 +427,7 @@ fn decodes_streams_of_the_first_version() {
     }
 }
 
-/// Run by hand after a change of the bitstream format: `cargo test --release --test streams --
-/// --ignored`.
+/// Run by hand after a change of the bitstream format: `cargo test --release --test streams -- --ignored`.
 #[test]
 #[ignore = "writes the streams that are kept"]
 fn rewrite_stored_streams() {

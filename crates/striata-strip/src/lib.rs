@@ -6,8 +6,7 @@
 //! * [`stripify`] makes strips with any [`Stripifier`]: the classic local algorithm, tunneling, fewest
 //!   strips or fewest indices. [`stripify_from`] starts from existing strips and runs until the caller's
 //!   budget is spent.
-//! * A [`StripOptions::cache_weight`] above 0 reorders strips for a vertex cache, or grows new strips for
-//!   it.
+//! * A [`StripOptions::cache_weight`] above 0 reorders strips for a vertex cache, or grows new strips for it.
 //! * [`strip_count_bound`] proves a lower bound for the number of strips.
 //! * [`LiveStrips`] follow a mesh between its levels of detail and are repaired at each step.
 //! * [`stripify_blocks`] makes strips of meshes that do not fit into memory.

@@ -35,8 +35,7 @@ fn grow(seed: u32, free: &mut FreeTriangles<'_>, strip: &mut Vec<u32>, links: &m
     strip.push(seed);
     let Some(exit) = most_isolated(free, [3 * seed, 3 * seed + 1, 3 * seed + 2]) else { return };
     let first_turns_next = walk(exit, false, free, strip, links);
-    // The seed has to turn the other way than the triangle after it; seen from behind, that is the same
-    // way.
+    // The seed has to turn the other way than the triangle after it; seen from behind, that is the same way.
     let (straight, turned) = if first_turns_next {
         (next_side(exit), prev_side(exit))
     } else {

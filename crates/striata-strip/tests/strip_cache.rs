@@ -23,8 +23,7 @@ fn price(strips: &StripSet, options: &StripOptions) -> f64 {
     index_count as f64 + options.cache_weight * miss_count as f64
 }
 
-/// Checks that each group of strips draws the triangles of the mesh's group exactly once, with their
-/// winding.
+/// Checks that each group of strips draws the triangles of the mesh's group exactly once, with their winding.
 fn assert_covers(name: &str, mesh: &IndexedMesh, strips: &StripSet) {
     assert_eq!(strips.group_count(), mesh.groups_or_whole().len(), "{name}");
     for (g, group) in mesh.groups_or_whole().iter().enumerate() {

@@ -1,8 +1,7 @@
 //! The embedded web viewer: its files, and a self-contained page with a model inside.
 //!
 //! The page needs neither a server nor a network: scripts and styles are inlined, and the decoder and the
-//! model are embedded as base64, where the viewer looks for them. Cost: memory of about three times the
-//! page.
+//! model are embedded as base64, where the viewer looks for them. Cost: memory of about three times the page.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;

@@ -1,5 +1,4 @@
-//! The error type of this crate: a code for programs, a message for people, and a hint if a remedy is
-//! known.
+//! The error type of this crate: a code for programs, a message for people, and a hint if a remedy is known.
 
 use striata::file::DecodeError;
 use striata::simplify::SimplifyError;

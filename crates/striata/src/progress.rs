@@ -2,14 +2,14 @@
 
 use std::ops::ControlFlow;
 
-/// How far a long operation has come; handed to the caller's callback now and then.
+/// Progress of a long operation, passed to the caller's callback from time to time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// What is being done, as one word fit for a progress bar (`"simplify"`).
+    /// Current activity, as one word fit for a progress bar (`"simplify"`).
     pub phase: &'static str,
     /// Units of work done so far.
     pub done: u64,
-    /// Units of work in all; an estimate where the operation may stop early.
+    /// Total units of work; an estimate if the operation may stop early.
     pub total: u64,
 }
 

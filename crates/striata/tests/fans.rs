@@ -44,7 +44,7 @@ fn check_level(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance) {
     assert_eq!(level.layers.len(), refinable.mesh.layers.len());
 }
 
-/// Applies random collapses and splits, drifting towards coarse and fine in turn; every set is checked
+/// Applies random collapses and splits, drifting toward coarse and fine in turn; every set is checked
 /// against the oracle.
 fn random_walk(refinable: &RefinableMesh, fans: &Fans, change_count: usize, random: &mut Random) {
     let step_count = fans.step_count();

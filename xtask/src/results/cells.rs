@@ -50,7 +50,8 @@ pub(super) fn shows(cell: &str, measured: &[f64]) -> bool {
     shown.is_empty() || (shown.len() == measured.len() && shown.iter().zip(measured).all(is_same))
 }
 
-/// Returns a cell with its numbers replaced by measured values, in the same format; `None` if the counts differ.
+/// Returns a cell with its numbers replaced by measured values, in the same format; `None` if the counts
+/// differ.
 pub(super) fn with_values(cell: &str, measured: &[f64]) -> Option<String> {
     let shown = numbers(cell);
     if shown.len() != measured.len() {

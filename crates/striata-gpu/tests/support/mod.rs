@@ -11,8 +11,7 @@ pub(crate) fn gpu() -> Gpu {
         .expect("these tests need a graphics adapter; install mesa-vulkan-drivers for a CPU one")
 }
 
-/// Counts the pixels of two equally large pictures that differ in a channel by more than `tolerance` of
-/// 255.
+/// Counts the pixels of two equally large pictures that differ in a channel by more than `tolerance` of 255.
 #[allow(dead_code, reason = "not every test compares pictures")]
 pub(crate) fn differing_pixels(a: &Picture, b: &Picture, tolerance: u8) -> usize {
     assert_eq!((a.width, a.height), (b.width, b.height));

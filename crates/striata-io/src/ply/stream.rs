@@ -1,8 +1,7 @@
 //! Binary PLY file read piece by piece, for meshes that do not fit into memory.
 //!
-//! Vertices must have rows of constant length, so that each can be located by its index, and must precede
-//! the faces. Other elements before the faces must have constant row lengths too, so that they can be
-//! skipped.
+//! Vertices must have rows of constant length, so that each can be located by its index, and must precede the
+//! faces. Other elements before the faces must have constant row lengths too, so that they can be skipped.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -182,8 +181,7 @@ impl PlyStream {
     /// Passes the triangles to `visit` in order; polygons are triangulated as fans.
     ///
     /// # Errors
-    /// Returns an error if the file is truncated or a vertex index is out of range, or the error of
-    /// `visit`.
+    /// Returns an error if the file is truncated or a vertex index is out of range, or the error of `visit`.
     pub(crate) fn for_each_triangle(
         &self,
         mut visit: impl FnMut([u32; 3]) -> Result<(), ReadError>,

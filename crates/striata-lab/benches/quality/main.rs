@@ -82,8 +82,7 @@ enum Simplifier {
     Collapses(CollapseCost),
     /// Memoryless collapses in batches, as in a progressive stream of 12 bits.
     Batches,
-    /// Vertex removals with holes filled freely, ordered by squared distances, gaps and the largest
-    /// distance.
+    /// Vertex removals with holes filled freely, ordered by squared distances, gaps and the largest distance.
     Removal,
 }
 

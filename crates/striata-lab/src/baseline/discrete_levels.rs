@@ -91,8 +91,7 @@ impl DiscreteLevels {
     /// Stores at most `level_count` levels, each as the strips that `stripify` makes of it.
     ///
     /// Level `k` is the most detailed that has at most `triangle_count / 16^(k / (level_count - 1))`
-    /// triangles, rounded. Equal levels, which small meshes and early base meshes lead to, are stored
-    /// once.
+    /// triangles, rounded. Equal levels, which small meshes and early base meshes lead to, are stored once.
     ///
     /// # Errors
     /// [`DiscreteLevelsError`] if `level_count` is 0 or the mesh is inconsistent.

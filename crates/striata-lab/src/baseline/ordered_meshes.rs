@@ -93,8 +93,7 @@ impl OrderedMeshes {
         let mut block = [0; 3 * BLOCK_LEN];
         for triangles in self.created(state.split_count, group).chunks(BLOCK_LEN) {
             let mut filled = 0;
-            // Write every triangle and overwrite those that are not shown: a branch would be hard to
-            // predict.
+            // Write every triangle and overwrite those that are not shown: a branch would be hard to predict.
             for triangle in triangles {
                 block[filled..filled + 3].copy_from_slice(&triangle.corners);
                 filled += if triangle.is_shown(state.split_count) { 3 } else { 0 };

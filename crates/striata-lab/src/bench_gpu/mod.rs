@@ -1,8 +1,7 @@
 //! `bench-gpu`: measures what a frame costs while the level changes, for each way of drawing a level.
 //!
-//! This is the linear test of \[RCRG06\], its figures 7 and 8: from the full mesh to the base in even
-//! steps, and back. The camera stays still, so every way draws the same pixels and only the triangles
-//! change.
+//! This is the linear test of \[RCRG06\], its figures 7 and 8: from the full mesh to the base in even steps,
+//! and back. The camera stays still, so every way draws the same pixels and only the triangles change.
 
 mod bench_scene;
 mod report;

@@ -1,7 +1,6 @@
 //! Strip counts by maximum tunnel length, over several seeds: figure 8 and table 1 of \[PS03\].
 //!
-//! Runs with different seeds are independent, so they use all cores; only counts are reported, never
-//! times.
+//! Runs with different seeds are independent, so they use all cores; only counts are reported, never times.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;

@@ -25,7 +25,7 @@ const EXPONENTIAL_RATE: f64 = 5.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Pace {
-    /// The same number of steps in each frame.
+    /// Equally many steps in each frame.
     Linear,
     /// A fixed share of the remaining steps in each frame: large changes near, small ones far away.
     Exponential,

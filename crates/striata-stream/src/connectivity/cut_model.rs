@@ -58,9 +58,8 @@ struct Side {
     end: i32,
     inner: i32,
     area: i32,
-    /// Gradient sums while learning: over runs that start or end at this edge; over runs that start here;
-    /// and the change, from the previous triangle to this one, of the sum over runs that cover the
-    /// triangle.
+    /// Gradient sums while learning: over runs that start or end at this edge; over runs that start here; and
+    /// the change, from the previous triangle to this one, of the sum over runs that cover the triangle.
     gradients: [i32; 3],
 }
 

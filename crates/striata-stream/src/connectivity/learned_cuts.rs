@@ -2,9 +2,8 @@
 //! log-linear model of `cut_model.rs`.
 //!
 //! Scores are sums over the edges and triangles of a run, so each is the sum of a term for the start of the
-//! run, one for its end and one for its length. A run is coded as two symbols, its length and then its
-//! start, with shares proportional to the exponentials of the scores. All weights then move along the
-//! gradient.
+//! run, one for its end and one for its length. A run is coded as two symbols, its length and then its start,
+//! with shares proportional to the exponentials of the scores. All weights then move along the gradient.
 
 use super::ranked_cuts::MAX_RING;
 use super::ring::{cross, dot, dot_wide, log2_wide, mean};

@@ -1,9 +1,8 @@
 //! [`RankedCuts`]: cuts around vertices with few triangles, coded as two symbols: the length of the run,
 //! and its rank among the free runs of that length.
 //!
-//! Runs are ranked by the lengths of their edges, inner ones counting twice, since vertices are missing
-//! where edges are long; and by how few triangles the vertices at their ends have, since each gets one
-//! more.
+//! Runs are ranked by the lengths of their edges, inner ones counting twice, since vertices are missing where
+//! edges are long; and by how few triangles the vertices at their ends have, since each gets one more.
 
 use crate::entropy::{Coder, QuickSymbol};
 

@@ -1,5 +1,4 @@
-//! Data stored with each vertex: a summary of its ring, so that flags can be coded without visiting the
-//! ring.
+//! Data stored with each vertex: a summary of its ring, so that flags can be coded without visiting the ring.
 //!
 //! Splits are about seven times rarer than visited vertices. So each split updates all vertices around it,
 //! and a visit reads only the few bytes of its vertex.

@@ -8,8 +8,7 @@ use wide::i16x8;
 
 use super::coder::{Coder, QuickShares, SYMBOLS};
 
-/// Negative binary logarithm of the weight of the uniform share; each symbol gets at least a sixteenth of
-/// it.
+/// Negative binary logarithm of the weight of the uniform share; each symbol gets at least a sixteenth of it.
 const UNIFORM_SHIFT: u32 = 7;
 /// Negative binary logarithm of the rate at which shares move toward the coded symbol at first.
 const FIRST_SHIFT: u32 = 2;

@@ -145,8 +145,7 @@ impl LayerHistory {
         }
     }
 
-    /// Returns the mean residual scale of the surrounding vertices, or the largest scale if there are
-    /// none.
+    /// Returns the mean residual scale of the surrounding vertices, or the largest scale if there are none.
     pub(crate) fn scale_around(&self, neighborhood: &LayerNeighborhood<'_>) -> usize {
         let around = neighborhood.target.iter().chain(neighborhood.ring.iter().take(MOST_AROUND));
         let (mut count, mut sum) = (0usize, 0);

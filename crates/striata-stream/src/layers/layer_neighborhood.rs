@@ -24,8 +24,7 @@ pub(crate) struct LayerNeighborhood<'a> {
     pub(crate) whole: Option<(&'a [u32], &'a RingFit)>,
     /// Whether no triangle refers to the vertex yet. Its ring is then that of the whole position.
     pub(crate) is_hidden: bool,
-    /// Whether it belongs to the base mesh, where the ring contains only vertices that were coded before
-    /// it.
+    /// Whether it belongs to the base mesh, where the ring contains only vertices that were coded before it.
     pub(crate) is_base: bool,
 }
 

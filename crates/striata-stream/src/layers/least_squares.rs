@@ -1,10 +1,9 @@
 //! A weighted sum of predictions whose weights are learned by least squares.
 //!
-//! If predictions are similar to each other, gradient descent takes far too long. Instead we keep the
-//! normal equations, in which older vertices fade, and update their solution by a few Gauss-Seidel steps.
-//! Errors are weighted by their absolute value rather than their square, since a few large ones would
-//! otherwise dominate. All arithmetic is on integers, so that both sides of a stream get the same
-//! weights.
+//! If predictions are similar to each other, gradient descent takes far too long. Instead we keep the normal
+//! equations, in which older vertices fade, and update their solution by a few Gauss-Seidel steps. Errors are
+//! weighted by their absolute value rather than their square, since a few large ones would otherwise
+//! dominate. All arithmetic is on integers, so that both sides of a stream get the same weights.
 
 /// Decay rate: each new vertex reduces the influence of earlier ones by one part in 2 to this power.
 const FADE: u32 = 7;

@@ -115,8 +115,7 @@ impl Prediction {
     }
 }
 
-/// Sums the parallelogram predictions: the opposite vertices, mirrored at the midpoints of their ring
-/// edges.
+/// Sums the parallelogram predictions: the opposite vertices, mirrored at the midpoints of their ring edges.
 fn parallelograms(around: &Surroundings, n: usize, rings: i32x4) -> i32x4 {
     let across = around.across[..n].iter().fold(i32x4::ZERO, |sum, &spot| sum + i32x4::new(spot));
     if rings.to_array()[3] + across.to_array()[3] == 2 * n as i32 {

@@ -34,8 +34,7 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) size: usize,
     /// Class of valence and recent errors, below [`CONTEXTS`].
     pub(super) context: usize,
-    /// Class of the distance between the vertex that split and the expected position, below
-    /// [`DISTANCES`].
+    /// Class of the distance between the vertex that split and the expected position, below [`DISTANCES`].
     pub(super) distance: usize,
     /// Class of how much the guesses disagree, below [`SPREADS`].
     pub(super) spread: usize,

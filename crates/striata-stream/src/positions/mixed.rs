@@ -1,8 +1,7 @@
 //! Codes positions with a mixture of guesses.
 //!
-//! The two most tangential axes are coded first. After each, the guesses that were near gain weight for
-//! the next one. Before the last axis, all guesses are moved along the surface to the two known
-//! coordinates.
+//! The two most tangential axes are coded first. After each, the guesses that were near gain weight for the
+//! next one. Before the last axis, all guesses are moved along the surface to the two known coordinates.
 
 use super::axis::AxisCoder;
 use super::blend::Blend;

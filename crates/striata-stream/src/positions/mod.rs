@@ -1,10 +1,9 @@
 //! Models for the positions of new vertices.
 //!
-//! A vertex is coded once its ring and the vertices beyond are known. From these we guess its position.
-//! Each of its three coordinates is then coded relative to the expected value, with adaptive
-//! probabilities. Most surfaces are sampled with some regularity, so one of many simple guesses is often
-//! nearly right. What makes streams small is to use their mixture as a density instead of their mean
-//! \[Mah05\].
+//! A vertex is coded once its ring and the vertices beyond are known. From these we guess its position. Each
+//! of its three coordinates is then coded relative to the expected value, with adaptive probabilities. Most
+//! surfaces are sampled with some regularity, so one of many simple guesses is often nearly right. What makes
+//! streams small is to use their mixture as a density instead of their mean \[Mah05\].
 //!
 //! | file | what it does |
 //! | --- | --- |
@@ -23,8 +22,7 @@
 //! | `residual.rs` | residual of a prediction, as a symbol and its low bits |
 //!
 //! All arithmetic is on integers. Time per vertex on one core: 0.15 microseconds with one prediction, 0.9
-//! with one density and one cell per axis, 1.1 with one density and halvings, 2.7 with eighteen
-//! densities.
+//! with one density and one cell per axis, 1.1 with one density and halvings, 2.7 with eighteen densities.
 
 mod ahead;
 mod axis;

@@ -67,9 +67,8 @@ struct PlainSurroundings {
     normal: [i32; 3],
     /// Axes from the most tangential to the most normal.
     axes: [usize; 3],
-    /// For each axis, the distances of three points from the center of the ring: the mean of
-    /// parallelograms across ring edges, the vertex that split, and the midpoint of its neighbors in the
-    /// ring.
+    /// For each axis, the distances of three points from the center of the ring: the mean of parallelograms
+    /// across ring edges, the vertex that split, and the midpoint of its neighbors in the ring.
     features: [[i32; 3]; 3],
 }
 

@@ -113,8 +113,7 @@ fn predict(weights: &[i32; POINTS], features: &[i32; POINTS]) -> i32 {
     (sum >> 16) as i32
 }
 
-/// Moves the weights along the gradient of the squared error. In local units, one step size suits all
-/// rings.
+/// Moves the weights along the gradient of the squared error. In local units, one step size suits all rings.
 #[inline]
 fn learn(weights: &mut [i32; POINTS], features: &[i32; POINTS], error: i32) {
     for (weight, &x) in weights.iter_mut().zip(features) {

@@ -55,8 +55,7 @@ fn samples() -> Vec<Sample> {
     ]
 }
 
-/// Samples that a model can code: the one that predicts ahead requires grid coordinates of at most 24
-/// bits.
+/// Samples that a model can code: the one that predicts ahead requires grid coordinates of at most 24 bits.
 fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
     let is_on_grid =
         |sample: &Sample| sample.coords.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));

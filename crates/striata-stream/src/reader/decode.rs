@@ -34,8 +34,7 @@ pub struct StreamUpdate {
     pub changed_triangles: Vec<u32>,
 }
 
-/// Decodes a progressive stream. It accepts slices of bytes as they arrive and keeps the mesh decoded so
-/// far.
+/// Decodes a progressive stream. It accepts slices of bytes as they arrive and keeps the mesh decoded so far.
 ///
 /// A chunk is decoded once all its bytes have arrived and its checksum matches. If the stream is cut off
 /// and no more bytes will arrive, [`finish`](Self::finish) decodes as much as possible of the last,
@@ -69,8 +68,7 @@ pub struct StreamDecoder {
     refiner: Option<Box<MeshRefiner>>,
     /// Number of chunks decoded so far.
     chunk_count: usize,
-    /// Whether decoding has ended, by an error or by [`finish`](Self::finish); no more bytes are
-    /// accepted.
+    /// Whether decoding has ended, by an error or by [`finish`](Self::finish); no more bytes are accepted.
     is_over: bool,
 }
 
@@ -152,8 +150,7 @@ impl StreamDecoder {
     /// bytes are accepted afterward.
     ///
     /// # Errors
-    /// [`DecodeError`] if the stream ends before its base mesh does, or if the remaining bytes are
-    /// invalid.
+    /// [`DecodeError`] if the stream ends before its base mesh does, or if the remaining bytes are invalid.
     pub fn finish(&mut self) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
         let before = self.sizes();

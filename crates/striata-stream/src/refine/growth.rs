@@ -17,8 +17,7 @@ use crate::wedges::split::SplitWedges;
 pub(crate) struct GrowingMesh {
     /// Positions of the vertices, in mesh units.
     pub(crate) positions: Vec<[f32; 3]>,
-    /// Corners of each triangle of the level, in coding order, as of the last
-    /// [`catch_up`](Self::catch_up).
+    /// Corners of each triangle of the level, in coding order, as of the last [`catch_up`](Self::catch_up).
     pub(crate) triangles: Vec<[u32; 3]>,
     /// Group of each triangle, if there are several groups.
     pub(crate) groups: Vec<u32>,
@@ -36,8 +35,7 @@ pub(crate) struct GrowingMesh {
     excess_triangles: usize,
     /// Position of each vertex of the surface; [`NONE`] for virtual vertices.
     position_of: Vec<u32>,
-    /// Number of surface triangles whose vertices are completely coded, and how many of them are in the
-    /// list.
+    /// Number of surface triangles whose vertices are completely coded, and how many of them are in the list.
     complete_triangles: u32,
     listed_triangles: u32,
     /// Number of the level's triangles that are not in the list yet.
@@ -97,8 +95,7 @@ impl GrowingMesh {
         self.first_vertex[position]..self.first_vertex[position + 1]
     }
 
-    /// Returns the vertex that a corner refers to, or `None` if its triangle is virtual or not complete
-    /// yet.
+    /// Returns the vertex that a corner refers to, or `None` if its triangle is virtual or not complete yet.
     #[inline]
     pub(crate) fn shown(&self, surface: &Surface, corner: u32) -> Option<u32> {
         let label = surface.label(triangle_of(corner));
@@ -215,8 +212,7 @@ impl GrowingMesh {
         self.triangles.len() + self.unlisted_count
     }
 
-    /// Returns the vertex of a position in a mesh in which all positions have one: both have the same
-    /// index.
+    /// Returns the vertex of a position in a mesh in which all positions have one: both have the same index.
     fn vertex_of(&self, surface_vertex: u32) -> u32 {
         self.position_of[surface_vertex as usize]
     }

@@ -47,8 +47,7 @@ pub(crate) struct Models {
     pub(crate) positions: PositionModel,
     /// Differences between exact positions and the grid, if positions are lossless.
     pub(crate) corrections: Option<CorrectionModel>,
-    /// Vertices that corners refer to, if some position has several vertices or the mesh has several
-    /// groups.
+    /// Vertices that corners refer to, if some position has several vertices or the mesh has several groups.
     pub(crate) wedges: Option<WedgeModel>,
     /// Attribute layers, if there are any.
     pub(crate) attributes: Option<Attributes>,

@@ -39,13 +39,11 @@ pub(crate) struct Limits {
     pub(crate) max_patch: u32,
     /// Number of vertex visits that are still allowed.
     pub(crate) visits_left: u64,
-    /// Maximum number of vertices in excess of one per position. In a reader, the number of bytes limits
-    /// it.
+    /// Maximum number of vertices in excess of one per position. In a reader, the number of bytes limits it.
     pub(crate) most_wedges: u64,
 }
 
-/// A run of splits within a batch. The connectivity of all of them is coded first, then the values of
-/// each.
+/// A run of splits within a batch. The connectivity of all of them is coded first, then the values of each.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stretch {
     /// Corners of the patches of all splits, stored consecutively.
@@ -94,8 +92,7 @@ impl Stretch {
         self.ends.clear();
     }
 
-    /// Records a split and marks the triangles of its patch, so that no other split of the batch uses
-    /// them.
+    /// Records a split and marks the triangles of its patch, so that no other split of the batch uses them.
     pub(crate) fn push_split(&mut self, surface: &mut Surface, cut: Cut, batch: u32) {
         let mut corner = cut.first;
         for at in 0..cut.length {

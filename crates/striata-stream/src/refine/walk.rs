@@ -1,5 +1,4 @@
-//! The order in which both sides of a stream visit the vertices of a surface to decide whether they
-//! split.
+//! The order in which both sides of a stream visit the vertices of a surface to decide whether they split.
 //!
 //! | order | next vertex |
 //! | --- | --- |
@@ -12,11 +11,10 @@
 //! so this finds everything that was around it before the batch, regardless of splits elsewhere. The
 //! other two orders are lists and do not have to walk around vertices that do not split.
 //!
-//! Vertices that were split off each other lie close together, so the family order moves gradually over
-//! the surface. The vertices that a batch creates are numbered in walk order, so a walk also runs through
-//! each batch's memory from beginning to end. The order by index does neither: consecutive vertices lie
-//! wherever a batch had room for a split, which takes half as much time again if a mesh does not fit into
-//! the caches.
+//! Vertices that were split off each other lie close together, so the family order moves gradually over the
+//! surface. The vertices that a batch creates are numbered in walk order, so a walk also runs through each
+//! batch's memory from beginning to end. The order by index does neither: consecutive vertices lie wherever a
+//! batch had room for a split, which takes half as much time again if a mesh does not fit into the caches.
 
 use crate::topology::surface::{NONE, Surface, next};
 
@@ -103,8 +101,7 @@ impl Walk {
         }
     }
 
-    /// Inserts the last batch's new vertices into the queue, each directly after the vertex it was split
-    /// off.
+    /// Inserts the last batch's new vertices into the queue, each directly after the vertex it was split off.
     fn insert_created(&mut self) {
         let (mut from, mut left) = (self.queue.len(), self.split_parents.len());
         self.queue.resize(from + left, 0);

@@ -155,8 +155,7 @@ fn close_loops(copies: &mut Vec<[u32; 3]>, opposite: &mut Vec<u32>, copy_count: 
             opposite.extend([corner, NONE, NONE]);
             opposite[corner as usize] = here;
             if here / 3 > first {
-                // The edge to `a` is shared with the previous triangle, in which `a` is the second
-                // corner.
+                // The edge to `a` is shared with the previous triangle, in which `a` is the second corner.
                 opposite[here as usize + 1] = here - 3 + 2;
                 opposite[here as usize - 3 + 2] = here + 1;
             }

@@ -1,5 +1,4 @@
-//! The neighborhood of a new vertex, as both writer and reader know it when the vertex's position is
-//! coded.
+//! The neighborhood of a new vertex, as both writer and reader know it when the vertex's position is coded.
 
 use crate::topology::surface::Surface;
 

@@ -1,9 +1,8 @@
 //! A closed surface as a corner table, with vertex splits and collapses.
 //!
-//! A corner is one vertex of one triangle. Corners are numbered `4 * triangle + 0..3`, so that each
-//! triangle is one aligned piece of memory. The triangles around a vertex form one cycle: each boundary
-//! loop is closed by a **virtual vertex**, and non-manifold vertices have been cut into copies
-//! (`cutting.rs`).
+//! A corner is one vertex of one triangle. Corners are numbered `4 * triangle + 0..3`, so that each triangle
+//! is one aligned piece of memory. The triangles around a vertex form one cycle: each boundary loop is closed
+//! by a **virtual vertex**, and non-manifold vertices have been cut into copies (`cutting.rs`).
 //!
 //! ```text
 //!        r1 --- r2              r1 --- r2         A split gives the triangles of a run of corners at u, the
@@ -257,8 +256,7 @@ impl Surface {
     /// vertex, and A and B are appended as the last two triangles. Returns the new vertex, whose index is
     /// the next free one.
     ///
-    /// The new vertex's [`corner_of`](Self::corner_of) lies in A, so its ring begins with A: `u, r0, ..,
-    /// rk`.
+    /// The new vertex's [`corner_of`](Self::corner_of) lies in A, so its ring begins with A: `u, r0, .., rk`.
     ///
     /// # Panics
     /// If the patch is empty.

@@ -58,8 +58,7 @@ impl HiddenWedges {
         &self.found
     }
 
-    /// Whether at most one corner refers to a vertex, as in meshes in which each corner has its own
-    /// vertex.
+    /// Whether at most one corner refers to a vertex, as in meshes in which each corner has its own vertex.
     pub(crate) fn has_one_corner_at_most(&self, vertex: u32) -> bool {
         self.corner_counts.get(vertex as usize).is_none_or(|count| *count < 2)
     }

@@ -18,8 +18,7 @@ use crate::refine::source::Source;
 use crate::topology::surface::{NONE, Surface, next, previous, triangle_of};
 use crate::wedges::hidden::HiddenWedges;
 
-/// Contexts for whether a guess is right: what is coded, whether both guesses agree, and which guess it
-/// is.
+/// Contexts for whether a guess is right: what is coded, whether both guesses agree, and which guess it is.
 const GUESSES: usize = VALUE_KINDS * 2 * 2;
 /// Number of outcomes of the guesses at the previous corner, see [`outcome`].
 const OUTCOMES: usize = 4;
@@ -51,9 +50,8 @@ pub(crate) struct WedgeModel {
     /// Whether a hidden vertex is coded, and which.
     is_hidden: [AdaptiveBit; VALUE_KINDS * HIDDEN],
     is_candidate: [AdaptiveBit; VALUE_KINDS * LIST_INDICES],
-    /// Whether more wedges without corners follow, by the number of wedges with corners, whether each
-    /// corner has its own wedge, how many have followed, and how many vertices of the kept position are
-    /// hidden.
+    /// Whether more wedges without corners follow, by the number of wedges with corners, whether each corner
+    /// has its own wedge, how many have followed, and how many vertices of the kept position are hidden.
     has_more: [AdaptiveBit; 8 * 2 * 4 * HIDDEN],
     /// Vertices that no corner refers to yet.
     hidden: HiddenWedges,
@@ -510,8 +508,7 @@ struct NewCorner {
     kept: u32,
 }
 
-/// Classifies which of two guesses is right, the patch's first: both, only the first, only the second,
-/// none.
+/// Classifies which of two guesses is right, the patch's first: both, only the first, only the second, none.
 fn outcome(guesses: [Option<u32>; 2], vertex: u32) -> usize {
     match guesses.map(|guess| guess == Some(vertex)) {
         [true, true] => 0,

@@ -99,8 +99,7 @@ pub struct StreamSizes {
     pub connectivity_bits: f64,
     /// Bits of vertex positions.
     pub position_bits: f64,
-    /// Bits of wedges, groups and attribute layers: the sum of the next three fields and all other
-    /// layers.
+    /// Bits of wedges, groups and attribute layers: the sum of the next three fields and all other layers.
     pub attribute_bits: f64,
     /// Bits that store which vertex each corner refers to, and the groups of triangles.
     pub wedge_bits: f64,

@@ -1,5 +1,4 @@
-//! Encoding: the full mesh is collapsed to the base, then coded in the order in which a reader refines
-//! it.
+//! Encoding: the full mesh is collapsed to the base, then coded in the order in which a reader refines it.
 //!
 //! | file | what it does |
 //! | --- | --- |

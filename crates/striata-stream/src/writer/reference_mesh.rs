@@ -81,8 +81,7 @@ pub(crate) struct ReferenceMesh<'a> {
     /// Group of each triangle of the mesh.
     group_of: Vec<u32>,
     has_wedges: bool,
-    /// Vertices and triangles of the first stage's surface that belong to the base, in the writer's
-    /// order.
+    /// Vertices and triangles of the first stage's surface that belong to the base, in the writer's order.
     base_vertices: Vec<u32>,
     base_triangles: Vec<u32>,
     /// The reader's index of each position.

@@ -25,8 +25,7 @@ pub(crate) struct SurfaceStage {
     kept_in: Vec<u32>,
     /// The mesh's triangle for each triangle that is not virtual.
     pub(crate) triangles: Vec<u32>,
-    /// The collapses. They are in coarse to fine order after [`Self::finish`], and so are the lists
-    /// below.
+    /// The collapses. They are in coarse to fine order after [`Self::finish`], and so are the lists below.
     pub(crate) undo: Vec<Undo>,
     /// Vertices of the corners of each patch before its collapse, stored consecutively; only if corners
     /// are tracked.

@@ -1,5 +1,4 @@
-//! Processing of each block: builds a window, makes strips, and decides which of them wait for later
-//! blocks.
+//! Processing of each block: builds a window, makes strips, and decides which of them wait for later blocks.
 
 use striata::strip::{RESTART, StripCost, StripSet, strip_triangles};
 
@@ -133,8 +132,7 @@ impl<'a, W> BlockStripifier<'a, W> {
         Ok(())
     }
 
-    /// Selects the strips that a later block may take apart: those with the most open sides for their
-    /// length.
+    /// Selects the strips that a later block may take apart: those with the most open sides for their length.
     fn choose_loose(&self, strips: &StripSet, budget: usize) -> Vec<bool> {
         let mut chosen = vec![false; strips.strip_count()];
         let mut candidates: Vec<(usize, usize, usize)> = Vec::new();

@@ -11,8 +11,7 @@ use super::source::{Block, BlockSource, BlockTriangle};
 /// Mesh in memory as a source of blocks: the triangles of each group, cut into pieces along a space-filling
 /// curve.
 ///
-/// Limits the memory of the search, not of the mesh: it takes another 12 bytes per triangle and 4 per
-/// vertex.
+/// Limits the memory of the search, not of the mesh: it takes another 12 bytes per triangle and 4 per vertex.
 #[derive(Clone, Debug)]
 pub struct MeshBlocks<'a> {
     triangles: &'a [[u32; 3]],

@@ -47,8 +47,7 @@ pub struct BlocksReport {
     pub block_count: u32,
     /// Number of triangles of the largest block.
     pub peak_block_triangles: usize,
-    /// Largest number of triangles that were stripified together: a block and the strips that waited for
-    /// it.
+    /// Largest number of triangles that were stripified together: a block and the strips that waited for it.
     pub peak_window_triangles: usize,
     /// Largest number of triangles that waited for later blocks.
     pub peak_held_triangles: usize,

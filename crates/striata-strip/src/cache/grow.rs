@@ -147,8 +147,7 @@ impl<'a> Search<'a> {
                 Step::Start(_) => (1, step_index),
                 Step::Cross(_) => (0, parent.strip_start),
             };
-            // Future costs depend on what is drawn and where the strip ends, not on how the state got
-            // there.
+            // Future costs depend on what is drawn and where the strip ends, not on how the state got there.
             let identity = mixed(
                 (parent.hash ^ mixed(triangle.into())).wrapping_add(2 * u64::from(triangle) + is_start),
             );

@@ -35,8 +35,7 @@ impl StepTree {
         path
     }
 
-    /// Moves the steps that all leaves share to `trunk` and renumbers the leaves; the first leaf is the
-    /// best.
+    /// Moves the steps that all leaves share to `trunk` and renumbers the leaves; the first leaf is the best.
     ///
     /// Leaves that diverged too early from the best one become [`None`].
     pub(super) fn cut_trunk(&mut self, leaves: &mut [Option<u32>], trunk: &mut Vec<Step>) {

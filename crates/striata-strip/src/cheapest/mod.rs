@@ -1,11 +1,10 @@
 //! Strips with the fewest indices, by simulated annealing: a GPU pays for indices, not for strips.
 //!
-//! A strip of `n` triangles takes `n + 2` indices, one more per swap, and a restart. The cost to minimize
-//! is therefore `swaps + 3 * strips`. Starting from greedy strips, links are flipped one at a time
-//! (`anneal`); the cost of a flip follows from the triangles around the link (`strip_state`). Finally,
-//! strips whose ends meet at a vertex are joined there (`stitch`), which saves the restart. The search
-//! counts these meetings as it goes; on the bunny that lowers the cost from 1.131 to 1.122 indices per
-//! triangle in the same time.
+//! A strip of `n` triangles takes `n + 2` indices, one more per swap, and a restart. The cost to minimize is
+//! therefore `swaps + 3 * strips`. Starting from greedy strips, links are flipped one at a time (`anneal`);
+//! the cost of a flip follows from the triangles around the link (`strip_state`). Finally, strips whose ends
+//! meet at a vertex are joined there (`stitch`), which saves the restart. The search counts these meetings as
+//! it goes; on the bunny that lowers the cost from 1.131 to 1.122 indices per triangle in the same time.
 //!
 //! The cost function is closest to \[ESV96\] and \[XHM99\]; the moves and the joints are our own. The
 //! budget determines the time; memory is 45 bytes per triangle.

@@ -11,8 +11,7 @@ use striata::strip::StripLinks;
 
 /// Cost of one index; costs are integers in quarters of an index.
 pub(super) const INDEX: i32 = 4;
-/// Cost of an unmatched end with the wrong winding: a strip pays an index if both of its ends are like
-/// that.
+/// Cost of an unmatched end with the wrong winding: a strip pays an index if both of its ends are like that.
 const UNMATCHED_END: i32 = 1;
 
 /// Side of a triangle as `4 * triangle + k`: shifts are cheaper than divisions by three.
@@ -25,8 +24,7 @@ const PREV: [u32; 3] = [2, 0, 1];
 /// Turn of a strip that leaves by the side after the one it entered by.
 const BY_NEXT: u8 = 1;
 
-/// Turn of a strip by solid bits and entered side: 0 if it ends, 1 for the next side, 2 for the previous
-/// one.
+/// Turn of a strip by solid bits and entered side: 0 if it ends, 1 for the next side, 2 for the previous one.
 const TURNS: [[u8; 4]; 8] = [
     [0, 0, 0, 0],
     [0, 0, 0, 0],
@@ -54,8 +52,7 @@ pub(super) struct StripState {
     order: Vec<u32>,
     corners: Vec<[u32; 3]>,
     nodes: Vec<Node>,
-    /// Number of strip ends at each vertex: those with the right winding at an even position, and the
-    /// others.
+    /// Number of strip ends at each vertex: those with the right winding at an even position, and the others.
     ends: Vec<[u8; 2]>,
 }
 
@@ -193,8 +190,7 @@ impl StripState {
         change + self.ends_around(side, twin, true)
     }
 
-    /// Number of swaps that a solid link influences: across itself and across its neighbors along the
-    /// strip.
+    /// Number of swaps that a solid link influences: across itself and across its neighbors along the strip.
     #[inline]
     pub(super) fn swaps_at(&self, side: Side) -> i32 {
         self.swaps_around(side, self.twin(side))

@@ -1,11 +1,10 @@
 //! Search for the fewest strips: ends of strips walk at random until they meet.
 //!
-//! The end of a strip takes a neighboring triangle, which releases one of its own neighbors; that one is
-//! the next end. The number of strips stays the same, no loop closes if a triangle of the same strip
-//! releases the neighbor on the end's side, and when an end meets the end of another strip, the two become
-//! one. The walk is a tunnel of unlimited length, found without a search. Balanced trees (`path_forest`)
-//! answer which strip a triangle is in. In each component the walk stops at a number that provably cannot
-//! be beaten (`bound`).
+//! The end of a strip takes a neighboring triangle, which releases one of its own neighbors; that one is the
+//! next end. The number of strips stays the same, no loop closes if a triangle of the same strip releases the
+//! neighbor on the end's side, and when an end meets the end of another strip, the two become one. The walk
+//! is a tunnel of unlimited length, found without a search. Balanced trees (`path_forest`) answer which strip
+//! a triangle is in. In each component the walk stops at a number that provably cannot be beaten (`bound`).
 //!
 //! The algorithm is our own, based on the step of \[PS03\]; within one strip the step is Pósa's rotation of
 //! Hamiltonian paths. A step costs about a microsecond; with `s` strips left, some `n / s` steps are needed
@@ -38,9 +37,8 @@ const FINAL_SEARCH_COUNT: u64 = 1024;
 
 /// Returns a proven lower bound for the number of strips along the links of a mesh's dual graph.
 ///
-/// If more than two triangles share an edge, the graph pairs them in one of several ways, and another
-/// pairing might allow fewer strips. Strips that `cheapest` joins at a vertex follow no link there and
-/// count as one.
+/// If more than two triangles share an edge, the graph pairs them in one of several ways, and another pairing
+/// might allow fewer strips. Strips that `cheapest` joins at a vertex follow no link there and count as one.
 ///
 /// # Panics
 /// If a triangle has a vertex index out of range, or groups do not cover the triangles.
@@ -60,8 +58,7 @@ pub(crate) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>
     }
 }
 
-/// Walks until the budget is spent. Returns whether any component still has more strips than its lower
-/// bound.
+/// Walks until the budget is spent. Returns whether any component still has more strips than its lower bound.
 fn walk_ends(
     task: &Task<'_>,
     graph: &DualGraph,

@@ -81,8 +81,7 @@ pub(super) struct TunnelSearch {
     chain_limit: usize,
     walk_limit: u32,
     chains: Vec<Chain>,
-    /// Index of the cheapest chain; 0 (the start) until another is at least as cheap as the original
-    /// strips.
+    /// Index of the cheapest chain; 0 (the start) until another is at least as cheap as the original strips.
     best: u32,
     /// Chains whose moves are currently applied to the links, in order.
     applied: Vec<u32>,

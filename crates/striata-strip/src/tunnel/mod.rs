@@ -1,10 +1,9 @@
 //! Stripification by tunneling \[PS03\]: `tunnel`, and its predecessor `tunnel-static` \[Ste01\].
 //!
-//! Two strips become one along a tunnel: a path between their ends on which dashed and solid links
-//! alternate. Swapping dashed and solid on the path joins the strips. Ends are tried in random order, each
-//! with its shortest tunnel up to the maximum length, until no end has one; that length is the only
-//! parameter. The search starts from any strips, or from none, in which case every link is a tunnel of
-//! length one.
+//! Two strips become one along a tunnel: a path between their ends on which dashed and solid links alternate.
+//! Swapping dashed and solid on the path joins the strips. Ends are tried in random order, each with its
+//! shortest tunnel up to the maximum length, until no end has one; that length is the only parameter. The
+//! search starts from any strips, or from none, in which case every link is a tunnel of length one.
 //!
 //! Differs: strip identities are not pushed along strips but derived from the steps of the tunnel
 //! (`trace`). The first tunnels, of length one, are made without a search, the most urgent first
@@ -91,8 +90,7 @@ struct TunnelJoiner<'a, 'g> {
 }
 
 impl TunnelJoiner<'_, '_> {
-    /// Applies all tunnels found from these ends. Returns their number, or [`None`] when the budget is
-    /// spent.
+    /// Applies all tunnels found from these ends. Returns their number, or [`None`] when the budget is spent.
     fn apply_tunnels(&mut self, ends: &[u32], spent: &mut SpentFn<'_>) -> Option<usize> {
         let mut found_count = 0;
         for &end in ends {

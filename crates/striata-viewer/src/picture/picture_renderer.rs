@@ -136,8 +136,7 @@ mod tests {
         (mesh, camera)
     }
 
-    /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and sampling
-    /// explain.
+    /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and sampling explain.
     fn both_draw_the_same(shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
         let pictures = [on_gpu(), PictureRenderer::software(&Output::quiet())]
             .map(|mut renderer| renderer.draw(shot, camera, [150, 100]).canvas);
@@ -173,8 +172,7 @@ mod tests {
     #[test]
     fn both_clip_triangles_behind_the_eye() {
         let (mesh, _) = torus();
-        // Inside the tube, along the ring: triangles all around, many of them crossing the plane of the
-        // eye.
+        // Inside the tube, along the ring: triangles all around, many of them crossing the plane of the eye.
         let camera =
             Camera { eye: [1.0, 0.0, 0.05], look_at: [0.8, 0.05, 0.6], up: [0.0, 1.0, 0.0], fov: 1.2 };
         for style in [Style::SMOOTH, Style::FACETED] {

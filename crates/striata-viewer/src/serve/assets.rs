@@ -37,8 +37,7 @@ struct Asset {
 }
 
 impl Assets {
-    /// Loads the embedded files and starts compressing them; until that is done, they are sent
-    /// uncompressed.
+    /// Loads the embedded files and starts compressing them; until that is done, they are sent uncompressed.
     pub(super) fn load() -> Self {
         let files = ViewerFiles::iter().filter_map(|name| Some((name.to_string(), ViewerFiles::get(&name)?)));
         let assets = files.map(|(name, file)| {

@@ -1,9 +1,8 @@
 //! Checks and headers for every request: which hosts are answered, and what browsers may do with responses.
 //!
-//! A page of another site can make a browser send requests to a server on the same machine under a host
-//! name that the site resolves to this machine (DNS rebinding); the browser would then treat it as a page
-//! of this server. So a server that is bound to a loopback address only answers requests for loopback host
-//! names.
+//! A page of another site can make a browser send requests to a server on the same machine under a host name
+//! that the site resolves to this machine (DNS rebinding); the browser would then treat it as a page of this
+//! server. So a server that is bound to a loopback address only answers requests for loopback host names.
 
 use axum::Router;
 use axum::extract::{Request, State};

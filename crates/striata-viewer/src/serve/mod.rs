@@ -1,5 +1,4 @@
-//! `serve`: serves the viewer and a folder of models over HTTP, to this machine or, if requested, to
-//! others.
+//! `serve`: serves the viewer and a folder of models over HTTP, to this machine or, if requested, to others.
 //!
 //! `folder` decides which files are accessible, `files` sends them (whole, in ranges, compressed),
 //! `listing` lists them, `thumbnails` draws small pictures of them, `assets` is the viewer, `guard` checks

@@ -92,7 +92,7 @@ pub enum DecodeError {
     Count {
         /// Kind of the section.
         kind: SectionKind,
-        /// What is counted.
+        /// Name of the counted elements.
         what: &'static str,
         /// Count found in the section.
         found: u64,
@@ -152,7 +152,7 @@ pub enum EncodeError {
     Model {
         /// Kind of the model.
         model: ModelKind,
-        /// What is counted.
+        /// Name of the counted elements.
         what: &'static str,
         /// Count in the model.
         found: usize,

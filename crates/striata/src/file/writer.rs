@@ -127,7 +127,7 @@ struct Section<'m> {
 
 /// Writes a mesh, its collapse sequence and its models as a `.striata` file.
 ///
-/// The same input gives the same bytes on every machine. The triangles are stored only once. With models
+/// A given input yields identical bytes on every machine. The triangles are stored only once. With models
 /// that use strips, they are stored as strips, which all these models share, and are read back in the order
 /// of the strips. With fans only, they are read back from the fans; with a stream only, from the stream, at
 /// its precision. A stream is the last section, so that a truncated file still contains its beginning.
@@ -148,7 +148,7 @@ pub fn write_striata(
 /// Writes a mesh with fragments and its patterns as a `.striata` file; no other model can be built from
 /// fragments.
 ///
-/// The same input gives the same bytes on every machine. The triangles are read back in the order of the
+/// A given input yields identical bytes on every machine. The triangles are read back in the order of the
 /// patterns. The file keeps the errors of the levels; the errors of individual floors are only kept as part
 /// of the patterns' bounds.
 ///

@@ -63,7 +63,8 @@ impl Level {
         self.split_count
     }
 
-    /// Distance between the level and the full mesh, in mesh units: a guaranteed bound if
+    /// Largest distance of the full mesh from the level, in mesh units: a guaranteed bound for every point of
+    /// the full mesh if
     /// [`Lod::has_guaranteed_errors`](super::Lod::has_guaranteed_errors) is true, otherwise an estimate.
     pub fn error(&self) -> f32 {
         self.tables.refinable().sequence.error_at(self.split_count)

@@ -82,7 +82,7 @@ pub enum DistanceError {
     Mesh {
         /// `first` or `second`.
         which: &'static str,
-        /// What is wrong with it.
+        /// Defect of the mesh.
         source: MeshError,
     },
     /// A mesh has no triangles.

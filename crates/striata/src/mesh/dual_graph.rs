@@ -12,7 +12,7 @@
 //!    a --------- b
 //! ```
 //!
-//! Linear time on meshes of bounded valence; 40 bytes per triangle during construction, 12 afterwards.
+//! Linear time on meshes of bounded valence; 40 bytes per triangle during construction, 12 afterward.
 
 use std::cmp::Ordering;
 
@@ -138,8 +138,7 @@ struct SidePairing<'a> {
     triangles: &'a [[u32; 3]],
     group_ends: &'a [u32],
     twins: Vec<[u32; 3]>,
-    /// Sides of the current edge that run towards its higher vertex, and those that run towards its lower
-    /// one.
+    /// Sides of the current edge that run toward its higher vertex, and those that run toward its lower one.
     edge: [Vec<u32>; 2],
 }
 

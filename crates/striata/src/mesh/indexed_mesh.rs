@@ -137,7 +137,7 @@ pub enum MeshError {
 pub struct IndexedMesh {
     /// Position of each vertex, in mesh units.
     pub positions: Vec<[f32; 3]>,
-    /// Vertex indices of each triangle, counter-clockwise when seen from outside.
+    /// Vertex indices of each triangle, counterclockwise when seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// Attribute layers, each with data for every vertex.
     pub layers: Vec<AttributeLayer>,

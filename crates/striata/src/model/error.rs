@@ -40,7 +40,7 @@ pub enum ModelError {
     /// An array of a stored model has the wrong length.
     #[error("{what}: found {found}, expected {expected}")]
     Length {
-        /// What was counted.
+        /// Name of the counted elements.
         what: &'static str,
         /// Number found.
         found: usize,
@@ -52,13 +52,13 @@ pub enum ModelError {
     Record {
         /// Index of the step.
         step: usize,
-        /// What is wrong with the record.
+        /// Defect of the record.
         reason: &'static str,
     },
     /// The model has more elements than a 32-bit index can address.
     #[error("the model needs {found} {what}, but at most {limit} are supported")]
     TooMany {
-        /// Which elements there are too many of.
+        /// Name of the elements of which there are too many.
         what: &'static str,
         /// Number of elements.
         found: u64,
@@ -76,7 +76,7 @@ pub enum ModelError {
     /// The mesh does not fit into the fixed-width fields of a model in its published form.
     #[error("the published form holds at most {limit} {what}, and there are {found}")]
     Form {
-        /// Which elements there are too many of.
+        /// Name of the elements of which there are too many.
         what: &'static str,
         /// Number of elements.
         found: u64,
@@ -88,7 +88,7 @@ pub enum ModelError {
     Entry {
         /// Index of the vertex.
         vertex: usize,
-        /// What is wrong with the entry.
+        /// Defect of the entry.
         reason: &'static str,
     },
     /// Data stored for a step contradicts the rest of the model.
@@ -96,17 +96,17 @@ pub enum ModelError {
     Step {
         /// Index of the step.
         step: usize,
-        /// What is wrong with the step.
+        /// Defect of the step.
         reason: &'static str,
     },
     /// A list is out of order, or one of its entries refers to something that does not exist.
     #[error("{what} {place} {reason}")]
     Listed {
-        /// What is listed.
+        /// Name of the listed elements.
         what: &'static str,
         /// Index of the entry in the list.
         place: usize,
-        /// What is wrong with the entry.
+        /// Defect of the entry.
         reason: &'static str,
     },
     /// Data stored for a strip is invalid.
@@ -114,7 +114,7 @@ pub enum ModelError {
     Strip {
         /// Index of the strip.
         strip: usize,
-        /// What is wrong with the strip.
+        /// Defect of the strip.
         reason: &'static str,
     },
 }

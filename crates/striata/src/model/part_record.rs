@@ -84,7 +84,7 @@ impl PartRecord {
         let mut record =
             Self { radius: round_up(radius), error: round_up(error), axis: [0; 3], sin: u8::MAX };
         if cone.cos > 0.0 {
-            // Rounded towards zero, so that the axis is never longer than 1.
+            // Rounded toward zero, so that the axis is never longer than 1.
             record.axis = cone.axis.map(|x| (x * 127.0) as i8);
             let around = NormalCone::around(direction(record.axis.map(f32::from)).to_array()).with_cone(cone);
             if around.cos > 0.0 {

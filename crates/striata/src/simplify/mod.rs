@@ -65,7 +65,7 @@ pub fn build_sequence(mesh: &IndexedMesh, options: &SequenceOptions) -> Result<B
     build_sequence_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does what [`build_sequence`] does and reports progress; the callback can cancel.
+/// Runs [`build_sequence`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// See [`build_sequence`]; also [`SimplifyError::Cancelled`] if the callback cancels.
@@ -90,7 +90,7 @@ pub fn build_welded_sequence(
     build_welded_sequence_with_progress(welded, options, &mut ignore_progress)
 }
 
-/// Does what [`build_welded_sequence`] does and reports progress; the callback can cancel.
+/// Runs [`build_welded_sequence`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// See [`build_welded_sequence`]; also [`SimplifyError::Cancelled`] if the callback cancels.
@@ -121,7 +121,7 @@ pub fn simplify(mesh: &IndexedMesh, options: &SimplifyOptions) -> Result<Simplif
     simplify_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does what [`simplify`] does and reports progress; the callback can cancel.
+/// Runs [`simplify`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// See [`simplify`]; also [`SimplifyError::Cancelled`] if the callback cancels.

@@ -7,12 +7,12 @@ use crate::setters::setters;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Target {
-    /// At most this many triangles.
+    /// At most this many triangles; for a share, multiply the triangle count of the full mesh.
     Triangles(usize),
     /// At most this many vertices.
     Vertices(usize),
     /// Share of the vertex splits that are applied, `split_count / step_count`: 0 is the base mesh, 1
-    /// the full mesh.
+    /// the full mesh. This is not a share of the triangles.
     Detail(f64),
     /// The coarsest level whose error does not exceed this, in mesh units.
     Error(f64),
@@ -83,7 +83,7 @@ pub enum SeamRule {
     Keep,
 }
 
-/// What happens once no collapse is left that preserves the topology.
+/// Behavior once no collapse is left that preserves the topology.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TopologyRule {

@@ -6,10 +6,11 @@ use std::ops::Range;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StripSetError {
-    /// Offsets do not increase from 0 to the length of the array that they divide.
+    /// The offsets are not an ascending sequence that starts at 0 and ends at the length of the array that
+    /// they divide.
     #[error("{what} offset {index} is {found}, after {previous}: offsets must rise from 0 to {limit}")]
     Offset {
-        /// Which offsets: `strip` or `group`.
+        /// Kind of the offsets: `strip` or `group`.
         what: &'static str,
         /// Index of the offset.
         index: usize,

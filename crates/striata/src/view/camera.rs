@@ -41,7 +41,7 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Creates a camera at `eye` that looks at `target`, with `up` pointing upwards on its screen of
+    /// Creates a camera at `eye` that looks at `target`, with `up` pointing upward on its screen of
     /// `[width, height]` pixels.
     ///
     /// `tan_half_fov` is the tangent of half the vertical field of view: 0.577 for 60 degrees.

@@ -26,7 +26,7 @@ impl NormalCone {
         DVec3::from(direction).try_normalize().map_or(Self::ALL, |axis| Self::rounded(axis, 1.0))
     }
 
-    /// The cone of the normals of triangles, whose corners are in counter-clockwise order.
+    /// The cone of the normals of triangles, whose corners are in counterclockwise order.
     ///
     /// Triangles without area are ignored; if no others exist, the result is [`ALL`](Self::ALL).
     pub fn of_triangles(triangles: impl Iterator<Item = [[f32; 3]; 3]> + Clone) -> Self {

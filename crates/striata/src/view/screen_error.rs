@@ -6,7 +6,7 @@
 //! most parts need not be evaluated again for many frames \[Hop97\].
 //!
 //! Differs: \[Hop97\] considers the directions of errors, while here an error is a distance in any
-//! direction. The stretching of a flat screen towards its corners is taken into account.
+//! direction. The stretching of a flat screen toward its corners is taken into account.
 
 use glam::{DMat3, Vec3};
 
@@ -22,7 +22,7 @@ pub(super) const EYE_SHARE: f32 = 0.55;
 /// The point of the screen that the viewer looks at, and how fast the error tolerance grows around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fovea {
-    /// Position on the screen, from -1 to 1 in both directions, to the right and upwards.
+    /// Position on the screen, from -1 to 1 in both directions, to the right and upward.
     pub at: [f32; 2],
     /// Half the angle of sharp vision, in radians.
     pub radius: f32,
@@ -73,7 +73,8 @@ impl ScreenError {
     /// Allows errors of up to `pixels` pixels on the screen of a camera; anything but a positive number
     /// allows none.
     ///
-    /// Coordinates and sizes of models must be between 1e-18 and 1e18, so that f32 can represent their squares.
+    /// Coordinates and sizes of models must be between 1e-18 and 1e18, so that f32 can represent their
+    /// squares.
     pub fn new(camera: Camera, pixels: f32) -> Self {
         let half = camera.half.map(|half| half as f32);
         Self {

@@ -28,7 +28,7 @@ struct Lanes {
 
 /// Positions of parts relative to the view.
 struct ViewPositions {
-    /// Coordinates to the right, upwards and into the picture.
+    /// Coordinates to the right, upward and into the picture.
     view: [f32x8; 3],
     eye_to_center: [f32x8; 3],
     square: f32x8,

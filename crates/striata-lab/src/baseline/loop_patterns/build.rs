@@ -1,9 +1,8 @@
 //! Builds the model, \[KG98\] section 3.3: from the steps themselves or from a Multi-Triangulation.
 //!
 //! In both cases fragments arrive in the order of simplification, finest first. The fragments that cover a
-//! new one are found through the triangles of its ceiling, and the new one is added to their loops. The
-//! two cases differ only in whether a triangle stores its covering fragment permanently or only during the
-//! build.
+//! new one are found through the triangles of its ceiling, and the new one is added to their loops. The two
+//! cases differ only in whether a triangle stores its covering fragment permanently or only during the build.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
@@ -296,8 +295,7 @@ fn key([from, to]: [u32; 2]) -> u64 {
     u64::from(from) << 32 | u64::from(to)
 }
 
-/// Hasher for a single integer. Each fragment looks up a dozen edges, and their keys are close to each
-/// other.
+/// Hasher for a single integer. Each fragment looks up a dozen edges, and their keys are close to each other.
 #[derive(Default)]
 struct SideHasher(u64);
 

@@ -9,8 +9,7 @@ use striata::model::{Condition, Overlap, PatternChange};
 use super::{LoopPatterns, LoopPatternsState};
 
 impl LoopPatterns {
-    /// Moves to the smallest closed set of fragments in which no overlap is too coarse, from any current
-    /// set.
+    /// Moves to the smallest closed set of fragments in which no overlap is too coarse, from any current set.
     ///
     /// That set is unique for any condition, even if the condition calls a fine overlap too coarse but
     /// accepts the coarser one below it. With such a condition, the paper's two operations may stop at a

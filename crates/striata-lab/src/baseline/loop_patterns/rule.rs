@@ -100,8 +100,7 @@ impl Shape {
             let code =
                 code_from(&sides, n, start, is_open).ok_or("has a floor that does not fill the hole")?;
             let is_better = best.as_ref().is_none_or(|(least, at)| {
-                // If a floor looks the same from several corners, start at the one with the smallest
-                // vertex.
+                // If a floor looks the same from several corners, start at the one with the smallest vertex.
                 code.cmp(least).then(ring[start].cmp(&ring[*at])).is_lt()
             });
             if is_better {

@@ -1,8 +1,6 @@
-//! Builds the changes in one pass from the full mesh to the base, keeping track of the slots of each
-//! vertex.
+//! Builds the changes in one pass from the full mesh to the base, keeping track of the slots of each vertex.
 //!
-//! When a vertex collapses, its slots pass to its target, so building takes time linear in the slots
-//! listed.
+//! When a vertex collapses, its slots pass to its target, so building takes time linear in the slots listed.
 
 use striata::mesh::RefinableMesh;
 use striata::model::{ModelError, StepVertices, check_strips};

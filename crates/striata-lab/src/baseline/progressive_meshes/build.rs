@@ -130,8 +130,7 @@ impl<'r> Builder<'r> {
         }
     }
 
-    /// The corners of all records, first vertex first, as positions in the list; ascending for each
-    /// vertex.
+    /// The corners of all records, first vertex first, as positions in the list; ascending for each vertex.
     fn corners_in_list(&self, index_of: &[u32]) -> Vec<u32> {
         let in_list = |&corner: &u32| 3 * index_of[corner as usize / 3] + corner % 3;
         let mut corners: Vec<u32> = self.corners.iter().rev().map(in_list).collect();

@@ -34,8 +34,7 @@ use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// The static half of the model; see the [module](self).
 ///
-/// A renderer draws the [`group_ranges`](Self::group_ranges) of the list
-/// [`ProgressiveMeshesState::indices`].
+/// A renderer draws the [`group_ranges`](Self::group_ranges) of the list [`ProgressiveMeshesState::indices`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgressiveMeshes {
     step_count: usize,

@@ -30,8 +30,7 @@ impl SequentialDecoder {
     /// Reads the base and the rules.
     ///
     /// # Errors
-    /// [`SequentialPatternsError`] if they are invalid or the data is too short for the counts in its
-    /// header.
+    /// [`SequentialPatternsError`] if they are invalid or the data is too short for the counts in its header.
     pub fn new(bytes: &[u8]) -> Result<Self, SequentialPatternsError> {
         let mut rest = bytes;
         let mut count = || -> Result<u64, SequentialPatternsError> {

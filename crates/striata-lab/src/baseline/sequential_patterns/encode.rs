@@ -16,8 +16,7 @@ impl SequentialPatterns {
     ///
     /// # Errors
     /// [`ModelError`] with the first step, or the triangle of the base, that the published form cannot
-    /// represent; the same limits apply as to
-    /// [`LoopPatterns::build`](crate::baseline::LoopPatterns::build).
+    /// represent; the same limits apply as to [`LoopPatterns::build`](crate::baseline::LoopPatterns::build).
     pub fn encode(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         let fragments = &mesh.fragments;
         let levels = fragments.levels();

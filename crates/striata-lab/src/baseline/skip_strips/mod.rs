@@ -1,10 +1,9 @@
 //! Skip strips \[EAV99\]: display strips that are rebuilt when vertices they depend on have changed.
 //!
-//! The strips of the full mesh are stored as nodes: each slot refers to the node of its vertex, and each
-//! node to its parent, which is the node of the vertex's target in the same strip. At a given level, a
-//! slot shows the first active vertex on its path to the root. A move marks the strips that any of the
-//! steps in between changes, then rebuilds each marked strip once: it climbs from every slot and removes
-//! repetitions.
+//! The strips of the full mesh are stored as nodes: each slot refers to the node of its vertex, and each node
+//! to its parent, which is the node of the vertex's target in the same strip. At a given level, a slot shows
+//! the first active vertex on its path to the root. A move marks the strips that any of the steps in between
+//! changes, then rebuilds each marked strip once: it climbs from every slot and removes repetitions.
 //!
 //! ```text
 //! slots of a strip      7  4  9  2  9  5        node of vertex 9: parent 4;  7: parent 2;  5: parent 2

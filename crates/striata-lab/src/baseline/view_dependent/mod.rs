@@ -1,11 +1,9 @@
-//! View-dependent progressive meshes \[Hop97\]: a vertex hierarchy, and a surface that is refined in
-//! place.
+//! View-dependent progressive meshes \[Hop97\]: a vertex hierarchy, and a surface that is refined in place.
 //!
 //! Every step is a node of the hierarchy: the vertex that it splits, whose children are the two resulting
-//! vertices. An instance shows a front of the hierarchy: the active vertices, and the triangles between
-//! them, each with three corners and three neighbors. A vertex can be split once the four triangles exist
-//! that will be adjacent to the two new ones. A split can be undone while the two still have these four
-//! neighbors.
+//! vertices. An instance shows a front of the hierarchy: the active vertices, and the triangles between them,
+//! each with three corners and three neighbors. A vertex can be split once the four triangles exist that will
+//! be adjacent to the two new ones. A split can be undone while the two still have these four neighbors.
 //!
 //! ```text
 //!            tip                         tip

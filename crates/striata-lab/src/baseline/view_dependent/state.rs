@@ -241,8 +241,7 @@ impl ViewDependentState {
     }
 
     /// Moves the triangles on the restored side of a split from one vertex to another: those from the
-    /// neighbor of the left triangle around to that of the right one, or from both up to a border in
-    /// between.
+    /// neighbor of the left triangle around to that of the right one, or from both up to a border in between.
     #[inline]
     fn rename(&mut self, neighbors: [u32; 4], right: u32, from: u32, to: u32) {
         let [_, first, _, last] = neighbors;

@@ -23,8 +23,7 @@ pub(super) struct Resident {
     topology: Topology,
     /// Coarsest first.
     levels: Vec<Level>,
-    /// Whether a level that is not stored is drawn with the next coarser one instead of the next finer
-    /// one.
+    /// Whether a level that is not stored is drawn with the next coarser one instead of the next finer one.
     rounds_down: bool,
     drawn: usize,
 }

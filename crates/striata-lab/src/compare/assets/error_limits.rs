@@ -11,9 +11,8 @@ use super::contender::Request;
 /// Error limits as shares of the extent; 0.01 is gltfpack's default.
 const LIMITS: [f64; 7] = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
 
-/// Returns the level of the smallest limit that reaches the target. If there is none, or it is empty,
-/// returns the level of the largest limit that misses the target. `simplify` returns `None` if no triangle
-/// is left.
+/// Returns the level of the smallest limit that reaches the target. If there is none, or it is empty, returns
+/// the level of the largest limit that misses the target. `simplify` returns `None` if no triangle is left.
 ///
 /// # Errors
 /// If `simplify` fails, or no limit leaves a triangle.

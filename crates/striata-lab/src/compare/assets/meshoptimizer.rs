@@ -2,8 +2,7 @@
 //!
 //! Normals and colors have the weights that gltfpack uses. gltfpack gives texture coordinates no weight,
 //! since it keeps their seams. Here they get the weight that meshoptimizer's documentation recommends, the
-//! reciprocal root of the mean triangle area in UV space; without it, levels across seams would be
-//! useless.
+//! reciprocal root of the mean triangle area in UV space; without it, levels across seams would be useless.
 
 use std::time::Instant;
 

@@ -1,9 +1,8 @@
 //! Compares levels of real assets with those of other simplifiers: distances, normals, texture
 //! coordinates, pictures and silhouettes.
 //!
-//! All contenders get the same welded mesh with the attributes that all of them can weight: normals, one
-//! set of texture coordinates, one set of colors. Every level is measured with the same samples and
-//! cameras.
+//! All contenders get the same welded mesh with the attributes that all of them can weight: normals, one set
+//! of texture coordinates, one set of colors. Every level is measured with the same samples and cameras.
 
 mod attribute_distance;
 mod contender;

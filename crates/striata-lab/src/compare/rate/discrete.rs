@@ -1,5 +1,4 @@
-//! Discrete levels, encoded separately and sent one after another, each with half the triangles of the
-//! next.
+//! Discrete levels, encoded separately and sent one after another, each with half the triangles of the next.
 
 use striata::mesh::{IndexedMesh, replay};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};

@@ -1,8 +1,7 @@
 //! Compares models that follow a camera: time per frame, memory per instance, and error on the screen.
 //!
-//! All of them follow the same recorded paths. Fans and view-dependent progressive meshes evaluate the
-//! same criterion; for comparison there is a uniform level that is as fine as the nearest visible point
-//! requires.
+//! All of them follow the same recorded paths. Fans and view-dependent progressive meshes evaluate the same
+//! criterion; for comparison there is a uniform level that is as fine as the nearest visible point requires.
 
 mod charts;
 mod costs;

@@ -126,8 +126,7 @@ impl MeshExtent {
         Frame::new(eye, self.center)
     }
 
-    /// A view of the ground at `share` of the way down; the distance is the reciprocal of a linear
-    /// function.
+    /// A view of the ground at `share` of the way down; the distance is the reciprocal of a linear function.
     fn above(&self, share: f64) -> Frame {
         let [far, near] = DIVE;
         let distance = self.diagonal * far / (1.0 + (far / near - 1.0) * share);

@@ -92,8 +92,7 @@ impl ScenarioFrames {
     }
 }
 
-/// The largest number of pixels per unit length at any visible vertex, which is where the surface is
-/// nearest.
+/// The largest number of pixels per unit length at any visible vertex, which is where the surface is nearest.
 fn max_pixels_per_unit(mesh: &IndexedMesh, frame: &Frame) -> Option<f64> {
     mesh.positions.iter().filter_map(|point| frame.pixels_at(point.map(f64::from))).reduce(f64::max)
 }

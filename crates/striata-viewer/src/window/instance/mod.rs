@@ -168,8 +168,7 @@ impl ModelInstance {
         std::mem::replace(&mut self.changes, Changes::None)
     }
 
-    /// All triangles, with the number of the strip or fan of each, or of the group if the model has
-    /// neither.
+    /// All triangles, with the number of the strip or fan of each, or of the group if the model has neither.
     pub(super) fn by_primitive(&self, subject: &Subject) -> (Vec<[u32; 3]>, Vec<u32>) {
         let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
         let mut push =

@@ -23,7 +23,7 @@ use super::{IndexedMesh, Levels, PositionIndex, SequenceError, canonical_triangl
 /// A triangle that appears in some levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Face {
-    /// Vertices, in counter-clockwise order.
+    /// Vertices, in counterclockwise order.
     pub corners: [u32; 3],
     /// Index of the triangle group; 0 in a mesh without groups.
     pub group: u32,
@@ -209,7 +209,7 @@ impl FragmentSequence {
         out
     }
 
-    /// Value that stands for "no step".
+    /// Marks the absence of a step.
     pub const NO_STEP: u32 = u32::MAX;
 }
 

@@ -8,7 +8,7 @@ pub(super) fn sin_cos_of_turn(index: u32, count: u32) -> (f64, f64) {
     let count = u64::from(count.max(1));
     let eighths = 8 * (u64::from(index) % count);
     let (octant, rest) = (eighths / count, (eighths % count) as f64 / count as f64);
-    // Odd octants run backwards from their end, so that the series is only evaluated for angles up to pi / 4.
+    // Odd octants run backward from their end, so that the series is only evaluated for angles up to pi / 4.
     let angle = std::f64::consts::FRAC_PI_4 * if octant % 2 == 0 { rest } else { 1.0 - rest };
     let (s, c) = (sin_series(angle), cos_series(angle));
     match octant {

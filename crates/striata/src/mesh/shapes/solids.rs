@@ -95,7 +95,7 @@ fn icosahedron_corners() -> Vec<DVec3> {
     corners
 }
 
-/// Twenty triangles over [`icosahedron_corners`], counter-clockwise seen from outside.
+/// Twenty triangles over [`icosahedron_corners`], counterclockwise seen from outside.
 const ICOSAHEDRON: [[u32; 3]; 20] = [
     [0, 1, 2],
     [0, 4, 1],
@@ -156,7 +156,7 @@ fn on_sphere(direction: DVec3, radius: f64) -> [f32; 3] {
 mod tests {
     use super::*;
 
-    /// Volume of a mesh; correct only if every triangle faces outwards.
+    /// Volume of a mesh; correct only if every triangle faces outward.
     fn volume(mesh: &IndexedMesh) -> f64 {
         let corner = |v: u32| DVec3::from_array(mesh.positions[v as usize].map(f64::from));
         mesh.triangles.iter().map(|t| t.map(corner)).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()

@@ -1,12 +1,13 @@
 //! An instance that follows a view from frame to frame and re-evaluates only steps whose verdict may have
 //! changed.
 //!
-//! The list of candidates contains the children of all wanted steps, so it covers the front between wanted
-//! and unwanted steps and everything above it. A verdict states for how much camera motion it remains valid;
-//! it is compared with the accumulated motion, so most steps are not evaluated for many frames. Wanted steps
-//! are split together with everything that they need. An unwanted step is collapsed once no active step needs
-//! it; whenever such a step is collapsed, those that it needed are reconsidered. The instance therefore
-//! always shows what is wanted and what that needs, regardless of the path that led there \[Hop97\].
+//! The list of candidates contains the children of all wanted steps: the wanted steps themselves, and the
+//! unwanted ones directly below them in the tree. A verdict states for how much camera motion it remains
+//! valid. That margin is compared with the accumulated motion, so most steps are not evaluated for many
+//! frames. Wanted steps are split together with everything that they need. An unwanted step is collapsed once
+//! no active step needs it; whenever such a step is collapsed, those that it needed are reconsidered. The
+//! instance therefore always shows what is wanted and what that needs, regardless of the path that led there
+//! \[Hop97\].
 //!
 //! Differs: \[Hop97\] maintains the active mesh with its adjacency; here the table provides it. In
 //! addition to its instance, a front stores three bits per step, and twelve bytes per step in the list.
@@ -335,7 +336,7 @@ impl<C> FanFront<C> {
         split_steps.clear();
         self.instance.split_into(fans, step, &mut split_steps);
         if split_steps.len() > limit {
-            // What a step needs is coarser.
+            // The steps that a step needs are coarser, so they come first.
             split_steps.sort_unstable();
             split_steps.drain(limit..).for_each(|step| self.instance.collapsed.insert(step));
             // The steps that need them are not active yet, and may never be.

@@ -25,6 +25,9 @@
 //! one vertex. Crowns are fans too, so no arc has to be marked as void. A position with several wedges has
 //! an entry for each, but only one bit.
 //!
+//! **From frame to frame.** [`FanFront`] follows a view. It evaluates only those steps whose verdict may have
+//! changed since it was made, which it knows from the motion of the camera; see `front.rs`.
+//!
 //! Cost: the table contains every triangle of every level, about three times as many as the full mesh has.
 //! Extraction is linear in the number of active vertices; a change is linear in the size of the entries
 //! that it touches.

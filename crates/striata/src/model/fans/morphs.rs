@@ -1,4 +1,4 @@
-//! Animates an instance towards a changing target instance, frame by frame, without jumps.
+//! Animates an instance toward a changing target instance, frame by frame, without jumps.
 //!
 //! A step that is newly refined is drawn immediately, but its vertices start at the positions of their
 //! targets and move to their own over several frames. A step that is no longer wanted moves back, and is
@@ -80,7 +80,7 @@ impl FanMorphs {
         self.drawn.bytes() + 2 * size_of_val(&self.moving[..]) + size_of_val(&self.arrived[..])
     }
 
-    /// Advances one frame towards the target instance `wanted`.
+    /// Advances one frame toward the target instance `wanted`.
     ///
     /// # Panics
     /// If the target instance belongs to a different table.

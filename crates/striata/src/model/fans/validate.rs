@@ -16,7 +16,7 @@ use super::table::FanView;
 use super::{Fans, listed};
 use crate::model::ModelError;
 
-/// Stands for the base in a list of steps.
+/// Marks the base in a list of steps.
 const BASE: u32 = u32::MAX;
 
 /// Validates a table.
@@ -53,7 +53,7 @@ fn check_pairs(
     Ok(())
 }
 
-/// What has been read from the table so far.
+/// Facts gathered from the part of the table that has been read so far.
 struct Validator<'f> {
     fans: &'f Fans,
     /// Step of each vertex.

@@ -18,7 +18,7 @@
 //! other level, uniform or not. Wedges move to wedges, so each side of a seam keeps its attributes.
 //!
 //! Differs: \[Hop96\] morphs along one sequence; this also morphs between any two instances of fans. For
-//! continuous morphing towards a target that is still changing, see [`FanMorphs`](super::FanMorphs).
+//! continuous morphing toward a target that is still changing, see [`FanMorphs`](super::FanMorphs).
 //!
 //! Cost: 8 bytes and constant time per moving vertex, plus a scan of one 64-bit word per 64 steps.
 

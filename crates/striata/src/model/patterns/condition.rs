@@ -2,7 +2,7 @@
 //!
 //! A condition decides whether the triangles of an overlap are too coarse. Among all valid sets of
 //! fragments without triangles that are too coarse, one is contained in all others: if two sets are valid
-//! and fine enough, so is their intersection. [`PatternInstance::adapt`] finds it by working upwards from
+//! and fine enough, so is their intersection. [`PatternInstance::adapt`] finds it by working upward from
 //! the base, through fragments that replace triangles that are too coarse, and their dependencies.
 
 use super::{PatternInstance, PatternScene, Patterns};

@@ -324,7 +324,7 @@ fn sharings_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
     Ok(OverlapTable::pack(sharings))
 }
 
-/// Stands for a local vertex that is not known yet.
+/// Marks a local vertex that is not known yet.
 pub(super) const UNKNOWN: u32 = NONE;
 
 #[cfg(test)]

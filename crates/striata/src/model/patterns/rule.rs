@@ -4,7 +4,7 @@
 //! rule lists the triangles of the ceiling and the floor in these local indices. Fragments that differ
 //! only by a rotation share a rule; mirror images do not, because triangles are oriented.
 
-/// Stands for no half-edge.
+/// Marks a missing half-edge.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// The triangles of a fragment in local vertex indices.

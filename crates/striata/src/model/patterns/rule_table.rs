@@ -40,7 +40,7 @@ enum Numbers<'a> {
     Wide(&'a [u32]),
 }
 
-/// Stands for no corner in a narrow rule.
+/// Marks a missing corner in a narrow rule.
 const NARROW_NONE: u8 = u8::MAX;
 
 impl RuleTable {

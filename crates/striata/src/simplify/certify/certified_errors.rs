@@ -34,7 +34,7 @@ pub fn certify(mesh: &FragmentedMesh) -> FragmentedMesh {
     certify_with_progress(mesh, &mut ignore_progress).expect("the default callback never cancels")
 }
 
-/// Does what [`certify`] does and reports progress; the callback can cancel.
+/// Runs [`certify`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// [`Cancelled`] if the callback cancels.
@@ -57,7 +57,7 @@ pub fn certify_collapses(refinable: &RefinableMesh) -> RefinableMesh {
         .expect("the default callback never cancels")
 }
 
-/// Does what [`certify_collapses`] does and reports progress; the callback can cancel.
+/// Runs [`certify_collapses`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// [`Cancelled`] if the callback cancels.
@@ -78,7 +78,7 @@ pub fn certify_collapses_in_any_state(refinable: &RefinableMesh) -> RefinableMes
         .expect("the default callback never cancels")
 }
 
-/// Does what [`certify_collapses_in_any_state`] does and reports progress; the callback can cancel.
+/// Runs [`certify_collapses_in_any_state`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// [`Cancelled`] if the callback cancels.

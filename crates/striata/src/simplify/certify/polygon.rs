@@ -1,6 +1,6 @@
 //! Convex polygons inside one triangle, in the triangle's own coordinates.
 //!
-//! `u` runs towards the triangle's second corner, `v` towards its third. Cuts and hulls lose no more
+//! `u` runs toward the triangle's second corner, `v` toward its third. Cuts and hulls lose no more
 //! than f64 rounding.
 
 /// Maximum number of corners of a polygon.

@@ -253,9 +253,9 @@ impl<'a> CostEvaluator<'a> {
             || (self.locks_boundary && self.links.is_boundary(v))
     }
 
-    /// Lower bound (nearly always) of the cost of collapsing `v`; infinite if `v` may not be collapsed
-    /// at all.
-    pub(in crate::simplify) fn lower_bound(&mut self, v: u32) -> f32 {
+    /// Provisional cost of collapsing `v`, nearly always below its full cost; infinite if `v` may not be
+    /// collapsed at all.
+    pub(in crate::simplify) fn provisional_cost(&mut self, v: u32) -> f32 {
         if self.is_fixed(v) {
             return f32::INFINITY;
         }
@@ -285,7 +285,7 @@ impl<'a> CostEvaluator<'a> {
         self.best_choice_with(v, |_, _| {})
     }
 
-    /// Does what [`Self::best_choice`] does, but calls `adjust` before any candidate is tested.
+    /// Variant of [`Self::best_choice`] that calls `adjust` before any candidate is tested.
     /// `adjust` may raise the costs in the star, which then count as part of the quadratic cost, or set
     /// them to infinity to exclude targets.
     pub(in crate::simplify) fn best_choice_with(

@@ -52,7 +52,7 @@ impl VanishingEstimate {
     }
 }
 
-/// What is lost with a vanishing part, and what could make up for it.
+/// Area that is lost with a vanishing part, and the host that could make up for it.
 pub(in crate::simplify) struct LostCover {
     /// The area that the part should cover.
     pub(in crate::simplify) cover: f32,

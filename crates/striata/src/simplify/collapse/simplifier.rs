@@ -7,8 +7,9 @@
 //! is higher than the next bound, it goes back. The order is therefore by full cost, except for the
 //! rare position whose full cost is below its bound, at a fraction of the work.
 //!
-//! A position that has no **strict** target, one that preserves the topology, gets a relaxed one at its cost
-//! instead. On a closed surface of a few parts, relaxed collapses begin only after the last strict one.
+//! A **strict** target is one that preserves the topology. A position without one gets a relaxed target
+//! instead, and is queued at the cost of that. On a closed surface of a few parts, relaxed collapses begin
+//! only after the last strict one.
 //!
 //! Time O(n log n); memory 87 to 91 bytes per triangle in addition to a large loaded mesh
 //! (docs/results/simplification.md).
@@ -83,7 +84,7 @@ impl<'a> Simplifier<'a> {
             // stars show.
             self.begin_relaxed();
         }
-        let keys: Vec<f32> = (0..total as u32).map(|v| self.evaluator.lower_bound(v)).collect();
+        let keys: Vec<f32> = (0..total as u32).map(|v| self.evaluator.provisional_cost(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
@@ -139,7 +140,7 @@ impl<'a> Simplifier<'a> {
             self.begin_relaxed();
             for v in 0..self.target.len() as u32 {
                 self.target[v as usize] = UNDECIDED;
-                let bound = self.evaluator.lower_bound(v);
+                let bound = self.evaluator.provisional_cost(v);
                 self.heap.set(v, bound);
             }
         }
@@ -249,7 +250,7 @@ impl<'a> Simplifier<'a> {
         let ring = std::mem::take(&mut self.executor.ring);
         for &w in &ring {
             self.target[w as usize] = UNDECIDED;
-            let bound = self.evaluator.lower_bound(w);
+            let bound = self.evaluator.provisional_cost(w);
             self.heap.set(w, bound);
         }
         self.executor.ring = ring;
@@ -264,7 +265,7 @@ impl<'a> Simplifier<'a> {
         if !self.executor.ring.contains(&u) {
             // A contraction of two parts: u was not a neighbor of v.
             self.target[u as usize] = UNDECIDED;
-            let bound = self.evaluator.lower_bound(u);
+            let bound = self.evaluator.provisional_cost(u);
             self.heap.set(u, bound);
         }
     }

@@ -24,7 +24,7 @@ fn rule_of(layer: &AttributeLayer) -> Rule {
     }
 }
 
-/// Moves the attributes of vertex `kept` by `share` of the way towards those of vertex `removed`.
+/// Moves the attributes of vertex `kept` by `share` of the way toward those of vertex `removed`.
 pub(super) fn blend(layers: &mut [AttributeLayer], removed: u32, kept: u32, share: f64) {
     if share == 0.0 {
         return;

@@ -19,7 +19,7 @@ use glam::DVec3;
 
 /// Weight of the squared area between the old and the new path of a border.
 pub(super) const BORDER_WEIGHT: f64 = 4.0;
-/// Pull towards the edge's midpoint, as a share of the form's trace, for directions that the planes
+/// Pull toward the edge's midpoint, as a share of the form's trace, for directions that the planes
 /// leave open.
 const MIDDLE_WEIGHT: f64 = 1e-5;
 /// Length of the summed normals, as a share of the summed lengths, below which the volume condition is
@@ -192,7 +192,7 @@ impl EdgeForm {
         self.accept_if_near(inverse.times(linear + self.united.normal * (self.volume * self.volume_weight())))
     }
 
-    /// Returns the inverse of a form with the pull towards the midpoint, and the linear part with that pull.
+    /// Returns the inverse of a form with the pull toward the midpoint, and the linear part with that pull.
     fn regular(&self, mut form: StarForm) -> Option<(StarForm, DVec3)> {
         let pull = MIDDLE_WEIGHT * form.trace();
         for i in 0..3 {

@@ -71,7 +71,7 @@ impl<'a> FragmentBuilder<'a> {
             if self.schedule.is_postponed() {
                 self.schedule.begin(&mut self.evaluator.collapse_evaluator, (&[], &[]));
             } else {
-                self.evaluator.phase = CollapsePhase::RelaxedState;
+                self.evaluator.phase = CollapsePhase::Relaxed;
             }
         }
         let mut keys = Vec::with_capacity(self.evaluator.collapse_evaluator.positions.len());
@@ -129,8 +129,8 @@ impl<'a> FragmentBuilder<'a> {
     fn next(&mut self) -> Option<(f32, u32)> {
         while self.heap.first().is_none() && self.schedule.is_possible() {
             self.evaluator.phase = match self.evaluator.phase {
-                CollapsePhase::Strict => CollapsePhase::RelaxedState,
-                CollapsePhase::RelaxedState => CollapsePhase::Hubs,
+                CollapsePhase::Strict => CollapsePhase::Relaxed,
+                CollapsePhase::Relaxed => CollapsePhase::Hubs,
                 CollapsePhase::Hubs => break,
             };
             for v in 0..self.evaluator.collapse_evaluator.positions.len() as u32 {
@@ -186,7 +186,7 @@ impl<'a> FragmentBuilder<'a> {
             squared(a).total_cmp(&squared(b))
         });
         let k = match filling {
-            Filling::Collapse(k) | Filling::RelaxedState(k) => k,
+            Filling::Collapse(k) | Filling::Relaxed(k) => k,
             Filling::Free => nearest.unwrap_or(0),
         };
         let target = evaluator.collapse_evaluator.star.ids[k];

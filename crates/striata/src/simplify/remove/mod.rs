@@ -76,7 +76,7 @@ pub fn build_fragments(
     build_fragments_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does what [`build_fragments`] does and reports progress; the callback can cancel.
+/// Runs [`build_fragments`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// See [`build_fragments`]; also [`SimplifyError::Cancelled`] if the callback cancels.
@@ -101,7 +101,7 @@ pub fn build_welded_fragments(
     build_welded_fragments_with_progress(welded, options, &mut ignore_progress)
 }
 
-/// Does what [`build_welded_fragments`] does and reports progress; the callback can cancel.
+/// Runs [`build_welded_fragments`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// See [`build_welded_fragments`]; also [`SimplifyError::Cancelled`] if the callback cancels.

@@ -40,13 +40,13 @@ pub(super) const MEMORYLESS_SHARE: f32 = 0.2;
 /// Maximum number of triangles around a vertex for relaxed collapses: indices into a star are bytes.
 const MAX_HUB_TRIANGLES: usize = 127;
 
-/// Which collapses are tried for a vertex whose hole cannot be filled.
+/// Collapses that are tried for a vertex whose hole cannot be filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum CollapsePhase {
-    /// Those that preserve the topology.
+    /// Collapses that preserve the topology.
     Strict,
     /// Relaxed ones as well.
-    RelaxedState,
+    Relaxed,
     /// Also relaxed ones of vertices above the degree limit.
     Hubs,
 }
@@ -54,7 +54,7 @@ pub(super) enum CollapsePhase {
 /// How precisely a removal is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Precision {
-    /// Approximately, for the order of vertices that are not yet due.
+    /// An approximate cost, for the order of vertices that are not yet due.
     Estimate,
     Exact,
 }
@@ -67,7 +67,7 @@ pub(super) enum Filling {
     /// By moving the removed vertex to a neighbor, given as an index into the star.
     Collapse(usize),
     /// By moving the removed vertex to a neighbor without preserving the topology or the path of borders.
-    RelaxedState(usize),
+    Relaxed(usize),
 }
 
 /// A possible removal; its triangles are in the evaluator's `floor`.
@@ -84,7 +84,7 @@ pub(super) struct RemovalEvaluator<'a> {
     pub(super) options: &'a RemovalOptions,
     /// Positions, links, wedges and the star, and costs of relaxed collapses.
     pub(super) collapse_evaluator: CostEvaluator<'a>,
-    /// Which collapses are tried if no other removal is allowed.
+    /// Collapses that are tried if no other removal is allowed.
     pub(super) phase: CollapsePhase,
     /// Group of each face.
     pub(super) groups: Vec<u32>,
@@ -185,7 +185,7 @@ impl<'a> RemovalEvaluator<'a> {
         let (increase, worst) = self.increase();
         let worst = worst.max(distance_squared).max(protrusion_squared);
         let cost = increase.max(0.0) + MEMORYLESS_SHARE * cost + Self::spike_cost(worst);
-        Some(RemovalCandidate { cost, filling: Filling::RelaxedState(k), worst })
+        Some(RemovalCandidate { cost, filling: Filling::Relaxed(k), worst })
     }
 
     /// Returns the square of a distance, converted from mesh units to scaled units.
@@ -380,7 +380,7 @@ impl<'a> RemovalEvaluator<'a> {
             out.extend(floor.iter().map(|t| (t.map(|i| ring_vertices[i as usize]), group)));
             return;
         }
-        let (Filling::Collapse(k) | Filling::RelaxedState(k)) = filling else { return };
+        let (Filling::Collapse(k) | Filling::Relaxed(k)) = filling else { return };
         collapse_evaluator.pair(v, k);
         let CostEvaluator { star, wedges: Some(wedges), .. } = collapse_evaluator else { return };
         for t in 0..star.triangle_count() {

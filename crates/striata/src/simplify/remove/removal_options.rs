@@ -4,7 +4,7 @@ use crate::mesh::{FragmentedMesh, RefinableMesh};
 use crate::setters::setters;
 use crate::simplify::options::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 
-/// Which triangulations of a hole are tried.
+/// Triangulations of a hole that are tried.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Retriangulation {
@@ -15,7 +15,8 @@ pub enum Retriangulation {
     Collapse,
 }
 
-/// Which triangulation of a hole is the best one. The order of removals depends on distances in any case.
+/// Criterion that selects the triangulation of a hole. The order of removals depends on distances whichever
+/// criterion is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HoleCriterion {
@@ -37,7 +38,7 @@ pub(super) const MAX_DEGREE: usize = 16;
 pub struct RemovalOptions {
     /// How holes may be filled; default [`Retriangulation::Free`].
     pub retriangulation: Retriangulation,
-    /// Which triangulation is the best; default [`HoleCriterion::Distance`]. Half-edge collapses are
+    /// Criterion for the best triangulation; default [`HoleCriterion::Distance`]. Half-edge collapses are
     /// always compared by distance.
     pub criterion: HoleCriterion,
     /// Maximum number of triangles around a removed vertex, 3 to 16; default 8: larger limits give many
@@ -60,9 +61,9 @@ pub struct RemovalOptions {
     pub group_borders: BoundaryRule,
     /// How collapses treat seams, at which they are the only way to fill a hole; default [`SeamRule::Cross`].
     pub seams: SeamRule,
-    /// Whether a vertex without any removal that preserves the topology may be collapsed nevertheless;
-    /// default it may. No part vanishes if [`Self::max_error`] is set, and the topology stays if
-    /// [`Self::feature_angle`] is set.
+    /// Whether a vertex may be collapsed if every removal of it would change the topology; by default it may.
+    /// No part vanishes if [`Self::max_error`] is set, and the topology stays if [`Self::feature_angle`] is
+    /// set.
     pub topology: TopologyRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,

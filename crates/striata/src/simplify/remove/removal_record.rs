@@ -95,7 +95,7 @@ impl RemovalRecord {
         let mesh = welded.mesh.gather(&order.vertex_order, &order.new_index);
         let mut fragmented = FragmentedMesh { mesh, fragments };
         if self.has_vanished {
-            // Whatever the empty floor should have represented is nearest to other faces.
+            // The floor is empty, so the surface that it should have represented is assigned to other faces.
             fragmented = certify_with_progress(&fragmented, progress)?;
         }
         let (degenerate_triangle_count, merged_vertex_count) =

@@ -1,4 +1,4 @@
-//! Cost bias towards collapses that a progressive coder can predict well.
+//! Cost bias toward collapses that a progressive coder can predict well.
 //!
 //! A coder predicts regular meshes best: triangles of even size, and kept vertices with few triangles.
 //! Long edges and high valences therefore cost extra. Most of a stream belongs to the finest batches,

@@ -74,7 +74,7 @@ pub fn build_batches(mesh: &IndexedMesh, options: &BatchOptions) -> Result<Built
     build_batches_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does what [`build_batches`] does and reports progress; the callback can cancel.
+/// Runs [`build_batches`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// See [`build_batches`]; also [`SimplifyError::Cancelled`] if the callback cancels.
@@ -96,7 +96,7 @@ pub fn build_welded_batches(welded: Welded, options: &BatchOptions) -> Result<Bu
     build_welded_batches_with_progress(welded, options, &mut ignore_progress)
 }
 
-/// Does what [`build_welded_batches`] does and reports progress; the callback can cancel.
+/// Runs [`build_welded_batches`] and reports progress; the callback can cancel.
 ///
 /// # Errors
 /// See [`build_welded_batches`]; also [`SimplifyError::Cancelled`] if the callback cancels.

@@ -10,7 +10,7 @@ struct EdgeTriangles {
     before: Option<usize>,
     /// The last one that begins at the neighbor.
     after: Option<usize>,
-    /// Number of triangles that do either.
+    /// Number of triangles that begin or end at the neighbor.
     count: usize,
 }
 

@@ -12,8 +12,8 @@
 //! ```
 //!
 //! Borders of any kind (boundaries, edges with three triangles, seams) restrict the candidates: a
-//! vertex on some may only move along an edge of the strongest kind, and the cost includes the squared
-//! area between the old and the new path of every border.
+//! vertex on a border may only move along an edge of its strongest kind of border, and the cost includes the
+//! squared area between the old and the new path of every border.
 //!
 //! The full cost of a candidate includes the distances of its fan (see [`Star::distance_cost`]).
 //! Triangles are processed eight at a time; sums are folded in a fixed order, so that results are the

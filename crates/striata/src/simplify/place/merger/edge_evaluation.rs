@@ -26,7 +26,7 @@ impl Merger<'_> {
     }
 
     /// Lower bound of the cost of collapsing an edge of `v`; infinite if no edge may be collapsed.
-    pub(super) fn lower_bound(&mut self, v: u32) -> f32 {
+    pub(super) fn provisional_cost(&mut self, v: u32) -> f32 {
         self.gather(v);
         self.fill_costs(v);
         let least = self.costs.iter().copied().fold(f32::INFINITY, f32::min);

@@ -129,7 +129,7 @@ impl<'a> Merger<'a> {
         }
         let position_count = self.positions.len() as u32;
         (0..position_count).for_each(|v| self.update_star(v));
-        let keys: Vec<f32> = (0..position_count).map(|v| self.lower_bound(v)).collect();
+        let keys: Vec<f32> = (0..position_count).map(|v| self.provisional_cost(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
         let total = criteria.removals.min(self.positions.len()) as u64;
@@ -163,7 +163,7 @@ impl<'a> Merger<'a> {
             self.schedule.begin(&mut self.evaluator, (&self.removed, &self.targets));
             for v in 0..self.positions.len() as u32 {
                 self.choices[v as usize] = NO_CHOICE;
-                let bound = self.lower_bound(v);
+                let bound = self.provisional_cost(v);
                 self.heap.set(v, bound);
             }
         }
@@ -290,7 +290,7 @@ impl<'a> Merger<'a> {
         let ring = std::mem::take(&mut self.ring);
         ring.iter().for_each(|&w| self.update_star(w));
         for &w in &ring {
-            let bound = self.lower_bound(w);
+            let bound = self.provisional_cost(w);
             self.heap.set(w, bound);
         }
         self.ring = ring;

@@ -35,9 +35,9 @@ pub(super) type RingTriangle = [u8; 3];
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Features {
     None,
-    /// One passes through the vertex, to these two members of the ring.
+    /// One feature edge passes through the vertex, to these two members of the ring.
     Crease(usize, usize),
-    /// Several meet or one ends at the vertex.
+    /// Several feature edges meet at the vertex, or one ends there.
     Corner,
 }
 
