@@ -3,5 +3,7 @@
 #![expect(missing_docs, reason = "only used by tests, and the names describe the meshes")]
 
 pub mod meshes;
+#[cfg(all(unix, feature = "server"))]
+pub mod server;
 pub mod simplifier;
 pub mod support;

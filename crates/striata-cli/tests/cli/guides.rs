@@ -86,7 +86,7 @@ fn commands_that_stay_open_are_serve_and_view_with_files_that_the_guide_has_made
 fn the_server_of_the_guides_starts() {
     let bench = folder();
     let program = assert_cmd::cargo::cargo_bin("striata");
-    let server = crate::serve_client::Server::start(&program, &bench.path("."), &[]);
+    let server = striata_testing::server::Server::start(&program, &bench.path("."), &[]);
     assert_eq!(server.report["models"], 2);
 }
 

@@ -14,10 +14,6 @@ mod render;
 mod seams;
 #[cfg(all(unix, feature = "serve"))]
 mod serve;
-#[cfg(all(unix, feature = "serve"))]
-mod serve_client;
-#[cfg(all(unix, feature = "serve"))]
-mod serve_load;
 mod streams;
 mod strip_blocks;
 mod strips;

@@ -7,9 +7,8 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::serve_client::{Answer, Connection, PATIENCE, Server};
-use crate::serve_load::{FILE, Plan, memory_kb, run, write_file};
 use crate::workbench::{Workbench, assert_keys, sphere};
+use striata_testing::server::{Answer, Connection, FILE, PATIENCE, Plan, Server, memory_kb, run, write_file};
 
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 

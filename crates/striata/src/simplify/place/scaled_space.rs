@@ -19,11 +19,11 @@ impl ScaledSpace {
         Self { center: 0.5 * (min + max), scale }
     }
 
-    pub(super) fn to_scaled(&self, p: [f32; 3]) -> DVec3 {
+    pub(super) fn scaled(&self, p: [f32; 3]) -> DVec3 {
         (DVec3::from(p.map(f64::from)) - self.center) / self.scale
     }
 
-    pub(super) fn to_mesh(&self, p: DVec3) -> [f32; 3] {
+    pub(super) fn unscaled(&self, p: DVec3) -> [f32; 3] {
         let limit = f64::from(f32::MAX);
         (p * self.scale + self.center).to_array().map(|x| x.clamp(-limit, limit) as f32)
     }

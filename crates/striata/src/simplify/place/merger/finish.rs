@@ -28,7 +28,7 @@ impl Merger<'_> {
         for (v, position) in mesh.positions.iter_mut().enumerate() {
             let p = positions.position_of(v as u32) as usize;
             if self.is_moved[p] {
-                *position = self.space.to_mesh(self.positions[p]);
+                *position = self.space.unscaled(self.positions[p]);
             }
         }
         let targets = &self.targets;

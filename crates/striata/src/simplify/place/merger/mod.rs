@@ -71,7 +71,7 @@ impl<'a> Merger<'a> {
         let mesh = &welded.mesh;
         let space = ScaledSpace::of(mesh);
         let position_count = welded.positions.position_count();
-        let position = |p| space.to_scaled(mesh.positions[welded.positions.first_vertex(p) as usize]);
+        let position = |p| space.scaled(mesh.positions[welded.positions.first_vertex(p) as usize]);
         let positions: Vec<DVec3> = (0..position_count as u32).map(position).collect();
         let options =
             SequenceOptions { cost: CollapseCost::Memoryless, pair_distance: None, ..options.clone() };

@@ -1,4 +1,4 @@
-//! Many clients at the same time, some of them slow; shared with `examples/load.rs`.
+//! Many clients at the same time, some of them slow.
 //!
 //! Quick clients read random ranges of one file and check every byte. Slow clients read the whole file at a
 //! kilobyte per second, through small windows. The memory of the server is sampled meanwhile. The test ends
@@ -12,10 +12,10 @@ use std::time::{Duration, Instant};
 
 use socket2::{Domain, Socket, Type};
 
-use crate::serve_client::{Connection, PATIENCE, Server};
+use super::client::{Connection, PATIENCE, Server};
 
 /// Name of the file that is read.
-pub(crate) const FILE: &str = "large.stl";
+pub const FILE: &str = "large.stl";
 /// Size of the file: larger than all buffers between the server and a slow client.
 const FILE_BYTES: usize = 24 << 20;
 /// Length of the longest range.
@@ -27,38 +27,38 @@ const SAMPLED_EVERY: Duration = Duration::from_millis(200);
 
 /// The load to apply.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Plan {
+pub struct Plan {
     /// Number of clients that read ranges.
-    pub(crate) quick: usize,
+    pub quick: usize,
     /// Number of clients that read a kilobyte per second.
-    pub(crate) slow: usize,
+    pub slow: usize,
     /// Duration, extended until every client has received something twice.
-    pub(crate) lasts: Duration,
+    pub lasts: Duration,
 }
 
 /// The measurements.
 #[derive(Debug, Default)]
-pub(crate) struct Outcome {
+pub struct Outcome {
     /// Latency of each response to a quick client, in ascending order.
-    pub(crate) latencies: Vec<Duration>,
+    pub latencies: Vec<Duration>,
     /// Bytes received by slow clients.
-    pub(crate) slow_bytes: usize,
+    pub slow_bytes: usize,
     /// Resident memory of the server at each sample, kB.
-    pub(crate) resident_kb: Vec<u64>,
+    pub resident_kb: Vec<u64>,
     /// Peak resident memory of the server, kB.
-    pub(crate) peak_kb: u64,
+    pub peak_kb: u64,
     /// Errors of clients.
-    pub(crate) errors: Vec<String>,
+    pub errors: Vec<String>,
 }
 
 /// Writes the file into a folder.
-pub(crate) fn write_file(folder: &Path) {
+pub fn write_file(folder: &Path) {
     let bytes: Vec<u8> = (0..FILE_BYTES as u64).map(byte_at).collect();
     std::fs::write(folder.join(FILE), bytes).expect("the folder is ours");
 }
 
 /// Puts a server under load.
-pub(crate) fn run(server: &Server, plan: Plan) -> Outcome {
+pub fn run(server: &Server, plan: Plan) -> Outcome {
     let until = Instant::now() + plan.lasts;
     let address = server.address;
     let quick: Vec<_> =
@@ -145,7 +145,7 @@ fn mixed(number: u64) -> u64 {
 }
 
 /// Returns a memory figure of a process from `/proc` (Linux).
-pub(crate) fn memory_kb(process: u32, key: &str) -> Option<u64> {
+pub fn memory_kb(process: u32, key: &str) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(key))?;
     line.trim().strip_suffix("kB")?.trim().parse().ok()

@@ -1,4 +1,4 @@
-//! Starts a server for a test, and a client that sends exact bytes; shared with `examples/load.rs`.
+//! Starts a server for a test, and a client that sends exact bytes.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -7,17 +7,17 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::Duration;
 
 /// A server process that is ended when dropped.
-pub(crate) struct Server {
+pub struct Server {
     process: Child,
     /// Address that the server listens on.
-    pub(crate) address: SocketAddr,
+    pub address: SocketAddr,
     /// The report that the server printed.
-    pub(crate) report: serde_json::Value,
+    pub report: serde_json::Value,
 }
 
 impl Server {
     /// Starts a server for a folder or a file on a free port.
-    pub(crate) fn start(program: &Path, served: &Path, arguments: &[&str]) -> Self {
+    pub fn start(program: &Path, served: &Path, arguments: &[&str]) -> Self {
         let mut command = Command::new(program);
         command.arg("serve").arg(served).args(["--port", "0", "--json", "--quiet"]).args(arguments);
         let mut process = command.stdout(Stdio::piped()).spawn().expect("the command starts");
@@ -31,12 +31,12 @@ impl Server {
     }
 
     /// Returns the id of the server process.
-    pub(crate) fn id(&self) -> u32 {
+    pub fn id(&self) -> u32 {
         self.process.id()
     }
 
     /// Terminates the server and waits for its exit.
-    pub(crate) fn end(mut self) -> ExitStatus {
+    pub fn end(mut self) -> ExitStatus {
         let id = self.id().to_string();
         let sent = Command::new("kill").args(["-TERM", &id]).status().expect("kill is there");
         assert!(sent.success());
@@ -53,32 +53,32 @@ impl Drop for Server {
 
 /// A response.
 #[derive(Debug)]
-pub(crate) struct Answer {
+pub struct Answer {
     /// Status code.
-    pub(crate) status: u16,
+    pub status: u16,
     headers: Vec<(String, String)>,
     /// Body.
-    pub(crate) body: Vec<u8>,
+    pub body: Vec<u8>,
 }
 
 impl Answer {
     /// Returns a header by its lowercase name; empty if it is missing.
-    pub(crate) fn header(&self, name: &str) -> &str {
+    pub fn header(&self, name: &str) -> &str {
         self.headers.iter().find(|(known, _)| known == name).map_or("", |(_, value)| value)
     }
 }
 
 /// Timeout for responses that should be immediate even on slow machines.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(600);
+pub const PATIENCE: Duration = Duration::from_secs(600);
 
 /// A connection that is kept alive.
-pub(crate) struct Connection {
+pub struct Connection {
     reader: BufReader<TcpStream>,
 }
 
 impl Connection {
     /// Opens a connection.
-    pub(crate) fn open(address: SocketAddr) -> io::Result<Self> {
+    pub fn open(address: SocketAddr) -> io::Result<Self> {
         let stream = TcpStream::connect(address)?;
         stream.set_nodelay(true)?;
         stream.set_read_timeout(Some(PATIENCE))?;
@@ -86,18 +86,18 @@ impl Connection {
     }
 
     /// Sends raw bytes.
-    pub(crate) fn say(&mut self, text: &str) -> io::Result<()> {
+    pub fn say(&mut self, text: &str) -> io::Result<()> {
         self.reader.get_mut().write_all(text.as_bytes())
     }
 
     /// Sends a GET request with headers, each ended by a line break, and reads the response.
-    pub(crate) fn get(&mut self, path: &str, headers: &str) -> io::Result<Answer> {
+    pub fn get(&mut self, path: &str, headers: &str) -> io::Result<Answer> {
         self.say(&format!("GET {path} HTTP/1.1\r\nhost: localhost\r\n{headers}\r\n"))?;
         self.answer(true)
     }
 
     /// Reads a response, with or without a body (for HEAD).
-    pub(crate) fn answer(&mut self, has_body: bool) -> io::Result<Answer> {
+    pub fn answer(&mut self, has_body: bool) -> io::Result<Answer> {
         let first = self.line()?;
         let status = first.split(' ').nth(1).and_then(|word| word.parse().ok());
         let status = status.ok_or_else(|| io::Error::other(format!("no status in {first:?}")))?;

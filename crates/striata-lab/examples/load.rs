@@ -1,17 +1,11 @@
 //! Puts `striata serve` under load with 180 quick clients, then also with 20 slow ones, all on this machine.
 //!
-//! Run it with `cargo run --release -p striata-cli --example load [SECS]` after building the command.
-
-#[path = "../tests/cli/serve_client.rs"]
-mod serve_client;
-#[path = "../tests/cli/serve_load.rs"]
-mod serve_load;
+//! Run it with `cargo run --release -p striata-lab --example load [SECS]` after building the command.
 
 use std::io::Write;
 use std::time::Duration;
 
-use serve_client::{Connection, Server};
-use serve_load::{Plan, run, write_file};
+use striata_testing::server::{Connection, Plan, Server, run, write_file};
 
 /// Longer runs give no more information.
 const MAX_SECS: u64 = 600;
