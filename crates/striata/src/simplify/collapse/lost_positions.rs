@@ -171,7 +171,9 @@ impl CostEvaluator<'_> {
             }
         }
         if lost_positions.host.is_none_or(|p| self.links.kind(p) == LinkKind::Empty) {
-            // The part fell apart before, or its replacement vanished with it.
+            // The part fell apart before, or its replacement vanished with it. Search the whole mesh, even if
+            // this is the first collapse that changes the topology.
+            self.mark_relaxed();
             let (distance_squared, host) =
                 self.nearest_star(point(&self.positions, u), (f32::INFINITY, u), 0.0);
             lost_positions.host = (distance_squared < f32::INFINITY).then_some(host);
