@@ -134,7 +134,11 @@ fn quantized_attributes_are_converted() {
     let positions = i16s(&[-4, 0, 2, 0, 4, 0, 2, 0, 0, 8, -2, 0]);
     let position = glb.plain(&positions, 8, json!({ "componentType": 5122, "count": 3, "type": "VEC3" }));
     let normals = i8s(&[0, 0, 127, 0, 0, 127, 0, 0, -128, 0, 0, 0]);
-    let accessor = |kind: u32, normalized: bool, shape: &str| json!({ "componentType": kind, "count": 3, "type": shape, "normalized": normalized });
+    let accessor = |component: u32, normalized: bool, kind: &str| {
+        let mut accessor = json!({ "componentType": component, "count": 3, "type": kind });
+        accessor["normalized"] = json!(normalized);
+        accessor
+    };
     let normal = glb.plain(&normals, 4, accessor(5120, true, "VEC3"));
     let tangents = i8s(&[127, 0, 0, -127, 0, 0, 127, 127, 127, 0, 0, 127]);
     let tangent = glb.plain(&tangents, 4, accessor(5120, true, "VEC4"));
