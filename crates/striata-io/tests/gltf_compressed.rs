@@ -94,12 +94,14 @@ fn floats<'a>(mesh: &'a IndexedMesh, semantic: &Semantic) -> &'a [f32] {
 }
 
 /// Turns triangles so that their smallest vertex is first; codecs may rotate them.
+#[cfg(any(feature = "meshopt", feature = "draco"))]
 fn turned(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let turn = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap();
     triangles.iter().map(turn).collect()
 }
 
 /// Panics unless a damaged file is an error or a consistent mesh, and no larger than it may be.
+#[cfg(any(feature = "meshopt", feature = "draco"))]
 fn assert_survives(bytes: &[u8]) {
     if let Ok(mesh) = read("x.glb", bytes) {
         let is_consistent = mesh.triangles.iter().flatten().all(|&v| (v as usize) < mesh.vertex_count());
@@ -108,6 +110,7 @@ fn assert_survives(bytes: &[u8]) {
 }
 
 /// Damages the binary chunk: truncations, with the counts left as they are, and changed bytes.
+#[cfg(any(feature = "meshopt", feature = "draco"))]
 fn assert_damage_is_survived(glb: &Glb) {
     for length in 0..glb.binary.len() {
         let mut cut = glb.clone();
@@ -180,18 +183,42 @@ fn extensions_of_materials_may_be_required() {
     }
 }
 
+/// A document of plain data in which an extension is used, but not required.
+#[cfg(not(all(feature = "meshopt", feature = "draco")))]
+fn optional(extension: &str, positions: &[[f32; 3]]) -> Glb {
+    let mut glb = Glb::new(extension);
+    glb.root.as_object_mut().unwrap().remove("extensionsRequired");
+    let accessor = json!({ "componentType": 5126, "count": positions.len(), "type": "VEC3" });
+    let position = glb.plain(&f32s(positions.as_flattened()), 12, accessor);
+    glb.with_mesh(&json!({ "attributes": { "POSITION": position } }))
+}
+
 #[cfg(not(feature = "meshopt"))]
 #[test]
-fn a_missing_feature_for_meshopt_is_named() {
+fn without_meshopt_the_fallback_is_read() {
     let message = Glb::new("EXT_meshopt_compression").refused();
     assert!(message.contains("the feature `meshopt` is off"), "{message}");
+    let positions = &sheet(1).positions[..3];
+    let mut glb = optional("EXT_meshopt_compression", positions);
+    glb.root["bufferViews"][0]["extensions"] = json!({ "EXT_meshopt_compression": {} });
+    assert_eq!(glb.read().positions, positions);
+    glb.add("buffers", json!({ "byteLength": 36 }));
+    glb.root["bufferViews"][0]["buffer"] = json!(1);
+    assert!(glb.refused().contains("the feature `meshopt` is off"));
 }
 
 #[cfg(not(feature = "draco"))]
 #[test]
-fn a_missing_feature_for_draco_is_named() {
+fn without_draco_the_plain_accessors_are_read() {
     let message = Glb::new("KHR_draco_mesh_compression").refused();
     assert!(message.contains("the feature `draco` is off"), "{message}");
+    let positions = &sheet(1).positions[..3];
+    let mut glb = optional("KHR_draco_mesh_compression", positions);
+    let extensions = json!({ "KHR_draco_mesh_compression": { "bufferView": 0 } });
+    glb.root["meshes"][0]["primitives"][0]["extensions"] = extensions;
+    assert_eq!(glb.read().positions, positions);
+    glb.root["accessors"][0].as_object_mut().unwrap().remove("bufferView");
+    assert!(glb.refused().contains("the feature `draco` is off"));
 }
 
 #[cfg(feature = "meshopt")]
