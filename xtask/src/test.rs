@@ -23,6 +23,8 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-io", "stl"),
     ("striata-io", "off"),
     ("striata-io", "gltf"),
+    ("striata-io", "meshopt"),
+    ("striata-io", "draco"),
     ("striata-io", "compressed"),
     ("striata-io", "blocks"),
     ("striata-strip", ""),

@@ -112,6 +112,11 @@ pub(crate) enum Fault {
     Unsupported(Place, String),
     #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only glTF has extensions"))]
     Extension(String),
+    #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only glTF has parts behind features"))]
+    FeatureOff {
+        what: &'static str,
+        feature: &'static str,
+    },
 }
 
 impl Fault {
@@ -131,6 +136,7 @@ impl Fault {
             Self::Malformed(place, reason) => ReadError::Malformed { file, place, reason },
             Self::Unsupported(place, what) => ReadError::Unsupported { file, place, what },
             Self::Extension(extension) => ReadError::UnsupportedExtension { file, extension },
+            Self::FeatureOff { what, feature } => ReadError::FeatureOff { file, what, feature },
         }
     }
 }

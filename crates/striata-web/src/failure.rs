@@ -99,6 +99,9 @@ impl From<ReadError> for Failure {
             ReadError::UnknownFormat { .. } => Self::format(error).with_hint(
                 "supported: .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally .gz or .zst",
             ),
+            ReadError::FeatureOff { feature: "meshopt" | "draco", .. } => {
+                Self::unsupported(error).with_hint("`striata convert IN OUT.glb` decompresses the file")
+            }
             ReadError::FeatureOff { .. }
             | ReadError::UnsupportedExtension { .. }
             | ReadError::Unsupported { .. } => Self::unsupported(error),

@@ -152,6 +152,20 @@ impl Sparse<'_> {
     }
 }
 
+impl<'a> Accessor<'a> {
+    /// Creates an accessor of decompressed elements, which are tightly packed.
+    pub(super) fn packed(
+        count: usize,
+        [component_count, stride]: [usize; 2],
+        component: ComponentType,
+        bytes: &'a [u8],
+        path: &str,
+    ) -> Self {
+        let (path, bytes) = (path.to_owned(), Some(bytes));
+        Self { count, component_count, component, normalized: false, path, bytes, stride, sparse: None }
+    }
+}
+
 impl Accessor<'_> {
     /// Creates a fault at this accessor.
     pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {

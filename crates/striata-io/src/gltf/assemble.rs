@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup};
 
-use super::accessor::accessor;
 use super::appearance;
 use super::document::Document;
+use super::draco::{DracoKey, DracoLink};
 use super::layers::{LayerFormat, append, fill};
 use super::primitive::{Primitive, document_fault};
 use super::scene::{Transform, instances};
@@ -55,8 +55,9 @@ struct Plan<'a> {
     block_of: BTreeMap<BlockKey, usize>,
 }
 
-/// Accessor of the positions, the other accessors, and the transform.
-type BlockKey = (u64, Vec<(Semantic, u64)>, Option<[u64; 16]>);
+/// Identity of a block: the accessor of the positions, the other accessors, the compressed mesh with the
+/// identifiers of its attributes, and the transform.
+type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>);
 
 /// Builds the mesh of a document's scene.
 pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
@@ -87,8 +88,12 @@ impl<'a> Plan<'a> {
         transform: Option<Transform>,
         name: &str,
     ) -> Result<(), Fault> {
-        let key: BlockKey =
-            (primitive.position, primitive.attributes.clone(), transform.as_ref().map(Transform::key));
+        let key: BlockKey = (
+            primitive.position,
+            primitive.attributes.clone(),
+            primitive.draco.as_ref().map(DracoLink::key),
+            transform.as_ref().map(Transform::key),
+        );
         let (block, primitive) = match self.block_of.get(&key) {
             Some(&block) => (block, Some(primitive)),
             None => {
@@ -112,13 +117,13 @@ impl<'a> Plan<'a> {
         primitive: Primitive<'a>,
         transform: Option<Transform>,
     ) -> Result<(), Fault> {
-        let positions = accessor(document, primitive.position, &primitive.at)?;
+        let positions = primitive.positions(document)?;
         if positions.component_count != 3 {
             return Err(positions.fault("POSITION must be VEC3"));
         }
         let vertex_count = positions.count;
         for (semantic, index) in &primitive.attributes {
-            let accessor = accessor(document, *index, &primitive.at)?;
+            let accessor = primitive.attribute(document, (semantic, *index))?;
             if accessor.count != vertex_count {
                 let reason = format!("{} elements for {vertex_count} vertices", accessor.count);
                 return Err(accessor.fault(reason));
@@ -153,7 +158,7 @@ impl<'a> Plan<'a> {
     fn positions(&self, document: &Document<'_>) -> Result<Vec<[f32; 3]>, Fault> {
         let mut positions: Vec<[f32; 3]> = Vec::with_capacity(self.vertex_count);
         for block in &self.blocks {
-            let numbers = accessor(document, block.primitive.position, &block.primitive.at)?.floats();
+            let numbers = block.primitive.positions(document)?.floats();
             let (points, _) = numbers.as_chunks::<3>();
             match &block.transform {
                 None => positions.extend_from_slice(points),
@@ -171,7 +176,7 @@ impl<'a> Plan<'a> {
                 let own = block.primitive.attributes.iter().find(|(s, _)| s == semantic);
                 match own {
                     Some(&(_, index)) => {
-                        let accessor = accessor(document, index, &block.primitive.at)?;
+                        let accessor = block.primitive.attribute(document, (semantic, index))?;
                         append(&mut layer, &accessor, block.transform.as_ref());
                     }
                     None => fill(&mut layer, block.vertex_count),

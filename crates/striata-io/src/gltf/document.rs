@@ -7,7 +7,10 @@ use std::rc::Rc;
 
 use serde_json::Value;
 
+use super::compression::{self, Compression};
 use super::json::JsonNode;
+use super::meshopt;
+use super::unpacked::Unpacked;
 use super::uri;
 use crate::Source;
 use crate::error::{Fault, Place};
@@ -39,6 +42,7 @@ pub(super) struct Document<'a> {
     /// Size of the document and its buffers in bytes; limits the size of the mesh.
     pub input_bytes: u64,
     pub source: Source<'a>,
+    pub unpacked: Unpacked,
 }
 
 impl<'a> Document<'a> {
@@ -62,12 +66,16 @@ impl<'a> Document<'a> {
         }
         for extension in root.entries("extensionsRequired")? {
             let name = extension.value.as_str().unwrap_or("");
-            if !can_be_required(name) {
-                return Err(Fault::Extension(name.to_owned()));
+            match Compression::of_extension(name) {
+                Some(compression) if compression.is_on() => {}
+                Some(compression) => return Err(compression.feature_off()),
+                None if can_be_required(name) => {}
+                None => return Err(Fault::Extension(name.to_owned())),
             }
         }
-        let mut document =
-            Self { root, buffers: Vec::new(), input_bytes: json_bytes as u64, source: *source };
+        let unpacked = Unpacked::new(root.entries("bufferViews")?.len());
+        let (buffers, input_bytes) = (Vec::new(), json_bytes as u64);
+        let mut document = Self { root, buffers, input_bytes, source: *source, unpacked };
         document.load_buffers(blob)?;
         Ok(document)
     }
@@ -76,13 +84,15 @@ impl<'a> Document<'a> {
         let mut known: BTreeMap<&str, Rc<Cow<'a, [u8]>>> = BTreeMap::new();
         for (index, at) in self.root.entries("buffers")?.iter().enumerate() {
             let length = at.required_unsigned("byteLength")?;
-            let uri = at.text("uri");
+            // Nothing is read from buffers for readers that cannot decompress.
+            let is_fallback = compression::meshopt(at).is_some_and(|at| at.flag("fallback"));
+            let uri = if is_fallback && Compression::Meshopt.is_on() { "" } else { at.text("uri") };
             let bytes = if let Some(bytes) = known.get(uri) {
                 Rc::clone(bytes)
             } else if uri.is_empty() {
                 match blob.filter(|_| index == 0) {
                     Some(blob) => Rc::new(Cow::Borrowed(blob)),
-                    // A placeholder, as for unsupported compressed data; views into it report an error.
+                    // A placeholder for compressed data; uncompressed views into it report an error.
                     None => Rc::new(Cow::Borrowed(&[][..])),
                 }
             } else {
@@ -125,6 +135,27 @@ impl<'a> Document<'a> {
     /// Returns the bytes of a buffer view, and its stride if it has one.
     pub(super) fn view(&self, index: u64, from: &JsonNode<'_>) -> Result<(&[u8], Option<usize>), Fault> {
         let at = self.item("bufferViews", index, from)?;
+        let stride = at.unsigned("byteStride")?;
+        if stride.is_some_and(|s| !(1..=252).contains(&s)) {
+            return Err(at.fault(format!("byteStride is {}, but may be 4 to 252", stride.unwrap_or(0))));
+        }
+        let bytes = match compression::meshopt(&at) {
+            Some(packed) if Compression::Meshopt.is_on() || self.lacks_bytes(&at) => {
+                self.unpacked.view(index, || meshopt::decompressed(self, &at, &packed))?
+            }
+            _ => self.range(&at)?,
+        };
+        Ok((bytes, stride.map(|s| s as usize)))
+    }
+
+    /// Whether the buffer of a view is only a placeholder.
+    fn lacks_bytes(&self, at: &JsonNode<'_>) -> bool {
+        let index = at.unsigned("buffer").ok().flatten().and_then(|index| usize::try_from(index).ok());
+        index.and_then(|index| self.buffers.get(index)).is_some_and(|buffer| buffer.is_empty())
+    }
+
+    /// Returns the bytes that an object describes by `buffer`, `byteOffset` and `byteLength`.
+    pub(super) fn range(&self, at: &JsonNode<'_>) -> Result<&[u8], Fault> {
         let buffer_index = at.required_unsigned("buffer")?;
         let buffer = usize::try_from(buffer_index).ok().and_then(|i| self.buffers.get(i));
         let Some(buffer) = buffer else {
@@ -138,10 +169,6 @@ impl<'a> Document<'a> {
             let reason = format!("bytes {offset} + {length} of a buffer of {} bytes", buffer.len());
             return Err(at.fault(reason));
         };
-        let stride = at.unsigned("byteStride")?;
-        if stride.is_some_and(|s| !(1..=252).contains(&s)) {
-            return Err(at.fault(format!("byteStride is {}, but may be 4 to 252", stride.unwrap_or(0))));
-        }
-        Ok((&buffer[offset as usize..end as usize], stride.map(|s| s as usize)))
+        Ok(&buffer[offset as usize..end as usize])
     }
 }

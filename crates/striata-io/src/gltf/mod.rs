@@ -10,18 +10,29 @@
 //! gives all groups one vertex buffer, so files do not grow when they are read and written again. Skeletons
 //! and animations are dropped: joints and weights are kept as layers, but not the nodes, skins and channels
 //! that use them. Cost: one pass over each accessor of each block of vertices.
+//!
+//! Compressed geometry is decoded at first use: buffer views of meshoptimizer in `meshopt` (feature
+//! `meshopt`), primitives of Draco in `draco` and `draco_mesh` (feature `draco`). `unpacked` keeps the
+//! result and limits its size. Quantized attributes need no special care: `accessor` reads every component
+//! type, and node transforms restore the scale. Skinned meshes are the exception: glTF ignores the
+//! transforms of their nodes, so a quantized one keeps the scale of its integers.
 
 mod accessor;
 mod appearance;
 mod assemble;
 mod builder;
 mod component_type;
+mod compression;
 mod container;
 mod document;
+mod draco;
+mod draco_mesh;
 mod json;
 mod layers;
+mod meshopt;
 mod primitive;
 mod scene;
+mod unpacked;
 mod uri;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod vertex_pieces;

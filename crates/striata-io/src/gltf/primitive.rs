@@ -2,8 +2,9 @@
 
 use striata::mesh::Semantic;
 
-use super::accessor::accessor;
+use super::accessor::{Accessor, accessor};
 use super::document::Document;
+use super::draco::DracoLink;
 use super::json::JsonNode;
 use crate::error::{Fault, Place};
 
@@ -22,6 +23,8 @@ pub(super) struct Primitive<'a> {
     /// Semantics, sorted, and the index of each accessor.
     pub attributes: Vec<(Semantic, u64)>,
     pub material: Option<u32>,
+    /// Compressed mesh that contains the indices and some attributes.
+    pub draco: Option<DracoLink<'a>>,
     indices: Option<u64>,
     topology: Topology,
 }
@@ -68,7 +71,45 @@ impl<'a> Primitive<'a> {
             None => None,
         };
         let indices = at.unsigned("indices")?;
-        Ok(Some(Self { at, position, attributes, material, indices, topology }))
+        let draco = DracoLink::parse(document, &at, position)?;
+        // Compressed meshes consist of single triangles, even if the primitive is called a strip.
+        let topology = if draco.is_some() { Topology::List } else { topology };
+        Ok(Some(Self { at, position, attributes, material, draco, indices, topology }))
+    }
+
+    /// Returns the positions, decompressed if necessary.
+    pub(super) fn positions<'d>(&self, document: &'d Document<'_>) -> Result<Accessor<'d>, Fault> {
+        self.data(document, None, self.position)
+    }
+
+    /// Returns an attribute, decompressed if necessary.
+    pub(super) fn attribute<'d>(
+        &self,
+        document: &'d Document<'_>,
+        (semantic, index): (&Semantic, u64),
+    ) -> Result<Accessor<'d>, Fault> {
+        self.data(document, Some(semantic), index)
+    }
+
+    fn data<'d>(
+        &self,
+        document: &'d Document<'_>,
+        semantic: Option<&Semantic>,
+        index: u64,
+    ) -> Result<Accessor<'d>, Fault> {
+        let compressed = match &self.draco {
+            Some(draco) => draco.attribute(document, semantic, index)?,
+            None => None,
+        };
+        compressed.map_or_else(|| accessor(document, index, &self.at), Ok)
+    }
+
+    fn index_accessor<'d>(&self, document: &'d Document<'_>) -> Result<Option<Accessor<'d>>, Fault> {
+        match (&self.draco, self.indices) {
+            (Some(draco), _) => draco.indices(document).map(Some),
+            (None, Some(index)) => accessor(document, index, &self.at).map(Some),
+            (None, None) => Ok(None),
+        }
     }
 
     /// Whether it is a single fan; glTF needs a primitive for each fan.
@@ -78,10 +119,7 @@ impl<'a> Primitive<'a> {
 
     /// Returns an upper limit of the number of triangles that the primitive draws.
     pub(super) fn triangle_limit(&self, document: &Document<'_>, vertex_count: usize) -> Result<u64, Fault> {
-        let count = match self.indices {
-            Some(index) => accessor(document, index, &self.at)?.count,
-            None => vertex_count,
-        } as u64;
+        let count = self.index_accessor(document)?.map_or(vertex_count, |indices| indices.count) as u64;
         Ok(match self.topology {
             Topology::List => count / 3,
             Topology::Strip | Topology::Fan => count.saturating_sub(2),
@@ -118,8 +156,9 @@ impl<'a> Primitive<'a> {
     }
 
     fn indices(&self, document: &Document<'_>, vertex_count: usize) -> Result<Vec<u32>, Fault> {
-        let Some(index) = self.indices else { return Ok((0..vertex_count as u32).collect()) };
-        let accessor = accessor(document, index, &self.at)?;
+        let Some(accessor) = self.index_accessor(document)? else {
+            return Ok((0..vertex_count as u32).collect());
+        };
         if accessor.component_count != 1 {
             return Err(accessor.fault("indices must be SCALAR"));
         }
@@ -141,7 +180,8 @@ fn push_proper(triangle: [u32; 3], first_vertex: u32, triangles: &mut Vec<[u32; 
     }
 }
 
-fn semantic(name: &str) -> Semantic {
+/// Returns the semantic of an attribute other than the positions.
+pub(super) fn semantic(name: &str) -> Semantic {
     let set = |prefix: &str| name.strip_prefix(prefix).and_then(|digits| digits.parse().ok());
     if name == "NORMAL" {
         Semantic::Normal

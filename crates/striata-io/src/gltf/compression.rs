@@ -1,0 +1,58 @@
+//! Extensions that compress geometry, and the features of this crate that decode them.
+
+use super::json::JsonNode;
+use crate::error::Fault;
+
+/// Compression of geometry in glTF files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Compression {
+    /// Buffer views by `EXT_meshopt_compression` or `KHR_meshopt_compression`.
+    Meshopt,
+    /// Primitives by `KHR_draco_mesh_compression`.
+    Draco,
+}
+
+const MESHOPT: [&str; 2] = ["KHR_meshopt_compression", "EXT_meshopt_compression"];
+const DRACO: &str = "KHR_draco_mesh_compression";
+
+impl Compression {
+    /// Returns the compression that an extension defines.
+    pub(super) fn of_extension(name: &str) -> Option<Self> {
+        if MESHOPT.contains(&name) { Some(Self::Meshopt) } else { (name == DRACO).then_some(Self::Draco) }
+    }
+
+    /// Whether this build decodes it.
+    pub(super) const fn is_on(self) -> bool {
+        match self {
+            Self::Meshopt => cfg!(feature = "meshopt"),
+            Self::Draco => cfg!(feature = "draco"),
+        }
+    }
+
+    /// Returns the fault of a build that cannot decode it.
+    pub(super) const fn feature_off(self) -> Fault {
+        let (what, feature) = match self {
+            Self::Meshopt => ("glTF compressed with meshoptimizer", "meshopt"),
+            Self::Draco => ("glTF compressed with Draco", "draco"),
+        };
+        Fault::FeatureOff { what, feature }
+    }
+}
+
+/// Returns the extension object of a compressed buffer view, or of a buffer that is only a fallback.
+pub(super) fn meshopt<'a>(at: &JsonNode<'a>) -> Option<JsonNode<'a>> {
+    let extensions = at.get("extensions")?;
+    MESHOPT.iter().find_map(|name| extensions.get(name))
+}
+
+/// Returns the extension object of a compressed primitive.
+pub(super) fn draco<'a>(primitive: &JsonNode<'a>) -> Option<JsonNode<'a>> {
+    primitive.get("extensions")?.get(DRACO)
+}
+
+/// Runs a decoder of another crate, and returns an error if it panics on damaged data.
+#[cfg(any(feature = "meshopt", feature = "draco"))]
+pub(super) fn contained<T>(decode: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(decode));
+    result.unwrap_or_else(|_| Err("the decoder failed".to_owned()))
+}

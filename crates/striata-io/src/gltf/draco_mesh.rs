@@ -1,0 +1,131 @@
+//! Meshes that Draco has compressed, decoded to plain arrays.
+//!
+//! Draco stores each distinct attribute value once, with a map from points to values. glTF has no such
+//! maps, so the values are repeated for every point.
+
+use std::collections::BTreeMap;
+
+use super::accessor::Accessor;
+use super::component_type::ComponentType;
+use super::document::Document;
+use super::json::JsonNode;
+use crate::error::Fault;
+
+/// Decoded mesh.
+#[derive(Debug, Default)]
+pub(super) struct DracoMesh {
+    point_count: usize,
+    index_count: usize,
+    /// Indices in 32 bits, three for each triangle.
+    indices: Vec<u8>,
+    /// Attributes by their unique identifiers.
+    attributes: BTreeMap<u32, DracoAttribute>,
+}
+
+/// Attribute of every point.
+#[derive(Debug)]
+struct DracoAttribute {
+    component: ComponentType,
+    component_count: usize,
+    bytes: Vec<u8>,
+}
+
+impl DracoMesh {
+    /// Returns the indices of all triangles.
+    pub(super) fn indices(&self, path: &str) -> Accessor<'_> {
+        Accessor::packed(self.index_count, [1, 4], ComponentType::U32, &self.indices, path)
+    }
+
+    /// Returns an attribute, if there is one of this identifier.
+    pub(super) fn attribute(&self, id: u32, path: &str) -> Option<Accessor<'_>> {
+        let DracoAttribute { component, component_count, bytes } = self.attributes.get(&id)?;
+        let shape = [*component_count, component_count * component.bytes()];
+        Some(Accessor::packed(self.point_count, shape, *component, bytes, path))
+    }
+}
+
+/// Decodes a mesh; `at` is the value that refers to it.
+#[cfg(not(feature = "draco"))]
+pub(super) fn decoded(_: &Document<'_>, _: &[u8], _: &JsonNode<'_>) -> Result<DracoMesh, Fault> {
+    Err(super::compression::Compression::Draco.feature_off())
+}
+
+/// Decodes a mesh; `at` is the value that refers to it.
+#[cfg(feature = "draco")]
+pub(super) fn decoded(document: &Document<'_>, source: &[u8], at: &JsonNode<'_>) -> Result<DracoMesh, Fault> {
+    let damaged = |reason: String| at.fault(format!("the compressed data are damaged: {reason}"));
+    let bytes_left = document.unpacked.bytes_left(document.input_bytes);
+    let mesh = decode(source, bytes_left).map_err(damaged)?;
+    let (point_count, index_count) = (mesh.num_points(), mesh.num_faces() * 3);
+    let claim = |elements: usize, size: usize| {
+        let bytes = (elements as u64).saturating_mul(size as u64);
+        document.unpacked.claim(bytes, document.input_bytes, at)
+    };
+    claim(index_count, 4)?;
+    let indices = mesh.faces().iter().flatten().flat_map(|point| point.0.to_le_bytes()).collect();
+    let mut attributes = BTreeMap::new();
+    for place in 0..mesh.num_attributes() {
+        let attribute = mesh.attribute(place);
+        // Attributes of types that glTF lacks cannot belong to an accessor.
+        let Some(component) = component_type(attribute.data_type()) else { continue };
+        let component_count = attribute.num_components() as usize;
+        claim(point_count, component_count * component.bytes())?;
+        let bytes = values_of_points(attribute, point_count, component_count * component.bytes());
+        let bytes = bytes.map_err(damaged)?;
+        attributes.insert(attribute.unique_id(), DracoAttribute { component, component_count, bytes });
+    }
+    Ok(DracoMesh { point_count, index_count, indices, attributes })
+}
+
+#[cfg(feature = "draco")]
+fn decode(source: &[u8], bytes_left: u64) -> Result<draco_core::Mesh, String> {
+    use draco_core::{DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
+
+    let limits = DecodeLimits::default()
+        .with_max_points(bytes_left / 4)
+        .with_max_faces(bytes_left / 12)
+        .with_max_decoded_bytes(bytes_left);
+    super::compression::contained(|| {
+        let mut mesh = Mesh::new();
+        let mut buffer = DecoderBuffer::new(source).with_limits(limits);
+        MeshDecoder::new().decode(&mut buffer, &mut mesh).map_err(|error| error.to_string())?;
+        Ok(mesh)
+    })
+}
+
+#[cfg(feature = "draco")]
+fn component_type(data_type: draco_core::DataType) -> Option<ComponentType> {
+    use draco_core::DataType;
+
+    Some(match data_type {
+        DataType::Int8 => ComponentType::I8,
+        DataType::Uint8 | DataType::Bool => ComponentType::U8,
+        DataType::Int16 => ComponentType::I16,
+        DataType::Uint16 => ComponentType::U16,
+        DataType::Uint32 => ComponentType::U32,
+        DataType::Float32 => ComponentType::F32,
+        _ => return None,
+    })
+}
+
+/// Returns the values of all points, tightly packed.
+#[cfg(feature = "draco")]
+fn values_of_points(
+    attribute: &draco_core::PointAttribute,
+    point_count: usize,
+    element_bytes: usize,
+) -> Result<Vec<u8>, String> {
+    let data = attribute.buffer().data();
+    let stride = usize::try_from(attribute.byte_stride()).unwrap_or(0);
+    let mut bytes = Vec::with_capacity(point_count * element_bytes);
+    for point in 0..point_count as u32 {
+        let value = attribute.mapped_index(draco_core::PointIndex(point)).0 as usize;
+        let start = value.checked_mul(stride).filter(|_| value < attribute.size());
+        let element = start.and_then(|start| data.get(start..)?.get(..element_bytes));
+        let Some(element) = element else {
+            return Err(format!("point {point} has value {value}, but there are {}", attribute.size()));
+        };
+        bytes.extend_from_slice(element);
+    }
+    Ok(bytes)
+}
