@@ -24,7 +24,7 @@
 //! | STL | own, `stl` | 84 + 50 n bytes; welding is the main work, and is done in the same pass |
 //! | OFF | own, `off` | uses the cursor that OBJ needs anyway |
 //! | glTF, GLB | `serde_json`, own `gltf` | the `gltf` crate rejects scenes without nodes; more in `gltf` |
-//! | glTF compression | `meshoptimizer-rs`, `draco-core` | both are safe Rust and limit what they allocate |
+//! | glTF compression | `meshoptimizer-rs`, `draco-core` | safe Rust; they limit what they allocate |
 //! | numbers in text | own, `text` | one exact division for up to 15 digits, otherwise the standard library |
 //! | gzip, zstd | `flate2`, `zstd` | |
 //!
