@@ -75,6 +75,8 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod read;
+#[cfg(feature = "gltf")]
+mod scene;
 mod source;
 #[cfg(feature = "stl")]
 mod stl;
@@ -94,6 +96,10 @@ pub use lod::{open, save};
 #[cfg(not(target_family = "wasm"))]
 pub use read::read;
 pub use read::read_bytes;
+#[cfg(feature = "gltf")]
+pub use scene::{Scene, SceneError, SceneInstance, SceneParts, read_scene_bytes, scene_to_bytes};
+#[cfg(all(feature = "gltf", not(target_family = "wasm")))]
+pub use scene::{read_scene, scene_to_file_bytes, write_scene};
 pub use source::Source;
 pub use write::to_bytes;
 #[cfg(not(target_family = "wasm"))]

@@ -20,12 +20,20 @@ use crate::{Format, ReadError, decompressed};
 /// Returns [`ReadError`] with the file, the place and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
-    let path = path.as_ref();
+    with_file(path.as_ref(), read_bytes)
+}
+
+/// Calls a reader with the bytes of a file.
+#[cfg(not(target_family = "wasm"))]
+pub(crate) fn with_file<T>(
+    path: &Path,
+    read: impl FnOnce(&[u8], &Source<'_>) -> Result<T, ReadError>,
+) -> Result<T, ReadError> {
     let name = path.display().to_string();
     let bytes = fs::read(path).map_err(|source| ReadError::Io { file: name.clone(), source })?;
     let mut source = Source::new(&name);
     source.folder = path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p });
-    read_bytes(&bytes, &source)
+    read(&bytes, &source)
 }
 
 /// Reads a mesh from the bytes of a file.

@@ -42,9 +42,14 @@ pub fn to_file_bytes(
     options: &WriteOptions,
 ) -> Result<Vec<u8>, WriteError> {
     let file = path.display().to_string();
-    let bytes = named_bytes(format, mesh, options, &file)?;
-    match Compression::from_extension(&file) {
-        Some(compression) => compress(&bytes, compression, &file),
+    packed_for_name(named_bytes(format, mesh, options, &file)?, &file)
+}
+
+/// Compresses the bytes of a file if its name ends in `.gz` or `.zst`.
+#[cfg(not(target_family = "wasm"))]
+pub(crate) fn packed_for_name(bytes: Vec<u8>, file: &str) -> Result<Vec<u8>, WriteError> {
+    match Compression::from_extension(file) {
+        Some(compression) => compress(&bytes, compression, file),
         None => Ok(bytes),
     }
 }

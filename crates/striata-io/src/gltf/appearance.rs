@@ -34,19 +34,7 @@ pub(super) fn appearance(document: &Document<'_>) -> Result<Appearance, Fault> {
     let materials = materials.collect();
     let textures_json = root.entries("textures")?.iter().map(&mut raw).collect();
     let samplers_json = root.entries("samplers")?.iter().map(&mut raw).collect();
-    let mut images = Vec::new();
-    let mut image_bytes = 0;
-    for at in root.entries("images")? {
-        let image = image(document, &at)?;
-        image_bytes += image.bytes.len() as u64;
-        if image_bytes > ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE) {
-            let input_bytes = document.input_bytes;
-            return Err(document_fault(format!(
-                "{image_bytes} bytes of images in a file of {input_bytes} bytes"
-            )));
-        }
-        images.push(image);
-    }
+    let (images, _) = images(document)?;
     let extensions_used = extensions.into_iter().collect();
     Ok(Appearance {
         materials,
@@ -56,6 +44,24 @@ pub(super) fn appearance(document: &Document<'_>) -> Result<Appearance, Fault> {
         extensions_used,
         ..Appearance::default()
     })
+}
+
+/// Reads all images; also returns a warning for each file that is not available.
+pub(super) fn images(document: &Document<'_>) -> Result<(Vec<Image>, Vec<String>), Fault> {
+    let (mut images, mut warnings) = (Vec::new(), Vec::new());
+    let mut image_bytes = 0;
+    for at in document.root.entries("images")? {
+        let image = image(document, &at, &mut warnings)?;
+        image_bytes += image.bytes.len() as u64;
+        if image_bytes > ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE) {
+            let input_bytes = document.input_bytes;
+            return Err(document_fault(format!(
+                "{image_bytes} bytes of images in a file of {input_bytes} bytes"
+            )));
+        }
+        images.push(image);
+    }
+    Ok((images, warnings))
 }
 
 /// Collects the names of all extensions used within a value.
@@ -73,7 +79,7 @@ pub(super) fn extensions_in(value: &Value, found: &mut BTreeSet<String>) {
 }
 
 /// Reads an image with its bytes if they are available, otherwise with its URI.
-fn image(document: &Document<'_>, at: &JsonNode<'_>) -> Result<Image, Fault> {
+fn image(document: &Document<'_>, at: &JsonNode<'_>, warnings: &mut Vec<String>) -> Result<Image, Fault> {
     let mut image = Image {
         name: at.text("name").to_owned(),
         mime_type: at.text("mimeType").to_owned(),
@@ -90,13 +96,24 @@ fn image(document: &Document<'_>, at: &JsonNode<'_>) -> Result<Image, Fault> {
         }
     } else {
         image.uri = uri.to_owned();
-        let path = uri::path(uri, &document.source).ok().filter(|path| path.is_file());
-        image.bytes = path.and_then(|path| fs::read(path).ok()).unwrap_or_default();
+        match file_bytes(uri, document) {
+            Ok(bytes) => image.bytes = bytes,
+            Err(reason) => warnings.push(format!("{}: {reason}", at.path)),
+        }
     }
     if image.mime_type.is_empty() {
         image.mime_type = mime_type(&image.bytes).to_owned();
     }
     Ok(image)
+}
+
+/// Reads the file of an image, or says why this is not possible.
+fn file_bytes(uri: &str, document: &Document<'_>) -> Result<Vec<u8>, String> {
+    let path = uri::path(uri, &document.source)?;
+    if path.exists() && !path.is_file() {
+        return Err(format!("`{}` is not a regular file", uri::shortened(uri)));
+    }
+    fs::read(&path).map_err(|error| format!("`{}`: {error}", uri::shortened(uri)))
 }
 
 /// Detects the media type of an image by its first bytes.

@@ -12,8 +12,8 @@ use super::appearance;
 use super::document::Document;
 use super::draco::{DracoKey, DracoLink};
 use super::layers::{LayerFormat, append, fill};
+use super::node_tree::{Transform, instances};
 use super::primitive::{Primitive, document_fault};
-use super::scene::{Transform, instances};
 use crate::error::Fault;
 use crate::normals;
 
@@ -53,6 +53,8 @@ struct Plan<'a> {
     vertex_count: usize,
     triangle_limit: u64,
     block_of: BTreeMap<BlockKey, usize>,
+    /// Memory that other meshes of the document take already, in bytes.
+    other_bytes: u64,
 }
 
 /// Identity of a block: the accessor of the positions, the other accessors, the compressed mesh with the
@@ -75,9 +77,37 @@ pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
     let mut mesh = IndexedMesh { appearance: appearance::appearance(document)?, ..IndexedMesh::default() };
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
-    let block_of_group = plan.triangles_into(document, &mut mesh)?;
+    let block_of_group = plan.triangles_into(document, Grouping::FansJoined, &mut mesh)?;
     plan.compute_normals(&block_of_group, &mut mesh);
     Ok(mesh)
+}
+
+/// Builds the mesh of some primitives, each of which becomes a group, without transforms and appearance.
+///
+/// `used_bytes` is the memory that the meshes of the document take; that of this mesh is added.
+pub(super) fn mesh_of_primitives<'a>(
+    document: &Document<'_>,
+    primitives: impl IntoIterator<Item = Primitive<'a>>,
+    used_bytes: &mut u64,
+) -> Result<IndexedMesh, Fault> {
+    let mut plan = Plan { other_bytes: *used_bytes, ..Plan::default() };
+    for primitive in primitives {
+        plan.add(document, primitive, None, "")?;
+    }
+    *used_bytes = plan.total_bytes();
+    let mut mesh = IndexedMesh { positions: plan.positions(document)?, ..IndexedMesh::default() };
+    mesh.layers = plan.layers(document)?;
+    plan.triangles_into(document, Grouping::Primitives, &mut mesh)?;
+    Ok(mesh)
+}
+
+/// How primitives become groups.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Grouping {
+    /// Each becomes a group.
+    Primitives,
+    /// All fans of one mesh and material become one group, and each other primitive becomes a group.
+    FansJoined,
 }
 
 impl<'a> Plan<'a> {
@@ -140,10 +170,7 @@ impl<'a> Plan<'a> {
     /// Refuses a scene whose mesh is far too large for the file.
     fn check_size(&self, document: &Document<'_>) -> Result<(), Fault> {
         let limit = ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE);
-        let vertex_bytes: u64 = 12 + self.formats.values().map(|f| f.vertex_bytes()).sum::<u64>();
-        let bytes = (self.vertex_count as u64)
-            .saturating_mul(vertex_bytes)
-            .saturating_add(self.triangle_limit.saturating_mul(12));
+        let bytes = self.total_bytes();
         let is_countable = self.vertex_count < u32::MAX as usize / 4 && self.triangle_limit < 1 << 30;
         if bytes > limit || !is_countable {
             let reason = format!(
@@ -153,6 +180,15 @@ impl<'a> Plan<'a> {
             return Err(document_fault(reason));
         }
         Ok(())
+    }
+
+    /// Returns the memory that this mesh and the others of the document take, in bytes.
+    fn total_bytes(&self) -> u64 {
+        let vertex_bytes: u64 = 12 + self.formats.values().map(|f| f.vertex_bytes()).sum::<u64>();
+        (self.vertex_count as u64)
+            .saturating_mul(vertex_bytes)
+            .saturating_add(self.triangle_limit.saturating_mul(12))
+            .saturating_add(self.other_bytes)
     }
 
     fn positions(&self, document: &Document<'_>) -> Result<Vec<[f32; 3]>, Fault> {
@@ -188,7 +224,12 @@ impl<'a> Plan<'a> {
     }
 
     /// Appends triangles and their groups; returns the block of each group.
-    fn triangles_into(&self, document: &Document<'_>, mesh: &mut IndexedMesh) -> Result<Vec<usize>, Fault> {
+    fn triangles_into(
+        &self,
+        document: &Document<'_>,
+        grouping: Grouping,
+        mesh: &mut IndexedMesh,
+    ) -> Result<Vec<usize>, Fault> {
         mesh.triangles.reserve(self.triangle_limit as usize);
         let mut block_of_group = Vec::with_capacity(self.pieces.len());
         let mut fans_before = None;
@@ -203,7 +244,8 @@ impl<'a> Plan<'a> {
             }
             let count = (mesh.triangles.len() - first) as u32;
             // Fans of one object are separate primitives, but form one group.
-            let fans = primitive.is_fan().then_some((piece.block, &piece.name, primitive.material));
+            let joins = grouping == Grouping::FansJoined && primitive.is_fan();
+            let fans = joins.then_some((piece.block, &piece.name, primitive.material));
             match mesh.groups.last_mut() {
                 Some(group) if fans.is_some() && fans == fans_before => group.count += count,
                 _ => {

@@ -12,9 +12,59 @@ pub(super) struct Builder {
     pub(super) binary: Vec<u8>,
     pub(super) views: Vec<Value>,
     pub(super) accessors: Vec<Value>,
+    /// Entries of `views` that are still `null`, last first.
+    free_views: Vec<usize>,
+    /// Entries of `accessors` that are still `null`, last first.
+    free_accessors: Vec<usize>,
+}
+
+/// Returns the indices of all entries that are `null`, last first.
+fn free_slots(entries: &[Value]) -> Vec<usize> {
+    (0..entries.len()).rev().filter(|&index| entries[index].is_null()).collect()
+}
+
+/// Sets a free entry, or appends one, and returns its index.
+fn put(entries: &mut Vec<Value>, free: &mut Vec<usize>, entry: Value) -> usize {
+    match free.pop() {
+        Some(index) => {
+            entries[index] = entry;
+            index
+        }
+        None => {
+            entries.push(entry);
+            entries.len() - 1
+        }
+    }
 }
 
 impl Builder {
+    /// Continues a document, whose entries that are `null` are used first.
+    pub(super) fn continuing(binary: Vec<u8>, views: Vec<Value>, accessors: Vec<Value>) -> Self {
+        let (free_views, free_accessors) = (free_slots(&views), free_slots(&accessors));
+        Self { binary, views, accessors, free_views, free_accessors }
+    }
+
+    /// Fills entries that are still `null` with harmless ones, because others keep their indices.
+    pub(super) fn fill_free_slots(&mut self) {
+        while self.views.last().is_some_and(Value::is_null) {
+            self.views.pop();
+        }
+        while self.accessors.last().is_some_and(Value::is_null) {
+            self.accessors.pop();
+        }
+        let has_free_view = self.views.iter().any(Value::is_null);
+        if has_free_view && self.binary.is_empty() {
+            self.binary.push(0);
+        }
+        for view in self.views.iter_mut().filter(|view| view.is_null()) {
+            *view = json!({ "buffer": 0, "byteLength": 1 });
+        }
+        for accessor in self.accessors.iter_mut().filter(|accessor| accessor.is_null()) {
+            *accessor = json!({ "componentType": 5126, "count": 1, "type": "SCALAR" });
+        }
+        (self.free_views, self.free_accessors) = (Vec::new(), Vec::new());
+    }
+
     /// Adds bytes as a buffer view, aligned to 4, and returns its index.
     pub(super) fn push_view(&mut self, bytes: &[u8], target: Option<u32>, stride: Option<usize>) -> usize {
         self.binary.resize(self.binary.len().next_multiple_of(4), 0);
@@ -26,14 +76,12 @@ impl Builder {
             view["byteStride"] = json!(stride);
         }
         self.binary.extend_from_slice(bytes);
-        self.views.push(view);
-        self.views.len() - 1
+        put(&mut self.views, &mut self.free_views, view)
     }
 
     /// Adds an accessor and returns its index.
     pub(super) fn push_accessor(&mut self, accessor: Value) -> usize {
-        self.accessors.push(accessor);
-        self.accessors.len() - 1
+        put(&mut self.accessors, &mut self.free_accessors, accessor)
     }
 
     /// Adds vertex data as a view of its own.

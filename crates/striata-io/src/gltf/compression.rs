@@ -1,5 +1,7 @@
 //! Extensions that compress geometry, and the features of this crate that decode them.
 
+use serde_json::{Map, Value};
+
 use super::json::JsonNode;
 use crate::error::Fault;
 
@@ -43,6 +45,17 @@ impl Compression {
 pub(super) fn meshopt<'a>(at: &JsonNode<'a>) -> Option<JsonNode<'a>> {
     let extensions = at.get("extensions")?;
     MESHOPT.iter().find_map(|name| extensions.get(name))
+}
+
+/// Removes the extensions of compressed geometry from an object.
+pub(super) fn remove_from(object: &mut Map<String, Value>) {
+    let Some(Value::Object(extensions)) = object.get_mut("extensions") else { return };
+    for name in MESHOPT.iter().chain([&DRACO]) {
+        extensions.remove(*name);
+    }
+    if extensions.is_empty() {
+        object.remove("extensions");
+    }
 }
 
 /// Returns the extension object of a compressed primitive.

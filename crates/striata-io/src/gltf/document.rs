@@ -124,12 +124,7 @@ impl<'a> Document<'a> {
 
     /// Returns entry `index` of an array at the document's root; `from` is the value that refers to it.
     pub(super) fn item(&self, array: &str, index: u64, from: &JsonNode<'_>) -> Result<JsonNode<'a>, Fault> {
-        let entries = self.root.value.get(array).and_then(Value::as_array);
-        let count = entries.map_or(0, Vec::len);
-        match entries.and_then(|entries| entries.get(usize::try_from(index).ok()?)) {
-            Some(value) => Ok(JsonNode { value, path: format!("{array}[{index}]") }),
-            None => Err(from.fault(format!("{array}[{index}] does not exist: there are {count}"))),
-        }
+        self.root.item(array, index, from)
     }
 
     /// Returns the bytes of a buffer view, and its stride if it has one.

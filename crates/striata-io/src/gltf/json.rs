@@ -33,6 +33,16 @@ impl<'a> JsonNode<'a> {
         Some(JsonNode { value, path: format!("{}{dot}{key}", self.path) })
     }
 
+    /// Returns entry `index` of an array of this object; `from` is the value that refers to it.
+    pub(super) fn item(&self, array: &str, index: u64, from: &JsonNode<'_>) -> Result<JsonNode<'a>, Fault> {
+        let entries = self.value.get(array).and_then(Value::as_array);
+        let count = entries.map_or(0, Vec::len);
+        match entries.and_then(|entries| entries.get(usize::try_from(index).ok()?)) {
+            Some(value) => Ok(JsonNode { value, path: format!("{array}[{index}]") }),
+            None => Err(from.fault(format!("{array}[{index}] does not exist: there are {count}"))),
+        }
+    }
+
     /// Returns a non-negative integer, if the key exists.
     pub(super) fn unsigned(&self, key: &str) -> Result<Option<u64>, Fault> {
         self.get(key).map(|at| at.as_unsigned()).transpose()

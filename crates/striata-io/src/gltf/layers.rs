@@ -5,7 +5,7 @@ use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
 use super::accessor::Accessor;
 use super::component_type::ComponentType;
-use super::scene::Transform;
+use super::node_tree::Transform;
 use crate::error::Fault;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -21,6 +21,7 @@ mod accessor;
 mod appearance;
 mod assemble;
 mod builder;
+mod carry;
 mod component_type;
 mod compression;
 mod container;
@@ -30,32 +31,54 @@ mod draco_mesh;
 mod json;
 mod layers;
 mod meshopt;
+mod node_tree;
 mod primitive;
-mod scene;
+mod read_scene;
+mod references;
+mod shown_meshes;
 mod unpacked;
 mod uri;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod vertex_pieces;
 mod write;
 mod write_layers;
+mod write_scene;
 
 use striata::mesh::IndexedMesh;
 
+pub(crate) use references::has_triangles;
+pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;
-pub(crate) use write::{to_glb_bytes, to_json_bytes};
+pub(crate) use write::{image_entry, insert, looks, to_glb_bytes, to_json_bytes};
+pub(crate) use write_layers::attribute_name;
+pub(crate) use write_scene::{scene_to_glb_bytes, scene_to_json_bytes};
 
 use crate::error::Fault;
-use crate::{Format, Source};
+use crate::{Format, Scene, Source};
 use document::Document;
 
 /// Reads a mesh from the bytes of a glTF or GLB file.
 pub(crate) fn read(bytes: &[u8], format: Format, source: &Source<'_>) -> Result<IndexedMesh, Fault> {
+    with_document(bytes, format, source, assemble::mesh_of)
+}
+
+/// Reads a scene from the bytes of a glTF or GLB file.
+pub(crate) fn read_scene(bytes: &[u8], format: Format, source: &Source<'_>) -> Result<Scene, Fault> {
+    with_document(bytes, format, source, read_scene::scene_of)
+}
+
+fn with_document<T>(
+    bytes: &[u8],
+    format: Format,
+    source: &Source<'_>,
+    read: impl FnOnce(&Document<'_>) -> Result<T, Fault>,
+) -> Result<T, Fault> {
     let (json, blob) = match format {
         Format::Glb => container::chunks(bytes)?,
         _ => (bytes, None),
     };
     let root = json::parse(json)?;
     let document = Document::open(&root, blob, json.len(), source)?;
-    assemble::mesh_of(&document)
+    read(&document)
 }

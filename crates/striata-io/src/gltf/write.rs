@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use serde_json::{Map, Value, json};
-use striata::mesh::{Image, IndexedMesh, TriangleGroup};
+use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 
 use super::appearance::extensions_in;
 use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
@@ -22,17 +22,24 @@ const TRIANGLE_FAN: u32 = 6;
 /// Encodes a mesh as a GLB file.
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
     let (root, binary) = document(mesh, options, |_| Value::Null)?;
+    joined(&root, binary)
+}
+
+/// Joins a document and its binary data into a GLB file.
+pub(super) fn joined(root: &Value, binary: Vec<u8>) -> Result<Vec<u8>, Refusal> {
     container::joined(root.to_string().into_bytes(), binary)
         .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()))
 }
 
 /// Encodes a mesh as a glTF file with an embedded buffer.
 pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    let data_uri = |binary: &[u8]| {
-        Value::String(format!("data:application/octet-stream;base64,{}", uri::to_base64(binary)))
-    };
     let (root, _) = document(mesh, options, data_uri)?;
     Ok(format!("{root:#}\n").into_bytes())
+}
+
+/// Returns a URI that contains the data of a buffer.
+pub(super) fn data_uri(binary: &[u8]) -> Value {
+    Value::String(format!("data:application/octet-stream;base64,{}", uri::to_base64(binary)))
 }
 
 /// Builds the document and its binary data; `buffer_uri` returns the buffer's URI, or null.
@@ -67,7 +74,7 @@ fn document(
 }
 
 /// Adds an array to the document unless it is empty, because glTF does not allow empty arrays.
-fn insert(root: &mut Map<String, Value>, key: &str, entries: Vec<Value>) {
+pub(crate) fn insert(root: &mut Map<String, Value>, key: &str, entries: Vec<Value>) {
     if !entries.is_empty() {
         root.insert(key.to_owned(), Value::Array(entries));
     }
@@ -85,7 +92,7 @@ impl Builder {
             return Ok((Vec::new(), Vec::new()));
         }
         let attributes = attributes(self, mesh)?;
-        let indices = self.push_indices(&lists, mesh.positions.len());
+        let indices = self.push_indices(lists.iter().map(|list| &list.indices[..]), mesh.positions.len());
         let (mut meshes, mut nodes): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
         let mut open_name: Option<&str> = None;
         for (list, accessor) in lists.iter().zip(indices) {
@@ -112,34 +119,37 @@ impl Builder {
     }
 
     /// Adds all index lists to one view, with an accessor for each list that is not empty.
-    fn push_indices(&mut self, lists: &[IndexList], vertex_count: usize) -> Vec<Option<usize>> {
+    pub(super) fn push_indices<'l>(
+        &mut self,
+        lists: impl IntoIterator<Item = &'l [u32]>,
+        vertex_count: usize,
+    ) -> Vec<Option<usize>> {
         // The largest 16-bit value is left for primitive restart.
         let component =
             if vertex_count <= u16::MAX as usize { ComponentType::U16 } else { ComponentType::U32 };
-        let index_count: usize = lists.iter().map(|list| list.indices.len()).sum();
-        let mut bytes = Vec::with_capacity(index_count * component.bytes());
-        let view = self.views.len();
-        let mut accessors = Vec::with_capacity(lists.len());
-        for IndexList { indices: list, .. } in lists {
-            if list.is_empty() {
-                accessors.push(None);
-                continue;
-            }
-            let accessor = json!({
-                "bufferView": view,
-                "byteOffset": bytes.len(),
-                "componentType": component.number(),
-                "count": list.len(),
-                "type": "SCALAR",
-            });
-            accessors.push(Some(self.push_accessor(accessor)));
+        let (mut bytes, mut accessors) = (Vec::new(), Vec::new());
+        for list in lists {
+            let offset = bytes.len();
             match component {
                 ComponentType::U16 => bytes.extend(list.iter().flat_map(|&v| (v as u16).to_le_bytes())),
                 _ => bytes.extend_from_slice(bytemuck::cast_slice(list)),
             }
+            let accessor = json!({
+                "byteOffset": offset,
+                "componentType": component.number(),
+                "count": list.len(),
+                "type": "SCALAR",
+            });
+            accessors.push((!list.is_empty()).then_some(accessor));
         }
-        self.push_view(&bytes, Some(ELEMENT_ARRAY_BUFFER), None);
-        accessors
+        let view = self.push_view(&bytes, Some(ELEMENT_ARRAY_BUFFER), None);
+        let numbered = accessors.into_iter().map(|accessor| {
+            accessor.map(|mut accessor| {
+                accessor["bufferView"] = json!(view);
+                self.push_accessor(accessor)
+            })
+        });
+        numbered.collect()
     }
 
     /// Adds materials, textures, samplers and images, and returns the extensions that they use.
@@ -148,41 +158,24 @@ impl Builder {
         mesh: &IndexedMesh,
         root: &mut Map<String, Value>,
     ) -> Result<BTreeSet<String>, Refusal> {
-        let looks = &mesh.appearance;
-        let mut materials = Vec::new();
-        for (index, material) in looks.materials.iter().enumerate() {
-            let mut value = match material.gltf_json.as_str() {
-                "" => json!({}),
-                text => object(text, "material", index)?,
-            };
-            if !material.name.is_empty() {
-                value["name"] = json!(material.name);
-            }
-            materials.push(value);
-        }
-        let parsed = |texts: &[String], what: &str| -> Result<Vec<Value>, Refusal> {
-            texts.iter().enumerate().map(|(index, text)| object(text, what, index)).collect()
-        };
-        let textures = parsed(&looks.textures_json, "texture")?;
-        let samplers = parsed(&looks.samplers_json, "sampler")?;
-        let mut extensions = BTreeSet::new();
-        for value in materials.iter().chain(&textures).chain(&samplers) {
-            extensions_in(value, &mut extensions);
-        }
-        insert(root, "materials", materials);
-        insert(root, "textures", textures);
-        insert(root, "samplers", samplers);
-        let images: Result<_, Refusal> =
-            looks.images.iter().enumerate().map(|(index, image)| self.image(image, index)).collect();
+        let extensions = looks(&mesh.appearance, root)?;
+        let images = mesh.appearance.images.iter().enumerate();
+        let images: Result<_, Refusal> = images.map(|(index, image)| self.image(image, index)).collect();
         insert(root, "images", images?);
         Ok(extensions)
     }
 
     fn image(&mut self, image: &Image, index: usize) -> Result<Value, Refusal> {
-        let mut value = json!({});
-        if !image.name.is_empty() {
-            value["name"] = json!(image.name);
+        let mut value = image_entry(image);
+        self.image_source(image, &mut value);
+        if value.get("bufferView").is_none() && value.get("uri").is_none() {
+            return Err(Refusal::BadMesh(format!("image {index} has neither typed bytes nor a URI")));
         }
+        Ok(value)
+    }
+
+    /// Adds the bytes of an image, or its URI if there are none, to its entry.
+    pub(super) fn image_source(&mut self, image: &Image, value: &mut Value) {
         if !image.mime_type.is_empty() {
             value["mimeType"] = json!(image.mime_type);
         }
@@ -190,11 +183,45 @@ impl Builder {
             value["bufferView"] = json!(self.push_view(&image.bytes, None, None));
         } else if !image.uri.is_empty() {
             value["uri"] = json!(image.uri);
-        } else {
-            return Err(Refusal::BadMesh(format!("image {index} has neither typed bytes nor a URI")));
         }
-        Ok(value)
     }
+}
+
+/// Adds materials, textures and samplers, and returns the extensions that they use.
+pub(crate) fn looks(looks: &Appearance, root: &mut Map<String, Value>) -> Result<BTreeSet<String>, Refusal> {
+    let mut materials = Vec::new();
+    for (index, material) in looks.materials.iter().enumerate() {
+        let mut value = match material.gltf_json.as_str() {
+            "" => json!({}),
+            text => object(text, "material", index)?,
+        };
+        if !material.name.is_empty() {
+            value["name"] = json!(material.name);
+        }
+        materials.push(value);
+    }
+    let parsed = |texts: &[String], what: &str| -> Result<Vec<Value>, Refusal> {
+        texts.iter().enumerate().map(|(index, text)| object(text, what, index)).collect()
+    };
+    let textures = parsed(&looks.textures_json, "texture")?;
+    let samplers = parsed(&looks.samplers_json, "sampler")?;
+    let mut extensions = BTreeSet::new();
+    for value in materials.iter().chain(&textures).chain(&samplers) {
+        extensions_in(value, &mut extensions);
+    }
+    insert(root, "materials", materials);
+    insert(root, "textures", textures);
+    insert(root, "samplers", samplers);
+    Ok(extensions)
+}
+
+/// Returns the entry of an image, without its source.
+pub(crate) fn image_entry(image: &Image) -> Value {
+    let mut value = json!({});
+    if !image.name.is_empty() {
+        value["name"] = json!(image.name);
+    }
+    value
 }
 
 /// Parses a JSON object that the mesh carries as text.

@@ -4,6 +4,8 @@
 //! type (32-bit integers, unusual component counts) are written as floats if that loses nothing, under
 //! their own name with an underscore before it.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, Bounds, IndexedMesh, LayerData, Semantic};
 
@@ -16,6 +18,8 @@ use crate::normals::unit;
 pub(super) struct Attributes {
     pub attributes: Map<String, Value>,
     pub targets: Vec<Value>,
+    /// Accessor of each layer.
+    pub of_layer: BTreeMap<Semantic, Value>,
 }
 
 /// Numbers in a type that glTF allows.
@@ -27,7 +31,7 @@ enum Encoded {
 
 /// Adds all positions and layers of a mesh, and returns their accessors.
 pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<Attributes, Refusal> {
-    let mut out = Attributes { attributes: Map::new(), targets: Vec::new() };
+    let mut out = Attributes { attributes: Map::new(), targets: Vec::new(), of_layer: BTreeMap::new() };
     let positions = mesh.positions.as_flattened();
     check_finite(positions, 3, "POSITION")?;
     out.attributes.insert("POSITION".to_owned(), push_points(builder, positions));
@@ -50,11 +54,13 @@ pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<At
                     out.targets.resize(target + 1, json!({}));
                 }
                 let is_free = out.targets[target].get(key).is_none();
+                out.of_layer.insert(layer.semantic.clone(), accessor.clone());
                 out.targets[target][key] = accessor;
                 is_free
             }
             None => {
                 let (name, accessor) = push_layer(builder, mesh, layer)?;
+                out.of_layer.insert(layer.semantic.clone(), accessor.clone());
                 out.attributes.insert(name, accessor).is_none()
             }
         };
@@ -84,15 +90,16 @@ fn fill_targets(builder: &mut Builder, targets: &mut [Value], vertex_count: usiz
     }
 }
 
-/// Adds a layer under its glTF name, or under its own.
-fn push_layer(
-    builder: &mut Builder,
-    mesh: &IndexedMesh,
-    layer: &AttributeLayer,
-) -> Result<(String, Value), Refusal> {
+/// Returns the name of a layer's attribute: that of glTF if its numbers fit, otherwise one of its own.
+pub(crate) fn attribute_name(mesh: &IndexedMesh, layer: &AttributeLayer) -> String {
+    standard_name(mesh, layer).unwrap_or_else(|| own_name(layer))
+}
+
+/// Returns the glTF name of a layer; [`None`] if its numbers do not fit.
+fn standard_name(mesh: &IndexedMesh, layer: &AttributeLayer) -> Option<String> {
     let has = |semantic: Semantic| mesh.layer(&semantic).is_some_and(|layer| layer.component_count == 4);
     let width = layer.component_count as usize;
-    let name = match layer.semantic {
+    Some(match layer.semantic {
         Semantic::Normal if width == 3 => "NORMAL".to_owned(),
         Semantic::Tangent if width == 4 => "TANGENT".to_owned(),
         Semantic::TexCoord(set) if width == 2 => format!("TEXCOORD_{set}"),
@@ -101,8 +108,25 @@ fn push_layer(
             format!("JOINTS_{set}")
         }
         Semantic::Weights(set) if width == 4 && has(Semantic::Joints(set)) => format!("WEIGHTS_{set}"),
-        _ => return push_generic(builder, layer),
-    };
+        _ => return None,
+    })
+}
+
+fn own_name(layer: &AttributeLayer) -> String {
+    match &layer.semantic {
+        Semantic::Generic(name) => format!("_{name}"),
+        other => format!("_{other}"),
+    }
+}
+
+/// Adds a layer under its glTF name, or under its own.
+fn push_layer(
+    builder: &mut Builder,
+    mesh: &IndexedMesh,
+    layer: &AttributeLayer,
+) -> Result<(String, Value), Refusal> {
+    let Some(name) = standard_name(mesh, layer) else { return push_generic(builder, layer) };
+    let width = layer.component_count as usize;
     let keeps_integers = match layer.semantic {
         Semantic::TexCoord(_) | Semantic::Color(_) | Semantic::Weights(_) => layer.normalized,
         Semantic::Joints(_) => true,
@@ -130,10 +154,7 @@ fn is_joints(layer: &AttributeLayer) -> bool {
 }
 
 fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String, Value), Refusal> {
-    let name = match &layer.semantic {
-        Semantic::Generic(name) => format!("_{name}"),
-        other => format!("_{other}"),
-    };
+    let name = own_name(layer);
     let width = layer.component_count as usize;
     if !matches!(width, 1..=4 | 9 | 16) || (width > 4 && layer.data.component_bytes() < 4) {
         let reason = format!("layer {} has {width} components a vertex", layer.semantic);

@@ -93,32 +93,52 @@ fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
 /// Returns the meshes of the default scene in tree order, or all meshes if there are no nodes.
 pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>, Fault> {
     let root = &document.root;
-    let nodes = root.entries("nodes")?;
-    if nodes.is_empty() {
+    if root.entries("nodes")?.is_empty() {
         let bare =
             |mesh: JsonNode<'a>| Instance { name: mesh.text("name").to_owned(), mesh, transform: None };
         return Ok(root.entries("meshes")?.into_iter().map(bare).collect());
     }
     let mut found = Vec::new();
-    let mut is_seen = vec![false; nodes.len()];
-    let mut stack = roots(document, &nodes)?;
-    stack.reverse();
-    while let Some(Pending { index, parent, from }) = stack.pop() {
-        let node = document.item("nodes", index, &from)?;
-        if std::mem::replace(&mut is_seen[index as usize], true) {
-            return Err(from.fault(format!("nodes[{index}] is reached twice: nodes must form a tree")));
-        }
-        let matrix = parent * local_matrix(&node)?;
+    for PlacedNode { node, matrix, .. } in placed_nodes(root)? {
         if let Some(mesh) = node.get("mesh") {
-            let mesh = document.item("meshes", mesh.as_unsigned()?, &mesh)?;
+            let mesh = root.item("meshes", mesh.as_unsigned()?, &mesh)?;
             let own_name = mesh.text("name");
             let name = if own_name.is_empty() { node.text("name") } else { own_name }.to_owned();
             let transform = if node.get("skin").is_some() { None } else { Transform::new(matrix) };
             found.push(Instance { mesh, name, transform });
         }
+    }
+    Ok(found)
+}
+
+/// Node of the default scene.
+pub(super) struct PlacedNode<'a> {
+    pub index: usize,
+    pub node: JsonNode<'a>,
+    /// Transform from the node to the scene.
+    pub matrix: DMat4,
+}
+
+/// Returns the nodes of the default scene in tree order.
+///
+/// Fails if they do not form a tree, or a transform is malformed.
+pub(super) fn placed_nodes<'a>(root: &JsonNode<'a>) -> Result<Vec<PlacedNode<'a>>, Fault> {
+    let nodes = root.entries("nodes")?;
+    let mut found = Vec::new();
+    let mut is_seen = vec![false; nodes.len()];
+    let mut stack = roots(root, &nodes)?;
+    stack.reverse();
+    while let Some(Pending { index, parent, from }) = stack.pop() {
+        let node = root.item("nodes", index, &from)?;
+        let index = index as usize;
+        if std::mem::replace(&mut is_seen[index], true) {
+            return Err(from.fault(format!("nodes[{index}] is reached twice: nodes must form a tree")));
+        }
+        let matrix = parent * local_matrix(&node)?;
         for child in node.entries("children")?.into_iter().rev() {
             stack.push(Pending { index: child.as_unsigned()?, parent: matrix, from: child });
         }
+        found.push(PlacedNode { index, node, matrix });
     }
     Ok(found)
 }
@@ -133,10 +153,9 @@ struct Pending<'a> {
 }
 
 /// Returns the roots of the default scene, or of the first; without scenes, the nodes without a parent.
-fn roots<'a>(document: &Document<'a>, nodes: &[JsonNode<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
-    let root = &document.root;
+fn roots<'a>(root: &JsonNode<'a>, nodes: &[JsonNode<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
     let scene = match root.get("scene") {
-        Some(at) => Some(document.item("scenes", at.as_unsigned()?, &at)?),
+        Some(at) => Some(root.item("scenes", at.as_unsigned()?, &at)?),
         None => root.entries("scenes")?.into_iter().next(),
     };
     if let Some(scene) = scene {

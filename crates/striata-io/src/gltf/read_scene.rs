@@ -1,0 +1,116 @@
+//! Reads a document as a [`Scene`]: triangles and images apart, everything else unchanged.
+
+use serde_json::{Map, Value};
+use striata::mesh::IndexedMesh;
+
+use super::appearance::images;
+use super::assemble::mesh_of_primitives;
+use super::carry::carry;
+use super::compression;
+use super::document::Document;
+use super::json::JsonNode;
+use super::primitive::Primitive;
+use super::references::{entries, has_triangles, has_unknown_references};
+use crate::error::Fault;
+use crate::scene::{Scene, SceneParts, number_materials};
+
+/// Extensions that only concern the storage of geometry, which a scene does not keep.
+const STORAGE_EXTENSIONS: [&str; 4] = [
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_mesh_quantization",
+];
+
+/// Reads the scene of a document.
+pub(super) fn scene_of(document: &Document<'_>) -> Result<Scene, Fault> {
+    let Value::Object(mut root) = document.root.value.clone() else {
+        return Err(document.root.fault("the document is not an object"));
+    };
+    let mut used_bytes = 0;
+    let meshes = document.root.entries("meshes")?;
+    let meshes: Vec<Option<IndexedMesh>> =
+        meshes.iter().map(|mesh| triangles_of(document, mesh, &mut used_bytes)).collect::<Result<_, _>>()?;
+    let is_geometry: Vec<bool> = meshes.iter().map(Option::is_some).collect();
+    let keeps_numbers = has_unknown_references(document.root.value);
+    let buffer = carry(document, &mut root, &is_geometry, keeps_numbers)?;
+    clear_triangles(&mut root, &is_geometry);
+    let (images, warnings) = images(document)?;
+    let entries = root.get_mut("images").and_then(Value::as_array_mut).into_iter().flatten();
+    for (entry, image) in entries.zip(&images) {
+        let Some(entry) = entry.as_object_mut() else { continue };
+        entry.remove("uri");
+        entry.remove("bufferView");
+        if !image.bytes.is_empty() && !image.mime_type.is_empty() {
+            entry.insert("mimeType".to_owned(), Value::String(image.mime_type.clone()));
+        }
+    }
+    drop_storage_extensions(&mut root);
+    let scene = Scene::from_parts(SceneParts { document: Value::Object(root), buffer, images, meshes });
+    let scene = scene.map_err(|error| Fault::Malformed(error.place, error.reason))?;
+    Ok(scene.with_warnings(warnings))
+}
+
+/// Returns the mesh of all triangle primitives of a glTF mesh; [`None`] if they show nothing.
+fn triangles_of(
+    document: &Document<'_>,
+    mesh: &JsonNode<'_>,
+    used_bytes: &mut u64,
+) -> Result<Option<IndexedMesh>, Fault> {
+    let mut primitives = Vec::new();
+    for at in mesh.entries("primitives")? {
+        if has_triangles(at.value) {
+            primitives.extend(Primitive::parse(document, at)?);
+        }
+    }
+    if primitives.is_empty() {
+        return Ok(None);
+    }
+    let mut mesh = mesh_of_primitives(document, primitives, used_bytes)?;
+    let shows_something = mesh.triangles.iter().any(|triangle| {
+        let [a, b, c] = triangle.map(|vertex| mesh.positions[vertex as usize]);
+        a != b && b != c && c != a
+    });
+    number_materials(&mut mesh);
+    Ok(shows_something.then_some(mesh))
+}
+
+/// Replaces the accessors of triangle primitives by null, keeping the names of their attributes.
+fn clear_triangles(root: &mut Map<String, Value>, is_geometry: &[bool]) {
+    let meshes = root.get_mut("meshes").and_then(Value::as_array_mut).into_iter().flatten();
+    for (mesh, _) in meshes.zip(is_geometry).filter(|&(_, &is_geometry)| is_geometry) {
+        for primitive in entries(mesh, "primitives").filter(|primitive| has_triangles(primitive)) {
+            let Some(primitive) = primitive.as_object_mut() else { continue };
+            if primitive.get("mode").and_then(Value::as_u64) != Some(4) {
+                primitive.remove("mode");
+            }
+            primitive.remove("indices");
+            compression::remove_from(primitive);
+            let targets = primitive.get_mut("targets").and_then(Value::as_array_mut);
+            for target in targets.into_iter().flatten() {
+                clear(target);
+            }
+            primitive.get_mut("attributes").map(clear);
+        }
+    }
+}
+
+fn clear(members: &mut Value) {
+    members.as_object_mut().into_iter().flat_map(Map::values_mut).for_each(|value| *value = Value::Null);
+}
+
+/// Removes extensions that no longer apply from the lists of the document.
+fn drop_storage_extensions(root: &mut Map<String, Value>) {
+    let has_other_primitives = root.get("accessors").is_some();
+    for list in ["extensionsUsed", "extensionsRequired"] {
+        let Some(Value::Array(names)) = root.get_mut(list) else { continue };
+        names.retain(|name| {
+            let name = name.as_str().unwrap_or("");
+            // Points and lines that are carried may be quantized.
+            !STORAGE_EXTENSIONS.contains(&name) || (name == "KHR_mesh_quantization" && has_other_primitives)
+        });
+        if names.is_empty() {
+            root.remove(list);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Writes a [`Scene`] as glTF: the document as it was read, with new accessors for its triangles.
+//!
+//! All primitives of a mesh share one vertex buffer and have the attributes that they had. A primitive of
+//! which a coarse level shows nothing is left out, because glTF has no empty primitives.
+
+use serde_json::{Map, Value, json};
+use striata::mesh::{IndexedMesh, Semantic};
+
+use super::builder::Builder;
+use super::primitive::semantic;
+use super::references::{entries, has_triangles};
+use super::write::{data_uri, insert, joined};
+use super::write_layers::{Attributes, attributes};
+use crate::error::Refusal;
+use crate::{Scene, WriteOptions};
+
+/// Encodes a scene as a GLB file.
+pub(crate) fn scene_to_glb_bytes(scene: &Scene, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
+    let (root, binary) = document(scene, options, |_| Value::Null)?;
+    joined(&root, binary)
+}
+
+/// Encodes a scene as a glTF file with everything embedded.
+pub(crate) fn scene_to_json_bytes(scene: &Scene, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
+    let (root, _) = document(scene, options, data_uri)?;
+    Ok(format!("{root:#}\n").into_bytes())
+}
+
+/// Builds the document and its binary data; `buffer_uri` returns the buffer's URI, or null.
+fn document(
+    scene: &Scene,
+    options: &WriteOptions,
+    buffer_uri: impl Fn(&[u8]) -> Value,
+) -> Result<(Value, Vec<u8>), Refusal> {
+    if options.strips.is_some() || options.fans.is_some() {
+        return Err(Refusal::Unsupported("strips and fans are for files with one mesh".to_owned()));
+    }
+    let mut root = scene.document().clone();
+    let mut take = |key: &str| match root.as_object_mut().and_then(|map| map.remove(key)) {
+        Some(Value::Array(entries)) => entries,
+        _ => Vec::new(),
+    };
+    let (views, accessors) = (take("bufferViews"), take("accessors"));
+    let mut builder = Builder::continuing(scene.buffer().to_vec(), views, accessors);
+    for (entry, mesh) in entries(&mut root, "meshes").zip(scene.meshes()) {
+        if let Some(mesh) = mesh {
+            put_triangles(&mut builder, entry, mesh)?;
+        }
+    }
+    for (entry, image) in entries(&mut root, "images").zip(scene.images()) {
+        builder.image_source(image, entry);
+    }
+    builder.fill_free_slots();
+    let Value::Object(mut root) = root else {
+        return Err(Refusal::BadMesh("the document is not an object".to_owned()));
+    };
+    insert(&mut root, "accessors", builder.accessors);
+    insert(&mut root, "bufferViews", builder.views);
+    if !builder.binary.is_empty() {
+        let mut buffer = json!({ "byteLength": builder.binary.len() });
+        let uri = buffer_uri(&builder.binary);
+        if !uri.is_null() {
+            buffer["uri"] = uri;
+        }
+        insert(&mut root, "buffers", vec![buffer]);
+    }
+    Ok((Value::Object(root), builder.binary))
+}
+
+/// Adds the triangles of a mesh, and refers to them from its triangle primitives.
+fn put_triangles(builder: &mut Builder, entry: &mut Value, mesh: &IndexedMesh) -> Result<(), Refusal> {
+    let Some(Value::Array(primitives)) = entry.get_mut("primitives") else { return Ok(()) };
+    if mesh.triangles.is_empty() {
+        return put_nothing(builder, primitives);
+    }
+    let found = attributes(builder, mesh)?;
+    let lists = mesh.groups.iter().map(|group| mesh.triangles[group.range()].as_flattened());
+    let mut indices = builder.push_indices(lists, mesh.positions.len()).into_iter();
+    primitives.retain_mut(|primitive| {
+        if !has_triangles(primitive) {
+            return true;
+        }
+        let Some(accessor) = indices.next().flatten() else { return false };
+        primitive["indices"] = json!(accessor);
+        refer(primitive, &found);
+        true
+    });
+    Ok(())
+}
+
+/// Sets the accessors of a primitive's attributes and morph targets.
+fn refer(primitive: &mut Value, found: &Attributes) {
+    if let Some(Value::Object(attributes)) = primitive.get_mut("attributes") {
+        set(attributes, |name| found.attributes.get(name).or_else(|| found.of_layer.get(&semantic(name))));
+    }
+    let targets = primitive.get_mut("targets").and_then(Value::as_array_mut).into_iter().flatten();
+    for (number, target) in targets.enumerate() {
+        let Some(target) = target.as_object_mut() else { continue };
+        let number = u16::try_from(number).unwrap_or(u16::MAX);
+        set(target, |name| {
+            found.of_layer.get(&match name {
+                "POSITION" => Semantic::MorphPosition(number),
+                "NORMAL" => Semantic::MorphNormal(number),
+                _ => Semantic::MorphTangent(number),
+            })
+        });
+    }
+}
+
+/// Sets each member to its accessor; a member without one is removed.
+fn set<'v>(members: &mut Map<String, Value>, accessor: impl Fn(&str) -> Option<&'v Value>) {
+    members.retain(|name, value| match accessor(name) {
+        Some(found) => {
+            *value = found.clone();
+            true
+        }
+        None => false,
+    });
+}
+
+/// Makes the first triangle primitive show one point, and removes the others if it shows nothing at all.
+fn put_nothing(builder: &mut Builder, primitives: &mut Vec<Value>) -> Result<(), Refusal> {
+    let mut is_first = primitives.iter().all(has_triangles);
+    let point = attributes(builder, &IndexedMesh::new(vec![[0.0; 3]], vec![]))?.attributes;
+    let indices = builder.push_indices([&[0, 0, 0][..]], 1);
+    primitives.retain_mut(|primitive| {
+        if !has_triangles(primitive) {
+            return true;
+        }
+        if std::mem::take(&mut is_first) {
+            *primitive = json!({ "attributes": point, "indices": indices[0] });
+            return true;
+        }
+        false
+    });
+    Ok(())
+}

@@ -1,0 +1,158 @@
+//! Scenes: a glTF document with nodes, materials, images, skins and animations, and its triangle meshes.
+//!
+//! [`read_scene`] keeps a file as it is. Only triangles are taken out of the document: each glTF mesh becomes
+//! one [`IndexedMesh`] with a group for each triangle primitive, so that a simplifier sees all materials of
+//! a mesh at once. Node transforms are not applied, and instances share their mesh. Files without a scene
+//! become one with a single node.
+//!
+//! | part | what it contains |
+//! | --- | --- |
+//! | [`Scene::document`] | the JSON of the document, without the accessors of triangles and without buffers |
+//! | [`Scene::buffer`] | the data of animations, skins, points and lines, which the document refers to |
+//! | [`Scene::images`] | the bytes of all images, unchanged |
+//! | [`Scene::meshes`] | the triangles of each glTF mesh |
+//!
+//! In the document, the attributes of triangle primitives have the value `null`, and they have no `indices`;
+//! images have neither `uri` nor `bufferView`; every buffer view lies in [`Scene::buffer`].
+//!
+//! # Example
+//! ```no_run
+//! let scene = striata_io::read_scene("robot.glb")?;
+//! println!("{} triangles in {} meshes", scene.triangle_count(), scene.meshes().len());
+//! striata_io::write_scene("copy.glb", &scene, &striata_io::WriteOptions::default())?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+mod from_mesh;
+mod instances;
+mod read;
+mod write;
+
+pub use error::SceneError;
+pub(crate) use from_mesh::number_materials;
+pub use instances::SceneInstance;
+#[cfg(not(target_family = "wasm"))]
+pub use read::read_scene;
+pub use read::read_scene_bytes;
+pub use write::scene_to_bytes;
+#[cfg(not(target_family = "wasm"))]
+pub use write::{scene_to_file_bytes, write_scene};
+
+use serde_json::Value;
+use striata::mesh::{Bounds, Image, IndexedMesh};
+
+/// A glTF document with its triangle meshes and images apart.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    document: Value,
+    buffer: Vec<u8>,
+    images: Vec<Image>,
+    meshes: Vec<Option<IndexedMesh>>,
+    instances: Vec<SceneInstance>,
+    warnings: Vec<String>,
+}
+
+/// The parts of a [`Scene`], for files that store them separately.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SceneParts {
+    /// The document; see [`Scene::document`].
+    pub document: Value,
+    /// Data that the document's buffer views refer to.
+    pub buffer: Vec<u8>,
+    /// Images in the order of the document.
+    pub images: Vec<Image>,
+    /// Triangles of each glTF mesh; [`None`] for meshes without triangles.
+    pub meshes: Vec<Option<IndexedMesh>>,
+}
+
+impl Scene {
+    /// Creates a scene from its parts.
+    ///
+    /// # Errors
+    /// [`SceneError`] if the parts do not match: a wrong number of meshes, groups or images, a buffer view
+    /// outside the buffer, or nodes that do not form a tree.
+    pub fn from_parts(parts: SceneParts) -> Result<Self, SceneError> {
+        let SceneParts { document, buffer, images, meshes } = parts;
+        instances::check_parts(&document, buffer.len(), images.len(), &meshes)?;
+        let instances = instances::instances_of(&document, &buffer)?;
+        Ok(Self { document, buffer, images, meshes, instances, warnings: Vec::new() })
+    }
+
+    /// Takes the scene apart.
+    pub fn into_parts(self) -> SceneParts {
+        let Self { document, buffer, images, meshes, .. } = self;
+        SceneParts { document, buffer, images, meshes }
+    }
+
+    /// Replaces the meshes, such as by those of a level of detail.
+    ///
+    /// # Errors
+    /// [`SceneError`] if the number of meshes or of their groups differs.
+    pub fn with_meshes(self, meshes: Vec<Option<IndexedMesh>>) -> Result<Self, SceneError> {
+        instances::check_meshes(&self.document, &meshes)?;
+        Ok(Self { meshes, ..self })
+    }
+
+    pub(crate) fn with_warnings(self, warnings: Vec<String>) -> Self {
+        Self { warnings, ..self }
+    }
+
+    /// The glTF document without the data of triangles and images.
+    pub fn document(&self) -> &Value {
+        &self.document
+    }
+
+    /// Data of animations, skins, points and lines, which the document's buffer views refer to.
+    pub fn buffer(&self) -> &[u8] {
+        &self.buffer
+    }
+
+    /// Images in the order of the document; an image that could not be found has no bytes.
+    pub fn images(&self) -> &[Image] {
+        &self.images
+    }
+
+    /// Triangles of each glTF mesh, with a group for each triangle primitive; [`None`] for meshes without
+    /// triangles.
+    ///
+    /// The materials of each mesh are numbered from 0 in the order of the document; their descriptions are
+    /// in the document.
+    pub fn meshes(&self) -> &[Option<IndexedMesh>] {
+        &self.meshes
+    }
+
+    /// Meshes that the default scene shows, one entry for each node, in tree order.
+    pub fn instances(&self) -> &[SceneInstance] {
+        &self.instances
+    }
+
+    /// What was missing when the scene was read, such as an image file; empty if nothing was.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// Number of triangles that the default scene shows, with those of a mesh counted for each instance.
+    pub fn triangle_count(&self) -> usize {
+        let shown = self.instances.iter().filter_map(|instance| self.meshes[instance.mesh].as_ref());
+        shown.map(IndexedMesh::triangle_count).sum()
+    }
+
+    /// Bounding box of all instances, in units of the scene; skinned meshes count in their bind pose. [`None`]
+    /// if nothing is shown.
+    pub fn bounds(&self) -> Option<Bounds> {
+        instances::bounds_of(&self.meshes, &self.instances)
+    }
+
+    /// Length of the diagonal of [`bounds`](Self::bounds); 0 if nothing is shown.
+    pub fn diagonal(&self) -> f64 {
+        self.bounds().map_or(0.0, |bounds| bounds.diagonal())
+    }
+
+    /// Name of a glTF mesh; empty if it has none.
+    pub fn mesh_name(&self, mesh: usize) -> &str {
+        let meshes = self.document.get("meshes").and_then(Value::as_array);
+        let name = meshes.and_then(|meshes| meshes.get(mesh)?.get("name")?.as_str());
+        name.unwrap_or("")
+    }
+}
