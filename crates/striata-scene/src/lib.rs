@@ -1,0 +1,6 @@
+//! Levels of detail of whole scenes.
+//!
+//! | module | what it does |
+//! | --- | --- |
+//! | `levels` | distributes a target over all meshes of a scene by one priority |
+//! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh |
