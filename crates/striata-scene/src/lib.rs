@@ -4,3 +4,8 @@
 //! | --- | --- |
 //! | `levels` | distributes a target over all meshes of a scene by one priority |
 //! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh |
+//! | `pose` | where skins and morph targets put the vertices at a time of an animation |
+
+mod pose;
+
+pub use pose::{Pose, Poser};

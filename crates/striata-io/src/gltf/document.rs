@@ -80,6 +80,15 @@ impl<'a> Document<'a> {
         Ok(document)
     }
 
+    /// Opens a document without buffers of its own: all its buffer views lie in `buffer`.
+    pub(super) fn over(root: &'a Value, buffer: &'a [u8]) -> Result<Self, Fault> {
+        let root = JsonNode { value: root, path: String::new() };
+        let unpacked = Unpacked::new(root.entries("bufferViews")?.len());
+        let buffers = vec![Rc::new(Cow::Borrowed(buffer))];
+        let (input_bytes, source) = (buffer.len() as u64, Source::default());
+        Ok(Self { root, buffers, input_bytes, source, unpacked })
+    }
+
     fn load_buffers(&mut self, blob: Option<&'a [u8]>) -> Result<(), Fault> {
         let mut known: BTreeMap<&str, Rc<Cow<'a, [u8]>>> = BTreeMap::new();
         for (index, at) in self.root.entries("buffers")?.iter().enumerate() {

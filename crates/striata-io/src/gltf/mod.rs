@@ -68,6 +68,17 @@ pub(crate) fn read_scene(bytes: &[u8], format: Format, source: &Source<'_>) -> R
     with_document(bytes, format, source, read_scene::scene_of)
 }
 
+/// Reads an accessor of a scene's document: the numbers, and how many of them each element has.
+pub(crate) fn numbers_of(
+    document: &serde_json::Value,
+    buffer: &[u8],
+    accessor: u64,
+) -> Result<(Vec<f32>, usize), Fault> {
+    let document = Document::over(document, buffer)?;
+    let found = accessor::accessor(&document, accessor, &document.root)?;
+    Ok((found.floats(), found.component_count))
+}
+
 fn with_document<T>(
     bytes: &[u8],
     format: Format,

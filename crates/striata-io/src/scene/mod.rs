@@ -149,6 +149,15 @@ impl Scene {
         self.bounds().map_or(0.0, |bounds| bounds.diagonal())
     }
 
+    /// Reads an accessor of the document, such as the times of an animation: the numbers, and how many of
+    /// them each element has. Normalized integers become fractions.
+    ///
+    /// # Errors
+    /// [`SceneError`] if there is no such accessor, or it is malformed.
+    pub fn numbers(&self, accessor: u64) -> Result<(Vec<f32>, usize), SceneError> {
+        Ok(crate::gltf::numbers_of(&self.document, &self.buffer, accessor)?)
+    }
+
     /// Name of a glTF mesh; empty if it has none.
     pub fn mesh_name(&self, mesh: usize) -> &str {
         let meshes = self.document.get("meshes").and_then(Value::as_array);

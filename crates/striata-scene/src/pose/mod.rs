@@ -1,0 +1,226 @@
+//! Poses of a scene: where its nodes, skins and morph targets put each vertex at a time of an animation.
+//!
+//! [`Poser`] reads skins and animations once; [`Poser::pose`] evaluates an animation at a time, and
+//! [`Poser::positions`] returns the deformed positions of a mesh. Rotations are interpolated by halving
+//! arcs, which needs only square roots, so all machines agree.
+
+mod animation;
+mod interpolation;
+mod skin;
+
+use glam::{DMat4, DQuat, DVec3};
+use serde_json::Value;
+use striata::mesh::{IndexedMesh, Semantic};
+use striata_io::{Scene, SceneError, SceneInstance};
+
+use self::animation::{Animation, Property};
+use self::skin::Skin;
+
+/// Reads the poses of a scene.
+#[derive(Clone, Debug)]
+pub struct Poser {
+    nodes: Vec<Node>,
+    /// Nodes with each parent before its children.
+    order: Vec<usize>,
+    skins: Vec<Skin>,
+    animations: Vec<Animation>,
+}
+
+/// A node in its own pose, relative to its parent.
+#[derive(Clone, Debug)]
+struct Node {
+    parent: Option<usize>,
+    local: Local,
+    morph_weights: Vec<f32>,
+}
+
+/// Transform of a node relative to its parent.
+#[derive(Clone, Copy, Debug)]
+enum Local {
+    Matrix(DMat4),
+    Parts { translation: DVec3, rotation: DQuat, scale: DVec3 },
+}
+
+/// The transforms of all nodes and the weights of their morph targets at one time.
+#[derive(Clone, Debug)]
+pub struct Pose {
+    matrices: Vec<DMat4>,
+    morph_weights: Vec<Vec<f32>>,
+}
+
+impl Poser {
+    /// Reads the nodes, skins and animations of a scene.
+    ///
+    /// # Errors
+    /// [`SceneError`] if they refer to something that does not exist, or their data are malformed.
+    pub fn new(scene: &Scene) -> Result<Self, SceneError> {
+        let document = scene.document();
+        let mut nodes: Vec<Node> =
+            list(document, "nodes").iter().map(|node| Node::read(node, document)).collect();
+        for (parent, node) in list(document, "nodes").iter().enumerate() {
+            for child in list(node, "children").iter().filter_map(index) {
+                if let Some(child) = nodes.get_mut(child) {
+                    child.parent = Some(parent);
+                }
+            }
+        }
+        let order = parents_first(&nodes);
+        let skins = list(document, "skins").iter().map(|skin| Skin::read(skin, scene));
+        let animations =
+            list(document, "animations").iter().map(|at| Animation::read(at, scene, nodes.len()));
+        Ok(Self {
+            skins: skins.collect::<Result<_, _>>()?,
+            animations: animations.collect::<Result<_, _>>()?,
+            nodes,
+            order,
+        })
+    }
+
+    /// Number of animations.
+    pub fn animation_count(&self) -> usize {
+        self.animations.len()
+    }
+
+    /// Time of the last key of an animation, in seconds.
+    pub fn duration(&self, animation: usize) -> f32 {
+        self.animations.get(animation).map_or(0.0, Animation::duration)
+    }
+
+    /// Returns the pose of the nodes as they are in the document.
+    pub fn rest_pose(&self) -> Pose {
+        self.pose_of(self.nodes.iter().map(|node| (node.local, node.morph_weights.clone())).collect())
+    }
+
+    /// Returns the pose at a time of an animation, in seconds; the first or last one outside its keys.
+    pub fn pose(&self, animation: usize, time: f32) -> Pose {
+        let mut locals: Vec<(Local, Vec<f32>)> =
+            self.nodes.iter().map(|node| (node.local, node.morph_weights.clone())).collect();
+        for channel in self.animations.get(animation).into_iter().flat_map(|animation| &animation.channels) {
+            let (local, weights) = &mut locals[channel.node];
+            let value = channel.value(time);
+            match (channel.property, local, &value[..]) {
+                (Property::Translation, Local::Parts { translation, .. }, &[x, y, z]) => {
+                    *translation = DVec3::new(x, y, z);
+                }
+                (Property::Rotation, Local::Parts { rotation, .. }, &[x, y, z, w]) => {
+                    *rotation = DQuat::from_xyzw(x, y, z, w).normalize();
+                }
+                (Property::Scale, Local::Parts { scale, .. }, &[x, y, z]) => *scale = DVec3::new(x, y, z),
+                (Property::MorphWeights, _, value) => *weights = value.iter().map(|&w| w as f32).collect(),
+                _ => {}
+            }
+        }
+        self.pose_of(locals)
+    }
+
+    fn pose_of(&self, locals: Vec<(Local, Vec<f32>)>) -> Pose {
+        let mut matrices = vec![DMat4::IDENTITY; self.nodes.len()];
+        for &node in &self.order {
+            let parent = self.nodes[node].parent.map_or(DMat4::IDENTITY, |parent| matrices[parent]);
+            matrices[node] = parent * locals[node].0.matrix();
+        }
+        Pose { matrices, morph_weights: locals.into_iter().map(|(_, weights)| weights).collect() }
+    }
+
+    /// Returns the positions of a mesh in a pose, in the units of the scene.
+    ///
+    /// The order is that of the mesh's vertices, so that the positions of a level can be compared with those
+    /// of the full mesh.
+    pub fn positions(&self, pose: &Pose, instance: &SceneInstance, mesh: &IndexedMesh) -> Vec<[f32; 3]> {
+        let mut positions = mesh.positions.clone();
+        let weights = instance.node.and_then(|node| pose.morph_weights.get(node));
+        for (target, &weight) in weights.into_iter().flatten().enumerate().filter(|&(_, &w)| w != 0.0) {
+            let semantic = u16::try_from(target).map(Semantic::MorphPosition);
+            let Some(layer) = semantic.ok().and_then(|semantic| mesh.layer(&semantic)) else { continue };
+            for (vertex, position) in positions.iter_mut().enumerate() {
+                for (axis, x) in position.iter_mut().enumerate() {
+                    *x += weight * layer.get(vertex, axis);
+                }
+            }
+        }
+        let node_matrix = instance.node.and_then(|node| pose.matrices.get(node)).copied();
+        let skin = instance.skin.and_then(|skin| self.skins.get(skin));
+        match skin {
+            Some(skin) => skin.deform(&pose.matrices, mesh, &mut positions),
+            None => {
+                let matrix = node_matrix.unwrap_or(DMat4::IDENTITY);
+                for position in &mut positions {
+                    *position = transformed(&matrix, *position);
+                }
+            }
+        }
+        positions
+    }
+}
+
+fn transformed(matrix: &DMat4, position: [f32; 3]) -> [f32; 3] {
+    matrix.transform_point3(DVec3::from_array(position.map(f64::from))).as_vec3().to_array()
+}
+
+impl Node {
+    fn read(node: &Value, document: &Value) -> Self {
+        let mesh = node.get("mesh").and_then(index).and_then(|mesh| list(document, "meshes").get(mesh));
+        let weights = node.get("weights").or_else(|| mesh?.get("weights"));
+        Self {
+            parent: None,
+            local: Local::read(node),
+            morph_weights: numbers(weights).into_iter().map(|x| x as f32).collect(),
+        }
+    }
+}
+
+impl Local {
+    fn read(node: &Value) -> Self {
+        if let Ok(columns) = <[f64; 16]>::try_from(numbers(node.get("matrix"))) {
+            return Self::Matrix(DMat4::from_cols_array(&columns));
+        }
+        let vector = |key, default| numbers(node.get(key)).try_into().map_or(default, DVec3::from_array);
+        let rotation = <[f64; 4]>::try_from(numbers(node.get("rotation")));
+        Self::Parts {
+            translation: vector("translation", DVec3::ZERO),
+            rotation: rotation.map_or(DQuat::IDENTITY, |q| DQuat::from_array(q).normalize()),
+            scale: vector("scale", DVec3::ONE),
+        }
+    }
+
+    fn matrix(&self) -> DMat4 {
+        match *self {
+            Self::Matrix(matrix) => matrix,
+            Self::Parts { translation, rotation, scale } => {
+                DMat4::from_scale_rotation_translation(scale, rotation, translation)
+            }
+        }
+    }
+}
+
+/// Returns the nodes with each parent before its children; the scene has checked that they form a tree, but
+/// nodes outside the default scene may not, and are left out if they do not.
+fn parents_first(nodes: &[Node]) -> Vec<usize> {
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
+    let mut order = Vec::with_capacity(nodes.len());
+    for (node, Node { parent, .. }) in nodes.iter().enumerate() {
+        match parent {
+            Some(parent) => children[*parent].push(node),
+            None => order.push(node),
+        }
+    }
+    let mut next = 0;
+    while next < order.len() {
+        order.extend_from_slice(&children[order[next]]);
+        next += 1;
+    }
+    order
+}
+
+/// Entries of an array; none if there is no such array.
+fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+    value.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
+}
+
+fn index(value: &Value) -> Option<usize> {
+    usize::try_from(value.as_u64()?).ok()
+}
+
+fn numbers(value: Option<&Value>) -> Vec<f64> {
+    value.and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_f64).collect()
+}
