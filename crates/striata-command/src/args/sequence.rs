@@ -107,6 +107,7 @@ impl WeightArgs {
             normal: self.normal_weight.unwrap_or(defaults.normal),
             texcoord: self.uv_weight.unwrap_or(defaults.texcoord),
             color: self.color_weight.unwrap_or(defaults.color),
+            displacement: defaults.displacement,
         }
     }
 }

@@ -153,6 +153,18 @@ impl Poser {
     }
 }
 
+impl Pose {
+    /// Returns the pose with one morph target of an instance at full weight and all others at none; [`None`]
+    /// if the instance has no node.
+    pub fn with_target(mut self, instance: &SceneInstance, target: u16) -> Option<Self> {
+        let weights = self.morph_weights.get_mut(instance.node?)?;
+        weights.clear();
+        weights.resize(usize::from(target) + 1, 0.0);
+        weights[usize::from(target)] = 1.0;
+        Some(self)
+    }
+}
+
 fn transformed(matrix: &DMat4, position: [f32; 3]) -> [f32; 3] {
     matrix.transform_point3(DVec3::from_array(position.map(f64::from))).as_vec3().to_array()
 }

@@ -16,7 +16,6 @@ use crate::setters::setters;
 use glam::DVec3;
 
 use super::surface_samples::{Strata, SurfaceSamples, low_discrepancy_point, map_chunks};
-use super::triangle_tree::to_dvec3;
 use super::{IndexedMesh, MeshError, TriangleTree};
 
 /// Options of [`surface_distance`].
@@ -146,7 +145,11 @@ impl SurfaceSamples<'_> {
         let vertices = sum_chunks(self.used_vertices.len(), |range, sums| {
             let mut hint = usize::MAX;
             for &v in &self.used_vertices[range] {
-                sums.add(tree.distance_within(to_dvec3(self.mesh.positions[v as usize]), 0.0, &mut hint));
+                sums.add(tree.distance_within(
+                    self.mesh.positions[v as usize].map(f64::from),
+                    0.0,
+                    &mut hint,
+                ));
             }
         });
         let sides = self.measure_strata(&self.sides, tree, |t, [u, _]| self.point_on_side(t, u));
@@ -169,7 +172,11 @@ impl SurfaceSamples<'_> {
         sum_chunks(strata.count(), |range, sums| {
             let mut hint = usize::MAX;
             for (k, t) in strata.samples(range) {
-                sums.add(tree.distance_within(point(t, low_discrepancy_point(self.seed, k)), 0.0, &mut hint));
+                sums.add(tree.distance_within(
+                    point(t, low_discrepancy_point(self.seed, k)).to_array(),
+                    0.0,
+                    &mut hint,
+                ));
             }
         })
     }

@@ -79,9 +79,9 @@ impl TriangleTree {
 
     /// The triangle nearest to a point; `None` if there are no triangles or the point is not finite.
     pub fn nearest(&self, point: [f64; 3]) -> Option<Nearest> {
-        let point = DVec3::from_array(point);
         let mut triangle = usize::MAX;
-        let distance = if point.is_finite() { self.distance_within(point, 0.0, &mut triangle) } else { 0.0 };
+        let is_finite = point.iter().all(|x| x.is_finite());
+        let distance = if is_finite { self.distance_within(point, 0.0, &mut triangle) } else { 0.0 };
         (triangle != usize::MAX).then_some(Nearest { distance, triangle: triangle as u32 })
     }
 
@@ -90,12 +90,13 @@ impl TriangleTree {
     /// `triangle` passes that triangle on from query to query; start with `usize::MAX`. It affects the speed,
     /// never the distance.
     pub fn distance_from_hint(&self, point: [f64; 3], triangle: &mut usize) -> f64 {
-        self.distance_within(DVec3::from_array(point), 0.0, triangle)
+        self.distance_within(point, 0.0, triangle)
     }
 
     /// Distance like [`Self::distance_from_hint`], but stops at any triangle that is no farther than
     /// `enough`.
-    pub(crate) fn distance_within(&self, point: DVec3, enough: f64, triangle: &mut usize) -> f64 {
+    pub fn distance_within(&self, point: [f64; 3], enough: f64, triangle: &mut usize) -> f64 {
+        let point = DVec3::from_array(point);
         let in_frame = (point - self.center) * self.scale;
         let is_far = in_frame.abs().max_element() > FAR;
         if is_far || *triangle >= self.corners.len() {

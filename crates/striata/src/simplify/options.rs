@@ -109,19 +109,22 @@ pub struct AttributeWeights {
     pub texcoord: f32,
     /// Weight of every color set; default 0.003.
     pub color: f32,
+    /// Weight of the displacements of all morph targets together, relative to a distance of the same
+    /// length; default 1.
+    pub displacement: f32,
 }
 
 impl Default for AttributeWeights {
     fn default() -> Self {
         // With a lower weight for normals, the faces of thin parts take the normals of their rims; with
         // a higher one, the shape suffers.
-        Self { normal: 0.007, texcoord: 0.02, color: 0.003 }
+        Self { normal: 0.007, texcoord: 0.02, color: 0.003, displacement: 1.0 }
     }
 }
 
 impl AttributeWeights {
     /// All weights 0: only geometry counts.
-    pub const NONE: Self = Self { normal: 0.0, texcoord: 0.0, color: 0.0 };
+    pub const NONE: Self = Self { normal: 0.0, texcoord: 0.0, color: 0.0, displacement: 0.0 };
 }
 
 /// Options of [`build_sequence`](super::build_sequence).

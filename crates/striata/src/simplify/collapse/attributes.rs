@@ -69,16 +69,23 @@ pub(in crate::simplify) struct AttributeSpace {
 
 impl AttributeSpace {
     /// Creates the space of a mesh's weighted layers; `texcoord_factors` has a factor for each
-    /// material. Returns `None` if no layer has a weight.
+    /// material, `scale` is the length of the unit of scaled positions. Returns `None` if no layer has a
+    /// weight.
     pub(in crate::simplify) fn new(
         welded: &Welded,
         weights: &AttributeWeights,
         texcoord_factors: &[f32],
+        scale: f64,
     ) -> Option<Self> {
+        let is_displacement = |layer: &&AttributeLayer| matches!(layer.semantic, Semantic::MorphPosition(_));
+        let displacement_count = welded.mesh.layers.iter().filter(is_displacement).count() as f32;
+        // The mean over all displacements counts, not their sum.
+        let displacement = weights.displacement / (scale as f32 * displacement_count.sqrt());
         let weight = |semantic: &Semantic| match semantic {
             Semantic::Normal => weights.normal,
             Semantic::TexCoord(_) => weights.texcoord,
             Semantic::Color(_) => weights.color,
+            Semantic::MorphPosition(_) => displacement,
             _ => 0.0,
         };
         let layers: Vec<_> = welded

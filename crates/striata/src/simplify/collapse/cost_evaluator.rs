@@ -103,7 +103,12 @@ impl<'a> CostEvaluator<'a> {
             star: Star::default(),
             legality: Legality::default(),
             relaxed: None,
-            attributes: AttributeSpace::new(welded, &options.attribute_weights, &options.texcoord_factors),
+            attributes: AttributeSpace::new(
+                welded,
+                &options.attribute_weights,
+                &options.texcoord_factors,
+                scale,
+            ),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             seams: options.seams,
             locks_boundary: options.boundary == BoundaryRule::Locked,

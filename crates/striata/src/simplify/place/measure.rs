@@ -26,7 +26,8 @@ impl FarthestPointSearch {
     /// Measures a point; returns whether everything within `radius` of it is no farther than the worst
     /// point so far.
     fn visit(&mut self, point: DVec3, radius: f64) -> bool {
-        let distance = self.tree.distance_within(point, (self.worst - radius).max(0.0), &mut self.hint);
+        let distance =
+            self.tree.distance_within(point.to_array(), (self.worst - radius).max(0.0), &mut self.hint);
         if distance.is_finite() {
             self.worst = self.worst.max(distance);
         }
