@@ -42,6 +42,8 @@ pub use write::{scene_to_file_bytes, write_scene};
 use serde_json::Value;
 use striata::mesh::{Bounds, Image, IndexedMesh};
 
+use crate::gltf::has_triangles;
+
 /// A glTF document with its triangle meshes and images apart.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
@@ -92,6 +94,21 @@ impl Scene {
     pub fn with_meshes(self, meshes: Vec<Option<IndexedMesh>>) -> Result<Self, SceneError> {
         instances::check_meshes(&self.document, &meshes)?;
         Ok(Self { meshes, ..self })
+    }
+
+    /// Returns a copy without triangles, for code that keeps the meshes in another form.
+    ///
+    /// The document still has an entry for each mesh, so [`with_meshes`](Self::with_meshes) can give them
+    /// triangles again; without them, the copy cannot be written.
+    pub fn without_meshes(&self) -> Self {
+        Self {
+            document: self.document.clone(),
+            buffer: self.buffer.clone(),
+            images: self.images.clone(),
+            meshes: vec![None; self.meshes.len()],
+            instances: self.instances.clone(),
+            warnings: self.warnings.clone(),
+        }
     }
 
     pub(crate) fn with_warnings(self, warnings: Vec<String>) -> Self {
@@ -151,8 +168,19 @@ impl Scene {
 
     /// Name of a glTF mesh; empty if it has none.
     pub fn mesh_name(&self, mesh: usize) -> &str {
-        let meshes = self.document.get("meshes").and_then(Value::as_array);
-        let name = meshes.and_then(|meshes| meshes.get(mesh)?.get("name")?.as_str());
-        name.unwrap_or("")
+        self.mesh_entry(mesh).and_then(|entry| entry.get("name")?.as_str()).unwrap_or("")
+    }
+
+    /// Material of each triangle primitive of a glTF mesh, as an index into the materials of the document;
+    /// there is one entry for each group of the mesh. Empty if there is no such mesh.
+    pub fn primitive_materials(&self, mesh: usize) -> Vec<Option<usize>> {
+        let primitives = self.mesh_entry(mesh).and_then(|entry| entry.get("primitives")?.as_array());
+        let with_triangles = primitives.into_iter().flatten().filter(|primitive| has_triangles(primitive));
+        let material = |primitive: &Value| primitive.get("material")?.as_u64()?.try_into().ok();
+        with_triangles.map(material).collect()
+    }
+
+    fn mesh_entry(&self, mesh: usize) -> Option<&Value> {
+        self.document.get("meshes")?.as_array()?.get(mesh)
     }
 }
