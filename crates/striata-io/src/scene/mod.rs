@@ -26,18 +26,22 @@
 mod error;
 mod from_mesh;
 mod instances;
+mod mesh_data;
 mod read;
 mod write;
+mod writer;
 
 pub use error::SceneError;
 pub(crate) use from_mesh::number_materials;
 pub use instances::SceneInstance;
+pub use mesh_data::{MeshData, mesh_data};
 #[cfg(not(target_family = "wasm"))]
 pub use read::read_scene;
 pub use read::read_scene_bytes;
 pub use write::scene_to_bytes;
 #[cfg(not(target_family = "wasm"))]
 pub use write::{scene_to_file_bytes, write_scene};
+pub use writer::{SceneWriter, SharedMesh};
 
 use serde_json::Value;
 use striata::mesh::{Bounds, Image, IndexedMesh};
