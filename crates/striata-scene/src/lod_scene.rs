@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use striata::mesh::{IndexedMesh, Levels};
 use striata::simplify::{SequenceOptions, SimplifyError};
-use striata::{Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
+use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
 use striata_io::Scene;
 
 use crate::error::{BuildError, SceneMismatch};
@@ -77,9 +77,9 @@ impl LodScene {
                 let options = options.clone().with_sequence(sequence);
                 Lod::build_with_progress(mesh, &options, &mut |now| progress.report(now))
             });
+            let built = built.and_then(|lod| progress.finish_mesh(mesh).map(|()| lod));
             let name = || scene.mesh_name(index).to_owned();
             lods.push(Some(built.map_err(|error| BuildError::new(index, name(), error))?));
-            progress.finish_mesh(mesh);
         }
         Ok(Self::of_parts(scene.without_meshes(), lods))
     }
@@ -102,7 +102,7 @@ impl LodScene {
         Ok(Self::of_parts(if has_triangles { scene.without_meshes() } else { scene }, lods))
     }
 
-    fn of_parts(scene: Scene, lods: Vec<Option<Lod>>) -> Self {
+    pub(crate) fn of_parts(scene: Scene, lods: Vec<Option<Lod>>) -> Self {
         Self { shared: Arc::new(Shared { scene, lods, levels: OnceLock::new() }) }
     }
 
@@ -155,8 +155,10 @@ impl LodScene {
     }
 }
 
-/// Checks that a mesh of the document has as many triangle primitives as its levels have groups.
-pub(crate) fn check_groups(scene: &Scene, mesh: usize, found: usize) -> Result<(), SceneMismatch> {
+/// Checks that a mesh of the document has as many triangle primitives as its levels have groups; levels
+/// without groups have one for all triangles.
+pub(crate) fn check_groups(scene: &Scene, mesh: usize, group_count: usize) -> Result<(), SceneMismatch> {
+    let found = group_count.max(1);
     let expected = scene.primitive_materials(mesh).len();
     if found == expected { Ok(()) } else { Err(SceneMismatch::GroupCount { mesh, found, expected }) }
 }
@@ -188,7 +190,7 @@ pub(crate) fn options_of_mesh(
     Ok(sequence)
 }
 
-/// Progress over all meshes, in thousandths of the triangles.
+/// Progress over all meshes, in triangles.
 struct MeshProgress<'p, 'f> {
     progress: &'p mut ProgressFn<'f>,
     finished: usize,
@@ -211,8 +213,13 @@ impl<'p, 'f> MeshProgress<'p, 'f> {
         (self.progress)(Progress { phase: now.phase, done, total: self.triangle_count as u64 })
     }
 
-    fn finish_mesh(&mut self, mesh: &IndexedMesh) {
+    /// Reports after each mesh, because small meshes report nothing themselves.
+    fn finish_mesh(&mut self, mesh: &IndexedMesh) -> Result<(), SimplifyError> {
         self.finished += mesh.triangle_count();
         self.current.pop();
+        match self.report(Progress { phase: "simplify", done: 0, total: 1 }) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Cancelled.into()),
+        }
     }
 }
