@@ -24,3 +24,8 @@ pub use glb_stream::{GlbStreamOptions, read_glb_with_stream};
 pub use levels::{MeshWeight, SceneLevel, SceneLevels};
 pub use lod_chain::{LodChainOptions, lod_chain};
 pub use lod_scene::LodScene;
+
+/// The README's example, compiled with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

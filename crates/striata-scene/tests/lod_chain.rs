@@ -24,7 +24,7 @@ fn chain_json(sample: &TestScene) -> (LodScene, Value) {
     (lods, serde_json::from_slice(&bytes).unwrap())
 }
 
-fn indices<'v>(value: &'v Value, pointer: &str) -> Vec<usize> {
+fn indices(value: &Value, pointer: &str) -> Vec<usize> {
     let list = value.pointer(pointer).and_then(Value::as_array);
     list.into_iter().flatten().map(|index| index.as_u64().unwrap() as usize).collect()
 }
