@@ -6,7 +6,7 @@
 //! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh; `single_mesh` makes one from a `Lod` |
 //! | [`mod@file`] | `.striata` files of scenes |
 //! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
-//! | [`lod_chain`] | glTF files with several levels that engines switch between |
+//! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
 
 mod document;
 mod error;

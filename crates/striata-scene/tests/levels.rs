@@ -136,7 +136,8 @@ proptest! {
         let level = levels.resolve(Target::Error(error));
         prop_assert!(level.error <= error);
         for (sample, &split_count) in samples.iter().zip(&level.split_counts) {
-            let expected = sample.as_ref().map_or(0, |s| s.levels.split_count_for_error(error / s.weight.scale));
+            let within = |s: &Sample| s.levels.split_count_for_error(error / s.weight.scale);
+            let expected = sample.as_ref().map_or(0, within);
             prop_assert_eq!(split_count, expected);
         }
         let is_base = level.split_counts.iter().all(|&count| count == 0);

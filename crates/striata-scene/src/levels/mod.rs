@@ -1,66 +1,28 @@
 //! Distribution of a target over all meshes of a scene by one priority: the error in units of the scene.
 //!
 //! Each mesh has its own sequence of levels. From the full scene, the mesh whose next coarser level has the
-//! least error is always coarsened next. Errors never fall as a mesh gets coarser, so the scene after any
-//! number of steps is the coarsest scene of its error: no other choice of levels with that error has fewer
-//! triangles. Equal errors are ordered by the index of the mesh.
+//! least error is always coarsened next. Errors never fall as a mesh gets coarser, so all steps up to an
+//! error together give the coarsest level of each mesh within that error. Equal errors are ordered by the
+//! index of the mesh.
 //!
 //! The merged order is stored as one mesh index per step, with the state of all meshes at the start of each
 //! block of steps, so that any position of the order is found without walking through all of it. Cost: a
 //! merge with a heap, O(steps log meshes), once; a target then takes a search over blocks and one block.
 //! Memory: about 20 bytes per step.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-use std::collections::binary_heap::PeekMut;
+mod mesh_levels;
+mod weight;
 
 use striata::Target;
 use striata::mesh::Levels;
 use striata::simplify::StopReason;
-use striata_io::Scene;
+
+use mesh_levels::{Counts, MeshLevels, merged_order};
+pub use weight::MeshWeight;
 
 /// Fewest steps of a block; a block has at least as many steps as there are meshes, so that the states at
 /// the starts of blocks need no more memory than the steps.
 const MIN_BLOCK_STEPS: usize = 1024;
-
-/// How much the errors and triangles of a mesh count in a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeshWeight {
-    /// Units of the scene per unit of the mesh: the largest scale among its instances.
-    pub scale: f64,
-    /// Number of times that its triangles are counted.
-    pub instance_count: usize,
-}
-
-impl Default for MeshWeight {
-    fn default() -> Self {
-        Self { scale: 1.0, instance_count: 1 }
-    }
-}
-
-impl MeshWeight {
-    /// Returns the weights of all meshes, from their instances in the default scene.
-    ///
-    /// A mesh without an instance counts like one with a single instance of scale 1. So does the scale of a
-    /// mesh all of whose instances are flattened to a point, because an animation may enlarge them.
-    pub fn of_scene(scene: &Scene) -> Vec<Self> {
-        let mut weights = vec![Self { scale: 0.0, instance_count: 0 }; scene.meshes().len()];
-        for instance in scene.instances() {
-            let weight = &mut weights[instance.mesh];
-            weight.instance_count += 1;
-            if instance.scale.is_finite() {
-                weight.scale = weight.scale.max(instance.scale);
-            }
-        }
-        for weight in &mut weights {
-            weight.instance_count = weight.instance_count.max(1);
-            if weight.scale == 0.0 {
-                weight.scale = 1.0;
-            }
-        }
-        weights
-    }
-}
 
 /// One level of detail of a scene: a level for each mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,19 +52,6 @@ pub struct SceneLevels {
     base: Counts,
 }
 
-/// Levels of one mesh.
-#[derive(Clone, Debug)]
-struct MeshLevels {
-    levels: Levels,
-    weight: MeshWeight,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Counts {
-    triangles: usize,
-    vertices: usize,
-}
-
 /// Consecutive steps of the order.
 #[derive(Clone, Copy, Debug)]
 struct Block {
@@ -110,47 +59,6 @@ struct Block {
     start: Counts,
     /// Fewest triangles after any of its steps.
     least_triangles: usize,
-}
-
-impl MeshLevels {
-    /// Error of a level in units of the scene.
-    fn error_at(&self, split_count: usize) -> f64 {
-        self.scaled(self.levels.error_at(split_count))
-    }
-
-    fn scaled(&self, error: f32) -> f64 {
-        // Adding zero turns -0 into 0, so that the order of the bits is that of the numbers.
-        self.weight.scale * f64::from(error) + 0.0
-    }
-
-    fn counts_at(&self, split_count: usize) -> Counts {
-        let triangles = self.levels.triangle_count_at(split_count);
-        Counts {
-            triangles: triangles.saturating_mul(self.weight.instance_count),
-            vertices: self.levels.vertex_count_at(split_count),
-        }
-    }
-
-    /// Split count of the coarsest level whose error does not exceed `error`, in units of the scene.
-    fn split_count_for_error(&self, error: f64) -> usize {
-        self.levels.errors().partition_point(|&e| self.scaled(e) > error)
-    }
-}
-
-impl Counts {
-    fn plus(self, other: Self) -> Self {
-        Self {
-            triangles: self.triangles.saturating_add(other.triangles),
-            vertices: self.vertices.saturating_add(other.vertices),
-        }
-    }
-
-    fn minus(self, other: Self) -> Self {
-        Self {
-            triangles: self.triangles.saturating_sub(other.triangles),
-            vertices: self.vertices.saturating_sub(other.vertices),
-        }
-    }
 }
 
 impl SceneLevels {
@@ -369,29 +277,4 @@ impl SceneLevels {
         }
         (self.blocks, self.block_splits) = (blocks, block_splits);
     }
-}
-
-/// Returns the mesh of each step of coarsening, ordered by the error after the step, then by mesh.
-fn merged_order(meshes: &[Option<MeshLevels>]) -> Vec<u32> {
-    let step_count = meshes.iter().flatten().map(|mesh| mesh.levels.step_count()).sum();
-    let mut order = Vec::with_capacity(step_count);
-    // Errors are not negative, so their bits have the order of the numbers.
-    let key = |mesh: usize, split_count: usize| {
-        let error = meshes[mesh].as_ref().map_or(0.0, |levels| levels.error_at(split_count));
-        Reverse((error.to_bits(), mesh as u32, split_count))
-    };
-    let with_steps = meshes.iter().enumerate().filter_map(|(mesh, levels)| {
-        let split_count = levels.as_ref()?.levels.step_count().checked_sub(1)?;
-        Some(key(mesh, split_count))
-    });
-    let mut next: BinaryHeap<_> = with_steps.collect();
-    while let Some(mut top) = next.peek_mut() {
-        let Reverse((_, mesh, split_count)) = *top;
-        order.push(mesh);
-        match split_count.checked_sub(1) {
-            Some(coarser) => *top = key(mesh as usize, coarser),
-            None => drop(PeekMut::pop(top)),
-        }
-    }
-    order
 }
