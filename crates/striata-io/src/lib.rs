@@ -97,7 +97,10 @@ pub use lod::{open, save};
 pub use read::read;
 pub use read::read_bytes;
 #[cfg(feature = "gltf")]
-pub use scene::{Scene, SceneError, SceneInstance, SceneParts, read_scene_bytes, scene_to_bytes};
+pub use scene::{
+    MeshData, Scene, SceneError, SceneInstance, SceneParts, SceneWriter, SharedMesh, mesh_data,
+    read_scene_bytes, scene_to_bytes,
+};
 #[cfg(all(feature = "gltf", not(target_family = "wasm")))]
 pub use scene::{read_scene, scene_to_file_bytes, write_scene};
 pub use source::Source;

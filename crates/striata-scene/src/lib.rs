@@ -3,12 +3,39 @@
 //! | module | what it does |
 //! | --- | --- |
 //! | `levels` | distributes a target over all meshes of a scene by one priority |
-//! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh |
+//! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh; `single_mesh` makes one from a `Lod` |
 //! | `deformation` | simplification that respects the poses of skins and morph targets |
 //! | `pose` | where skins and morph targets put the vertices at a time of an animation |
+//! | [`mod@file`] | `.striata` files of scenes |
+//! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
+//! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
+//! | [`stream`] | a scene as one progressive stream |
+//! | [`textures`] | previews and re-encoding of images |
 
 mod deformation;
+mod document;
+mod error;
+pub mod file;
+pub mod glb_stream;
+mod levels;
+pub mod lod_chain;
+mod lod_scene;
 mod pose;
+mod single_mesh;
+pub mod stream;
+pub mod textures;
 
 pub use deformation::Deformation;
+pub use error::{BuildError, SceneMismatch};
+#[cfg(not(target_family = "wasm"))]
+pub use file::{open, save};
+pub use glb_stream::{GlbStreamOptions, read_glb_with_stream};
+pub use levels::{MeshWeight, SceneLevel, SceneLevels};
+pub use lod_chain::{LodChainOptions, lod_chain};
+pub use lod_scene::LodScene;
 pub use pose::{Pose, Poser};
+
+/// The README's example, compiled with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

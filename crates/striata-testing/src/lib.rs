@@ -3,6 +3,7 @@
 #![expect(missing_docs, reason = "only used by tests, and the names describe the meshes")]
 
 pub mod meshes;
+pub mod scenes;
 #[cfg(all(unix, feature = "server"))]
 pub mod server;
 pub mod simplifier;

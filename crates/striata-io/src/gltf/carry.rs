@@ -170,7 +170,7 @@ fn with_same_numbers(
         Ok::<(), Fault>(())
     })?;
     let (mut carried, mut needed, mut unneeded) =
-        (Carried::default(), BTreeSet::new(), image_views(document.root.value));
+        (Carried::default(), BTreeSet::new(), unneeded_views(document.root.value));
     for (index, at) in document.root.entries("accessors")?.iter().enumerate() {
         let is_left_out = left_out.contains(&(index as u64));
         let views = [at.value.get("bufferView"), at.value.pointer("/sparse/indices/bufferView")];
@@ -221,12 +221,13 @@ fn triangle_accessors(document: &Document<'_>, is_geometry: &[bool]) -> BTreeSet
     found
 }
 
-/// Returns the buffer views that contain images or the compressed data of primitives.
-fn image_views(root: &Value) -> BTreeSet<u64> {
+/// Returns the buffer views that contain images, compressed data of primitives, or streams of meshes.
+fn unneeded_views(root: &Value) -> BTreeSet<u64> {
     let list = |key: &str| root.get(key).and_then(Value::as_array).into_iter().flatten();
     let images = list("images").filter_map(|image| image.get("bufferView"));
     let primitives = list("meshes").filter_map(|mesh| mesh.get("primitives")?.as_array()).flatten();
     let draco = "/extensions/KHR_draco_mesh_compression/bufferView";
     let compressed = primitives.filter_map(|primitive| primitive.pointer(draco));
-    images.chain(compressed).filter_map(Value::as_u64).collect()
+    let streams = list("meshes").filter_map(|mesh| mesh.pointer("/extensions/STRIATA_lod/bufferView"));
+    images.chain(compressed).chain(streams).filter_map(Value::as_u64).collect()
 }

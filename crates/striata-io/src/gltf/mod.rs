@@ -55,7 +55,7 @@ pub(crate) use write_layers::attribute_name;
 pub(crate) use write_scene::{scene_to_glb_bytes, scene_to_json_bytes};
 
 use crate::error::Fault;
-use crate::{Format, Scene, Source};
+use crate::{Format, MeshData, Scene, Source};
 use document::Document;
 
 /// Reads a mesh from the bytes of a glTF or GLB file.
@@ -77,6 +77,25 @@ pub(crate) fn numbers_of(
     let document = Document::over(document, buffer)?;
     let found = accessor::accessor(&document, accessor, &document.root)?;
     Ok((found.floats(), found.component_count))
+}
+
+/// Returns the data that an extension attaches to each mesh.
+pub(crate) fn mesh_data(
+    bytes: &[u8],
+    format: Format,
+    source: &Source<'_>,
+    extension: &str,
+) -> Result<Vec<Option<MeshData>>, Fault> {
+    with_document(bytes, format, source, |document| {
+        let mesh_data = |mesh: &json::JsonNode<'_>| {
+            let Some(at) = mesh.get("extensions").and_then(|at| at.get(extension)) else { return Ok(None) };
+            let view = at.required_unsigned("bufferView")?;
+            let (bytes, _) = document.view(view, &at)?;
+            document.unpacked.claim(bytes.len() as u64, document.input_bytes, &at)?;
+            Ok(Some(MeshData { extension: at.value.clone(), bytes: bytes.to_vec() }))
+        };
+        document.root.entries("meshes")?.iter().map(mesh_data).collect()
+    })
 }
 
 fn with_document<T>(

@@ -14,12 +14,16 @@ use super::references::{entries, has_triangles, has_unknown_references};
 use crate::error::Fault;
 use crate::scene::{Scene, SceneParts, number_materials};
 
+/// Refinement streams of meshes, which do not belong to the triangles of a scene once it is changed.
+const STREAM_EXTENSION: &str = "STRIATA_lod";
+
 /// Extensions that only concern the storage of geometry, which a scene does not keep.
-const STORAGE_EXTENSIONS: [&str; 4] = [
+const STORAGE_EXTENSIONS: [&str; 5] = [
     "EXT_meshopt_compression",
     "KHR_meshopt_compression",
     "KHR_draco_mesh_compression",
     "KHR_mesh_quantization",
+    STREAM_EXTENSION,
 ];
 
 /// Reads the scene of a document.
@@ -45,6 +49,7 @@ pub(super) fn scene_of(document: &Document<'_>) -> Result<Scene, Fault> {
             entry.insert("mimeType".to_owned(), Value::String(image.mime_type.clone()));
         }
     }
+    drop_streams(&mut root);
     drop_storage_extensions(&mut root);
     let scene = Scene::from_parts(SceneParts { document: Value::Object(root), buffer, images, meshes });
     let scene = scene.map_err(|error| Fault::Malformed(error.place, error.reason))?;
@@ -97,6 +102,17 @@ fn clear_triangles(root: &mut Map<String, Value>, is_geometry: &[bool]) {
 
 fn clear(members: &mut Value) {
     members.as_object_mut().into_iter().flat_map(Map::values_mut).for_each(|value| *value = Value::Null);
+}
+
+/// Removes the references of meshes to their streams.
+fn drop_streams(root: &mut Map<String, Value>) {
+    let meshes = root.get_mut("meshes").and_then(Value::as_array_mut).into_iter().flatten();
+    for mesh in meshes.filter_map(Value::as_object_mut) {
+        let Some(Value::Object(extensions)) = mesh.get_mut("extensions") else { continue };
+        if extensions.remove(STREAM_EXTENSION).is_some() && extensions.is_empty() {
+            mesh.remove("extensions");
+        }
+    }
 }
 
 /// Removes extensions that no longer apply from the lists of the document.

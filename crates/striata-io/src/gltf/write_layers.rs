@@ -1,8 +1,8 @@
 //! Attribute layers as glTF accessors, in the types that glTF allows for each attribute.
 //!
-//! Normals and tangents are normalized and colors clamped to 0 to 1, as glTF demands. Data without a glTF
-//! type (32-bit integers, unusual component counts) are written as floats if that loses nothing, under
-//! their own name with an underscore before it.
+//! Normals, tangents and weights are normalized and colors clamped to 0 to 1, as glTF demands. Data without
+//! a glTF type (32-bit integers, unusual component counts) are written as floats if that loses nothing,
+//! under their own name with an underscore before it.
 
 use std::collections::BTreeMap;
 
@@ -138,7 +138,7 @@ fn push_layer(
         LayerData::U32(words) if keeps_integers => {
             Encoded::Words(words.iter().map(|&word| word as u16).collect())
         }
-        _ => Encoded::Floats(legal_floats(layer, width)?),
+        _ => Encoded::Floats(legal_floats(mesh, layer, width)?),
     };
     let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
     Ok((name, push(builder, &encoded, width, normalized)))
@@ -200,7 +200,7 @@ fn check_finite(numbers: &[f32], width: usize, name: &str) -> Result<(), Refusal
 }
 
 /// Returns floats within the limits that glTF sets for their attribute.
-fn legal_floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusal> {
+fn legal_floats(mesh: &IndexedMesh, layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusal> {
     let mut numbers = floats(layer, width)?;
     match layer.semantic {
         Semantic::Normal => numbers.as_chunks_mut::<3>().0.iter_mut().for_each(make_unit),
@@ -213,10 +213,26 @@ fn legal_floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusa
             }
         }
         Semantic::Color(_) => numbers.iter_mut().for_each(|x| *x = x.clamp(0.0, 1.0)),
-        Semantic::Weights(_) => numbers.iter_mut().for_each(|x| *x = x.max(0.0)),
+        Semantic::Weights(_) => {
+            for (vertex, weights) in numbers.chunks_exact_mut(width).enumerate() {
+                let total = total_weight(mesh, vertex);
+                weights.iter_mut().for_each(|x| *x = (f64::from(x.max(0.0)) / total) as f32);
+            }
+        }
         _ => {}
     }
     Ok(numbers)
+}
+
+/// Sum of a vertex's weights over all sets, by which they are divided; 1 if it is right already or zero.
+///
+/// Weights that were rounded, such as those of a decoded stream, may miss the sum of 1 that glTF demands.
+fn total_weight(mesh: &IndexedMesh, vertex: usize) -> f64 {
+    let sets = mesh.layers.iter().filter(|layer| matches!(layer.semantic, Semantic::Weights(_)));
+    let weights = sets.flat_map(|layer| (0..layer.component_count as usize).map(|c| layer.get(vertex, c)));
+    let total: f64 = weights.map(|weight| f64::from(weight.max(0.0))).sum();
+    let is_right = (total - 1.0).abs() <= 2e-7 || total == 0.0 || !total.is_finite();
+    if is_right { 1.0 } else { total }
 }
 
 /// Normalizes a vector; a unit vector is unchanged, and a zero vector becomes +z.

@@ -1,7 +1,10 @@
 //! Writes a [`Scene`] as glTF: the document as it was read, with new accessors for its triangles.
 //!
 //! All primitives of a mesh share one vertex buffer and have the attributes that they had. A primitive of
-//! which a coarse level shows nothing is left out, because glTF has no empty primitives.
+//! which a coarse level shows nothing is left out, because glTF has no empty primitives; on request, it gets
+//! one triangle without area instead, so that primitives keep their numbers.
+
+use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 use striata::mesh::{IndexedMesh, Semantic};
@@ -12,29 +15,36 @@ use super::references::{entries, has_triangles};
 use super::write::{data_uri, insert, joined};
 use super::write_layers::{Attributes, attributes};
 use crate::error::Refusal;
-use crate::{Scene, WriteOptions};
+use crate::{SceneWriter, WriteOptions};
 
 /// Encodes a scene as a GLB file.
-pub(crate) fn scene_to_glb_bytes(scene: &Scene, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    let (root, binary) = document(scene, options, |_| Value::Null)?;
+pub(crate) fn scene_to_glb_bytes(
+    writer: &SceneWriter<'_>,
+    options: &WriteOptions,
+) -> Result<Vec<u8>, Refusal> {
+    let (root, binary) = document(writer, options, |_| Value::Null)?;
     joined(&root, binary)
 }
 
 /// Encodes a scene as a glTF file with everything embedded.
-pub(crate) fn scene_to_json_bytes(scene: &Scene, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    let (root, _) = document(scene, options, data_uri)?;
+pub(crate) fn scene_to_json_bytes(
+    writer: &SceneWriter<'_>,
+    options: &WriteOptions,
+) -> Result<Vec<u8>, Refusal> {
+    let (root, _) = document(writer, options, data_uri)?;
     Ok(format!("{root:#}\n").into_bytes())
 }
 
 /// Builds the document and its binary data; `buffer_uri` returns the buffer's URI, or null.
 fn document(
-    scene: &Scene,
+    writer: &SceneWriter<'_>,
     options: &WriteOptions,
     buffer_uri: impl Fn(&[u8]) -> Value,
 ) -> Result<(Value, Vec<u8>), Refusal> {
     if options.strips.is_some() || options.fans.is_some() {
         return Err(Refusal::Unsupported("strips and fans are for files with one mesh".to_owned()));
     }
+    let scene = writer.scene;
     let mut root = scene.document().clone();
     let mut take = |key: &str| match root.as_object_mut().and_then(|map| map.remove(key)) {
         Some(Value::Array(entries)) => entries,
@@ -42,13 +52,15 @@ fn document(
     };
     let (views, accessors) = (take("bufferViews"), take("accessors"));
     let mut builder = Builder::continuing(scene.buffer().to_vec(), views, accessors);
-    for (entry, mesh) in entries(&mut root, "meshes").zip(scene.meshes()) {
-        if let Some(mesh) = mesh {
-            put_triangles(&mut builder, entry, mesh)?;
-        }
-    }
+    put_meshes(&mut builder, &mut root, writer)?;
     for (entry, image) in entries(&mut root, "images").zip(scene.images()) {
         builder.image_source(image, entry);
+    }
+    for (pointer, bytes) in &writer.attachments {
+        let Some(reference) = root.pointer_mut(pointer) else {
+            return Err(Refusal::BadMesh(format!("the document has no value at {pointer}")));
+        };
+        *reference = json!(builder.push_view(bytes, None, None));
     }
     builder.fill_free_slots();
     let Value::Object(mut root) = root else {
@@ -67,25 +79,60 @@ fn document(
     Ok((Value::Object(root), builder.binary))
 }
 
-/// Adds the triangles of a mesh, and refers to them from its triangle primitives.
-fn put_triangles(builder: &mut Builder, entry: &mut Value, mesh: &IndexedMesh) -> Result<(), Refusal> {
-    let Some(Value::Array(primitives)) = entry.get_mut("primitives") else { return Ok(()) };
-    if mesh.triangles.is_empty() {
-        return put_nothing(builder, primitives);
+/// Adds the triangles of all meshes; first those with vertices of their own.
+fn put_meshes(builder: &mut Builder, root: &mut Value, writer: &SceneWriter<'_>) -> Result<(), Refusal> {
+    let mut vertices: BTreeMap<usize, Attributes> = BTreeMap::new();
+    for (index, (entry, mesh)) in entries(root, "meshes").zip(writer.scene.meshes()).enumerate() {
+        let (Some(mesh), Some(primitives)) = (mesh, primitives_of(entry)) else { continue };
+        if mesh.triangles.is_empty() {
+            put_nothing(builder, primitives)?;
+            continue;
+        }
+        let found = attributes(builder, mesh)?;
+        let empty: &[u32] = if writer.keeps_primitives { &[0, 0, 0] } else { &[] };
+        let groups = mesh.groups_or_whole();
+        let lists = groups.iter().map(|group| match group.count {
+            0 => empty,
+            _ => mesh.triangles[group.range()].as_flattened(),
+        });
+        let indices = builder.push_indices(lists, mesh.positions.len());
+        put_primitives(primitives, indices, &found);
+        vertices.insert(index, found);
     }
-    let found = attributes(builder, mesh)?;
-    let lists = mesh.groups.iter().map(|group| mesh.triangles[group.range()].as_flattened());
-    let mut indices = builder.push_indices(lists, mesh.positions.len()).into_iter();
+    for (index, entry) in entries(root, "meshes").enumerate() {
+        let (Some(shared), Some(primitives)) = (writer.shared.get(&index), primitives_of(entry)) else {
+            continue;
+        };
+        let vertex_count = shared.check(index, writer.scene, primitives)?;
+        let Some(found) = vertices.get(&shared.vertices_of) else {
+            return Err(Refusal::BadMesh(format!("meshes[{}] shows nothing", shared.vertices_of)));
+        };
+        if shared.index_lists.iter().all(Vec::is_empty) {
+            put_nothing(builder, primitives)?;
+            continue;
+        }
+        let indices = builder.push_indices(shared.index_lists.iter().map(Vec::as_slice), vertex_count);
+        put_primitives(primitives, indices, found);
+    }
+    Ok(())
+}
+
+fn primitives_of(entry: &mut Value) -> Option<&mut Vec<Value>> {
+    entry.get_mut("primitives").and_then(Value::as_array_mut)
+}
+
+/// Sets the accessors of all triangle primitives; those without indices are removed.
+fn put_primitives(primitives: &mut Vec<Value>, indices: Vec<Option<usize>>, found: &Attributes) {
+    let mut indices = indices.into_iter();
     primitives.retain_mut(|primitive| {
         if !has_triangles(primitive) {
             return true;
         }
         let Some(accessor) = indices.next().flatten() else { return false };
         primitive["indices"] = json!(accessor);
-        refer(primitive, &found);
+        refer(primitive, found);
         true
     });
-    Ok(())
 }
 
 /// Sets the accessors of a primitive's attributes and morph targets.

@@ -65,7 +65,7 @@ pub(super) fn check_meshes(document: &Value, meshes: &[Option<IndexedMesh>]) -> 
             return fail(error.to_string());
         }
         let primitives = list(entry, "primitives").iter().filter(|p| has_triangles(p)).count();
-        let groups = mesh.groups.len();
+        let groups = mesh.groups_or_whole().len();
         if groups != primitives {
             return fail(format!("{groups} groups for {primitives} triangle primitives"));
         }

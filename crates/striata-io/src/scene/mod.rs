@@ -26,21 +26,27 @@
 mod error;
 mod from_mesh;
 mod instances;
+mod mesh_data;
 mod read;
 mod write;
+mod writer;
 
 pub use error::SceneError;
 pub(crate) use from_mesh::number_materials;
 pub use instances::SceneInstance;
+pub use mesh_data::{MeshData, mesh_data};
 #[cfg(not(target_family = "wasm"))]
 pub use read::read_scene;
 pub use read::read_scene_bytes;
 pub use write::scene_to_bytes;
 #[cfg(not(target_family = "wasm"))]
 pub use write::{scene_to_file_bytes, write_scene};
+pub use writer::{SceneWriter, SharedMesh};
 
 use serde_json::Value;
 use striata::mesh::{Bounds, Image, IndexedMesh};
+
+use crate::gltf::has_triangles;
 
 /// A glTF document with its triangle meshes and images apart.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -92,6 +98,21 @@ impl Scene {
     pub fn with_meshes(self, meshes: Vec<Option<IndexedMesh>>) -> Result<Self, SceneError> {
         instances::check_meshes(&self.document, &meshes)?;
         Ok(Self { meshes, ..self })
+    }
+
+    /// Returns a copy without triangles, for code that keeps the meshes in another form.
+    ///
+    /// The document still has an entry for each mesh, so [`with_meshes`](Self::with_meshes) can give them
+    /// triangles again; without them, the copy cannot be written.
+    pub fn without_meshes(&self) -> Self {
+        Self {
+            document: self.document.clone(),
+            buffer: self.buffer.clone(),
+            images: self.images.clone(),
+            meshes: vec![None; self.meshes.len()],
+            instances: self.instances.clone(),
+            warnings: self.warnings.clone(),
+        }
     }
 
     pub(crate) fn with_warnings(self, warnings: Vec<String>) -> Self {
@@ -160,8 +181,19 @@ impl Scene {
 
     /// Name of a glTF mesh; empty if it has none.
     pub fn mesh_name(&self, mesh: usize) -> &str {
-        let meshes = self.document.get("meshes").and_then(Value::as_array);
-        let name = meshes.and_then(|meshes| meshes.get(mesh)?.get("name")?.as_str());
-        name.unwrap_or("")
+        self.mesh_entry(mesh).and_then(|entry| entry.get("name")?.as_str()).unwrap_or("")
+    }
+
+    /// Material of each triangle primitive of a glTF mesh, as an index into the materials of the document;
+    /// there is one entry for each group of the mesh. Empty if there is no such mesh.
+    pub fn primitive_materials(&self, mesh: usize) -> Vec<Option<usize>> {
+        let primitives = self.mesh_entry(mesh).and_then(|entry| entry.get("primitives")?.as_array());
+        let with_triangles = primitives.into_iter().flatten().filter(|primitive| has_triangles(primitive));
+        let material = |primitive: &Value| primitive.get("material")?.as_u64()?.try_into().ok();
+        with_triangles.map(material).collect()
+    }
+
+    fn mesh_entry(&self, mesh: usize) -> Option<&Value> {
+        self.document.get("meshes")?.as_array()?.get(mesh)
     }
 }

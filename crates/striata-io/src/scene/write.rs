@@ -5,7 +5,7 @@ use std::path::Path;
 
 use striata::mesh::IndexedMesh;
 
-use super::Scene;
+use super::{Scene, SceneWriter};
 #[cfg(not(target_family = "wasm"))]
 use crate::write::packed_for_name;
 use crate::write_options::WriteOptions;
@@ -31,12 +31,10 @@ impl Scene {
 /// # Errors
 /// Returns [`WriteError`] if the format cannot store a mesh of the scene.
 pub fn scene_to_bytes(format: Format, scene: &Scene, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
-    let bytes = match format {
-        Format::Gltf => crate::gltf::scene_to_json_bytes(scene, options),
-        Format::Glb => crate::gltf::scene_to_glb_bytes(scene, options),
-        _ => return to_bytes(format, &scene.flattened()?, options),
-    };
-    bytes.map_err(|refusal| refusal.in_file(&format.to_string(), format))
+    match format {
+        Format::Gltf | Format::Glb => SceneWriter::new(scene).to_bytes(format, options),
+        _ => to_bytes(format, &scene.flattened()?, options),
+    }
 }
 
 /// Writes a scene to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.

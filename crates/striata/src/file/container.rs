@@ -5,6 +5,7 @@ use std::fmt;
 use std::ops::Range;
 
 use super::DecodeError;
+use super::mesh_sections::metadata_from_bytes;
 
 pub(super) const MAGIC: [u8; 8] = *b"STRIATA\0";
 /// Version of the file format that is written, and the only one that can be read.
@@ -13,7 +14,7 @@ pub(super) const HEADER_BYTES: usize = 64;
 pub(super) const ENTRY_BYTES: usize = 32;
 pub(super) const ALIGNMENT: usize = 64;
 /// Far more than any file needs; limits the work that a malicious table can cause.
-const MAX_SECTIONS: usize = 65_536;
+pub(super) const MAX_SECTIONS: usize = 65_536;
 /// Section flag: readers that do not know the kind must reject the file.
 pub(super) const REQUIRED: u32 = 1;
 
@@ -96,6 +97,14 @@ impl SectionKind {
     pub const PATTERN_BOUNDS: Self = Self(*b"PTBD");
     /// Progressive stream.
     pub const STREAM: Self = Self(*b"STRM");
+    /// Scene: the JSON of a glTF document.
+    pub const SCENE: Self = Self(*b"SCND");
+    /// Scene: data of animations, skins, points and lines.
+    pub const SCENE_BUFFER: Self = Self(*b"SCBF");
+    /// Scene: an image; one section for each image of the document.
+    pub const SCENE_IMAGE: Self = Self(*b"SCIM");
+    /// Scene: a complete file with the levels of a mesh; one section for each mesh of the document.
+    pub const SCENE_MESH: Self = Self(*b"SCMS");
 
     fn is_known(self) -> bool {
         [
@@ -136,6 +145,10 @@ impl SectionKind {
             Self::PATTERN_EXTRAS,
             Self::PATTERN_BOUNDS,
             Self::STREAM,
+            Self::SCENE,
+            Self::SCENE_BUFFER,
+            Self::SCENE_IMAGE,
+            Self::SCENE_MESH,
         ]
         .contains(&self)
     }
@@ -187,9 +200,9 @@ pub(super) enum Ending {
     Cut,
 }
 
-/// The bytes of a file with its validated section table.
+/// The bytes of a file with its validated section table, whatever the sections contain.
 #[derive(Clone, Debug)]
-pub(super) struct Container<'a> {
+pub struct Container<'a> {
     bytes: &'a [u8],
     pub(super) sections: Vec<SectionInfo>,
     is_verified: bool,
@@ -215,6 +228,15 @@ pub(super) fn header_checksum(head: &[u8]) -> u32 {
 }
 
 impl<'a> Container<'a> {
+    /// Reads the header and the section table of a complete file; `verify` says when the checksums of
+    /// sections are compared.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if the bytes are not a container, or are damaged.
+    pub fn open(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
+        Self::parse(bytes, verify, Ending::Whole)
+    }
+
     pub(super) fn parse(bytes: &'a [u8], verify: Verify, ending: Ending) -> Result<Self, DecodeError> {
         let found = bytes.len() as u64;
         let (length, head_bytes) = read_header(bytes)?;
@@ -264,18 +286,40 @@ impl<'a> Container<'a> {
         Ok(bytes)
     }
 
+    /// Fails if the file contains a scene, whose meshes are files of their own.
+    pub(super) fn check_single_mesh(sections: &[SectionInfo]) -> Result<(), DecodeError> {
+        let is_scene = sections.iter().any(|section| section.kind == SectionKind::SCENE);
+        if is_scene { Err(DecodeError::Scene) } else { Ok(()) }
+    }
+
     /// Whether the file is shorter than its header says.
     pub(super) fn is_truncated(&self) -> bool {
         (self.bytes.len() as u64) < self.length
     }
 
-    /// All sections of a kind, in file order.
-    pub(super) fn all(&self, kind: SectionKind) -> impl Iterator<Item = Result<&'a [u8], DecodeError>> {
+    /// All sections, in file order.
+    pub fn sections(&self) -> &[SectionInfo] {
+        &self.sections
+    }
+
+    /// Key-value texts about the file; empty if there are none.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if the section is damaged or repeated.
+    pub fn metadata(&self) -> Result<Vec<(String, String)>, DecodeError> {
+        self.find(SectionKind::METADATA)?.map_or(Ok(Vec::new()), metadata_from_bytes)
+    }
+
+    /// All sections of a kind, in file order; an error for each that is damaged.
+    pub fn all(&self, kind: SectionKind) -> impl Iterator<Item = Result<&'a [u8], DecodeError>> {
         self.sections.iter().filter(move |s| s.kind == kind).map(|s| self.checked_bytes(s))
     }
 
-    /// The section of a kind, or `None`; an error if there are several.
-    pub(super) fn find(&self, kind: SectionKind) -> Result<Option<&'a [u8]>, DecodeError> {
+    /// The section of a kind, or `None`.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if there are several, or if the section is damaged.
+    pub fn find(&self, kind: SectionKind) -> Result<Option<&'a [u8]>, DecodeError> {
         let mut sections = self.sections.iter().filter(|s| s.kind == kind);
         let Some(section) = sections.next() else { return Ok(None) };
         match sections.count() {
@@ -284,8 +328,11 @@ impl<'a> Container<'a> {
         }
     }
 
-    /// The only section of a kind; an error if there is none or more than one.
-    pub(super) fn get(&self, kind: SectionKind) -> Result<&'a [u8], DecodeError> {
+    /// The only section of a kind.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if there is none or more than one, or if the section is damaged.
+    pub fn get(&self, kind: SectionKind) -> Result<&'a [u8], DecodeError> {
         self.find(kind)?.ok_or(DecodeError::SectionCount { kind, found: 0 })
     }
 

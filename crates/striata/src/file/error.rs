@@ -112,6 +112,9 @@ pub enum DecodeError {
         "the file was made by vertex removals instead of collapses; its levels are only available as patterns"
     )]
     NoCollapses,
+    /// The file contains a scene, but a single mesh was requested.
+    #[error("the file contains a scene of several meshes instead of one mesh; striata_scene::open reads it")]
+    Scene,
     /// The progressive stream is invalid.
     #[error("the stream is damaged: {0}")]
     Stream(String),
@@ -179,6 +182,14 @@ pub enum EncodeError {
     RepeatedModel {
         /// Kind of the model.
         model: ModelKind,
+    },
+    /// There are more sections than a file can have.
+    #[error("the file would have {found} sections, but at most {limit} can be stored")]
+    TooManySections {
+        /// Number of sections.
+        found: usize,
+        /// Largest number of sections.
+        limit: usize,
     },
     /// A text or image is too large for the format.
     #[error("{what} has {length} bytes, but at most 4 GiB can be stored")]

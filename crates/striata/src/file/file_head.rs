@@ -3,7 +3,7 @@
 //! This is enough to list files, and to decide which byte ranges to fetch over a network. Cost: linear in
 //! the size of the section table.
 
-use super::container::{HEADER_BYTES, read_header, read_sections};
+use super::container::{Container, HEADER_BYTES, read_header, read_sections};
 use super::{DecodeError, SectionInfo, SectionKind, Summary};
 
 /// Section table and summary of a `.striata` file.
@@ -32,6 +32,7 @@ impl FileHead {
             return Ok(None);
         }
         let sections = read_sections(bytes, head_bytes, file_bytes)?;
+        Container::check_single_mesh(&sections)?;
         let kind = SectionKind::SUMMARY;
         let mut summaries = sections.iter().filter(|section| section.kind == kind);
         let (Some(section), 0) = (summaries.next(), summaries.count()) else {

@@ -199,7 +199,12 @@ pub fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
     Ok(appearance)
 }
 
-pub(super) fn metadata_to_bytes(metadata: &[(String, String)]) -> Result<Vec<u8>, EncodeError> {
+/// Encodes key-value texts as the contents of a `META` section; [`Container::metadata`](super::Container)
+/// reads them.
+///
+/// # Errors
+/// [`EncodeError::TooLong`] if a text is too large for the format.
+pub fn metadata_to_bytes(metadata: &[(String, String)]) -> Result<Vec<u8>, EncodeError> {
     let mut out = Vec::new();
     put_u32(metadata.len() as u32, &mut out);
     for (key, value) in metadata {

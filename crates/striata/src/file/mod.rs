@@ -26,16 +26,18 @@ mod stream;
 mod summary;
 mod writer;
 
-pub use container::{SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
+pub use container::{Container, SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
 pub use error::{DecodeError, EncodeError};
 pub use file_head::FileHead;
 pub use mesh_sections::{
-    SemanticCode, appearance_from_bytes, appearance_to_bytes, semantic_code, semantic_of,
+    SemanticCode, appearance_from_bytes, appearance_to_bytes, metadata_to_bytes, semantic_code, semantic_of,
 };
 pub use reader::StriataFile;
 pub use stream::{STREAM_MAGIC, StoredStream, StreamCodec, StreamHead, StreamMesh};
 pub use summary::Summary;
-pub use writer::{FileModel, WriteOptions, to_striata, write_fragments, write_striata};
+pub use writer::{
+    FileModel, Section, WriteOptions, to_striata, write_fragments, write_sections, write_striata,
+};
 
 #[cfg(target_endian = "big")]
 compile_error!("the arrays of a .striata file are little-endian and are used in place");

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use super::container::{Container, Ending};
-use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
+use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes};
 use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
 use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
@@ -55,6 +55,7 @@ impl<'a> StriataFile<'a> {
     }
 
     fn of_container(container: Container<'a>) -> Result<Self, DecodeError> {
+        Container::check_single_mesh(&container.sections)?;
         let summary = Summary::from_bytes(container.get(SectionKind::SUMMARY)?)?;
         Ok(Self::of_parts(container, summary))
     }
@@ -78,9 +79,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if the section is invalid.
     pub fn metadata(&self) -> Result<Vec<(String, String)>, DecodeError> {
-        match self.container.find(SectionKind::METADATA)? {
-            Some(bytes) => metadata_from_bytes(bytes),
-            None => self.metadata_of_stream(),
+        match self.has(SectionKind::METADATA) {
+            true => self.container.metadata(),
+            false => self.metadata_of_stream(),
         }
     }
 

@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 use std::io::Write;
 
-use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, header_checksum, padding};
+use super::container::{
+    ENTRY_BYTES, HEADER_BYTES, MAGIC, MAX_SECTIONS, REQUIRED, VERSION, header_checksum, padding,
+};
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
 use super::{EncodeError, SectionKind, StoredStream, Summary};
 use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
@@ -119,10 +121,14 @@ impl WriteOptions {
 }
 
 /// A section that has no offset in the file yet.
-struct Section<'m> {
-    kind: SectionKind,
-    flags: u32,
-    bytes: Cow<'m, [u8]>,
+#[derive(Clone, Debug)]
+pub struct Section<'m> {
+    /// Kind of the section.
+    pub kind: SectionKind,
+    /// Whether a reader that does not know the kind must reject the file.
+    pub is_required: bool,
+    /// Contents of the section.
+    pub bytes: Cow<'m, [u8]>,
 }
 
 /// Writes a mesh, its collapse sequence and its models as a `.striata` file.
@@ -174,13 +180,22 @@ struct Source<'m> {
     collapses: Option<&'m CollapseSequence>,
 }
 
-fn write_sections(sections: &[Section<'_>], out: &mut dyn Write) -> Result<(), EncodeError> {
+/// Writes a file of the given sections, in their order; [`Container`](super::Container) reads it.
+///
+/// # Errors
+/// [`EncodeError`] if there are too many sections, or writing fails.
+pub fn write_sections(sections: &[Section<'_>], out: &mut dyn Write) -> Result<(), EncodeError> {
+    let (found, limit) = (sections.len(), MAX_SECTIONS);
+    if found > limit {
+        return Err(EncodeError::TooManySections { found, limit });
+    }
     let mut head = vec![0; HEADER_BYTES];
     let mut end = HEADER_BYTES + ENTRY_BYTES * sections.len();
     for section in sections {
         let offset = padding(end).end;
         head.extend(section.kind.0);
-        head.extend(section.flags.to_le_bytes());
+        let flags = if section.is_required { REQUIRED } else { 0 };
+        head.extend(flags.to_le_bytes());
         head.extend((offset as u64).to_le_bytes());
         head.extend((section.bytes.len() as u64).to_le_bytes());
         head.extend(crc32fast::hash(&section.bytes).to_le_bytes());
@@ -229,49 +244,50 @@ fn lay_out<'m>(
         check_model(model, &models[..i], source)?;
     }
     let mut sections = Vec::new();
-    let mut add = |kind, flags, bytes: Cow<'m, [u8]>| sections.push(Section { kind, flags, bytes });
-    add(SectionKind::SUMMARY, REQUIRED, Summary::of_levels(mesh, levels).to_bytes().into());
+    let mut add =
+        |kind, is_required, bytes: Cow<'m, [u8]>| sections.push(Section { kind, is_required, bytes });
+    add(SectionKind::SUMMARY, true, Summary::of_levels(mesh, levels).to_bytes().into());
     if !options.metadata.is_empty() {
-        add(SectionKind::METADATA, 0, metadata_to_bytes(&options.metadata)?.into());
+        add(SectionKind::METADATA, false, metadata_to_bytes(&options.metadata)?.into());
     }
     if let [FileModel::Progressive(stream)] = models {
-        add(SectionKind::STREAM, REQUIRED, stream.bytes.into());
+        add(SectionKind::STREAM, true, stream.bytes.into());
         return Ok(sections);
     }
-    add(SectionKind::GROUPS, REQUIRED, groups_to_bytes(&mesh.groups)?.into());
+    add(SectionKind::GROUPS, true, groups_to_bytes(&mesh.groups)?.into());
     if !levels.positions().is_identity() {
         let firsts = levels.positions().first_vertices();
-        add(SectionKind::FIRST_VERTICES, REQUIRED, bytemuck::must_cast_slice(firsts).into());
+        add(SectionKind::FIRST_VERTICES, true, bytemuck::must_cast_slice(firsts).into());
     }
     if let Some(sequence) = collapses {
-        add(SectionKind::TARGETS, REQUIRED, bytemuck::must_cast_slice(sequence.targets()).into());
+        add(SectionKind::TARGETS, true, bytemuck::must_cast_slice(sequence.targets()).into());
     }
-    add(SectionKind::ERRORS, REQUIRED, bytemuck::must_cast_slice(levels.errors()).into());
+    add(SectionKind::ERRORS, true, bytemuck::must_cast_slice(levels.errors()).into());
     if let Some(sequence) = collapses {
-        add(SectionKind::REMOVED, REQUIRED, sequence.removed_triangle_counts().into());
+        add(SectionKind::REMOVED, true, sequence.removed_triangle_counts().into());
     }
-    add(SectionKind::POSITIONS, REQUIRED, bytemuck::must_cast_slice(&mesh.positions).into());
+    add(SectionKind::POSITIONS, true, bytemuck::must_cast_slice(&mesh.positions).into());
     for layer in &mesh.layers {
-        add(SectionKind::LAYER, REQUIRED, layer_to_bytes(layer)?.into());
+        add(SectionKind::LAYER, true, layer_to_bytes(layer)?.into());
     }
     if let Some([groups, offsets, indices]) = models.iter().find_map(FileModel::strips) {
-        add(SectionKind::STRIP_GROUPS, 0, bytes_of(groups));
-        add(SectionKind::STRIP_OFFSETS, 0, bytes_of(offsets));
-        add(SectionKind::STRIP_INDICES, 0, bytes_of(indices));
+        add(SectionKind::STRIP_GROUPS, false, bytes_of(groups));
+        add(SectionKind::STRIP_OFFSETS, false, bytes_of(offsets));
+        add(SectionKind::STRIP_INDICES, false, bytes_of(indices));
     }
     for model in models {
-        model.sections().into_iter().for_each(|(kind, bytes)| add(kind, 0, bytes));
+        model.sections().into_iter().for_each(|(kind, bytes)| add(kind, false, bytes));
     }
     if models.is_empty() {
-        add(SectionKind::TRIANGLES, 0, bytemuck::must_cast_slice(&mesh.triangles).into());
+        add(SectionKind::TRIANGLES, false, bytemuck::must_cast_slice(&mesh.triangles).into());
     }
     // Images are large and needed last.
     if !mesh.appearance.is_empty() {
-        add(SectionKind::APPEARANCE, REQUIRED, appearance_to_bytes(&mesh.appearance)?.into());
+        add(SectionKind::APPEARANCE, true, appearance_to_bytes(&mesh.appearance)?.into());
     }
     for model in models {
         if let FileModel::Progressive(stream) = model {
-            add(SectionKind::STREAM, 0, stream.bytes.into());
+            add(SectionKind::STREAM, false, stream.bytes.into());
         }
     }
     Ok(sections)

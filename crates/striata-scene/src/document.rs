@@ -1,0 +1,24 @@
+//! Changes of glTF documents.
+
+use serde_json::{Map, Value, json};
+
+/// Returns the place of an extension in an object of the document, which is created if it is missing;
+/// [`None`] if the value is not an object, or its extensions are not.
+pub(crate) fn extension_slot<'v>(object: &'v mut Value, extension: &str) -> Option<&'v mut Value> {
+    let extensions = object.as_object_mut()?.entry("extensions").or_insert_with(|| Value::Object(Map::new()));
+    Some(extensions.as_object_mut()?.entry(extension).or_insert(Value::Null))
+}
+
+/// Adds an extension to `extensionsUsed`.
+pub(crate) fn use_extension(document: &mut Value, extension: &str) {
+    let Some(names) = array(document, "extensionsUsed") else { return };
+    if !names.iter().any(|name| name == extension) {
+        names.push(json!(extension));
+    }
+}
+
+/// Returns an array of an object, which is created if it is missing; [`None`] if it is something else.
+pub(crate) fn array<'v>(object: &'v mut Value, key: &str) -> Option<&'v mut Vec<Value>> {
+    let entry = object.as_object_mut()?.entry(key).or_insert_with(|| Value::Array(Vec::new()));
+    entry.as_array_mut()
+}

@@ -1,0 +1,90 @@
+//! Reading of files of scenes.
+
+use striata::Lod;
+use striata::file::{Container, SectionKind, StriataFile, Verify};
+use striata_io::{Scene, SceneParts};
+
+use super::SceneDecodeError;
+use super::image::image_from_bytes;
+use crate::lod_scene::{LodScene, check_groups};
+
+/// Whether bytes are a `.striata` file that contains a scene instead of a single mesh. Only the header and
+/// the section table are inspected.
+pub fn is_scene_file(bytes: &[u8]) -> bool {
+    let container = Container::open(bytes, Verify::WhenRead);
+    container.is_ok_and(|container| container.sections().iter().any(|s| s.kind == SectionKind::SCENE))
+}
+
+/// A `.striata` file of a scene, in memory or memory-mapped.
+#[derive(Clone, Debug)]
+pub struct SceneFile<'a> {
+    metadata: Vec<(String, String)>,
+    scene: Scene,
+    meshes: Vec<Option<StriataFile<'a>>>,
+}
+
+impl<'a> SceneFile<'a> {
+    /// Reads a file and compares all checksums. The document, images and the summaries of all meshes are
+    /// checked; the other parts of a mesh are checked when they are read.
+    ///
+    /// # Errors
+    /// [`SceneDecodeError`] if the bytes are not a valid file of a scene.
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, SceneDecodeError> {
+        let container = Container::open(bytes, Verify::All)?;
+        let document = serde_json::from_slice(container.get(SectionKind::SCENE)?)?;
+        let buffer = container.find(SectionKind::SCENE_BUFFER)?.unwrap_or_default().to_vec();
+        let images = container.all(SectionKind::SCENE_IMAGE).enumerate();
+        let images =
+            images.map(|(image, bytes)| image_from_bytes(image, bytes?)).collect::<Result<_, _>>()?;
+        let meshes = container.all(SectionKind::SCENE_MESH).enumerate();
+        let meshes = meshes.map(|(mesh, bytes)| mesh_file(mesh, bytes?));
+        let meshes: Vec<Option<StriataFile<'a>>> = meshes.collect::<Result<_, SceneDecodeError>>()?;
+        let parts = SceneParts { document, buffer, images, meshes: vec![None; meshes.len()] };
+        let scene = Scene::from_parts(parts)?;
+        for (mesh, file) in meshes.iter().enumerate() {
+            if let Some(file) = file {
+                check_groups(&scene, mesh, file.summary().group_count)?;
+            }
+        }
+        Ok(Self { metadata: container.metadata()?, scene, meshes })
+    }
+
+    /// Key-value texts about the file; empty if there are none.
+    pub fn metadata(&self) -> &[(String, String)] {
+        &self.metadata
+    }
+
+    /// The scene without triangles.
+    pub fn scene_without_meshes(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The file of each mesh of the document; [`None`] for meshes without triangles.
+    pub fn meshes(&self) -> &[Option<StriataFile<'a>>] {
+        &self.meshes
+    }
+
+    /// Reads the levels of all meshes.
+    ///
+    /// # Errors
+    /// [`SceneDecodeError`] if a mesh is damaged, or was made by vertex removals instead of collapses.
+    pub fn lod_scene(&self) -> Result<LodScene, SceneDecodeError> {
+        let lod_of = |(mesh, file): (usize, &Option<StriataFile<'_>>)| {
+            let lod = file.as_ref().map(Lod::from_file).transpose();
+            lod.map_err(|error| SceneDecodeError::Mesh { mesh, error })
+        };
+        let lods = self.meshes.iter().enumerate().map(lod_of).collect::<Result<_, _>>()?;
+        Ok(LodScene::from_lods(self.scene.clone(), lods)?)
+    }
+}
+
+/// Opens the file of a mesh; [`None`] if its section is empty.
+pub(super) fn mesh_file(mesh: usize, bytes: &[u8]) -> Result<Option<StriataFile<'_>>, SceneDecodeError> {
+    if bytes.is_empty() {
+        return Ok(None);
+    }
+    match striata_stream::open(bytes) {
+        Ok(file) => Ok(Some(file)),
+        Err(error) => Err(SceneDecodeError::Mesh { mesh, error }),
+    }
+}

@@ -1,0 +1,60 @@
+//! Reading: the streams of all meshes instead of the coarse level.
+
+use serde_json::Value;
+use striata::file::DecodeError;
+use striata::simplify::SequenceOptions;
+use striata::{Lod, LodOptions};
+use striata_io::{MeshData, Scene, Source, mesh_data, read_scene_bytes};
+
+use super::{GlbStreamReadError, STREAM_EXTENSION, STREAM_EXTENSION_VERSION};
+use crate::error::BuildError;
+use crate::lod_scene::{LodScene, check_groups};
+
+/// Reads a glTF or GLB file whose meshes have streams, and decodes them; [`None`] if no mesh has one.
+///
+/// The result is the full scene, without the extension. A mesh without a stream has a single level.
+///
+/// # Errors
+/// [`GlbStreamReadError`] if the file is damaged, has an unknown version of the extension, or contains a
+/// damaged stream. The coarse level, which [`read_scene_bytes`] returns, may be readable nevertheless.
+pub fn read_glb_with_stream(
+    bytes: &[u8],
+    source: &Source<'_>,
+) -> Result<Option<LodScene>, GlbStreamReadError> {
+    let streams = mesh_data(bytes, source, STREAM_EXTENSION)?;
+    if streams.iter().all(Option::is_none) {
+        return Ok(None);
+    }
+    let coarse = read_scene_bytes(bytes, source)?;
+    let mut lods = Vec::with_capacity(streams.len());
+    for (mesh, (stream, triangles)) in streams.iter().zip(coarse.meshes()).enumerate() {
+        // A mesh that shows nothing has kept the accessors of its primitives, and is left as it is.
+        let Some(triangles) = triangles else {
+            lods.push(None);
+            continue;
+        };
+        lods.push(Some(match stream {
+            Some(stream) => decoded(&coarse, mesh, stream)?,
+            None => {
+                let options = SequenceOptions::default().with_base_triangle_count(usize::MAX);
+                let lod = Lod::build(triangles, &LodOptions::default().with_sequence(options));
+                lod.map_err(|error| BuildError::new(mesh, coarse.mesh_name(mesh).to_owned(), error))?
+            }
+        }));
+    }
+    Ok(Some(LodScene::from_lods(coarse.without_meshes(), lods)?))
+}
+
+fn decoded(scene: &Scene, mesh: usize, data: &MeshData) -> Result<Lod, GlbStreamReadError> {
+    let version = data.extension.get("version").unwrap_or(&Value::Null);
+    if version.as_u64() != Some(STREAM_EXTENSION_VERSION) {
+        return Err(GlbStreamReadError::Version { mesh, found: version.to_string() });
+    }
+    let in_stream = |error: DecodeError| GlbStreamReadError::Stream { mesh, error };
+    let file = striata_stream::open_stream(&data.bytes).map_err(in_stream)?;
+    if file.is_truncated() {
+        return Err(GlbStreamReadError::Truncated { mesh });
+    }
+    check_groups(scene, mesh, file.summary().group_count)?;
+    Lod::from_file(&file).map_err(in_stream)
+}

@@ -1,0 +1,95 @@
+//! Writing: a coarse level in the primitives, and a stream for each mesh.
+
+use serde_json::{Map, Value, json};
+use striata::mesh::IndexedMesh;
+use striata::simplify::{BatchOptions, SimplifyError, build_batches};
+use striata::{Lod, LodOptions, Target};
+use striata_io::{Format, Scene, SceneWriter, WriteOptions};
+use striata_stream::{SHAPE_STEPS, StreamError, encode_stream};
+
+use super::{GlbStreamError, GlbStreamOptions, STREAM_EXTENSION, STREAM_EXTENSION_VERSION};
+use crate::document::{extension_slot, use_extension};
+use crate::error::BuildError;
+use crate::levels::{MeshWeight, SceneLevel};
+use crate::lod_scene::{LodScene, options_of_mesh};
+
+impl LodScene {
+    /// Encodes the scene as a GLB file that any viewer shows at a coarse level, and that contains the full
+    /// meshes as progressive streams in the extension `STRIATA_lod`.
+    ///
+    /// Primitives of which the coarse level shows nothing keep their place, as one triangle without area.
+    /// The binary chunk holds the coarse level and the data of animations and skins first, then the images,
+    /// then the streams.
+    ///
+    /// # Errors
+    /// [`GlbStreamError`] if an option is out of range, a mesh contains numbers that glTF cannot store, or
+    /// the file would be larger than 4 GiB.
+    pub fn to_glb_with_stream(&self, options: &GlbStreamOptions) -> Result<Vec<u8>, GlbStreamError> {
+        let coarse = self.drawable_level(options.coarse_target(self.triangle_count()));
+        let streams = self.streams(options)?;
+        let mut parts = self.level_scene(&coarse).into_parts();
+        for (mesh, stream) in streams.iter().enumerate() {
+            let (Some(_), Some(lod)) = (stream, &self.lods()[mesh]) else { continue };
+            let error = f64::from(lod.sequence().error_at(coarse.split_counts[mesh]));
+            describe_stream(&mut parts.document, mesh, lod.mesh(), error);
+        }
+        if streams.iter().any(Option::is_some) {
+            use_extension(&mut parts.document, STREAM_EXTENSION);
+        }
+        let scene = Scene::from_parts(parts).expect("the extension does not change what the parts depend on");
+        let mut writer = SceneWriter::new(&scene).keeping_primitives();
+        for (mesh, stream) in streams.into_iter().enumerate() {
+            let pointer = format!("/meshes/{mesh}/extensions/{STREAM_EXTENSION}/bufferView");
+            if let Some(stream) = stream {
+                writer = writer.with_attachment(pointer, stream);
+            }
+        }
+        Ok(writer.to_bytes(Format::Glb, &WriteOptions::default())?)
+    }
+
+    /// Returns the level for a target, refined until each mesh shows at least one triangle, because glTF
+    /// has no empty meshes.
+    fn drawable_level(&self, target: Target) -> SceneLevel {
+        let mut splits = self.level(target).split_counts;
+        for (split_count, lod) in splits.iter_mut().zip(self.lods()) {
+            let Some(lod) = lod else { continue };
+            let shows_something = |&at: &usize| lod.sequence().triangle_count_at(at) > 0;
+            *split_count = (*split_count..=lod.step_count()).find(shows_something).unwrap_or(*split_count);
+        }
+        self.levels().level_of(splits)
+    }
+
+    /// Encodes a stream for each mesh that shows anything.
+    fn streams(&self, options: &GlbStreamOptions) -> Result<Vec<Option<Vec<u8>>>, GlbStreamError> {
+        let weights = MeshWeight::of_scene(self.scene());
+        let encode = |(mesh, (lod, weight)): (usize, (&Option<Lod>, &MeshWeight))| {
+            let Some(lod) = lod.as_ref().filter(|lod| lod.mesh().triangle_count() > 0) else {
+                return Ok(None);
+            };
+            let failed =
+                |error: SimplifyError| BuildError::new(mesh, self.scene().mesh_name(mesh).to_owned(), error);
+            let sequence = LodOptions::default().with_sequence(options.sequence.clone());
+            let sequence = options_of_mesh(self.scene(), mesh, *weight, &sequence).map_err(failed)?;
+            let in_stream = |error: StreamError| GlbStreamError::Stream { mesh, error };
+            let step = options.stream.grid_step(lod.mesh()).map_err(|error| in_stream(error.into()))?;
+            let batches =
+                BatchOptions::default().with_sequence(sequence).with_shape_step(Some(SHAPE_STEPS * step));
+            let built = build_batches(lod.mesh(), &batches).map_err(failed)?;
+            let stream = encode_stream(&built.built.refinable, &built.batches, &options.stream);
+            Ok(Some(stream.map_err(in_stream)?.bytes))
+        };
+        self.lods().iter().zip(&weights).enumerate().map(encode).collect()
+    }
+}
+
+/// Adds the extension to a mesh of the document; the writer sets the buffer view.
+fn describe_stream(document: &mut Value, mesh: usize, full: &IndexedMesh, error: f64) {
+    let Some(slot) = extension_slot(&mut document["meshes"][mesh], STREAM_EXTENSION) else { return };
+    *slot = Value::Object(Map::from_iter([
+        ("version".to_owned(), json!(STREAM_EXTENSION_VERSION)),
+        ("bufferView".to_owned(), Value::Null),
+        ("vertexCount".to_owned(), json!(full.vertex_count())),
+        ("triangleCount".to_owned(), json!(full.triangle_count())),
+        ("error".to_owned(), json!(error)),
+    ]));
+}

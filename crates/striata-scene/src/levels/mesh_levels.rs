@@ -1,0 +1,88 @@
+//! Levels of one mesh, with errors in units of the scene, and the order in which meshes are coarsened.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::collections::binary_heap::PeekMut;
+
+use striata::mesh::Levels;
+
+use super::weight::MeshWeight;
+
+/// Levels of one mesh.
+#[derive(Clone, Debug)]
+pub(super) struct MeshLevels {
+    pub(super) levels: Levels,
+    pub(super) weight: MeshWeight,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Counts {
+    pub(super) triangles: usize,
+    pub(super) vertices: usize,
+}
+
+impl MeshLevels {
+    /// Error of a level in units of the scene.
+    pub(super) fn error_at(&self, split_count: usize) -> f64 {
+        self.scaled(self.levels.error_at(split_count))
+    }
+
+    fn scaled(&self, error: f32) -> f64 {
+        // Adding zero turns -0 into 0, so that the order of the bits is that of the numbers.
+        self.weight.scale * f64::from(error) + 0.0
+    }
+
+    pub(super) fn counts_at(&self, split_count: usize) -> Counts {
+        let triangles = self.levels.triangle_count_at(split_count);
+        Counts {
+            triangles: triangles.saturating_mul(self.weight.instance_count),
+            vertices: self.levels.vertex_count_at(split_count),
+        }
+    }
+
+    /// Split count of the coarsest level whose error does not exceed `error`, in units of the scene.
+    pub(super) fn split_count_for_error(&self, error: f64) -> usize {
+        self.levels.errors().partition_point(|&e| self.scaled(e) > error)
+    }
+}
+
+impl Counts {
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self {
+            triangles: self.triangles.saturating_add(other.triangles),
+            vertices: self.vertices.saturating_add(other.vertices),
+        }
+    }
+
+    pub(super) fn minus(self, other: Self) -> Self {
+        Self {
+            triangles: self.triangles.saturating_sub(other.triangles),
+            vertices: self.vertices.saturating_sub(other.vertices),
+        }
+    }
+}
+
+/// Returns the mesh of each step of coarsening, ordered by the error after the step, then by mesh.
+pub(super) fn merged_order(meshes: &[Option<MeshLevels>]) -> Vec<u32> {
+    let step_count = meshes.iter().flatten().map(|mesh| mesh.levels.step_count()).sum();
+    let mut order = Vec::with_capacity(step_count);
+    // Errors are not negative, so their bits have the order of the numbers.
+    let key = |mesh: usize, split_count: usize| {
+        let error = meshes[mesh].as_ref().map_or(0.0, |levels| levels.error_at(split_count));
+        Reverse((error.to_bits(), mesh as u32, split_count))
+    };
+    let with_steps = meshes.iter().enumerate().filter_map(|(mesh, levels)| {
+        let split_count = levels.as_ref()?.levels.step_count().checked_sub(1)?;
+        Some(key(mesh, split_count))
+    });
+    let mut next: BinaryHeap<_> = with_steps.collect();
+    while let Some(mut top) = next.peek_mut() {
+        let Reverse((_, mesh, split_count)) = *top;
+        order.push(mesh);
+        match split_count.checked_sub(1) {
+            Some(coarser) => *top = key(mesh as usize, coarser),
+            None => drop(PeekMut::pop(top)),
+        }
+    }
+    order
+}

@@ -1,0 +1,225 @@
+//! A scene with every level of detail of each of its meshes.
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+use std::sync::{Arc, OnceLock};
+
+use striata::mesh::{IndexedMesh, Levels};
+use striata::simplify::{SequenceOptions, SimplifyError};
+use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
+use striata_io::Scene;
+
+use crate::error::{BuildError, SceneMismatch};
+use crate::levels::{MeshWeight, SceneLevel, SceneLevels};
+
+/// A scene without triangles and a [`Lod`] for each of its meshes.
+///
+/// Everything is immutable, and clones share their data.
+///
+/// # Example
+/// ```
+/// use striata::mesh::shapes;
+/// use striata::{LodOptions, Target};
+/// use striata_io::Scene;
+/// use striata_scene::LodScene;
+///
+/// let scene = Scene::from_mesh(shapes::torus(32, 16, 1.0, 0.4))?; // or striata_io::read_scene("robot.glb")?
+/// let lods = LodScene::build(&scene, &LodOptions::default())?;
+/// let level = lods.level(Target::Triangles(200));
+/// println!("{} triangles, error {}", level.triangle_count, level.error);
+/// let coarse = lods.level_scene(&level); // striata_io::write_scene("coarse.glb", &coarse, ...)
+/// assert!(coarse.triangle_count() <= 200);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct LodScene {
+    shared: Arc<Shared>,
+}
+
+#[derive(Debug)]
+struct Shared {
+    scene: Scene,
+    lods: Vec<Option<Lod>>,
+    levels: OnceLock<SceneLevels>,
+}
+
+impl LodScene {
+    /// Builds the levels of all meshes of a scene.
+    ///
+    /// Lengths in the options are in units of the scene: for each mesh, they are divided by the largest
+    /// scale of its instances. `texcoord_factors` is indexed by the materials of the document.
+    /// `base_triangle_count` applies to each mesh; `locked_vertices` must be empty.
+    ///
+    /// # Errors
+    /// [`BuildError`] if a mesh is inconsistent or an option is out of range.
+    pub fn build(scene: &Scene, options: &LodOptions) -> Result<Self, BuildError> {
+        Self::build_with_progress(scene, options, &mut ignore_progress)
+    }
+
+    /// Builds the levels like [`build`](Self::build) and reports progress; the callback can cancel.
+    ///
+    /// # Errors
+    /// [`BuildError`] under the conditions of [`build`](Self::build), or if the callback cancels.
+    pub fn build_with_progress(
+        scene: &Scene,
+        options: &LodOptions,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, BuildError> {
+        let weights = MeshWeight::of_scene(scene);
+        let mut progress = MeshProgress::new(scene.meshes(), progress);
+        let mut lods = Vec::with_capacity(weights.len());
+        for (index, (mesh, weight)) in scene.meshes().iter().zip(&weights).enumerate() {
+            let Some(mesh) = mesh else {
+                lods.push(None);
+                continue;
+            };
+            let built = options_of_mesh(scene, index, *weight, options).and_then(|sequence| {
+                let options = options.clone().with_sequence(sequence);
+                Lod::build_with_progress(mesh, &options, &mut |now| progress.report(now))
+            });
+            let built = built.and_then(|lod| progress.finish_mesh(mesh).map(|()| lod));
+            let name = || scene.mesh_name(index).to_owned();
+            lods.push(Some(built.map_err(|error| BuildError::new(index, name(), error))?));
+        }
+        Ok(Self::of_parts(scene.without_meshes(), lods))
+    }
+
+    /// Combines a scene with levels that exist already; triangles of the scene itself are dropped.
+    ///
+    /// # Errors
+    /// [`SceneMismatch`] if the number of levels differs from that of the scene's meshes, or if the groups
+    /// of one differ from the triangle primitives of its mesh.
+    pub fn from_lods(scene: Scene, lods: Vec<Option<Lod>>) -> Result<Self, SceneMismatch> {
+        let expected = scene.meshes().len();
+        if lods.len() != expected {
+            return Err(SceneMismatch::MeshCount { found: lods.len(), expected });
+        }
+        for (mesh, lod) in lods.iter().enumerate() {
+            let Some(lod) = lod else { continue };
+            check_groups(&scene, mesh, lod.mesh().groups.len())?;
+        }
+        let has_triangles = scene.meshes().iter().any(Option::is_some);
+        Ok(Self::of_parts(if has_triangles { scene.without_meshes() } else { scene }, lods))
+    }
+
+    pub(crate) fn of_parts(scene: Scene, lods: Vec<Option<Lod>>) -> Self {
+        Self { shared: Arc::new(Shared { scene, lods, levels: OnceLock::new() }) }
+    }
+
+    /// The scene without triangles: its document, images, and the data of animations and skins.
+    pub fn scene(&self) -> &Scene {
+        &self.shared.scene
+    }
+
+    /// Levels of each mesh of the document; [`None`] for meshes without triangles.
+    pub fn lods(&self) -> &[Option<Lod>] {
+        &self.shared.lods
+    }
+
+    /// Levels of all meshes in one order; merged at first use.
+    pub fn levels(&self) -> &SceneLevels {
+        self.shared.levels.get_or_init(|| {
+            let levels: Vec<Option<&Levels>> =
+                self.lods().iter().map(|lod| Some(lod.as_ref()?.sequence().levels())).collect();
+            SceneLevels::new(&levels, &MeshWeight::of_scene(self.scene()))
+        })
+    }
+
+    /// Number of triangles of the full scene; those of a mesh count once for each instance.
+    pub fn triangle_count(&self) -> usize {
+        self.levels().triangle_count()
+    }
+
+    /// Returns the level of the scene that a target selects; see [`SceneLevels::resolve`].
+    pub fn level(&self, target: Target) -> SceneLevel {
+        self.levels().resolve(target)
+    }
+
+    /// Returns a scene with the triangles of a level, and only the vertices that they use. Split counts
+    /// above the full mesh mean the full mesh.
+    pub fn level_scene(&self, level: &SceneLevel) -> Scene {
+        let split_count = |mesh: usize| level.split_counts.get(mesh).copied().unwrap_or(usize::MAX);
+        self.scene_of(|mesh, lod| lod.level(Target::SplitCount(split_count(mesh))).to_mesh())
+    }
+
+    /// Returns the scene with all of its triangles, and the vertices of each mesh in refinement order.
+    pub fn full_scene(&self) -> Scene {
+        self.scene_of(|_, lod| lod.mesh().clone())
+    }
+
+    fn scene_of(&self, mesh_of: impl Fn(usize, &Lod) -> IndexedMesh) -> Scene {
+        let lods = self.lods().iter().enumerate();
+        let meshes = lods.map(|(mesh, lod)| Some(mesh_of(mesh, lod.as_ref()?))).collect();
+        let scene = self.scene().clone().with_meshes(meshes);
+        scene.expect("the groups of each mesh were checked, and every level has them all")
+    }
+}
+
+/// Checks that a mesh of the document has as many triangle primitives as its levels have groups; levels
+/// without groups have one for all triangles.
+pub(crate) fn check_groups(scene: &Scene, mesh: usize, group_count: usize) -> Result<(), SceneMismatch> {
+    let found = group_count.max(1);
+    let expected = scene.primitive_materials(mesh).len();
+    if found == expected { Ok(()) } else { Err(SceneMismatch::GroupCount { mesh, found, expected }) }
+}
+
+/// Returns the options of one mesh, with lengths in its own units and factors of its own materials.
+pub(crate) fn options_of_mesh(
+    scene: &Scene,
+    mesh: usize,
+    weight: MeshWeight,
+    options: &LodOptions,
+) -> Result<SequenceOptions, SimplifyError> {
+    let mut sequence = options.sequence.clone();
+    if let Some(vertex) = sequence.locked_vertices.first() {
+        let (option, value) = ("locked_vertices", format!("vertex {vertex}"));
+        return Err(SimplifyError::Option { option, value, expected: "empty for a scene" });
+    }
+    for length in [&mut sequence.max_error, &mut sequence.pair_distance].into_iter().flatten() {
+        // A tiny scale must not make a valid option infinite.
+        let in_mesh_units = *length / weight.scale;
+        *length = if length.is_finite() { in_mesh_units.min(f64::MAX) } else { *length };
+    }
+    if !sequence.texcoord_factors.is_empty() {
+        // The materials of a mesh are numbered from 0, in the order of the document.
+        let used: BTreeSet<usize> = scene.primitive_materials(mesh).into_iter().flatten().collect();
+        let factors = &options.sequence.texcoord_factors;
+        let factor = |material: usize| factors.get(material).copied().unwrap_or(1.0);
+        sequence.texcoord_factors = used.into_iter().map(factor).collect();
+    }
+    Ok(sequence)
+}
+
+/// Progress over all meshes, in triangles.
+struct MeshProgress<'p, 'f> {
+    progress: &'p mut ProgressFn<'f>,
+    finished: usize,
+    triangle_count: usize,
+    /// Triangles of the mesh that is being built.
+    current: Vec<usize>,
+}
+
+impl<'p, 'f> MeshProgress<'p, 'f> {
+    fn new(meshes: &[Option<IndexedMesh>], progress: &'p mut ProgressFn<'f>) -> Self {
+        let mut current: Vec<usize> = meshes.iter().flatten().map(IndexedMesh::triangle_count).collect();
+        current.reverse();
+        Self { progress, finished: 0, triangle_count: current.iter().sum(), current }
+    }
+
+    fn report(&mut self, now: Progress) -> ControlFlow<()> {
+        let current = self.current.last().copied().unwrap_or(0) as u64;
+        let share = if now.total == 0 { 0.0 } else { now.done as f64 / now.total as f64 };
+        let done = self.finished as u64 + (share.min(1.0) * current as f64) as u64;
+        (self.progress)(Progress { phase: now.phase, done, total: self.triangle_count as u64 })
+    }
+
+    /// Reports after each mesh, because small meshes report nothing themselves.
+    fn finish_mesh(&mut self, mesh: &IndexedMesh) -> Result<(), SimplifyError> {
+        self.finished += mesh.triangle_count();
+        self.current.pop();
+        match self.report(Progress { phase: "simplify", done: 0, total: 1 }) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Cancelled.into()),
+        }
+    }
+}

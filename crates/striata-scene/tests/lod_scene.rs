@@ -1,0 +1,156 @@
+//! Levels of test scenes: groups, vertices and their data, options in units of the scene.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+use striata::mesh::{IndexedMesh, Semantic};
+use striata::simplify::{SequenceOptions, StopReason};
+use striata::{LodOptions, Target};
+use striata_io::{Format, Scene, Source, read_scene_bytes, scene_to_bytes};
+use striata_scene::{LodScene, MeshWeight, SceneMismatch};
+use striata_testing::scenes::{self, TestScene};
+
+fn read(scene: &TestScene) -> Scene {
+    read_scene_bytes(&scene.to_glb(), &Source::new("test.glb")).unwrap()
+}
+
+fn build(scene: &TestScene) -> LodScene {
+    LodScene::build(&read(scene), &LodOptions::default()).unwrap()
+}
+
+/// Everything that is known of each position: one entry for each vertex there.
+fn vertex_data(mesh: &IndexedMesh) -> BTreeMap<[u32; 3], Vec<Vec<u32>>> {
+    let mut found: BTreeMap<_, Vec<Vec<u32>>> = BTreeMap::new();
+    for (vertex, position) in mesh.positions.iter().enumerate() {
+        let data = mesh.layers.iter().flat_map(|layer| {
+            (0..layer.component_count as usize).map(move |c| layer.get(vertex, c).to_bits())
+        });
+        found.entry(position.map(|x| (x + 0.0).to_bits())).or_default().push(data.collect());
+    }
+    found
+}
+
+#[test]
+fn every_level_keeps_groups_and_the_data_of_each_vertex() {
+    for sample in scenes::all() {
+        let scene = read(&sample);
+        let lods = LodScene::build(&scene, &LodOptions::default()).unwrap();
+        assert_eq!(lods.scene().document(), scene.document());
+        for detail in [0.0, 0.1, 0.5, 1.0] {
+            let level = lods.level(Target::Detail(detail));
+            let coarse = lods.level_scene(&level);
+            for (source, mesh) in scene.meshes().iter().zip(coarse.meshes()) {
+                let (Some(source), Some(mesh)) = (source, mesh) else {
+                    assert_eq!(source.is_some(), mesh.is_some(), "{}", sample.name);
+                    continue;
+                };
+                let materials =
+                    |mesh: &IndexedMesh| mesh.groups.iter().map(|g| g.material).collect::<Vec<_>>();
+                assert_eq!(materials(source), materials(mesh), "{} at {detail}", sample.name);
+                let known = vertex_data(source);
+                for (position, vertices) in vertex_data(mesh) {
+                    assert!(
+                        vertices.iter().all(|vertex| known[&position].contains(vertex)),
+                        "{}",
+                        sample.name
+                    );
+                }
+            }
+            let bytes = scene_to_bytes(Format::Glb, &coarse, &Default::default()).unwrap();
+            let again = read_scene_bytes(&bytes, &Source::new("level.glb")).unwrap();
+            assert_eq!(again.instances(), coarse.instances(), "{} at {detail}", sample.name);
+        }
+    }
+}
+
+#[test]
+fn the_full_scene_has_all_triangles() {
+    for sample in scenes::all() {
+        let scene = read(&sample);
+        let lods = build(&sample);
+        for full in [lods.full_scene(), lods.level_scene(&lods.level(Target::Detail(1.0)))] {
+            // The only triangle without area is in a scene made for it.
+            let lost = usize::from(sample.name == "vanishing primitive");
+            assert_eq!(full.triangle_count() + lost, scene.triangle_count(), "{}", sample.name);
+            assert_eq!(full.bounds().map(|b| b.min), scene.bounds().map(|b| b.min), "{}", sample.name);
+        }
+    }
+}
+
+#[test]
+fn instances_count_in_triangles_and_scale_counts_in_errors() {
+    let lods = build(&scenes::hierarchy());
+    let weights = MeshWeight::of_scene(lods.scene());
+    assert_eq!(weights.iter().map(|w| w.instance_count).collect::<Vec<_>>(), [3, 1, 1]);
+    let scales: Vec<f64> = weights.iter().map(|w| w.scale).collect();
+    for (found, expected) in scales.iter().zip([8.0, 6.0, 1.0]) {
+        assert!((found - expected).abs() < 1e-5, "{scales:?}");
+    }
+    let shown = lods.full_scene().triangle_count();
+    let unshown = lods.lods()[2].as_ref().unwrap().mesh().triangle_count();
+    assert_eq!(lods.triangle_count(), shown + unshown);
+    let limit = lods.triangle_count() / 3;
+    let level = lods.level(Target::Triangles(limit));
+    assert!(level.triangle_count <= limit && level.triangle_count + 10 > limit);
+    assert!(lods.level_scene(&level).triangle_count() <= limit);
+}
+
+#[test]
+fn lengths_in_options_are_in_units_of_the_scene() {
+    let scene = read(&scenes::hierarchy());
+    let options = LodOptions::default().with_sequence(SequenceOptions::default().with_max_error(0.05));
+    let lods = LodScene::build(&scene, &options).unwrap();
+    let base = lods.level(Target::Triangles(0));
+    assert_eq!(base.stop_reason, StopReason::BaseReached);
+    assert!(base.error <= 0.05 * (1.0 + 1e-6) && base.error > 0.02, "{}", base.error);
+}
+
+#[test]
+fn options_that_cannot_apply_are_refused_with_the_mesh() {
+    let scene = read(&scenes::hierarchy());
+    let mut options = SequenceOptions::default();
+    options.locked_vertices = vec![3];
+    let error = LodScene::build(&scene, &LodOptions::default().with_sequence(options)).unwrap_err();
+    assert!(error.to_string().starts_with("mesh 0 \"ball\": option locked_vertices"), "{error}");
+}
+
+#[test]
+fn progress_covers_all_meshes_and_can_cancel() {
+    let scene = read(&scenes::hierarchy());
+    let (mut last, mut total) = (0, 0);
+    let lods = LodScene::build_with_progress(&scene, &LodOptions::default(), &mut |now| {
+        assert!(now.done >= last && now.done <= now.total);
+        (last, total) = (now.done, now.total);
+        ControlFlow::Continue(())
+    });
+    assert!(lods.is_ok());
+    assert!(last > total * 9 / 10, "{last} of {total}");
+    let cancelled =
+        LodScene::build_with_progress(&scene, &LodOptions::default(), &mut |_| ControlFlow::Break(()));
+    assert!(cancelled.unwrap_err().to_string().ends_with("cancelled"));
+}
+
+#[test]
+fn levels_of_other_scenes_are_refused() {
+    let (lods, other) = (build(&scenes::hierarchy()), build(&scenes::morphed()));
+    let found = LodScene::from_lods(lods.scene().clone(), other.lods().to_vec()).unwrap_err();
+    assert_eq!(found, SceneMismatch::MeshCount { found: 2, expected: 3 });
+    let mut swapped = lods.lods().to_vec();
+    swapped.swap(0, 1);
+    let found = LodScene::from_lods(lods.scene().clone(), swapped).unwrap_err();
+    assert!(matches!(found, SceneMismatch::GroupCount { mesh: 0, found: 0 | 1, expected: 2 }), "{found}");
+    assert!(LodScene::from_lods(lods.full_scene(), lods.lods().to_vec()).is_ok());
+}
+
+#[test]
+fn joints_and_morph_targets_stay_layers() {
+    let semantics = |lods: &LodScene| {
+        let coarse = lods.level_scene(&lods.level(Target::Detail(0.05)));
+        let mesh = coarse.meshes()[0].as_ref().unwrap();
+        mesh.layers.iter().map(|layer| layer.semantic.clone()).collect::<Vec<_>>()
+    };
+    let skinned = semantics(&build(&scenes::skinned()));
+    assert!(skinned.contains(&Semantic::Joints(0)) && skinned.contains(&Semantic::Weights(0)));
+    let morphed = semantics(&build(&scenes::morphed()));
+    assert!(morphed.contains(&Semantic::MorphPosition(0)) && morphed.contains(&Semantic::MorphPosition(1)));
+}
