@@ -4,3 +4,6 @@
 //! | --- | --- |
 //! | `levels` | distributes a target over all meshes of a scene by one priority |
 //! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh |
+//! | [`textures`] | previews and re-encoding of images |
+
+pub mod textures;
