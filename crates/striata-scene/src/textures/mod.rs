@@ -45,6 +45,6 @@ pub use preview::{Preview, preview};
 pub use recode::{RecodedImage, TextureFormat, TextureOptions, recode};
 #[cfg(feature = "textures")]
 pub use recode_scene::{ImageChange, TextureReport, recode_scene};
+pub(crate) use role::images_of_material;
 pub use role::{AlphaUse, TextureRole, TextureTransfer, image_roles};
 pub(crate) use sources::without_sources;
-pub(crate) use role::images_of_material;

@@ -94,6 +94,7 @@ pub fn recode_scene(scene: Scene, options: &TextureOptions) -> Result<(Scene, Te
         with_webp_sources(&mut document, &to_webp);
     }
     let parts = SceneParts { document, buffer, images, meshes };
-    let scene = Scene::from_parts(parts).map_err(|error| TextureError::Encode { reason: error.to_string() })?;
+    let scene =
+        Scene::from_parts(parts).map_err(|error| TextureError::Encode { reason: error.to_string() })?;
     Ok((scene, report))
 }

@@ -73,7 +73,8 @@ pub fn image_roles(document: &Value) -> Vec<TextureRole> {
     let count = document.get("images").and_then(Value::as_array).map_or(0, Vec::len);
     let mut roles: Vec<Option<TextureRole>> = vec![None; count];
     for material in entries(document, "materials") {
-        let has_coverage = matches!(material.get("alphaMode").and_then(Value::as_str), Some("MASK" | "BLEND"));
+        let has_coverage =
+            matches!(material.get("alphaMode").and_then(Value::as_str), Some("MASK" | "BLEND"));
         for_each_texture(material, &mut |name, texture| {
             let role = role_of_reference(name, has_coverage);
             for image in images_of_texture(document, texture) {
