@@ -69,9 +69,79 @@ enum Filter {
     Planes,
     /// Differences of 32-bit integers to the element before, then planes.
     Differences,
+    /// Floats that are multiples of 2 to the power of `-exponent`: differences of the multiples to the element
+    /// before, with the sign in the lowest bit, then planes.
+    Multiples { exponent: i8 },
 }
 
-const FILTERS: [Filter; 3] = [Filter::None, Filter::Planes, Filter::Differences];
+impl Filter {
+    fn code(self) -> [u8; 2] {
+        match self {
+            Self::None => [0, 0],
+            Self::Planes => [1, 0],
+            Self::Differences => [2, 0],
+            Self::Multiples { exponent } => [3, exponent as u8],
+        }
+    }
+
+    /// Returns the filter for a code and the stride of a segment, if both are valid.
+    fn from_code(code: [u8; 2], stride: usize) -> Option<Self> {
+        let filter = match code {
+            [0, 0] => Self::None,
+            [1, 0] => Self::Planes,
+            [2, 0] => Self::Differences,
+            [3, exponent] => Self::Multiples { exponent: exponent as i8 },
+            _ => return None,
+        };
+        let is_of_words = matches!(filter, Self::Differences | Self::Multiples { .. });
+        (stride > 0 && (!is_of_words || stride.is_multiple_of(4))).then_some(filter)
+    }
+}
+
+/// Range of exponents of [`Filter::Multiples`].
+const EXPONENTS: std::ops::RangeInclusive<i8> = -64..=64;
+
+/// Returns the smallest exponent for which all floats are multiples, below 2^24, of its power of two.
+fn common_exponent(bytes: &[u8]) -> Option<i8> {
+    let words = bytes.as_chunks::<4>().0.iter().map(|word| f32::from_le_bytes(*word));
+    let mut exponent = *EXPONENTS.start();
+    for number in words {
+        while !is_multiple(number, exponent) {
+            exponent += 1;
+            EXPONENTS.contains(&exponent).then_some(())?;
+        }
+    }
+    // Larger numbers may have passed before the exponent rose.
+    let mut words = bytes.as_chunks::<4>().0.iter();
+    words.all(|word| is_multiple(f32::from_le_bytes(*word), exponent)).then_some(exponent)
+}
+
+fn is_multiple(number: f32, exponent: i8) -> bool {
+    from_multiple(multiple(number, exponent), exponent).to_bits() == number.to_bits()
+}
+
+fn multiple(number: f32, exponent: i8) -> i32 {
+    let multiple = f64::from(number) * power_of_two(exponent);
+    if multiple.abs() < f64::from(1 << 24) { multiple as i32 } else { 0 }
+}
+
+fn from_multiple(multiple: i32, exponent: i8) -> f32 {
+    (f64::from(multiple) / power_of_two(exponent)) as f32
+}
+
+/// Returns 2 to the power of a number.
+fn power_of_two(exponent: i8) -> f64 {
+    f64::from_bits((1023 + i64::from(exponent)) as u64 * (1 << 52))
+}
+
+/// Puts the sign into the lowest bit.
+fn folded(number: i32) -> u32 {
+    ((number << 1) ^ (number >> 31)) as u32
+}
+
+fn unfolded(number: u32) -> i32 {
+    (number >> 1) as i32 ^ -((number & 1) as i32)
+}
 
 /// A run of elements with the same layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,12 +158,16 @@ pub(super) fn pack(document: &Value, buffer: &[u8], part: &[ByteRange]) -> Vec<u
     for segment in segments {
         let own = &bytes[start..start + segment.length];
         start += segment.length;
-        let candidates = FILTERS.into_iter().filter(|filter| match filter {
-            Filter::None => true,
-            Filter::Planes => segment.stride > 1,
-            Filter::Differences => segment.filter == Filter::Differences,
-        });
+        let mut candidates = vec![Filter::None];
+        if segment.stride > 1 {
+            candidates.push(Filter::Planes);
+        }
+        if segment.filter == Filter::Differences {
+            candidates.push(Filter::Differences);
+            candidates.extend(common_exponent(own).map(|exponent| Filter::Multiples { exponent }));
+        }
         let smallest = candidates
+            .into_iter()
             .map(|filter| (filter, apply(own, segment.stride, filter)))
             .min_by_key(|(_, bytes)| deflate(bytes, |_| usize::MAX).len());
         let Some((filter, bytes)) = smallest else { continue };
@@ -105,7 +179,7 @@ pub(super) fn pack(document: &Value, buffer: &[u8], part: &[ByteRange]) -> Vec<u
     for segment in chosen {
         put_varint(segment.length as u64, &mut out);
         put_varint(segment.stride as u64, &mut out);
-        out.push(FILTERS.iter().position(|&filter| filter == segment.filter).unwrap_or(0) as u8);
+        out.extend(segment.filter.code());
     }
     out.extend(filtered);
     deflate(&out, limit_of)
@@ -135,8 +209,11 @@ fn gather(document: &Value, buffer: &[u8], part: &[ByteRange]) -> (Vec<u8>, Vec<
             if place.bytes.start > at {
                 segments.push(plain(place.bytes.start - at));
             }
-            let filter =
-                if place.is_wide && place.stride % 4 == 0 { Filter::Differences } else { Filter::Planes };
+            let filter = if place.is_wide && place.stride.is_multiple_of(4) {
+                Filter::Differences
+            } else {
+                Filter::Planes
+            };
             segments.push(Segment { length: place.bytes.len(), stride: place.stride, filter });
             at = place.bytes.end;
         }
@@ -159,6 +236,15 @@ fn apply(bytes: &[u8], stride: usize, filter: Filter) -> Vec<u8> {
             let differences = (0..words.len()).flat_map(|at| word(at).wrapping_sub(before(at)).to_le_bytes());
             planes(&differences.chain(rest.iter().copied()).collect::<Vec<u8>>(), stride)
         }
+        Filter::Multiples { exponent } => {
+            let (words, rest) = bytes.as_chunks::<4>();
+            let lanes = stride / 4;
+            let value = |at: usize| multiple(f32::from_le_bytes(words[at]), exponent);
+            let before = |at: usize| at.checked_sub(lanes).map_or(0, value);
+            let differences =
+                (0..words.len()).flat_map(|at| folded(value(at).wrapping_sub(before(at))).to_le_bytes());
+            planes(&differences.chain(rest.iter().copied()).collect::<Vec<u8>>(), stride)
+        }
     }
 }
 
@@ -174,6 +260,17 @@ fn undo(bytes: &[u8], stride: usize, filter: Filter) -> Vec<u8> {
             for at in lanes..words.len() {
                 let sum = u32::from_le_bytes(words[at]).wrapping_add(u32::from_le_bytes(words[at - lanes]));
                 words[at] = sum.to_le_bytes();
+            }
+            bytes
+        }
+        Filter::Multiples { exponent } => {
+            let mut bytes = from_planes(bytes, stride);
+            let mut before = vec![0i32; (stride / 4).min(bytes.len() / 4)];
+            let lanes = before.len().max(1);
+            for (at, word) in bytes.as_chunks_mut::<4>().0.iter_mut().enumerate() {
+                let value = before[at % lanes].wrapping_add(unfolded(u32::from_le_bytes(*word)));
+                before[at % lanes] = value;
+                *word = from_multiple(value, exponent).to_le_bytes();
             }
             bytes
         }
@@ -197,15 +294,13 @@ fn from_planes(bytes: &[u8], stride: usize) -> Vec<u8> {
 pub(super) fn unpack(packed: &[u8], length: u64) -> Option<Vec<u8>> {
     let bytes = inflate(packed, limit_of(packed.len()))?;
     let mut fields = Fields::new(&bytes);
-    let count = fields.count(3)?;
+    let count = fields.count(4)?;
     let mut segments = Vec::with_capacity(count);
     for _ in 0..count {
         let (length, stride) =
             (usize::try_from(fields.varint()?).ok()?, usize::try_from(fields.varint()?).ok()?);
-        let [code] = fields.array()?;
-        let filter = *FILTERS.get(usize::from(code))?;
-        let is_valid = stride > 0 && (filter != Filter::Differences || stride % 4 == 0);
-        is_valid.then(|| segments.push(Segment { length, stride, filter }))?;
+        let filter = Filter::from_code(fields.array()?, stride)?;
+        segments.push(Segment { length, stride, filter });
     }
     let mut out = Vec::new();
     for segment in segments {
@@ -266,8 +361,9 @@ mod tests {
         for length in [0usize, 1, 3, 4, 7, 16, 33, 100] {
             let bytes: Vec<u8> = (0..length).map(|i| (i * i * 7) as u8).collect();
             for stride in [1, 2, 4, 12, 16, 200] {
-                for filter in FILTERS {
-                    if filter == Filter::Differences && stride % 4 != 0 {
+                let filters = [Filter::None, Filter::Planes, Filter::Differences];
+                for filter in filters {
+                    if Filter::from_code(filter.code(), stride).is_none() {
                         continue;
                     }
                     let there = apply(&bytes, stride, filter);
@@ -275,6 +371,21 @@ mod tests {
                     assert_eq!(undo(&there, stride, filter), bytes, "{length} {stride} {filter:?}");
                 }
             }
+        }
+    }
+    #[test]
+    fn multiples_of_powers_of_two_are_exact() {
+        let floats: Vec<f32> = (0..100).map(|i| (i * i % 37) as f32 / 256.0 - 3.0).collect();
+        let bytes: Vec<u8> = floats.iter().flat_map(|x| x.to_le_bytes()).collect();
+        let exponent = common_exponent(&bytes).unwrap();
+        assert_eq!(exponent, 8);
+        for stride in [4, 12, 16, 4000] {
+            let filter = Filter::Multiples { exponent };
+            assert_eq!(undo(&apply(&bytes, stride, filter), stride, filter), bytes);
+        }
+        for odd in [f32::NAN, f32::INFINITY, -0.0, 1e30, 1e-30, std::f32::consts::PI * 1e8] {
+            let bytes: Vec<u8> = floats.iter().chain([&odd]).flat_map(|x| x.to_le_bytes()).collect();
+            assert_eq!(common_exponent(&bytes), None, "{odd}");
         }
     }
 }

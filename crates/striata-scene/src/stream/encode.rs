@@ -9,13 +9,14 @@ use striata_stream::{
 };
 
 use super::SceneStreamOptions;
+use super::animation::round_animations;
 use super::buffer::{pack, parts_of};
 use super::error::SceneEncodeError;
 use super::head::{MeshEntry, PART_COUNT, SceneHead};
 use super::images::{PreparedImage, prepare};
 use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
-use super::precision::{MeshPrecision, mesh_precisions};
-use super::schedule::{Item, MeshCosts, schedule};
+use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
+use super::schedule::{ANIMATION_ERROR, Item, MeshCosts, WholeCosts, schedule};
 
 /// Largest packet of refinement that is made of several chunks, bytes: small packets can be used sooner, large
 /// ones have less overhead.
@@ -77,10 +78,15 @@ pub fn encode_scene_with_progress(
 ) -> Result<EncodedScene, SceneEncodeError> {
     let meshes = encode_meshes(scene, options, progress)?;
     let images = prepare(scene, options.preview_side);
-    let ranges = parts_of(scene.document(), scene.buffer().len());
-    let parts = ranges.each_ref().map(|part| pack(scene.document(), scene.buffer(), part));
+    let tolerance = scene_tolerance(scene, options.stream.precision).zip(longest_side(scene));
+    let (document, buffer) = match tolerance {
+        Some((tolerance, side)) => round_animations(scene, tolerance, side),
+        None => (scene.document().clone(), scene.buffer().to_vec()),
+    };
+    let ranges = parts_of(&document, buffer.len());
+    let parts = ranges.each_ref().map(|part| pack(&document, &buffer, part));
     let mut head = SceneHead {
-        document: scene.document().clone(),
+        document,
         metadata: options.stream.metadata.clone(),
         base_bytes: 0,
         preview_bytes: 0,
@@ -269,9 +275,7 @@ impl Body {
         let base_end = packets.bytes.len();
         put_previews(&mut packets, scene, images);
         let preview_end = packets.bytes.len();
-        // Animations move a scene of any detail.
-        put_part(&mut packets, 1);
-        put_refinement(&mut packets, (scene, meshes), images);
+        put_refinement(&mut packets, (scene, meshes), images, &parts[1]);
         Self { packets, base_end, preview_end }
     }
 }
@@ -290,21 +294,28 @@ fn put_previews(packets: &mut Packets, scene: &Scene, images: &[PreparedImage]) 
     }
 }
 
-/// Puts the rest of all meshes and images, in the order of the schedule.
+/// Puts the rest of all meshes, the images and the animations, in the order of the schedule.
 fn put_refinement(
     packets: &mut Packets,
     (scene, meshes): (&Scene, &[Option<MeshStream>]),
     images: &[PreparedImage],
+    animations: &[u8],
 ) {
     let costs: Vec<MeshCosts> =
         meshes.iter().map(|mesh| mesh.as_ref().map(MeshStream::costs).unwrap_or_default()).collect();
     let late = images.iter().enumerate().filter(|(_, image)| !image.is_early && image.entry.bytes > 0);
     let diagonal = scene.diagonal();
-    let late: Vec<_> = late.map(|(index, image)| image.costs(index, diagonal)).collect();
+    let mut others: Vec<_> = late.map(|(index, image)| image.costs(index, diagonal)).collect();
+    others.push(WholeCosts {
+        item: Item::Animations,
+        bytes: animations.len() as u64,
+        error: ANIMATION_ERROR * diagonal,
+    });
     let mut sent: Vec<usize> =
         meshes.iter().map(|mesh| mesh.as_ref().map_or(0, |mesh| mesh.info.base_bytes as usize)).collect();
-    for item in schedule(&costs, &late) {
+    for item in schedule(&costs, &others) {
         match item {
+            Item::Animations => packets.put(PacketKind::Buffer, 1, animations),
             Item::Image(image) => packets.put_image(image, &scene.images()[image].bytes),
             Item::Chunks { mesh, chunks } => {
                 let Some(stream) = &meshes[mesh] else { continue };

@@ -4,7 +4,7 @@ use striata_io::Scene;
 
 use super::head::ImageEntry;
 use super::image_use::image_areas;
-use super::schedule::ImageCosts;
+use super::schedule::{Item, WholeCosts};
 use crate::textures::{TextureRole, image_info, image_roles};
 
 /// What a writer sends of an image.
@@ -70,7 +70,11 @@ pub(super) fn prepare(scene: &Scene, preview_side: u32) -> Vec<PreparedImage> {
 
 #[cfg(feature = "textures")]
 fn preview_of(bytes: &[u8], role: TextureRole, max_side: u32) -> Option<(Vec<u8>, [u8; 4], f64)> {
-    let preview = crate::textures::preview(bytes, role, max_side)?;
+    use crate::textures::{TextureTransfer, preview};
+
+    // Colors decide how a small picture looks; other maps are good enough at half of the size.
+    let max_side = if role.transfer == TextureTransfer::Srgb { max_side } else { max_side.div_ceil(2) };
+    let preview = preview(bytes, role, max_side)?;
     Some((preview.image.bytes, preview.average, f64::from(preview.lost_contrast)))
 }
 
@@ -81,9 +85,10 @@ fn preview_of(_: &[u8], _: TextureRole, _: u32) -> Option<(Vec<u8>, [u8; 4], f64
 
 impl PreparedImage {
     /// What the image costs and gains, in a scene with this diagonal.
-    pub(super) fn costs(&self, image: usize, diagonal: f64) -> ImageCosts {
+    pub(super) fn costs(&self, image: usize, diagonal: f64) -> WholeCosts {
         let error = if diagonal > 0.0 { self.area * self.lost_contrast / (4.0 * diagonal) } else { 0.0 };
-        ImageCosts { image, bytes: self.entry.bytes, error: if error.is_finite() { error } else { 0.0 } }
+        let item = Item::Image(image);
+        WholeCosts { item, bytes: self.entry.bytes, error: if error.is_finite() { error } else { 0.0 } }
     }
 
     /// Area per byte of what is sent early, by which previews are ordered.

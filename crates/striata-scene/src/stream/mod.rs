@@ -11,6 +11,7 @@
 //! | `head.rs` | the first packet: document and table |
 //! | `precision.rs`, `motion.rs` | precision of each mesh from one tolerance for the scene |
 //! | `schedule.rs`, `image_use.rs` | the order of refinement and images |
+//! | `animation.rs` | precision of animations |
 //! | `buffer.rs`, `accessors.rs` | animations and skins, compressed by accessor |
 //! | `images.rs` | previews, and what follows of each image |
 //! | `encode.rs` | the writer |
@@ -43,6 +44,7 @@
 //! ```
 
 mod accessors;
+mod animation;
 mod buffer;
 mod bytes;
 mod decoder;

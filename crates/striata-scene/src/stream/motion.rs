@@ -31,10 +31,25 @@ pub(super) fn node_growth(document: &Value, buffer: &[u8]) -> Vec<f64> {
             }
         }
     }
-    with_ancestors(nodes, &own)
+    with_ancestors(nodes, &own).into_iter().map(|growth| growth.min(MAX_GROWTH)).collect()
 }
 
-/// Multiplies the growth of each node by that of its ancestors.
+/// Bound of the factor by which the ancestors of each node enlarge its translation, in the pose of the document.
+pub(super) fn node_stretch(document: &Value) -> Vec<f64> {
+    let nodes = entries(document, "nodes");
+    let sum_of_squares =
+        |numbers: &[Value]| numbers.iter().filter_map(Value::as_f64).map(|x| x * x).sum::<f64>();
+    let own = nodes.iter().map(|node| match (entries(node, "matrix"), entries(node, "scale")) {
+        // The norm of the linear part, which no length grows by more than.
+        (matrix @ [_, ..], _) => sum_of_squares(matrix.get(..12).unwrap_or(matrix)).sqrt(),
+        (_, scale) => scale.iter().filter_map(Value::as_f64).fold(0.0, |most, x| x.abs().max(most)),
+    });
+    let own: Vec<f64> = own.map(|stretch| if stretch > 0.0 { stretch } else { 1.0 }).collect();
+    let whole = with_ancestors(nodes, &own);
+    whole.iter().zip(&own).map(|(whole, own)| whole / own).collect()
+}
+
+/// Multiplies the number of each node by those of its ancestors.
 fn with_ancestors(nodes: &[Value], own: &[f64]) -> Vec<f64> {
     let mut parent = vec![None; nodes.len()];
     for (node, value) in nodes.iter().enumerate() {
@@ -59,10 +74,10 @@ fn with_ancestors(nodes: &[Value], own: &[f64]) -> Vec<f64> {
         }
         for &node in path.iter().rev() {
             let above: f64 = parent[node].and_then(|parent: usize| found[parent]).unwrap_or(1.0);
-            found[node] = Some((above * own[node]).min(MAX_GROWTH));
+            found[node] = Some(above * own[node]);
         }
     }
-    found.into_iter().map(|growth| growth.unwrap_or(1.0)).collect()
+    found.into_iter().map(|product| product.unwrap_or(1.0)).collect()
 }
 
 fn sampler_output(

@@ -13,7 +13,8 @@ pub struct SceneStreamOptions {
     pub stream: StreamOptions,
     /// How meshes are simplified. If `shape_step` is none, it follows from the grid of each mesh.
     pub batches: BatchOptions,
-    /// Longest side of the previews of images, pixels; default 128. With 0, images have no previews.
+    /// Longest side of the previews of color images, pixels; default 128. Those of other maps, such as normals, are half
+    /// as long. With 0, images have no previews.
     pub preview_side: u32,
 }
 

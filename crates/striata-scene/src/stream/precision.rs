@@ -48,18 +48,22 @@ pub(super) fn mesh_precisions(scene: &Scene, options: &StreamOptions) -> Vec<Opt
 
 /// Returns how far positions may move, in units of the scene; [`None`] if they may not move, or the scene
 /// shows nothing.
-fn scene_tolerance(scene: &Scene, precision: Precision) -> Option<f64> {
+pub(super) fn scene_tolerance(scene: &Scene, precision: Precision) -> Option<f64> {
     let tolerance = match precision {
         Precision::Bits(bits) => {
-            let bounds = scene.bounds()?;
-            let side = |axis: usize| f64::from(bounds.max[axis]) - f64::from(bounds.min[axis]);
-            let longest = (0..3).map(side).fold(0.0, f64::max);
-            0.5 * 3f64.sqrt() * longest / (2f64.powi(bits.min(32) as i32) - 1.0)
+            0.5 * 3f64.sqrt() * longest_side(scene)? / ((1u64 << bits.min(32)) - 1) as f64
         }
         Precision::Tolerance(tolerance) => tolerance,
         _ => return None,
     };
     (tolerance.is_finite() && tolerance > 0.0).then_some(tolerance)
+}
+
+/// Returns the longest side of the scene's box; [`None`] if the scene shows nothing.
+pub(super) fn longest_side(scene: &Scene) -> Option<f64> {
+    let bounds = scene.bounds()?;
+    let side = |axis: usize| f64::from(bounds.max[axis]) - f64::from(bounds.min[axis]);
+    Some((0..3).map(side).fold(0.0, f64::max)).filter(|side| side.is_finite() && *side > 0.0)
 }
 
 /// Sets the precision of a mesh that may move by a distance, mesh units.

@@ -10,6 +10,9 @@
 //! changes the area on which the image is seen (a quarter of the area of the surface, by Cauchy's formula) by the
 //! contrast it has lost, which was measured: `A c / 4`. So the image stands for an error of `A c / (4 D)`.
 //! Normals count half of it and other maps a quarter, because less of them shows in a picture.
+//!
+//! **Animations** are one item that counts as an error of one percent of the diagonal: a moving scene of that
+//! accuracy is worth more than a finer one that stands still.
 
 use std::ops::Range;
 
@@ -22,16 +25,18 @@ pub(super) struct MeshCosts {
     pub(super) errors: Vec<f64>,
 }
 
-/// What an image costs and gains.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ImageCosts {
-    /// Index of the image.
-    pub(super) image: usize,
-    /// Length of the file, bytes.
+/// What something costs and gains that is of no use in part.
+#[derive(Clone, Debug)]
+pub(super) struct WholeCosts {
+    pub(super) item: Item,
+    /// Length, bytes.
     pub(super) bytes: u64,
     /// Geometric error that would change the picture as much, units of the scene.
     pub(super) error: f64,
 }
+
+/// Error that animations count as, as a share of the diagonal of the scene.
+pub(super) const ANIMATION_ERROR: f64 = 0.01;
 
 /// Something that follows in one piece.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,19 +47,20 @@ pub(super) enum Item {
         mesh: usize,
         chunks: Range<usize>,
     },
-    /// An image.
+    /// The image with this index.
     Image(usize),
+    /// The data of all animations.
+    Animations,
 }
 
-/// Returns all chunks and images in the order of their improvement per byte.
-pub(super) fn schedule(meshes: &[MeshCosts], images: &[ImageCosts]) -> Vec<Item> {
+/// Returns all chunks and other items in the order of their improvement per byte.
+pub(super) fn schedule(meshes: &[MeshCosts], others: &[WholeCosts]) -> Vec<Item> {
     let mut items: Vec<(f64, Item)> = Vec::new();
     for (mesh, costs) in meshes.iter().enumerate() {
         let runs = runs(costs).into_iter();
         items.extend(runs.map(|(gain, chunks)| (gain, Item::Chunks { mesh, chunks })));
     }
-    let of_image = |costs: &ImageCosts| (costs.error / costs.bytes.max(1) as f64, Item::Image(costs.image));
-    items.extend(images.iter().map(of_image));
+    items.extend(others.iter().map(|costs| (costs.error / costs.bytes.max(1) as f64, costs.item.clone())));
     // Stable: the runs of a mesh keep their order.
     items.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     items.into_iter().map(|(_, item)| item).collect()
@@ -93,7 +99,7 @@ mod tests {
     fn the_larger_improvement_per_byte_comes_first() {
         let small = MeshCosts { bytes: vec![100, 100], errors: vec![1.0, 0.1] };
         let large = MeshCosts { bytes: vec![100, 100], errors: vec![10.0, 0.5] };
-        let image = |image, bytes, error| ImageCosts { image, bytes, error };
+        let image = |image, bytes, error| WholeCosts { item: Item::Image(image), bytes, error };
         let images = [image(0, 1000, 2.0), image(1, 100, 0.7), image(2, 100, 0.0)];
         let chunks = |mesh, chunks| Item::Chunks { mesh, chunks };
         let expected = [
