@@ -128,8 +128,8 @@ fn largest_stretch(matrix: &DMat4) -> f64 {
         if !(size > 0.0 && size.is_finite()) {
             return 0.0;
         }
-        power = power * (1.0 / size);
-        power = power * power;
+        power *= 1.0 / size;
+        power *= power;
     }
     let columns = [power.x_axis, power.y_axis, power.z_axis];
     let direction = columns.into_iter().fold(DVec3::ZERO, |longest, column| {

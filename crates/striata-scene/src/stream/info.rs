@@ -73,7 +73,10 @@ impl SceneStreamInfo {
             let reason = "the stream does not begin with a document".to_owned();
             return Err(SceneStreamError::Packet { offset, reason });
         }
-        let Some(bytes) = bytes.get(..packet.head_bytes + packet.length) else { return Ok(None) };
+        if packet.whole_bytes() > bytes.len() as u64 {
+            return Ok(None);
+        }
+        let bytes = &bytes[..packet.head_bytes + packet.length];
         packet.check(bytes, offset)?;
         let head = SceneHead::from_bytes(&bytes[packet.head_bytes..])?;
         let document_bytes = offset + bytes.len() as u64;

@@ -12,10 +12,10 @@
 //! | `precision.rs`, `motion.rs` | precision of each mesh from one tolerance for the scene |
 //! | `schedule.rs`, `image_use.rs` | the order of refinement and images |
 //! | `animation.rs` | precision of animations |
-//! | `buffer.rs`, `accessors.rs` | animations and skins, compressed by accessor |
+//! | `buffer.rs`, `filter.rs`, `accessors.rs` | animations and skins, compressed by accessor |
 //! | `images.rs` | previews, and what follows of each image |
-//! | `encode.rs` | the writer |
-//! | `decoder.rs` | the reader |
+//! | `encode.rs`, `layout.rs` | the writer |
+//! | `decoder.rs`, `received.rs` | the reader |
 //! | `prefix.rs` | the scene that has been received so far |
 //!
 //! **Damage.** Every packet has a checksum; the stream of a mesh checks its chunks again. Damage gives an error, and
@@ -51,16 +51,19 @@ mod decoder;
 mod deflate;
 mod encode;
 mod error;
+mod filter;
 mod head;
 mod image_use;
 mod images;
 mod info;
 mod json;
+mod layout;
 mod motion;
 mod options;
 mod packet;
 mod precision;
 mod prefix;
+mod received;
 mod schedule;
 
 pub use decoder::{MeshUpdate, SceneStreamDecoder, SceneStreamUpdate};

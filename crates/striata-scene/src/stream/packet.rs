@@ -114,6 +114,11 @@ impl PacketHead {
         Ok(Some(Self { kind, index, length: length as usize, checksum, head_bytes }))
     }
 
+    /// Length of the packet with its payload, bytes.
+    pub(super) fn whole_bytes(&self) -> u64 {
+        self.head_bytes as u64 + self.length as u64
+    }
+
     /// Compares the checksum with that of the complete packet at the front of `bytes`.
     pub(super) fn check(&self, bytes: &[u8], offset: u64) -> Result<(), SceneStreamError> {
         let payload = &bytes[self.head_bytes..self.head_bytes + self.length];

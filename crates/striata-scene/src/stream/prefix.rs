@@ -7,10 +7,10 @@ use striata::mesh::{Image, IndexedMesh, TriangleGroup};
 use striata_io::{Scene, SceneParts};
 
 use super::SceneStreamError;
-use super::decoder::Received;
 use super::head::SceneHead;
 use super::images::ImageState;
 use super::json::triangle_primitives;
+use super::received::Received;
 use crate::textures::{ImageFormat, placeholder_png, without_sources};
 
 /// Buffers up to this length are filled with zeros while parts of them are missing, bytes.
