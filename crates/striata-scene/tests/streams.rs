@@ -120,6 +120,11 @@ fn vertices_stay_within_the_tolerance_of_the_scene_when_deformed() {
         }
     }
     let (a, b) = (found.meshes()[1].as_ref().unwrap(), scene.meshes()[1].as_ref().unwrap());
+    let weights = a.layer(&Semantic::Weights(0)).unwrap();
+    for vertex in 0..a.vertex_count() {
+        let sum: f32 = (0..4).map(|joint| weights.get(vertex, joint)).sum();
+        assert!((sum - 1.0).abs() < 1e-6, "{sum}");
+    }
     let expected = by_joints(b);
     for (joints, position) in by_joints(a) {
         let near = expected.iter().filter(|(_, p)| (0..3).all(|i| (p[i] - position[i]).abs() < 0.011));

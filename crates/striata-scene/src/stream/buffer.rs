@@ -42,8 +42,8 @@ pub(super) fn parts_of(document: &Value, buffer_bytes: usize) -> [Vec<ByteRange>
     parts
 }
 
-/// Returns the accessors that only animations refer to.
-fn animated_accessors(document: &Value) -> BTreeSet<usize> {
+/// Returns the accessors that animations refer to.
+pub(super) fn animated_accessors(document: &Value) -> BTreeSet<usize> {
     let samplers =
         entries(document, "animations").iter().flat_map(|animation| entries(animation, "samplers"));
     let of_sampler = |sampler: &Value| [index(sampler, "input"), index(sampler, "output")];

@@ -253,6 +253,9 @@ impl SceneStreamDecoder {
     }
 
     /// The decoder of a mesh; [`None`] if the mesh has no triangles, or the document has not arrived.
+    ///
+    /// Weights of joints are as they were rounded: divide those of a vertex by their sum, as
+    /// [`scene`](Self::scene) and [`refinable_meshes`](Self::refinable_meshes) do.
     pub fn mesh(&self, mesh: usize) -> Option<&StreamDecoder> {
         Some(&self.received_mesh(mesh)?.decoder)
     }
@@ -289,7 +292,7 @@ impl SceneStreamDecoder {
     /// and those whose base has not arrived.
     pub fn refinable_meshes(&self) -> Vec<Option<RefinableMesh>> {
         let meshes = self.received.as_ref().map_or(&[][..], |received| &received.meshes);
-        meshes.iter().map(|mesh| mesh.as_ref()?.decoder.refinable_mesh()).collect()
+        meshes.iter().map(|mesh| mesh.as_ref()?.refinable_mesh()).collect()
     }
 
     /// All levels received so far of each glTF mesh, as [`refinable_meshes`](Self::refinable_meshes).

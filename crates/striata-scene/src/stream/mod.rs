@@ -16,7 +16,7 @@
 //! | `images.rs` | previews, and what follows of each image |
 //! | `encode.rs`, `layout.rs` | the writer |
 //! | `decoder.rs`, `received.rs` | the reader |
-//! | `prefix.rs` | the scene that has been received so far |
+//! | `prefix.rs`, `weights.rs` | the scene that has been received so far |
 //!
 //! **Damage.** Every packet has a checksum; the stream of a mesh checks its chunks again. Damage gives an error, and
 //! what was received before it remains available. The document unpacks to at most 128 times the length of its packet
@@ -65,6 +65,7 @@ mod precision;
 mod prefix;
 mod received;
 mod schedule;
+mod weights;
 
 pub use decoder::{MeshUpdate, SceneStreamDecoder, SceneStreamUpdate};
 pub use encode::{EncodedScene, SceneStreamSizes, encode_scene, encode_scene_with_progress};

@@ -5,6 +5,9 @@
 //! or an animated scale enlarges it. A vertex with several joints moves by a weighted average of what each joint
 //! would do, so it stays within the tolerance too. With morph targets, half of the tolerance is for the positions
 //! and half for the displacements, for the largest weights that occur.
+//!
+//! Weights of joints are rounded as [`LayerOptions::weight_bits`](striata_stream::LayerOptions) says; what this moves a
+//! vertex depends on how far its joints are apart, and is not part of the tolerance.
 
 use striata::mesh::{IndexedMesh, Semantic};
 use striata_io::Scene;

@@ -7,6 +7,7 @@ use striata::mesh::{Image, IndexedMesh, TriangleGroup};
 use striata_io::{Scene, SceneParts};
 
 use super::SceneStreamError;
+use super::buffer::animated_accessors;
 use super::head::SceneHead;
 use super::images::ImageState;
 use super::json::triangle_primitives;
@@ -47,7 +48,7 @@ pub(super) fn prefix_scene(received: &Received, bytes: u64) -> Result<Scene, Sce
     let images = images_of(received, &mut document);
     let meshes = received.meshes.iter().map(|mesh| {
         let mesh = mesh.as_ref()?;
-        let refinable = mesh.decoder.refinable_mesh().map(|refinable| refinable.mesh);
+        let refinable = mesh.refinable_mesh().map(|refinable| refinable.mesh);
         Some(refinable.unwrap_or_else(|| empty_mesh(mesh.entry.group_count)))
     });
     let meshes = meshes.collect();
@@ -72,9 +73,7 @@ fn buffer_of(received: &Received, bytes: u64, document: &mut Value) -> Result<Ve
         if length > ZEROED_BYTES.max(bytes.saturating_mul(ZEROED_PER_BYTE)) {
             return not_drawable("the data of animations");
         }
-        if let Some(root) = document.as_object_mut() {
-            root.remove("animations");
-        }
+        remove_animations(document);
     }
     let mut buffer = vec![0; usize::try_from(length).unwrap_or(0)];
     for (ranges, part) in received.head.buffer.iter().zip(&received.parts) {
@@ -86,6 +85,19 @@ fn buffer_of(received: &Received, bytes: u64, document: &mut Value) -> Result<Ve
         }
     }
     Ok(buffer)
+}
+
+/// Removes the animations of a document, and the ranges of their numbers, which have not arrived.
+fn remove_animations(document: &mut Value) {
+    let animated = animated_accessors(document);
+    let Some(root) = document.as_object_mut() else { return };
+    root.remove("animations");
+    let accessors = root.get_mut("accessors").and_then(Value::as_array_mut).into_iter().flatten();
+    let animated = accessors.enumerate().filter(|(index, _)| animated.contains(index));
+    for entry in animated.filter_map(|(_, accessor)| accessor.as_object_mut()) {
+        entry.remove("min");
+        entry.remove("max");
+    }
 }
 
 /// Returns the images, and adapts MIME types and textures to those that are not complete.

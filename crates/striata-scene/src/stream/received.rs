@@ -1,5 +1,6 @@
 //! What the reader has received of each part of a scene.
 
+use striata::mesh::RefinableMesh;
 use striata_stream::{DecodeError, StreamDecoder, StreamInfo, StreamUpdate};
 
 use super::SceneStreamError;
@@ -7,6 +8,7 @@ use super::buffer::unpack;
 use super::head::{MeshEntry, PART_COUNT, SceneHead};
 use super::images::{ImageState, ReceivedImage};
 use super::packet::PacketKind;
+use super::weights::normalize_weights;
 
 /// Everything that has been received after the document.
 #[derive(Clone, Debug)]
@@ -112,6 +114,15 @@ impl ReceivedMesh {
     /// Whether the base has been decoded.
     pub(super) fn has_base(&self) -> bool {
         !self.decoder.first_vertices().is_empty()
+    }
+
+    /// The mesh received so far with its collapse sequence; [`None`] before its base has arrived.
+    pub(super) fn refinable_mesh(&self) -> Option<RefinableMesh> {
+        let mut refinable = self.decoder.refinable_mesh()?;
+        if !self.decoder.info().is_some_and(|info| info.is_exact) {
+            normalize_weights(&mut refinable.mesh);
+        }
+        Some(refinable)
     }
 
     /// Compares the header of the mesh's stream with the table.
