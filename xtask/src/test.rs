@@ -27,6 +27,8 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-io", "draco"),
     ("striata-io", "compressed"),
     ("striata-io", "blocks"),
+    ("striata-scene", ""),
+    ("striata-scene", "textures"),
     ("striata-strip", ""),
     ("striata-cli", ""),
     ("striata-cli", "gpu"),
@@ -112,7 +114,8 @@ fn check_fuzz() -> Result<()> {
 }
 
 fn check_wasm() -> Result<()> {
-    let check = ["check", "-p", "striata", "-p", "striata-stream", "--target", WASM_TARGET];
+    let check =
+        ["check", "-p", "striata", "-p", "striata-stream", "-p", "striata-scene", "--target", WASM_TARGET];
     steps::run(&mut cargo(&check))?;
     steps::run(cargo(&check).arg("--no-default-features"))
 }

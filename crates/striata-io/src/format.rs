@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
-use striata::file::STREAM_MAGIC;
+use striata::file::{SCENE_STREAM_MAGIC, STREAM_MAGIC};
 
 /// File format that striata recognizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,7 +23,7 @@ pub enum Format {
     Glb,
     /// The striata container: recognized, but not read by this crate.
     Striata,
-    /// A bare progressive stream: recognized, but not read by this crate.
+    /// A bare progressive stream of a mesh or a scene: recognized, but not read by this crate.
     Stream,
 }
 
@@ -83,7 +83,7 @@ impl Format {
         if bytes.starts_with(STRIATA_MAGIC) {
             return Some(Self::Striata);
         }
-        if bytes.starts_with(&STREAM_MAGIC) {
+        if bytes.starts_with(&STREAM_MAGIC) || bytes.starts_with(&SCENE_STREAM_MAGIC) {
             return Some(Self::Stream);
         }
         if bytes.starts_with(b"glTF") {
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn content_wins_over_the_name() {
-        let cases: [(&[u8], &str, Option<Format>); 14] = [
+        let cases: [(&[u8], &str, Option<Format>); 15] = [
             (b"ply\nformat ascii 1.0\n", "x.obj", Some(Format::Ply)),
             (b"plywood", "x.txt", None),
             (b"glTF\x02\0\0\0", "x", Some(Format::Glb)),
@@ -172,6 +172,7 @@ mod tests {
             (b"OFF 8 6 12\n", "x", Some(Format::Off)),
             (b"STRIATA\0....", "x.ply", Some(Format::Striata)),
             (b"\x89STR\x01", "x.ply", Some(Format::Stream)),
+            (b"\x89SCN\x01", "x.ply", Some(Format::Stream)),
             (b"hello", "x.stri", Some(Format::Stream)),
             (b"hello", "x.PLY", Some(Format::Ply)),
             (b"hello", "a.b/x.off.gz", Some(Format::Off)),

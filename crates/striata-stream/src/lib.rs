@@ -92,7 +92,7 @@ mod writer;
 pub use format::error::{DecodeError, StreamDefect};
 pub use format::files::{file_model, open, open_stream, open_truncated, open_with};
 pub use format::grid::GridError;
-pub use format::info::StreamInfo;
+pub use format::info::{ChunkInfo, StreamInfo};
 pub use format::version::{Effort, StreamVersion};
 pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use layers::options::{LayerBitsError, LayerOptions};

@@ -129,7 +129,7 @@ fn largest_stretch(matrix: &DMat4) -> f64 {
             return 0.0;
         }
         power *= 1.0 / size;
-        power = power * power;
+        power *= power;
     }
     let columns = [power.x_axis, power.y_axis, power.z_axis];
     let direction = columns.into_iter().fold(DVec3::ZERO, |longest, column| {

@@ -1,7 +1,7 @@
 //! [`StreamInfo`]: properties of a stream that can be read from its header alone.
 
 use crate::format::error::DecodeError;
-use crate::format::header::{StreamHeader, header_length};
+use crate::format::header::{ChunkEntry, StreamHeader, header_length};
 use crate::format::version::{Effort, StreamVersion};
 
 /// Counts, sizes and settings of a stream, read from its header without decoding anything.
@@ -40,6 +40,20 @@ pub struct StreamInfo {
     pub error_max: f32,
     /// Metadata of the stream, as pairs of key and value.
     pub metadata: Vec<(String, String)>,
+    /// Chunks in the order of the stream.
+    pub chunks: Vec<ChunkInfo>,
+}
+
+/// Properties of a chunk of a stream.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct ChunkInfo {
+    /// Length of the chunk, bytes.
+    pub bytes: u64,
+    /// Number of vertex splits in this chunk and all chunks before it.
+    pub split_count: usize,
+    /// Error of the level before this chunk, mesh units.
+    pub error: f32,
 }
 
 impl StreamInfo {
@@ -51,9 +65,18 @@ impl StreamInfo {
         let Some(header) = header_length(bytes)?.and_then(|length| bytes.get(..length)) else {
             return Ok(None);
         };
-        let header = StreamHeader::from_bytes(header)?;
+        Ok(Some(Self::of(&StreamHeader::from_bytes(header)?)))
+    }
+
+    /// Returns the properties that a header states.
+    pub(crate) fn of(header: &StreamHeader) -> Self {
         let base_bytes = header.chunks.first().map_or(0, |chunk| u64::from(chunk.bytes));
-        Ok(Some(Self {
+        let chunk = |entry: &ChunkEntry| ChunkInfo {
+            bytes: u64::from(entry.bytes),
+            split_count: entry.split_count as usize,
+            error: entry.error,
+        };
+        Self {
             stream_bytes: header.length
                 + header.chunks.iter().map(|chunk| u64::from(chunk.bytes)).sum::<u64>(),
             head_bytes: header.length,
@@ -70,7 +93,8 @@ impl StreamInfo {
             group_count: header.groups.len(),
             step_count: header.step_count as usize,
             error_max: header.chunks.first().map_or(0.0, |chunk| chunk.error),
-            metadata: header.metadata,
-        }))
+            metadata: header.metadata.clone(),
+            chunks: header.chunks.iter().map(chunk).collect(),
+        }
     }
 }

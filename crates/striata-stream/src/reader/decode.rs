@@ -13,6 +13,7 @@ use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::header::{
     ChunkEntry, FIXED_HEADER_BYTES, GroupName, StreamHeader, header_length, max_extra_wedges,
 };
+use crate::format::info::StreamInfo;
 use crate::layers::form::LayerForm;
 use crate::reader::prefix::PrefixMesh;
 use crate::refine::growth::GrowingMesh;
@@ -366,6 +367,11 @@ impl StreamDecoder {
     /// Number of vertex splits decoded so far.
     pub fn split_count(&self) -> usize {
         self.refiner.as_ref().map_or(0, |refiner| refiner.split_count())
+    }
+
+    /// Properties of the whole stream, or `None` before its header has been decoded.
+    pub fn info(&self) -> Option<StreamInfo> {
+        self.header.as_ref().map(StreamInfo::of)
     }
 
     /// Number of vertex splits in the whole stream, or `None` before its header has been decoded.

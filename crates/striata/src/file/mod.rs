@@ -33,7 +33,7 @@ pub use mesh_sections::{
     SemanticCode, appearance_from_bytes, appearance_to_bytes, metadata_to_bytes, semantic_code, semantic_of,
 };
 pub use reader::StriataFile;
-pub use stream::{STREAM_MAGIC, StoredStream, StreamCodec, StreamHead, StreamMesh};
+pub use stream::{SCENE_STREAM_MAGIC, STREAM_MAGIC, StoredStream, StreamCodec, StreamHead, StreamMesh};
 pub use summary::Summary;
 pub use writer::{
     FileModel, Section, WriteOptions, to_striata, write_fragments, write_sections, write_striata,

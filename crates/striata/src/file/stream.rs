@@ -11,6 +11,9 @@ use crate::mesh::RefinableMesh;
 /// The first bytes of a stream.
 pub const STREAM_MAGIC: [u8; 4] = *b"\x89STR";
 
+/// The first bytes of a stream of a whole scene, which contains a stream for each of its meshes.
+pub const SCENE_STREAM_MAGIC: [u8; 4] = *b"\x89SCN";
+
 /// A stream to be stored in a file: its bytes and the counts from its head.
 ///
 /// `striata_stream::file_model` creates one from the bytes.

@@ -1,0 +1,215 @@
+//! The writer: encodes every mesh, then distributes all bytes over packets.
+
+use striata::mesh::IndexedMesh;
+use striata::simplify::{BatchOptions, SimplifyError, build_batches_with_progress};
+use striata::{Progress, ProgressFn, ignore_progress};
+use striata_io::Scene;
+use striata_stream::{
+    ChunkInfo, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream,
+};
+
+use super::SceneStreamOptions;
+use super::animation::round_animations;
+use super::buffer::{pack, parts_of};
+use super::error::SceneEncodeError;
+use super::head::{MeshEntry, SceneHead};
+use super::images::prepare;
+use super::layout::Body;
+use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
+use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
+use super::schedule::MeshCosts;
+
+/// A scene as a stream.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct EncodedScene {
+    /// Bytes of the stream.
+    pub bytes: Vec<u8>,
+    /// What the bytes are spent on.
+    pub sizes: SceneStreamSizes,
+}
+
+/// Bytes of each part of a stream; together they are the whole stream.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SceneStreamSizes {
+    /// Document and table.
+    pub document_bytes: usize,
+    /// Base meshes, with the headers of their streams.
+    pub base_bytes: usize,
+    /// Refinement of the meshes.
+    pub refinement_bytes: usize,
+    /// Animations, skins, points and lines.
+    pub buffer_bytes: usize,
+    /// Previews of images.
+    pub preview_bytes: usize,
+    /// Images.
+    pub image_bytes: usize,
+    /// Header of the stream, and headers of the packets.
+    pub packet_bytes: usize,
+    /// Length of the prefix that shows every mesh.
+    pub drawable_at: usize,
+    /// Length of the prefix that shows every mesh, with previews of all images.
+    pub textured_at: usize,
+}
+
+/// Encodes a scene as a progressive stream.
+///
+/// # Errors
+/// [`SceneEncodeError`] with the mesh that cannot be simplified or encoded.
+pub fn encode_scene(scene: &Scene, options: &SceneStreamOptions) -> Result<EncodedScene, SceneEncodeError> {
+    encode_scene_with_progress(scene, options, &mut ignore_progress)
+}
+
+/// Runs [`encode_scene`] and reports progress in triangles; the callback can cancel.
+///
+/// # Errors
+/// See [`encode_scene`]; also if the callback cancels.
+pub fn encode_scene_with_progress(
+    scene: &Scene,
+    options: &SceneStreamOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<EncodedScene, SceneEncodeError> {
+    let meshes = encode_meshes(scene, options, progress)?;
+    let images = prepare(scene, options.preview_side);
+    let tolerance = scene_tolerance(scene, options.stream.precision).zip(longest_side(scene));
+    let (document, buffer) = match tolerance {
+        Some((tolerance, side)) => round_animations(scene, tolerance, side),
+        None => (scene.document().clone(), scene.buffer().to_vec()),
+    };
+    let ranges = parts_of(&document, buffer.len());
+    let parts = ranges.each_ref().map(|part| pack(&document, &buffer, part));
+    let mut head = SceneHead {
+        document,
+        metadata: options.stream.metadata.clone(),
+        base_bytes: 0,
+        preview_bytes: 0,
+        buffer: ranges,
+        meshes: meshes.iter().map(|mesh| mesh.as_ref().map(MeshStream::entry)).collect(),
+        images: images.iter().map(|image| image.entry.clone()).collect(),
+    };
+    let body = Body::new(scene, &meshes, &images, &parts);
+    (head.base_bytes, head.preview_bytes) = (body.base_end as u64, body.preview_end as u64);
+    let document = head.to_bytes();
+    check_length("the document", document.len())?;
+    let mut bytes = Vec::new();
+    begin(&mut bytes);
+    put_packet(PacketKind::Document, 0, &document, &mut bytes);
+    let start = bytes.len();
+    bytes.extend_from_slice(&body.packets.bytes);
+    end(&mut bytes);
+    let packet_bytes = body.packets.head_bytes + start - document.len();
+    debug_assert!(packet_bytes >= HEADER_BYTES, "the header of the stream counts");
+    let sizes = SceneStreamSizes {
+        document_bytes: document.len(),
+        packet_bytes,
+        drawable_at: start + body.base_end,
+        textured_at: start + body.preview_end,
+        ..body.packets.sizes
+    };
+    Ok(EncodedScene { bytes, sizes })
+}
+
+fn check_length(what: &'static str, length: usize) -> Result<(), SceneEncodeError> {
+    match u32::try_from(length) {
+        Ok(_) => Ok(()),
+        Err(_) => Err(SceneEncodeError::TooLong { what, length }),
+    }
+}
+
+/// The stream of a mesh.
+pub(super) struct MeshStream {
+    pub(super) bytes: Vec<u8>,
+    pub(super) info: StreamInfo,
+    /// Factor from mesh units to scene units, 0 if the mesh is not shown.
+    scale: f64,
+}
+
+impl MeshStream {
+    fn entry(&self) -> MeshEntry {
+        MeshEntry {
+            bytes: self.bytes.len() as u64,
+            vertex_count: self.info.vertex_count as u32,
+            triangle_count: self.info.triangle_count as u32,
+            step_count: self.info.step_count as u32,
+            group_count: self.info.group_count as u32,
+            error: self.info.error_max,
+            scale: self.scale,
+        }
+    }
+
+    /// Chunks after the one that contains the base.
+    pub(super) fn refinement(&self) -> &[ChunkInfo] {
+        self.info.chunks.get(1..).unwrap_or(&[])
+    }
+
+    /// What its refinement costs and gains.
+    pub(super) fn costs(&self) -> MeshCosts {
+        MeshCosts {
+            bytes: self.refinement().iter().map(|chunk| chunk.bytes).collect(),
+            errors: self.refinement().iter().map(|chunk| f64::from(chunk.error) * self.scale).collect(),
+        }
+    }
+}
+
+/// Simplifies and encodes all meshes.
+fn encode_meshes(
+    scene: &Scene,
+    options: &SceneStreamOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Vec<Option<MeshStream>>, SceneEncodeError> {
+    let total: usize = scene.meshes().iter().flatten().map(IndexedMesh::triangle_count).sum();
+    let (mut done, mut streams) = (0u64, Vec::new());
+    let precisions = mesh_precisions(scene, &options.stream);
+    for (index, (mesh, precision)) in scene.meshes().iter().zip(precisions).enumerate() {
+        let Some((mesh, MeshPrecision { options: own, scale })) = mesh.as_ref().zip(precision) else {
+            streams.push(None);
+            continue;
+        };
+        let mut within = |part: Progress| {
+            let own = mesh.triangle_count() as u64;
+            let share = part.done.min(part.total).saturating_mul(own) / part.total.max(1);
+            progress(Progress { phase: part.phase, done: done + share, total: total as u64 })
+        };
+        let (bytes, info) =
+            encode_mesh(mesh, (&own, &options.batches), &mut within).map_err(|error| error.in_mesh(index))?;
+        streams.push(Some(MeshStream { bytes, info, scale }));
+        done += mesh.triangle_count() as u64;
+        if progress(Progress { phase: "encode", done, total: total as u64 }).is_break() {
+            return Err(SceneEncodeError::Cancelled);
+        }
+    }
+    Ok(streams)
+}
+
+/// What failed while a mesh was encoded.
+enum MeshFault {
+    Simplify(SimplifyError),
+    Stream(StreamError),
+}
+
+impl MeshFault {
+    fn in_mesh(self, mesh: usize) -> SceneEncodeError {
+        match self {
+            Self::Simplify(source) => SceneEncodeError::Simplify { mesh, source },
+            Self::Stream(source) => SceneEncodeError::Stream { mesh, source },
+        }
+    }
+}
+
+fn encode_mesh(
+    mesh: &IndexedMesh,
+    (options, batches): (&StreamOptions, &BatchOptions),
+    progress: &mut ProgressFn<'_>,
+) -> Result<(Vec<u8>, StreamInfo), MeshFault> {
+    let mut batches = batches.clone();
+    if batches.shape_step.is_none() && options.precision != Precision::Lossless {
+        let step = options.grid_step(mesh).map_err(|error| MeshFault::Stream(error.into()))?;
+        batches.shape_step = Some(SHAPE_STEPS * step);
+    }
+    let built = build_batches_with_progress(mesh, &batches, progress).map_err(MeshFault::Simplify)?;
+    let stream = encode_stream(&built.built.refinable, &built.batches, options).map_err(MeshFault::Stream)?;
+    // A stream that was just written has a valid header.
+    let info = StreamInfo::read(&stream.bytes).ok().flatten().unwrap_or_default();
+    Ok((stream.bytes, info))
+}

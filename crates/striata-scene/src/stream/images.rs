@@ -1,0 +1,124 @@
+//! Images of a stream: previews for the writer, and what the reader has of each image.
+
+use striata_io::Scene;
+
+use super::head::ImageEntry;
+use super::image_use::image_areas;
+use super::schedule::{Item, WholeCosts};
+use crate::textures::{TextureRole, image_info, image_roles};
+
+/// What a writer sends of an image.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PreparedImage {
+    pub(super) entry: ImageEntry,
+    /// Preview, or nothing.
+    pub(super) preview: Vec<u8>,
+    /// Whether the image itself is small enough to take the place of its preview.
+    pub(super) is_early: bool,
+    /// Area that the image is seen on, square units of the scene, weighted by role.
+    area: f64,
+    /// Contrast that the preview has lost, 0 to 1.
+    lost_contrast: f64,
+}
+
+/// Images up to this many times the size of their preview are sent instead of it.
+const EARLY_FACTOR: usize = 2;
+
+/// Images up to this length are sent early if there is no preview, bytes.
+const EARLY_BYTES: usize = 1024;
+
+/// Contrast that is assumed to be lost if an image cannot be decoded.
+const UNKNOWN_CONTRAST: f64 = 0.1;
+
+/// Makes previews of all images.
+pub(super) fn prepare(scene: &Scene, preview_side: u32) -> Vec<PreparedImage> {
+    let roles = image_roles(scene.document());
+    let areas = image_areas(scene);
+    let prepare = |(index, image): (usize, &striata::mesh::Image)| {
+        let role = roles.get(index).copied().unwrap_or_default();
+        let mut entry = ImageEntry {
+            bytes: image.bytes.len() as u64,
+            average: role.neutral(),
+            name: image.name.clone(),
+            uri: image.uri.clone(),
+            mime_type: image.mime_type.clone(),
+            ..ImageEntry::default()
+        };
+        let area = areas[index];
+        if let Ok(info) = image_info(&image.bytes) {
+            entry.size = (info.width, info.height);
+        }
+        let Some((preview, average, lost_contrast)) = preview_of(&image.bytes, role, preview_side) else {
+            let is_early = !image.bytes.is_empty() && image.bytes.len() <= EARLY_BYTES;
+            return PreparedImage {
+                entry,
+                is_early,
+                area,
+                lost_contrast: UNKNOWN_CONTRAST,
+                ..Default::default()
+            };
+        };
+        entry.average = average;
+        if image.bytes.len() <= EARLY_FACTOR * preview.len() {
+            return PreparedImage { entry, is_early: true, area, lost_contrast, ..Default::default() };
+        }
+        entry.preview_bytes = preview.len() as u64;
+        PreparedImage { entry, preview, is_early: false, area, lost_contrast }
+    };
+    scene.images().iter().enumerate().map(prepare).collect()
+}
+
+#[cfg(feature = "textures")]
+fn preview_of(bytes: &[u8], role: TextureRole, max_side: u32) -> Option<(Vec<u8>, [u8; 4], f64)> {
+    use crate::textures::{TextureTransfer, preview};
+
+    // Colors decide how a small picture looks; other maps are good enough at half of the size.
+    let max_side = if role.transfer == TextureTransfer::Srgb { max_side } else { max_side.div_ceil(2) };
+    let preview = preview(bytes, role, max_side)?;
+    Some((preview.image.bytes, preview.average, f64::from(preview.lost_contrast)))
+}
+
+#[cfg(not(feature = "textures"))]
+fn preview_of(_: &[u8], _: TextureRole, _: u32) -> Option<(Vec<u8>, [u8; 4], f64)> {
+    None
+}
+
+impl PreparedImage {
+    /// What the image costs and gains, in a scene with this diagonal.
+    pub(super) fn costs(&self, image: usize, diagonal: f64) -> WholeCosts {
+        let error = if diagonal > 0.0 { self.area * self.lost_contrast / (4.0 * diagonal) } else { 0.0 };
+        let item = Item::Image(image);
+        WholeCosts { item, bytes: self.entry.bytes, error: if error.is_finite() { error } else { 0.0 } }
+    }
+
+    /// Area per byte of what is sent early, by which previews are ordered.
+    pub(super) fn early_value(&self) -> f64 {
+        let bytes = if self.is_early { self.entry.bytes } else { self.entry.preview_bytes };
+        self.area / bytes.max(1) as f64
+    }
+}
+
+/// How much of an image has been received.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImageState {
+    /// The source has no bytes for this image.
+    Missing,
+    /// Only its average color is known.
+    Placeholder,
+    /// A small version of it has been received.
+    Preview,
+    /// It is complete.
+    Full,
+}
+
+/// What has been received of an image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ReceivedImage<'d> {
+    /// How much has been received.
+    pub state: ImageState,
+    /// The image or its preview as a file; empty if neither has been received.
+    pub bytes: &'d [u8],
+    /// Average color, RGBA.
+    pub average: [u8; 4],
+}

@@ -1,0 +1,141 @@
+//! Distribution of everything over packets, in the order of the stream.
+
+use striata_io::Scene;
+
+use super::encode::{MeshStream, SceneStreamSizes};
+use super::head::PART_COUNT;
+use super::images::PreparedImage;
+use super::packet::{PacketKind, put_packet};
+use super::schedule::{ANIMATION_ERROR, Item, MeshCosts, WholeCosts, schedule};
+
+/// Largest packet of refinement that is made of several chunks, bytes: small packets can be used sooner, large
+/// ones have less overhead.
+const JOINED_BYTES: usize = 8192;
+
+/// Largest piece of an image, bytes.
+const IMAGE_PIECE_BYTES: usize = 1 << 16;
+
+/// Packets in the order of the stream, with a count of what they contain.
+#[derive(Default)]
+pub(super) struct Packets {
+    pub(super) bytes: Vec<u8>,
+    /// Length of everything but payloads.
+    pub(super) head_bytes: usize,
+    pub(super) sizes: SceneStreamSizes,
+}
+
+impl Packets {
+    fn put(&mut self, kind: PacketKind, index: usize, payload: &[u8]) {
+        let start = self.bytes.len();
+        put_packet(kind, index, payload, &mut self.bytes);
+        self.head_bytes += self.bytes.len() - start - payload.len();
+        let sum = match kind {
+            PacketKind::Document => &mut self.sizes.document_bytes,
+            PacketKind::Mesh => &mut self.sizes.refinement_bytes,
+            PacketKind::Buffer => &mut self.sizes.buffer_bytes,
+            PacketKind::Preview => &mut self.sizes.preview_bytes,
+            PacketKind::Image => &mut self.sizes.image_bytes,
+        };
+        *sum += payload.len();
+    }
+
+    fn put_image(&mut self, image: usize, bytes: &[u8]) {
+        bytes.chunks(IMAGE_PIECE_BYTES).for_each(|piece| self.put(PacketKind::Image, image, piece));
+    }
+}
+
+/// All packets after the document.
+pub(super) struct Body {
+    pub(super) packets: Packets,
+    /// Length of the packets until every mesh can be drawn.
+    pub(super) base_end: usize,
+    /// Length of the packets until all previews are there.
+    pub(super) preview_end: usize,
+}
+
+impl Body {
+    /// Distributes everything over packets.
+    pub(super) fn new(
+        scene: &Scene,
+        meshes: &[Option<MeshStream>],
+        images: &[PreparedImage],
+        parts: &[Vec<u8>; PART_COUNT],
+    ) -> Self {
+        let mut packets = Packets::default();
+        let put_part =
+            |packets: &mut Packets, part: usize| packets.put(PacketKind::Buffer, part, &parts[part]);
+        put_part(&mut packets, 0);
+        for (index, mesh) in meshes.iter().enumerate() {
+            let Some(mesh) = mesh else { continue };
+            packets.put(PacketKind::Mesh, index, &mesh.bytes[..mesh.info.base_bytes as usize]);
+        }
+        packets.sizes.base_bytes = std::mem::take(&mut packets.sizes.refinement_bytes);
+        let base_end = packets.bytes.len();
+        put_previews(&mut packets, scene, images);
+        let preview_end = packets.bytes.len();
+        put_refinement(&mut packets, (scene, meshes), images, &parts[1]);
+        Self { packets, base_end, preview_end }
+    }
+}
+
+/// Puts previews, and images that are hardly larger than a preview: the ones that cover most per byte first.
+fn put_previews(packets: &mut Packets, scene: &Scene, images: &[PreparedImage]) {
+    let mut early: Vec<usize> = (0..images.len()).collect();
+    early.retain(|&image| images[image].is_early || !images[image].preview.is_empty());
+    early.sort_by(|&a, &b| images[b].early_value().total_cmp(&images[a].early_value()));
+    for image in early {
+        if images[image].is_early {
+            packets.put_image(image, &scene.images()[image].bytes);
+        } else {
+            packets.put(PacketKind::Preview, image, &images[image].preview);
+        }
+    }
+}
+
+/// Puts the rest of all meshes, the images and the animations, in the order of the schedule.
+fn put_refinement(
+    packets: &mut Packets,
+    (scene, meshes): (&Scene, &[Option<MeshStream>]),
+    images: &[PreparedImage],
+    animations: &[u8],
+) {
+    let costs: Vec<MeshCosts> =
+        meshes.iter().map(|mesh| mesh.as_ref().map(MeshStream::costs).unwrap_or_default()).collect();
+    let late = images.iter().enumerate().filter(|(_, image)| !image.is_early && image.entry.bytes > 0);
+    let diagonal = scene.diagonal();
+    let mut others: Vec<_> = late.map(|(index, image)| image.costs(index, diagonal)).collect();
+    others.push(WholeCosts {
+        item: Item::Animations,
+        bytes: animations.len() as u64,
+        error: ANIMATION_ERROR * diagonal,
+    });
+    let mut sent: Vec<usize> =
+        meshes.iter().map(|mesh| mesh.as_ref().map_or(0, |mesh| mesh.info.base_bytes as usize)).collect();
+    for item in schedule(&costs, &others) {
+        match item {
+            Item::Animations => packets.put(PacketKind::Buffer, 1, animations),
+            Item::Image(image) => packets.put_image(image, &scene.images()[image].bytes),
+            Item::Chunks { mesh, chunks } => {
+                let Some(stream) = &meshes[mesh] else { continue };
+                let lengths = stream.refinement()[chunks].iter().map(|chunk| chunk.bytes as usize);
+                for length in joined(lengths) {
+                    let end = sent[mesh] + length;
+                    packets.put(PacketKind::Mesh, mesh, &stream.bytes[sent[mesh]..end]);
+                    sent[mesh] = end;
+                }
+            }
+        }
+    }
+}
+
+/// Joins neighboring lengths as long as their sum stays small.
+fn joined(lengths: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut joined: Vec<usize> = Vec::new();
+    for length in lengths {
+        match joined.last_mut() {
+            Some(last) if *last + length <= JOINED_BYTES => *last += length,
+            _ => joined.push(length),
+        }
+    }
+    joined
+}

@@ -1,0 +1,42 @@
+//! Options of scene streams.
+
+use striata::simplify::BatchOptions;
+use striata_stream::StreamOptions;
+
+/// Options of [`encode_scene`](super::encode_scene).
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct SceneStreamOptions {
+    /// How meshes are encoded. Bits of the positions refer to the longest side of the scene's box, and a tolerance
+    /// is in units of the scene; each mesh gets the precision that this requires. Metadata are those of the
+    /// scene.
+    pub stream: StreamOptions,
+    /// How meshes are simplified. If `shape_step` is none, it follows from the grid of each mesh.
+    pub batches: BatchOptions,
+    /// Longest side of the previews of color images, pixels; default 128. Those of other maps, such as normals, are half
+    /// as long. With 0, images have no previews.
+    pub preview_side: u32,
+}
+
+impl Default for SceneStreamOptions {
+    fn default() -> Self {
+        Self { stream: StreamOptions::default(), batches: BatchOptions::default(), preview_side: 128 }
+    }
+}
+
+impl SceneStreamOptions {
+    /// Sets [`Self::stream`].
+    pub fn with_stream(self, stream: StreamOptions) -> Self {
+        Self { stream, ..self }
+    }
+
+    /// Sets [`Self::batches`].
+    pub fn with_batches(self, batches: BatchOptions) -> Self {
+        Self { batches, ..self }
+    }
+
+    /// Sets [`Self::preview_side`].
+    pub fn with_preview_side(self, preview_side: u32) -> Self {
+        Self { preview_side, ..self }
+    }
+}
