@@ -60,11 +60,18 @@
 mod atomic;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod blocks;
+mod color_space;
+#[cfg(any(feature = "ply", feature = "obj"))]
+mod companions;
 mod compressed;
 mod error;
 mod format;
 #[cfg(feature = "gltf")]
 mod gltf;
+#[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
+mod gltf_json;
+#[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
+mod images;
 #[cfg(not(target_family = "wasm"))]
 mod lod;
 mod normals;
@@ -75,10 +82,15 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod read;
+mod report;
 mod source;
 #[cfg(feature = "stl")]
 mod stl;
 mod text;
+#[cfg(any(feature = "ply", feature = "obj"))]
+mod texture_set;
+#[cfg(any(feature = "ply", feature = "obj"))]
+mod wedges;
 mod write;
 mod write_options;
 
@@ -86,14 +98,16 @@ mod write_options;
 pub use atomic::{FileBatch, write_atomically};
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub use blocks::{StripSpool, TriangleBlocks};
+pub use color_space::{convert_colors, linear_to_srgb_colors, srgb_to_linear_colors};
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
 #[cfg(not(target_family = "wasm"))]
 pub use lod::{open, save};
 #[cfg(not(target_family = "wasm"))]
-pub use read::read;
-pub use read::read_bytes;
+pub use read::{read, read_with_report};
+pub use read::{read_bytes, read_bytes_with_report};
+pub use report::{ReadReport, Warning};
 pub use source::Source;
 pub use write::to_bytes;
 #[cfg(not(target_family = "wasm"))]

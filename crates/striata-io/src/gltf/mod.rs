@@ -46,16 +46,22 @@ pub(crate) use vertex_pieces::VertexPieces;
 pub(crate) use write::{to_glb_bytes, to_json_bytes};
 
 use crate::error::Fault;
+use crate::report::Warnings;
 use crate::{Format, Source};
 use document::Document;
 
 /// Reads a mesh from the bytes of a glTF or GLB file.
-pub(crate) fn read(bytes: &[u8], format: Format, source: &Source<'_>) -> Result<IndexedMesh, Fault> {
+pub(crate) fn read(
+    bytes: &[u8],
+    format: Format,
+    source: &Source<'_>,
+    warnings: &mut Warnings,
+) -> Result<IndexedMesh, Fault> {
     let (json, blob) = match format {
         Format::Glb => container::chunks(bytes)?,
         _ => (bytes, None),
     };
     let root = json::parse(json)?;
     let document = Document::open(&root, blob, json.len(), source)?;
-    assemble::mesh_of(&document)
+    assemble::mesh_of(&document, warnings)
 }
