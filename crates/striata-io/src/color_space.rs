@@ -133,7 +133,7 @@ mod tests {
         let mut linear = mesh.clone();
         convert_colors(&mut linear, Format::Ply, Format::Glb);
         let LayerData::U16(words) = &linear.layers[0].data else { panic!("{linear:?}") };
-        assert_eq!(words[128 * 4..][..4], [14146, 13896, 3359, 128 * 257]);
+        assert_eq!(words[128 * 4..][..4], [14146, 13909, 3360, 128 * 257]);
         convert_colors(&mut linear, Format::Gltf, Format::Off);
         assert_eq!(linear, mesh);
     }

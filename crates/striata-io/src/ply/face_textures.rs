@@ -8,7 +8,7 @@
 //!
 //! A vertex whose corners have different coordinates becomes several vertices, in the order of their first
 //! corners. If no vertex has to be split, all stay as they are. An empty list stands for the coordinates of
-//! the vertices.
+//! the vertices, or those of other faces at the same vertex.
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
@@ -145,26 +145,16 @@ impl FaceTextures {
         if corners.iter().all(|corner| corner[1] == MISSING) {
             return;
         }
-        let own = mesh.layer(&Semantic::TexCoord(0)).filter(|layer| layer.component_count == 2);
-        let of_vertex = |vertex: u32| {
-            own.map_or([0, 0], |layer| [0, 1].map(|component| bits(layer.get(vertex as usize, component))))
-        };
-        for corner in &mut corners {
-            if corner[1] == MISSING {
-                [corner[1], corner[2]] = of_vertex(corner[0]);
-            } else if is_flipped {
-                corner[2] = bits(1.0 - f32::from_bits(corner[2]));
-            }
+        if is_flipped {
+            let known = corners.iter_mut().filter(|corner| corner[1] != MISSING);
+            known.for_each(|corner| corner[2] = bits(1.0 - f32::from_bits(corner[2])));
         }
-        let whole = coordinates_of_whole_vertices(mesh.positions.len(), &corners);
-        let coordinates: Vec<[u32; 2]> = match whole {
-            Some(coordinates) => {
-                let coordinate = |(vertex, found): (usize, [u32; 2])| match found {
-                    [MISSING, _] => of_vertex(vertex as u32),
-                    found => found,
-                };
-                coordinates.into_iter().enumerate().map(coordinate).collect()
-            }
+        let fallback = coordinates_of_vertices(mesh, &corners);
+        for corner in corners.iter_mut().filter(|corner| corner[1] == MISSING) {
+            [corner[1], corner[2]] = fallback[corner[0] as usize];
+        }
+        let coordinates = match coordinates_of_whole_vertices(fallback, &corners) {
+            Some(coordinates) => coordinates,
             None => split(mesh, &corners),
         };
         let data = coordinates.into_flattened().into_iter().map(f32::from_bits).collect();
@@ -176,14 +166,33 @@ impl FaceTextures {
     }
 }
 
-/// Returns the coordinates of each vertex, or [`None`] if some vertex has several.
-fn coordinates_of_whole_vertices(vertex_count: usize, corners: &[Corner]) -> Option<Vec<[u32; 2]>> {
-    let mut coordinates = vec![[MISSING; 2]; vertex_count];
+/// Returns coordinates for the corners that have none: those of the vertex, otherwise those of its first
+/// corner, so that it is not split.
+fn coordinates_of_vertices(mesh: &IndexedMesh, corners: &[Corner]) -> Vec<[u32; 2]> {
+    let own = mesh.layer(&Semantic::TexCoord(0)).filter(|layer| layer.component_count == 2);
+    if let Some(layer) = own {
+        let of_vertex = |vertex| [0, 1].map(|component| bits(layer.get(vertex, component)));
+        return (0..mesh.positions.len()).map(of_vertex).collect();
+    }
+    let mut out = vec![[0, 0]; mesh.positions.len()];
+    for &[vertex, u, v] in corners.iter().rev().filter(|corner| corner[1] != MISSING) {
+        out[vertex as usize] = [u, v];
+    }
+    out
+}
+
+/// Returns the coordinates of each vertex, or [`None`] if some vertex has several. Unused vertices keep
+/// those in `coordinates`.
+fn coordinates_of_whole_vertices(
+    mut coordinates: Vec<[u32; 2]>,
+    corners: &[Corner],
+) -> Option<Vec<[u32; 2]>> {
+    let mut is_known = vec![false; coordinates.len()];
     for &[vertex, u, v] in corners {
-        let known = &mut coordinates[vertex as usize];
-        if known[0] == MISSING {
-            *known = [u, v];
-        } else if *known != [u, v] {
+        let vertex = vertex as usize;
+        if !std::mem::replace(&mut is_known[vertex], true) {
+            coordinates[vertex] = [u, v];
+        } else if coordinates[vertex] != [u, v] {
             return None;
         }
     }
