@@ -3,15 +3,15 @@
 //! | MTL | glTF | remark |
 //! | --- | --- | --- |
 //! | `Kd` | `baseColorFactor` | sRGB to linear as in three.js; linear already if Blender wrote the file |
-//! | `map_Kd` | `baseColorTexture` | replaces `Kd` as in Blender and obj2gltf: exporters write unused defaults |
-//! | `d`, `Tr` | alpha, `BLEND` | `d` wins; alpha 0 counts as 1 as in obj2gltf: it usually means a wrong `Tr` |
+//! | `map_Kd` | `baseColorTexture` | replaces `Kd` as in Blender and obj2gltf; it is often a default |
+//! | `d`, `Tr` | alpha, `BLEND` | `d` wins; 0 counts as 1 as in obj2gltf: usually `Tr` is wrong |
 //! | `map_d` | `MASK` at 0.5 | the base color image must contain the alpha: cutouts need no sorting |
 //! | `Ke`, `map_Ke` | `emissiveFactor`, `emissiveTexture` | above 1: `KHR_materials_emissive_strength` |
 //! | `norm`, `map_Bump` | `normalTexture` | see below; `-bm` is the scale |
 //! | `Pr`, `Pm` | roughness, metallic | metallic is 0 without `Pm` |
 //! | `map_Pr` | `metallicRoughnessTexture` | also with `map_Pm` if both are the same file |
 //! | `Ns` | roughness | fourth root of `2 / (Ns + 2)`; 1 without highlight (`Ks` 0 or `illum` 0 or 1) |
-//! | `illum 0` | `KHR_materials_unlit` | if there is a `map_Kd`; flat colors without light show only outlines |
+//! | `illum 0` | `KHR_materials_unlit` | only with `map_Kd`: plain colors without light are outlines |
 //! | `-s`, `-o` | `KHR_texture_transform` | with `v` flipped |
 //! | `-clamp on` | sampler with `CLAMP_TO_EDGE` | |
 //!
