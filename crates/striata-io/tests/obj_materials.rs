@@ -294,7 +294,7 @@ fn absolute_names_are_looked_up_by_their_file_name() {
 
 #[test]
 fn without_texture_coordinates_there_are_no_textures() {
-    let mtl = format!("newmtl m\nmap_Kd a.png\nKd 1 0 0\n");
+    let mtl = "newmtl m\nmap_Kd a.png\nKd 1 0 0\n";
     let text = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
     let image = png(png::ColorType::Rgb);
     let folder = folder(&[("a.obj", text.as_bytes()), ("a.mtl", mtl.as_bytes()), ("a.png", &image)]);
