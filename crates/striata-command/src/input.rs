@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use memmap2::Mmap;
 use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
-use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes};
+use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes_with_report};
 
 use crate::failure::{Excerpt, Failure};
 use crate::output::Output;
@@ -124,7 +124,8 @@ impl Input {
 
     /// Returns the mesh of a mesh file or shape, or the full mesh of a .striata file or stream.
     ///
-    /// If a stream is cut off, returns the finest level that it contains and warns the user.
+    /// Warns the user of missing textures and other parts that were left out. If a stream is cut off, returns
+    /// the finest level that it contains and warns the user.
     ///
     /// # Errors
     /// If the file is malformed; the message says where.
@@ -143,10 +144,22 @@ impl Input {
         if let Some(folder) = &file.folder {
             source = source.with_folder(folder);
         }
-        read_bytes(file.bytes.as_slice(), &source).map_err(|error| {
+        let report = read_bytes_with_report(file.bytes.as_slice(), &source).map_err(|error| {
             let excerpt = excerpt(&self.name, file.bytes.as_slice(), &error);
             Failure::from(error).with_excerpt(excerpt)
-        })
+        })?;
+        for warning in &report.warnings {
+            output.say(&format!("warning: {warning}"));
+        }
+        Ok(report.mesh)
+    }
+
+    /// Converts the vertex colors of a mesh from this input to those of the format that it will be written
+    /// in: linear for glTF, sRGB for PLY, OBJ and OFF.
+    pub fn convert_colors(&self, mesh: &mut IndexedMesh, to: Format) {
+        if let Content::File(file) = &self.content {
+            striata_io::convert_colors(mesh, file.format, to);
+        }
     }
 
     /// Warns the user if the stream of a file is cut off.

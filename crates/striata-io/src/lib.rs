@@ -14,17 +14,22 @@
 //! `format` detects the format by content, and by extension if the content is inconclusive; the module of
 //! the format builds an [`IndexedMesh`](striata::mesh::IndexedMesh). Writing runs in the other direction
 //! and ends in `atomic`: a temporary file next to the target, which is renamed when it is complete. `error`
-//! names the file, the place (line, byte or JSON path) and the reason of every error. `blocks` handles
-//! files that do not fit into memory.
+//! names the file, the place (line, byte or JSON path) and the reason of every error; `report` collects
+//! warnings about parts that were left out. `blocks` handles files that do not fit into memory.
+//!
+//! Materials are kept as glTF objects, whatever format they come from. Images and material libraries are read
+//! from files next to the source (`companions`, `images`), and `texture_set` makes textures of them.
 //!
 //! | format | parser | why |
 //! | --- | --- | --- |
 //! | PLY | own, `ply` | `ply-rs-bw` builds a map per vertex (27 MB/s), and its errors give no byte offsets |
 //! | OBJ | own, `obj` | `tobj` is slower, its errors give no line numbers, and it loses material and library names |
+//! | MTL | own, `obj/mtl` | `tobj` panics on short colors and rejects files for one bad number |
 //! | STL | own, `stl` | 84 + 50 n bytes; welding is the main work, and is done in the same pass |
 //! | OFF | own, `off` | uses the cursor that OBJ needs anyway |
 //! | glTF, GLB | `serde_json`, own `gltf` | the `gltf` crate rejects scenes without nodes; more in `gltf` |
 //! | glTF compression | `meshoptimizer-rs`, `draco-core` | safe Rust; they limit what they allocate |
+//! | powers of colors | `libm` | the results of the platform's `powf` differ between machines |
 //! | numbers in text | own, `text` | one exact division for up to 15 digits, otherwise the standard library |
 //! | gzip, zstd | `flate2`, `zstd` | |
 //!
@@ -36,7 +41,12 @@
 //!   STL, OFF), against views and buffers (glTF accessors), or against the file's size (glTF instances,
 //!   zero-filled accessors, images).
 //! * **Texture coordinates of a mesh are glTF's** (`v` grows downward). OBJ is flipped when read and
-//!   written; PLY and OFF define no origin and are kept as they are.
+//!   written, PLY is flipped when read if it names texture files; otherwise PLY and OFF define no origin and
+//!   are kept as they are.
+//! * **Vertex colors are never converted** by reading and writing, so that round trips are exact. They are
+//!   linear in glTF and sRGB in PLY, OBJ and OFF: call [`convert_colors`] between these.
+//! * **Files next to the source** are read only inside its folder, unless the source allows others. What is
+//!   missing is a [`Warning`], except for buffers of glTF.
 //! * **Data that a format cannot store** are left out (layers in OBJ, STL and OFF; groups in PLY and STL),
 //!   or refused with a reason if the file would be wrong (NaN or 32-bit identifiers above 2^24 in glTF).
 //!
@@ -60,11 +70,18 @@
 mod atomic;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod blocks;
+mod color_space;
+#[cfg(any(feature = "ply", feature = "obj"))]
+mod companions;
 mod compressed;
 mod error;
 mod format;
 #[cfg(feature = "gltf")]
 mod gltf;
+#[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
+mod gltf_json;
+#[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
+mod images;
 #[cfg(not(target_family = "wasm"))]
 mod lod;
 mod normals;
@@ -75,12 +92,17 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod read;
+mod report;
 #[cfg(feature = "gltf")]
 mod scene;
 mod source;
 #[cfg(feature = "stl")]
 mod stl;
 mod text;
+#[cfg(any(feature = "ply", feature = "obj"))]
+mod texture_set;
+#[cfg(any(feature = "ply", feature = "obj"))]
+mod wedges;
 mod write;
 mod write_options;
 
@@ -88,14 +110,16 @@ mod write_options;
 pub use atomic::{FileBatch, write_atomically};
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub use blocks::{StripSpool, TriangleBlocks};
+pub use color_space::{convert_colors, linear_to_srgb_colors, srgb_to_linear_colors};
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
 #[cfg(not(target_family = "wasm"))]
 pub use lod::{open, save};
 #[cfg(not(target_family = "wasm"))]
-pub use read::read;
-pub use read::read_bytes;
+pub use read::{read, read_with_report};
+pub use read::{read_bytes, read_bytes_with_report};
+pub use report::{ReadReport, Warning};
 #[cfg(feature = "gltf")]
 pub use scene::{
     MeshData, Scene, SceneError, SceneInstance, SceneParts, SceneWriter, SharedMesh, mesh_data,

@@ -9,18 +9,29 @@ use std::path::Path;
 use striata::mesh::IndexedMesh;
 
 use crate::error::Fault;
+use crate::report::{ReadReport, Warnings};
 use crate::source::Source;
 use crate::{Format, ReadError, decompressed};
 
 /// Reads a mesh file of any known format.
 ///
-/// The content decides the format; the extension is only used if the content is inconclusive.
+/// The content decides the format; the extension is only used if the content is inconclusive. Buffers, images
+/// and material libraries are read from the folder of the file.
 ///
 /// # Errors
 /// Returns [`ReadError`] with the file, the place and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
-    with_file(path.as_ref(), read_bytes)
+    read_with_report(path).map(|report| report.mesh)
+}
+
+/// Reads a mesh file like [`read`], and reports what was left out, such as missing textures.
+///
+/// # Errors
+/// Returns [`ReadError`] with the file, the place and the reason.
+#[cfg(not(target_family = "wasm"))]
+pub fn read_with_report(path: impl AsRef<Path>) -> Result<ReadReport, ReadError> {
+    with_file(path.as_ref(), read_bytes_with_report)
 }
 
 /// Calls a reader with the bytes of a file.
@@ -41,22 +52,31 @@ pub(crate) fn with_file<T>(
 /// # Errors
 /// Returns [`ReadError`] with the source's name, the place and the reason.
 pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, ReadError> {
+    read_bytes_with_report(bytes, source).map(|report| report.mesh)
+}
+
+/// Reads a mesh from the bytes of a file, and reports what was left out, such as missing textures.
+///
+/// # Errors
+/// Returns [`ReadError`] with the source's name, the place and the reason.
+pub fn read_bytes_with_report(bytes: &[u8], source: &Source<'_>) -> Result<ReadReport, ReadError> {
     let (bytes, name) = decompressed(Cow::Borrowed(bytes), source.name)?;
     let file = || source.name.to_owned();
     let Some(format) = Format::detect(&bytes, &name) else {
         return Err(ReadError::UnknownFormat { file: file() });
     };
+    let mut warnings = Warnings::of_file(source.name);
     let mesh: Result<IndexedMesh, Fault> = match format {
         #[cfg(feature = "ply")]
-        Format::Ply => crate::ply::read(&bytes),
+        Format::Ply => crate::ply::read(&bytes, source, &mut warnings),
         #[cfg(feature = "obj")]
-        Format::Obj => crate::obj::read(&bytes),
+        Format::Obj => crate::obj::read(&bytes, source, &mut warnings),
         #[cfg(feature = "stl")]
         Format::Stl => crate::stl::read(&bytes),
         #[cfg(feature = "off")]
         Format::Off => crate::off::read(&bytes),
         #[cfg(feature = "gltf")]
-        Format::Gltf | Format::Glb => crate::gltf::read(&bytes, format, source),
+        Format::Gltf | Format::Glb => crate::gltf::read(&bytes, format, source, &mut warnings),
         Format::Striata | Format::Stream => return Err(ReadError::StriataContainer { file: file() }),
         #[cfg(not(all(
             feature = "ply",
@@ -70,5 +90,6 @@ pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, Read
             return Err(ReadError::FeatureOff { file: file(), what, feature });
         }
     };
-    mesh.map_err(|fault| fault.in_file(source.name))
+    let mesh = mesh.map_err(|fault| fault.in_file(source.name))?;
+    Ok(ReadReport { mesh, warnings: warnings.into_list() })
 }

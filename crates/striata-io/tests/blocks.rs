@@ -184,6 +184,27 @@ fn polygons_are_fanned_and_other_elements_skipped() {
 }
 
 #[test]
+fn textures_keep_their_names_and_origin() {
+    let mut mesh = shapes::icosphere(1, 1.0);
+    let texcoords = mesh.positions.iter().flat_map(|&[x, y, _]| [x, y]).collect();
+    mesh.layers = vec![AttributeLayer::from_f32(Semantic::TexCoord(0), 2, texcoords)];
+    let plain = String::from_utf8_lossy(&ply(&mesh)).find("element").unwrap();
+    let bytes = ply(&mesh);
+    let textured = [&bytes[..plain], b"comment TextureFile a b.png\n", &bytes[plain..]].concat();
+    let input = test_folder("mesh.ply", &textured);
+    let whole = read(&input.file).unwrap();
+    assert_ne!(whole.layers, mesh.layers, "`v` is flipped");
+    for format in [Format::Ply, Format::Glb] {
+        let out = input.scratch.parent().unwrap().join(format!("out.{}", format.extension()));
+        strip_to(&input, 10, format, &out);
+        let back = read(&out).unwrap();
+        assert_eq!(back.layers, whole.layers, "{format}");
+        let names: Vec<&str> = back.appearance.images.iter().map(|image| image.uri.as_str()).collect();
+        assert_eq!(names, if format == Format::Ply { vec!["a%20b.png"] } else { Vec::new() });
+    }
+}
+
+#[test]
 fn every_truncation_is_reported() {
     let whole = ply(&shapes::icosphere(1, 1.0));
     for length in 0..whole.len() {

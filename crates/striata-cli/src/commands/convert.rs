@@ -24,7 +24,8 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.format)?;
     let input = Input::open(&args.input)?;
-    let mesh = input.mesh(output)?;
+    let mut mesh = input.mesh(output)?;
+    input.convert_colors(&mut mesh, format);
     write_mesh(&mesh, Primitives::Triangles, path, &args.format)?;
     let report = Report {
         vertex_count: mesh.vertex_count(),

@@ -381,6 +381,50 @@ fn convert_supports_every_format() {
 }
 
 #[test]
+fn textures_come_along_and_missing_ones_are_warnings() {
+    let bench = Workbench::new();
+    bench.write("a.mtl", "newmtl m\nmap_Kd a.jpg\nmap_Ke lost.png\n");
+    bench.write("a.jpg", b"\xff\xd8\xff a picture");
+    bench.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+    let converted = bench.run("convert a.obj a.glb").success();
+    let stderr = String::from_utf8_lossy(&converted.get_output().stderr).into_owned();
+    assert!(
+        stderr.starts_with("warning: ") && stderr.contains("a.mtl: line 3: texture `lost.png`"),
+        "{stderr}"
+    );
+    let glb = bench.read("a.glb");
+    assert!(glb.windows(9).any(|bytes| bytes == b"a picture"));
+    let quiet = bench.run("convert a.obj a.glb --quiet").success();
+    assert!(quiet.get_output().stderr.is_empty());
+}
+
+#[test]
+fn colors_are_linear_in_gltf_only() {
+    let bench = Workbench::new();
+    let mesh = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n\
+        property list uchar int vertex_indices\nend_header\n\
+        0 0 0 255 128 0\n1 0 0 1 2 3\n0 1 0 64 32 16\n3 0 1 2\n";
+    bench.write("a.ply", mesh);
+    for verb in ["convert {} {}", "strip {} -o {}", "simplify {} -o {} --detail 1"] {
+        let run = |from: &str, to: &str| {
+            let arguments = verb.replacen("{}", from, 1).replacen("{}", to, 1);
+            bench.run(&format!("{arguments} --quiet")).success();
+        };
+        run("a.ply", "a.glb");
+        // 128 of 255 in sRGB, as linear light in 16 bits.
+        let glb = bench.read("a.glb");
+        assert!(glb.windows(4).any(|bytes| bytes == [255, 255, 0x42, 0x37]), "{verb}");
+        run("a.glb", "b.gltf");
+        bench.run("convert b.gltf b.ply --ascii --quiet").success();
+        let text = String::from_utf8(bench.read("b.ply")).unwrap();
+        for row in ["0 0 0 255 128 0\n", "1 0 0 1 2 3\n", "0 1 0 64 32 16\n"] {
+            assert!(text.contains(row), "{verb}: {text}");
+        }
+    }
+}
+
+#[test]
 fn meshes_can_be_piped() {
     let bench = Workbench::with_ball();
     let mesh = bench.read("sphere.obj");

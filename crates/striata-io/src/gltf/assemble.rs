@@ -16,6 +16,7 @@ use super::node_tree::{Transform, instances};
 use super::primitive::{Primitive, document_fault};
 use crate::error::Fault;
 use crate::normals;
+use crate::report::Warnings;
 
 /// Memory that a mesh may take regardless of the file size, in bytes: small files with many instances are
 /// legal.
@@ -62,7 +63,7 @@ struct Plan<'a> {
 type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>);
 
 /// Builds the mesh of a document's scene.
-pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
+pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let mut plan = Plan::default();
     for instance in instances(document)? {
         for at in instance.mesh.entries("primitives")? {
@@ -74,7 +75,8 @@ pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
             }
         }
     }
-    let mut mesh = IndexedMesh { appearance: appearance::appearance(document)?, ..IndexedMesh::default() };
+    let mut mesh =
+        IndexedMesh { appearance: appearance::appearance(document, warnings)?, ..IndexedMesh::default() };
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
     let block_of_group = plan.triangles_into(document, Grouping::FansJoined, &mut mesh)?;

@@ -55,17 +55,28 @@ pub(crate) use write_layers::attribute_name;
 pub(crate) use write_scene::{scene_to_glb_bytes, scene_to_json_bytes};
 
 use crate::error::Fault;
+use crate::report::Warnings;
 use crate::{Format, MeshData, Scene, Source};
 use document::Document;
 
 /// Reads a mesh from the bytes of a glTF or GLB file.
-pub(crate) fn read(bytes: &[u8], format: Format, source: &Source<'_>) -> Result<IndexedMesh, Fault> {
-    with_document(bytes, format, source, assemble::mesh_of)
+pub(crate) fn read(
+    bytes: &[u8],
+    format: Format,
+    source: &Source<'_>,
+    warnings: &mut Warnings,
+) -> Result<IndexedMesh, Fault> {
+    with_document(bytes, format, source, |document| assemble::mesh_of(document, warnings))
 }
 
 /// Reads a scene from the bytes of a glTF or GLB file.
-pub(crate) fn read_scene(bytes: &[u8], format: Format, source: &Source<'_>) -> Result<Scene, Fault> {
-    with_document(bytes, format, source, read_scene::scene_of)
+pub(crate) fn read_scene(
+    bytes: &[u8],
+    format: Format,
+    source: &Source<'_>,
+    warnings: &mut Warnings,
+) -> Result<Scene, Fault> {
+    with_document(bytes, format, source, |document| read_scene::scene_of(document, warnings))
 }
 
 /// Reads an accessor of a scene's document: the numbers, and how many of them each element has.

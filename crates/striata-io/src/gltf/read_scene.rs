@@ -12,6 +12,7 @@ use super::json::JsonNode;
 use super::primitive::Primitive;
 use super::references::{entries, has_triangles, has_unknown_references};
 use crate::error::Fault;
+use crate::report::Warnings;
 use crate::scene::{Scene, SceneParts, number_materials};
 
 /// Refinement streams of meshes, which do not belong to the triangles of a scene once it is changed.
@@ -27,7 +28,7 @@ const STORAGE_EXTENSIONS: [&str; 5] = [
 ];
 
 /// Reads the scene of a document.
-pub(super) fn scene_of(document: &Document<'_>) -> Result<Scene, Fault> {
+pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Result<Scene, Fault> {
     let Value::Object(mut root) = document.root.value.clone() else {
         return Err(document.root.fault("the document is not an object"));
     };
@@ -39,7 +40,7 @@ pub(super) fn scene_of(document: &Document<'_>) -> Result<Scene, Fault> {
     let keeps_numbers = has_unknown_references(document.root.value);
     let buffer = carry(document, &mut root, &is_geometry, keeps_numbers)?;
     clear_triangles(&mut root, &is_geometry);
-    let (images, warnings) = images(document)?;
+    let images = images(document, warnings)?;
     let entries = root.get_mut("images").and_then(Value::as_array_mut).into_iter().flatten();
     for (entry, image) in entries.zip(&images) {
         let Some(entry) = entry.as_object_mut() else { continue };
@@ -52,8 +53,7 @@ pub(super) fn scene_of(document: &Document<'_>) -> Result<Scene, Fault> {
     drop_streams(&mut root);
     drop_storage_extensions(&mut root);
     let scene = Scene::from_parts(SceneParts { document: Value::Object(root), buffer, images, meshes });
-    let scene = scene.map_err(|error| Fault::Malformed(error.place, error.reason))?;
-    Ok(scene.with_warnings(warnings))
+    scene.map_err(|error| Fault::Malformed(error.place, error.reason))
 }
 
 /// Returns the mesh of all triangle primitives of a glTF mesh; [`None`] if they show nothing.

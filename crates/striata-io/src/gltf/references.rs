@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use super::appearance::extensions_in;
+use crate::gltf_json::extensions_in;
 
 /// What an accessor is used for; accessors of different uses may not share a buffer view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -8,13 +8,13 @@ use std::collections::BTreeSet;
 use serde_json::{Map, Value, json};
 use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 
-use super::appearance::extensions_in;
 use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
 use super::component_type::ComponentType;
 use super::write_layers::{Attributes, attributes};
 use super::{container, uri};
 use crate::WriteOptions;
 use crate::error::Refusal;
+use crate::gltf_json::extensions_in;
 
 const TRIANGLES: u32 = 4;
 const TRIANGLE_FAN: u32 = 6;

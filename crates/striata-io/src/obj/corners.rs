@@ -1,10 +1,9 @@
 //! Conversion of corners with three indices each to vertices with one.
 
-use std::collections::BTreeMap;
-
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
 use crate::normals;
+use crate::wedges::number_wedges;
 
 /// Marks a missing texture coordinate or normal.
 pub(super) const NONE: u32 = u32::MAX;
@@ -32,7 +31,7 @@ pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
     if has_common_indices(&tables, corners, [has_texcoord, has_normal]) {
         return in_file_order(tables, corners, [has_texcoord, has_normal]);
     }
-    let (vertices, triangles) = number_triples(tables.positions.len(), corners);
+    let (vertices, triangles) = number_wedges(tables.positions.len(), corners);
     let positions: Vec<[f32; 3]> = vertices.iter().map(|v| tables.positions[v[0] as usize]).collect();
     let mut layers = Vec::new();
     if has_normal {
@@ -74,45 +73,6 @@ fn in_file_order(tables: Tables, corners: &[Corner], [has_texcoord, has_normal]:
     }
     let triangles = corners.chunks_exact(3).map(|t| [t[0][0], t[1][0], t[2][0]]).collect();
     IndexedMesh { layers, ..IndexedMesh::new(tables.positions, triangles) }
-}
-
-/// Longest chain that is searched linearly; further triples go into a tree.
-const MAX_CHAIN_LENGTH: usize = 32;
-
-/// Numbers distinct triples in order of first occurrence.
-///
-/// The triples of one position form a chain, which is as short as the position has wedges; a file with long
-/// chains only slows down its own reading.
-fn number_triples(position_count: usize, corners: &[Corner]) -> (Vec<Corner>, Vec<[u32; 3]>) {
-    let mut first = vec![NONE; position_count];
-    let mut vertices: Vec<Corner> = Vec::with_capacity(position_count);
-    let mut next: Vec<u32> = Vec::with_capacity(position_count);
-    let mut beyond: BTreeMap<Corner, u32> = BTreeMap::new();
-    let mut vertex_of = |corner: &Corner| {
-        let position = corner[0] as usize;
-        let (mut vertex, mut steps) = (first[position], 0);
-        while vertex != NONE && vertices[vertex as usize] != *corner && steps < MAX_CHAIN_LENGTH {
-            vertex = next[vertex as usize];
-            steps += 1;
-        }
-        let new_vertex = vertices.len() as u32;
-        if steps == MAX_CHAIN_LENGTH {
-            vertex = *beyond.entry(*corner).or_insert(new_vertex);
-        } else if vertex == NONE {
-            vertex = new_vertex;
-        }
-        if vertex == new_vertex {
-            vertices.push(*corner);
-            next.push(first[position]);
-            if steps < MAX_CHAIN_LENGTH {
-                first[position] = vertex;
-            }
-        }
-        vertex
-    };
-    let triangles =
-        corners.chunks_exact(3).map(|t| [vertex_of(&t[0]), vertex_of(&t[1]), vertex_of(&t[2])]).collect();
-    (vertices, triangles)
 }
 
 /// Returns the normals of the vertices; a corner without one gets the normal of its triangles.

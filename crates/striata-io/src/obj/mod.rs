@@ -9,8 +9,15 @@
 //!
 //! OBJ's texture coordinates grow upward, those of a mesh downward: `v` becomes `1 - v`, subtracted in
 //! decimal (`0.1` becomes `0.9`), so that a round trip changes no digit.
+//!
+//! If the folder of the file is known, `libraries` reads the material libraries in it; `mtl` parses them, and
+//! `materials` converts them to glTF materials. Whatever goes wrong there is a warning, never an error.
 
 mod corners;
+mod libraries;
+mod materials;
+mod mtl;
+mod texture_statement;
 mod write;
 
 pub(crate) use write::to_bytes;
@@ -19,9 +26,12 @@ use std::collections::BTreeMap;
 
 use striata::mesh::{Appearance, IndexedMesh, Material, TriangleGroup};
 
+use crate::Source;
 use crate::error::Fault;
+use crate::report::Warnings;
 use crate::text::{Cursor, quoted};
 use corners::{Corner, NONE, Tables, assemble};
+use libraries::LibraryStatement;
 
 /// State of the reader after some statements.
 #[derive(Default)]
@@ -34,7 +44,7 @@ struct Reader {
     groups: Vec<TriangleGroup>,
     materials: Vec<Material>,
     material_of_name: BTreeMap<String, u32>,
-    material_libraries: Vec<String>,
+    libraries: Vec<LibraryStatement>,
     name: String,
     material: Option<u32>,
     /// Whether the last group has the current name and material.
@@ -43,8 +53,8 @@ struct Reader {
     forward: [Option<(u32, u64)>; 3],
 }
 
-/// Reads a mesh from the bytes of an OBJ file.
-pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+/// Reads a mesh from the bytes of an OBJ file, and its materials from the libraries next to it.
+pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut cursor = Cursor::new(bytes).with_continuation();
     let mut reader = Reader::default();
@@ -53,7 +63,11 @@ pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
         cursor.next_line();
     }
     reader.check_forward()?;
-    reader.into_mesh()
+    let libraries = std::mem::take(&mut reader.libraries);
+    let mut mesh = reader.into_mesh();
+    mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
+    libraries::attach(&mut mesh, &libraries, bytes.len() as u64, source, warnings);
+    Ok(mesh)
 }
 
 /// Whether a keyword is a statement of the format that does not affect triangles.
@@ -125,7 +139,8 @@ impl Reader {
                 Ok(())
             }
             b"mtllib" => {
-                self.material_libraries.push(name_at(cursor));
+                let line = cursor.line();
+                self.libraries.push(LibraryStatement { names: name_at(cursor), line });
                 Ok(())
             }
             word if is_ignored(&word.to_ascii_lowercase()) => Ok(()),
@@ -260,7 +275,7 @@ impl Reader {
         Ok(())
     }
 
-    fn into_mesh(mut self) -> Result<IndexedMesh, Fault> {
+    fn into_mesh(mut self) -> IndexedMesh {
         let triangle_count = (self.corners.len() / 3) as u32;
         let mut end = triangle_count;
         for group in self.groups.iter_mut().rev() {
@@ -270,9 +285,8 @@ impl Reader {
         if matches!(&self.groups[..], [only] if only.name.is_empty() && only.material.is_none()) {
             self.groups.clear();
         }
-        let (materials, material_libraries) = (self.materials, self.material_libraries);
-        let appearance = Appearance { materials, material_libraries, ..Appearance::default() };
-        Ok(IndexedMesh { groups: self.groups, appearance, ..assemble(self.tables, &self.corners) })
+        let appearance = Appearance { materials: self.materials, ..Appearance::default() };
+        IndexedMesh { groups: self.groups, appearance, ..assemble(self.tables, &self.corners) }
     }
 }
 

@@ -8,9 +8,11 @@ use striata::mesh::{AttributeLayer, LayerData, Semantic};
 use crate::error::{Fault, Place};
 
 use super::column::Column;
+use super::face_textures::{FaceTextures, TextureProperties};
 use super::header::{Element, Header, Property, Scalar};
 use super::names::{ColumnSet, column_sets};
 use super::rows::Rows;
+use super::textures;
 
 /// Vertex element without its lists: `count` rows of `stride` little-endian bytes.
 pub(crate) struct Vertices<'a> {
@@ -24,6 +26,8 @@ pub(crate) struct Vertices<'a> {
 #[derive(Default)]
 pub(crate) struct Faces {
     pub triangles: Vec<[u32; 3]>,
+    /// Texture data of the triangles, as far as there are any.
+    pub textures: FaceTextures,
     /// The largest index, and a fault at its position that is used if it is out of range.
     largest: Option<(i64, Fault)>,
 }
@@ -93,7 +97,7 @@ fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Ver
     Ok(Vertices { rows: Cow::Owned(bytes), count, stride, columns })
 }
 
-fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
+pub(super) fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
     let count = match property.list {
         None => 1,
         Some(scalar) => list_length(scalar, rows)?,
@@ -101,7 +105,7 @@ fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<()
     rows.skip(property.scalar, count)
 }
 
-fn list_length<'a>(scalar: Scalar, rows: &mut impl Rows<'a>) -> Result<usize, Fault> {
+pub(super) fn list_length<'a>(scalar: Scalar, rows: &mut impl Rows<'a>) -> Result<usize, Fault> {
     let length = rows.integer(scalar)?;
     usize::try_from(length).map_err(|_| rows.fault(format!("a list cannot have {length} entries")))
 }
@@ -137,6 +141,9 @@ fn read_faces<'a, R: Rows<'a>>(
     let Some(list) = index_list(element) else { return skip_element(element, rows) };
     let mut left = element.count;
     faces.triangles.reserve(left.min(rows.bytes_left() / 6));
+    if let Some(textured) = TextureProperties::of(element) {
+        return textured.read_faces(element, list, rows, faces);
+    }
     if let [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }] =
         element.properties[..]
     {
@@ -197,7 +204,11 @@ fn read_polygon<'a, R: Rows<'a>>(
     Ok(())
 }
 
-fn read_index<'a, R: Rows<'a>>(scalar: Scalar, rows: &mut R, faces: &mut Faces) -> Result<u32, Fault> {
+pub(super) fn read_index<'a, R: Rows<'a>>(
+    scalar: Scalar,
+    rows: &mut R,
+    faces: &mut Faces,
+) -> Result<u32, Fault> {
     let mark = rows.mark();
     let index = rows.integer(scalar)?;
     let Ok(vertex) = u32::try_from(index) else {
@@ -329,7 +340,12 @@ impl Vertices<'_> {
             (Semantic::Generic(name), _) => (self.typed(set), header.normalized.contains(name)),
             (Semantic::Joints(_), _) => (self.typed(set), false),
         };
-        AttributeLayer { semantic, component_count, normalized, data }
+        let mut layer = AttributeLayer { semantic, component_count, normalized, data };
+        let has_bottom_origin = !header.texture_files.is_empty();
+        if has_bottom_origin && matches!(layer.semantic, Semantic::TexCoord(_)) {
+            textures::flip(&mut layer.data, layer.normalized);
+        }
+        layer
     }
 
     /// Returns the columns in the type that represents them best.

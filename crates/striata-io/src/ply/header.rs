@@ -92,6 +92,13 @@ impl Element {
     }
 }
 
+/// Image that a comment names.
+#[derive(Clone, Debug)]
+pub(crate) struct TextureComment {
+    pub name: String,
+    pub line: u64,
+}
+
 /// Parsed header.
 #[derive(Clone, Debug)]
 pub(crate) struct Header {
@@ -99,6 +106,8 @@ pub(crate) struct Header {
     pub elements: Vec<Element>,
     /// Layers marked by `comment normalized NAME`, a note of our own writer.
     pub normalized: Vec<String>,
+    /// Images named by `comment TextureFile NAME`.
+    pub texture_files: Vec<TextureComment>,
     pub body_at: usize,
     pub body_line: u64,
 }
@@ -112,12 +121,19 @@ impl Header {
         }
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
-        let mut normalized = Vec::new();
+        let (mut normalized, mut texture_files) = (Vec::new(), Vec::new());
         loop {
             cursor.next_line();
             match cursor.word() {
                 b"format" => encoding = Some(read_format(&mut cursor)?),
-                b"comment" => normalized.extend(read_note(&mut cursor)),
+                b"comment" => match cursor.word() {
+                    b"normalized" => normalized.push(text(cursor.word())),
+                    word if word.eq_ignore_ascii_case(b"texturefile") => {
+                        let (name, line) = (text(cursor.rest_of_line()), cursor.line());
+                        texture_files.push(TextureComment { name, line });
+                    }
+                    _ => {}
+                },
                 b"element" => elements.push(read_element(&mut cursor)?),
                 b"property" => {
                     let property = read_property(&mut cursor)?;
@@ -137,7 +153,7 @@ impl Header {
         cursor.next_line();
         let encoding = encoding.ok_or_else(|| cursor.fault("the header has no `format` line"))?;
         let (body_at, body_line) = (bytes.len() - cursor.bytes_left(), cursor.line());
-        Ok(Self { encoding, elements, normalized, body_at, body_line })
+        Ok(Self { encoding, elements, normalized, texture_files, body_at, body_line })
     }
 
     /// Returns the element `vertex`.
@@ -166,10 +182,6 @@ fn read_format(cursor: &mut Cursor<'_>) -> Result<Encoding, Fault> {
             Err(Fault::Unsupported(Place::Line(cursor.line()), what))
         }
     }
-}
-
-fn read_note(cursor: &mut Cursor<'_>) -> Option<String> {
-    (cursor.word() == b"normalized").then(|| text(cursor.word()))
 }
 
 fn read_element(cursor: &mut Cursor<'_>) -> Result<Element, Fault> {

@@ -6,15 +6,21 @@
 //! triangulated as fans while they are read. Cost: one pass, and one copy of the vertices if the file is
 //! ASCII, big-endian or has lists.
 //!
-//! Texture coordinates are kept unchanged, because the format does not define their origin.
+//! Texture coordinates are kept unchanged, because the format does not define their origin. Files with a
+//! `comment TextureFile` are the exception: the programs that write it (MeshLab, photogrammetry) count `v`
+//! from the bottom of the image, so it becomes `1 - v`. The images become materials (`textures`), and the
+//! coordinates of faces are split into vertices (`face_textures`). Our writer names no images, and a file
+//! that it wrote is read back unchanged.
 
 mod body;
 mod column;
+mod face_textures;
 mod header;
 mod names;
 mod rows;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod stream;
+mod textures;
 mod write;
 
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
@@ -23,14 +29,17 @@ pub(crate) use write::to_bytes;
 
 use striata::mesh::IndexedMesh;
 
+use crate::Source;
 use crate::error::Fault;
+use crate::report::Warnings;
 use crate::text::Cursor;
+use crate::texture_set::TextureSet;
 use body::{Faces, read_elements};
 use header::{Encoding, Header};
 use rows::{AsciiRows, BinaryRows};
 
-/// Reads a mesh from the bytes of a PLY file.
-pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+/// Reads a mesh from the bytes of a PLY file, and the images that it names from files next to it.
+pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let header = Header::read(bytes)?;
     let mut faces = Faces::default();
     let vertices = match header.encoding {
@@ -48,5 +57,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     let positions = vertices.positions(&header)?;
     faces.check_indices(positions.len())?;
     let layers = vertices.layers(&header);
-    Ok(IndexedMesh { layers, ..IndexedMesh::new(positions, faces.triangles) })
+    if !faces.textures.is_empty() {
+        faces.pad_textures();
+    }
+    let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(positions, faces.triangles) };
+    let comments = &header.texture_files;
+    faces.textures.split_vertices(&mut mesh, !comments.is_empty());
+    let set = TextureSet::new(source, bytes.len() as u64);
+    textures::attach(&mut mesh, comments, faces.textures.numbers(), set, warnings);
+    Ok(mesh)
 }

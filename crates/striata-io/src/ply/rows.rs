@@ -9,6 +9,8 @@ use super::header::{Element, Scalar};
 pub(crate) trait Rows<'a> {
     /// Reads a number that must be an integer: an index or a list's length.
     fn integer(&mut self, scalar: Scalar) -> Result<i64, Fault>;
+    /// Reads a number of any type.
+    fn float(&mut self, scalar: Scalar) -> Result<f32, Fault>;
     /// Appends a number of any type to `out`, as the little-endian bytes of that type.
     fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault>;
     /// Skips `count` numbers.
@@ -40,6 +42,11 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
     fn integer(&mut self, _scalar: Scalar) -> Result<i64, Fault> {
         self.0.skip_lines(None);
         self.0.integer()
+    }
+
+    fn float(&mut self, _scalar: Scalar) -> Result<f32, Fault> {
+        self.0.skip_lines(None);
+        self.0.f32()
     }
 
     fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
@@ -137,6 +144,16 @@ impl<'a, const BIG: bool> Rows<'a> for BinaryRows<'a, BIG> {
     }
 
     #[inline]
+    fn float(&mut self, scalar: Scalar) -> Result<f32, Fault> {
+        let taken = self.take(scalar.bytes())?;
+        Ok(match scalar {
+            Scalar::F32 => f32::from_bits(word_of(taken, BIG) as u32),
+            Scalar::F64 => f64::from_bits(word_of(taken, BIG)) as f32,
+            _ => integer_from_bytes(taken, scalar, BIG) as f32,
+        })
+    }
+
+    #[inline]
     fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
         let taken = self.take(scalar.bytes())?;
         if BIG {
@@ -183,14 +200,20 @@ impl<'a, const BIG: bool> Rows<'a> for BinaryRows<'a, BIG> {
     }
 }
 
-/// Converts bytes to a number that must be an integer.
+/// Returns up to eight bytes as the low bytes of a word.
 #[inline]
-pub(crate) fn integer_from_bytes(taken: &[u8], scalar: Scalar, is_big: bool) -> i64 {
+fn word_of(taken: &[u8], is_big: bool) -> u64 {
     let mut word = [0u8; 8];
     for (i, &byte) in taken.iter().enumerate() {
         word[if is_big { taken.len() - 1 - i } else { i }] = byte;
     }
-    let value = u64::from_le_bytes(word);
+    u64::from_le_bytes(word)
+}
+
+/// Converts bytes to a number that must be an integer.
+#[inline]
+pub(crate) fn integer_from_bytes(taken: &[u8], scalar: Scalar, is_big: bool) -> i64 {
+    let value = word_of(taken, is_big);
     match scalar {
         Scalar::I8 => i64::from(value as i8),
         Scalar::I16 => i64::from(value as i16),

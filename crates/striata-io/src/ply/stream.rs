@@ -2,6 +2,8 @@
 //!
 //! Vertices must have rows of constant length, so that each can be located by its index, and must precede the
 //! faces. Other elements before the faces must have constant row lengths too, so that they can be skipped.
+//! Texture coordinates and texture numbers of faces are skipped, and images are not read: their names are
+//! copied to the header of a PLY file that is written.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -137,6 +139,9 @@ impl PlyStream {
         let mut head = format!("ply\nformat {encoding} 1.0\n");
         for name in &self.header.normalized {
             head += &format!("comment normalized {name}\n");
+        }
+        for texture in &self.header.texture_files {
+            head += &format!("comment TextureFile {}\n", texture.name);
         }
         head += &format!("element vertex {}\n", self.vertex_count);
         let vertex = self.header.elements.iter().find(|e| e.name == "vertex");

@@ -46,6 +46,7 @@ pub use writer::{SceneWriter, SharedMesh};
 use serde_json::Value;
 use striata::mesh::{Bounds, Image, IndexedMesh};
 
+use crate::Warning;
 use crate::gltf::has_triangles;
 
 /// A glTF document with its triangle meshes and images apart.
@@ -56,7 +57,7 @@ pub struct Scene {
     images: Vec<Image>,
     meshes: Vec<Option<IndexedMesh>>,
     instances: Vec<SceneInstance>,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
 }
 
 /// The parts of a [`Scene`], for files that store them separately.
@@ -115,7 +116,7 @@ impl Scene {
         }
     }
 
-    pub(crate) fn with_warnings(self, warnings: Vec<String>) -> Self {
+    pub(crate) fn with_warnings(self, warnings: Vec<Warning>) -> Self {
         Self { warnings, ..self }
     }
 
@@ -149,7 +150,7 @@ impl Scene {
     }
 
     /// What was missing when the scene was read, such as an image file; empty if nothing was.
-    pub fn warnings(&self) -> &[String] {
+    pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
 

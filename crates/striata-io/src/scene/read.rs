@@ -5,10 +5,11 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use super::Scene;
-use crate::read::read_bytes;
+use crate::read::read_bytes_with_report;
 #[cfg(not(target_family = "wasm"))]
 use crate::read::with_file;
-use crate::{Format, ReadError, Source, decompressed};
+use crate::report::{ReadReport, Warnings};
+use crate::{Format, ReadError, Source, convert_colors, decompressed};
 
 /// Reads a scene from a file of any known format.
 ///
@@ -30,11 +31,19 @@ pub fn read_scene_bytes(bytes: &[u8], source: &Source<'_>) -> Result<Scene, Read
     let (unpacked, name) = decompressed(Cow::Borrowed(bytes), source.name)?;
     match Format::detect(&unpacked, &name) {
         Some(format @ (Format::Gltf | Format::Glb)) => {
-            crate::gltf::read_scene(&unpacked, format, source).map_err(|fault| fault.in_file(source.name))
+            let mut warnings = Warnings::of_file(source.name);
+            let scene = crate::gltf::read_scene(&unpacked, format, source, &mut warnings);
+            let scene = scene.map_err(|fault| fault.in_file(source.name))?;
+            Ok(scene.with_warnings(warnings.into_list()))
         }
-        _ => {
-            let mesh = read_bytes(&unpacked, &Source { name: &name, ..*source })?;
-            Scene::from_mesh(mesh).map_err(|error| error.in_file(source.name))
+        format => {
+            let ReadReport { mut mesh, warnings } =
+                read_bytes_with_report(&unpacked, &Source { name: &name, ..*source })?;
+            if let Some(format) = format {
+                convert_colors(&mut mesh, format, Format::Glb);
+            }
+            let scene = Scene::from_mesh(mesh).map_err(|error| error.in_file(source.name))?;
+            Ok(scene.with_warnings(warnings))
         }
     }
 }

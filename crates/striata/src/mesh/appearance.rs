@@ -5,7 +5,7 @@
 pub struct Material {
     /// The material's name; may be empty.
     pub name: String,
-    /// The material as a glTF `material` object in JSON; empty if the source was not glTF.
+    /// The material as a glTF `material` object in JSON; empty if only the name is known.
     pub gltf_json: String,
 }
 

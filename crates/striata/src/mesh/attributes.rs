@@ -11,7 +11,8 @@ pub enum Semantic {
     Tangent,
     /// Texture coordinates, 2 components; the number is the UV set.
     TexCoord(u8),
-    /// Color, 3 or 4 components in 0..=1 (or normalized integers); the number is the color set.
+    /// Color, 3 or 4 components in 0..=1 (or normalized integers); the number is the color set. The values
+    /// are linear if the mesh comes from glTF, and sRGB if it comes from PLY, OBJ or OFF.
     Color(u8),
     /// Indices of up to 4 joints; the number is the set.
     Joints(u8),

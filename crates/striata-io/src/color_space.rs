@@ -1,0 +1,174 @@
+//! Conversion of vertex colors between sRGB and linear light.
+//!
+//! PLY, OBJ and OFF store colors as they are shown (sRGB), by convention. glTF stores them linear. A mesh
+//! does not know where its colors come from, and reading and writing must not change them: a file that is
+//! read and written in its own format keeps every bit. So readers and writers keep the numbers, and whoever
+//! crosses formats converts them: [`convert_colors`] for two formats, [`srgb_to_linear_colors`] and
+//! [`linear_to_srgb_colors`] for a mesh.
+//!
+//! Linear colors take 16 bits per channel. Adjacent 8-bit sRGB values are at least 19 apart there, so that
+//! converting 8-bit colors to linear ones and back changes nothing. Alpha has the same meaning in both
+//! spaces. Powers come from `libm`, because those of the platform differ between machines.
+
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+
+use crate::Format;
+
+/// Meaning of the numbers of colors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum ColorSpace {
+    Srgb,
+    Linear,
+}
+
+/// Returns the color space of a format; [`None`] if it has no colors, or keeps those of its source.
+fn color_space(format: Format) -> Option<ColorSpace> {
+    match format {
+        Format::Ply | Format::Obj | Format::Off => Some(ColorSpace::Srgb),
+        Format::Gltf | Format::Glb => Some(ColorSpace::Linear),
+        Format::Stl | Format::Striata | Format::Stream => None,
+    }
+}
+
+/// Converts the vertex colors of a mesh that was read from one format and will be written to another.
+///
+/// Colors change only between glTF, whose colors are linear, and PLY, OBJ or OFF, whose colors are sRGB.
+/// `.striata` files and streams keep the colors of their source, so nothing changes for them.
+pub fn convert_colors(mesh: &mut IndexedMesh, from: Format, to: Format) {
+    match (color_space(from), color_space(to)) {
+        (Some(ColorSpace::Srgb), Some(ColorSpace::Linear)) => srgb_to_linear_colors(mesh),
+        (Some(ColorSpace::Linear), Some(ColorSpace::Srgb)) => linear_to_srgb_colors(mesh),
+        _ => {}
+    }
+}
+
+/// Converts the vertex colors of a mesh from sRGB to linear light, as normalized 16-bit integers.
+///
+/// Colors outside 0 to 1 are clamped; NaN becomes 0. Alpha is kept.
+pub fn srgb_to_linear_colors(mesh: &mut IndexedMesh) {
+    for layer in color_layers(mesh) {
+        let word = |value: f32, is_alpha: bool| {
+            quantized(if is_alpha { value } else { srgb_to_linear(value) }, 65535.0) as u16
+        };
+        layer.data = LayerData::U16(converted(layer, word));
+        layer.normalized = true;
+    }
+}
+
+/// Converts the vertex colors of a mesh from linear light to sRGB: integers become normalized 8-bit
+/// integers, floats stay floats.
+///
+/// Colors outside 0 to 1 are clamped; NaN becomes 0. Alpha is kept, rounded to 8 bits for integers.
+pub fn linear_to_srgb_colors(mesh: &mut IndexedMesh) {
+    for layer in color_layers(mesh) {
+        let encode = |value: f32, is_alpha: bool| if is_alpha { value } else { linear_to_srgb(value) };
+        if matches!(layer.data, LayerData::F32(_)) {
+            layer.data = LayerData::F32(converted(layer, encode));
+        } else {
+            let byte = |value: f32, is_alpha: bool| quantized(encode(value, is_alpha), 255.0) as u8;
+            layer.data = LayerData::U8(converted(layer, byte));
+            layer.normalized = true;
+        }
+    }
+}
+
+fn color_layers(mesh: &mut IndexedMesh) -> impl Iterator<Item = &mut AttributeLayer> {
+    mesh.layers.iter_mut().filter(|layer| {
+        matches!(layer.semantic, Semantic::Color(_)) && matches!(layer.component_count, 3 | 4)
+    })
+}
+
+/// Converts all components of a layer; the second argument is whether a component is alpha.
+fn converted<T: Copy>(layer: &AttributeLayer, convert: impl Fn(f32, bool) -> T) -> Vec<T> {
+    let width = layer.component_count as usize;
+    if let (LayerData::U8(bytes), true) = (&layer.data, layer.normalized) {
+        // A table saves computing millions of powers.
+        let table = [false, true].map(|is_alpha| -> Vec<T> {
+            (0..=255u8).map(|byte| convert(f32::from(byte) / 255.0, is_alpha)).collect()
+        });
+        let component = |(index, &byte): (usize, &u8)| table[usize::from(index % width == 3)][byte as usize];
+        return bytes.iter().enumerate().map(component).collect();
+    }
+    let component = |index: usize| convert(layer.get(index / width, index % width), index % width == 3);
+    (0..layer.data.len()).map(component).collect()
+}
+
+/// Scales a value in 0..=1 to an integer; conversion from floats maps NaN to 0 and saturates.
+fn quantized(value: f32, largest: f32) -> u32 {
+    (value.clamp(0.0, 1.0) * largest).round() as u32
+}
+
+/// Converts an sRGB value in 0..=1 to linear light.
+pub(crate) fn srgb_to_linear(value: f32) -> f32 {
+    let x = f64::from(unit(value));
+    (if x <= 0.040_45 { x / 12.92 } else { libm::pow((x + 0.055) / 1.055, 2.4) }) as f32
+}
+
+/// Converts linear light in 0..=1 to an sRGB value.
+pub(crate) fn linear_to_srgb(value: f32) -> f32 {
+    let x = f64::from(unit(value));
+    (if x <= 0.003_130_8 { x * 12.92 } else { 1.055 * libm::pow(x, 1.0 / 2.4) - 0.055 }) as f32
+}
+
+/// Clamps to 0..=1; NaN becomes 0.
+fn unit(value: f32) -> f32 {
+    if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mesh_with(component_count: u8, normalized: bool, data: LayerData) -> IndexedMesh {
+        let vertex_count = data.len() / component_count as usize;
+        let semantic = Semantic::Color(0);
+        let layers = vec![AttributeLayer { semantic, component_count, normalized, data }];
+        IndexedMesh { layers, ..IndexedMesh::new(vec![[0.0; 3]; vertex_count], Vec::new()) }
+    }
+
+    #[test]
+    fn bytes_survive_the_round_trip() {
+        let bytes: Vec<u8> = (0..=255).flat_map(|i| [i, 255 - i, i / 2, i]).collect();
+        let mesh = mesh_with(4, true, LayerData::U8(bytes));
+        let mut linear = mesh.clone();
+        convert_colors(&mut linear, Format::Ply, Format::Glb);
+        let LayerData::U16(words) = &linear.layers[0].data else { panic!("{linear:?}") };
+        assert_eq!(words[128 * 4..][..4], [14146, 13909, 3360, 128 * 257]);
+        convert_colors(&mut linear, Format::Gltf, Format::Off);
+        assert_eq!(linear, mesh);
+    }
+
+    #[test]
+    fn floats_are_clamped_and_converted() {
+        let mut mesh = mesh_with(3, false, LayerData::F32(vec![0.0, 0.5, 1.0, -1.0, f32::NAN, 9.0]));
+        linear_to_srgb_colors(&mut mesh);
+        let LayerData::F32(values) = &mesh.layers[0].data else { panic!("{mesh:?}") };
+        for (found, expected) in values.iter().zip([0.0, 0.735_357, 1.0, 0.0, 0.0, 1.0]) {
+            assert!((found - expected).abs() < 1e-6, "{values:?}");
+        }
+        srgb_to_linear_colors(&mut mesh);
+        assert_eq!(mesh.layers[0].data, LayerData::U16(vec![0, 32768, 65535, 0, 0, 65535]));
+        assert!(mesh.layers[0].normalized);
+    }
+
+    #[test]
+    fn other_formats_and_layers_are_left_alone() {
+        let mesh = mesh_with(3, true, LayerData::U8(vec![1, 2, 3]));
+        for (from, to) in [
+            (Format::Ply, Format::Obj),
+            (Format::Glb, Format::Gltf),
+            (Format::Stream, Format::Glb),
+            (Format::Ply, Format::Striata),
+        ] {
+            let mut same = mesh.clone();
+            convert_colors(&mut same, from, to);
+            assert_eq!(same, mesh);
+        }
+        let mut generic = mesh.clone();
+        generic.layers[0].semantic = Semantic::Normal;
+        let before = generic.clone();
+        srgb_to_linear_colors(&mut generic);
+        linear_to_srgb_colors(&mut generic);
+        assert_eq!(generic, before);
+    }
+}
