@@ -195,6 +195,15 @@ impl Accessor<'_> {
         })
     }
 
+    /// Returns the bytes of all elements, without gaps.
+    pub(super) fn packed_bytes(&self) -> Vec<u8> {
+        match self.component.bytes() {
+            1 => self.read::<1, _>(|[byte]| byte),
+            2 => self.read::<2, _>(|bytes| bytes).into_flattened(),
+            _ => self.read::<4, _>(|bytes| bytes).into_flattened(),
+        }
+    }
+
     /// Returns all numbers in their own type; `SIZE` must be the component's size.
     pub(super) fn read<const SIZE: usize, T: Clone>(&self, number: impl Fn([u8; SIZE]) -> T) -> Vec<T> {
         debug_assert_eq!(SIZE, self.component.bytes(), "numbers are read in their own size");

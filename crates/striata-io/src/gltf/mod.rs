@@ -30,6 +30,7 @@ mod draco_mesh;
 mod json;
 mod layers;
 mod meshopt;
+mod passes;
 mod primitive;
 mod scene;
 mod unpacked;

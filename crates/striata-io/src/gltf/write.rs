@@ -11,6 +11,7 @@ use striata::mesh::{Image, IndexedMesh, TriangleGroup};
 use super::appearance::extensions_in;
 use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
 use super::component_type::ComponentType;
+use super::passes::GltfParts;
 use super::write_layers::{Attributes, attributes};
 use super::{container, uri};
 use crate::WriteOptions;
@@ -21,26 +22,28 @@ const TRIANGLE_FAN: u32 = 6;
 
 /// Encodes a mesh as a GLB file.
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    let (root, binary) = document(mesh, options, |_| Value::Null)?;
+    let GltfParts { root, binary } = parts(mesh, options)?;
     container::joined(root.to_string().into_bytes(), binary)
         .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()))
 }
 
 /// Encodes a mesh as a glTF file with an embedded buffer.
 pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    let data_uri = |binary: &[u8]| {
-        Value::String(format!("data:application/octet-stream;base64,{}", uri::to_base64(binary)))
-    };
-    let (root, _) = document(mesh, options, data_uri)?;
+    let GltfParts { mut root, binary } = parts(mesh, options)?;
+    if let Some(buffer) = root.pointer_mut("/buffers/0") {
+        buffer["uri"] = json!(format!("data:application/octet-stream;base64,{}", uri::to_base64(&binary)));
+    }
     Ok(format!("{root:#}\n").into_bytes())
 }
 
-/// Builds the document and its binary data; `buffer_uri` returns the buffer's URI, or null.
-fn document(
-    mesh: &IndexedMesh,
-    options: &WriteOptions,
-    buffer_uri: impl Fn(&[u8]) -> Value,
-) -> Result<(Value, Vec<u8>), Refusal> {
+/// Builds the document and its binary data, quantized and compressed as the options say.
+fn parts(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusal> {
+    let mut parts = document(mesh, options)?;
+    parts.apply(options)?;
+    Ok(parts)
+}
+
+fn document(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusal> {
     let mut builder = Builder::default();
     let mut root = Map::new();
     root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));
@@ -56,14 +59,9 @@ fn document(
     insert(&mut root, "accessors", builder.accessors);
     insert(&mut root, "bufferViews", builder.views);
     if !builder.binary.is_empty() {
-        let mut buffer = json!({ "byteLength": builder.binary.len() });
-        let uri = buffer_uri(&builder.binary);
-        if !uri.is_null() {
-            buffer["uri"] = uri;
-        }
-        insert(&mut root, "buffers", vec![buffer]);
+        insert(&mut root, "buffers", vec![json!({ "byteLength": builder.binary.len() })]);
     }
-    Ok((Value::Object(root), builder.binary))
+    Ok(GltfParts { root: Value::Object(root), binary: builder.binary })
 }
 
 /// Adds an array to the document unless it is empty, because glTF does not allow empty arrays.
