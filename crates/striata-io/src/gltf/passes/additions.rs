@@ -91,10 +91,7 @@ impl Additions {
         // Elements of other views than those of vertices may be smaller than their alignment.
         bytes.resize(bytes.len().next_multiple_of(elements.component.bytes()), 0);
         accessor["bufferView"] = json!(self.first_view + number);
-        match bytes.len() {
-            0 => remove(accessor, "byteOffset"),
-            offset => accessor["byteOffset"] = json!(offset),
-        }
+        set_offset(accessor, bytes.len());
         bytes.extend_from_slice(&elements.padded(kind.stride));
     }
 
@@ -133,6 +130,14 @@ pub(super) fn describe(view: &mut Value, kind: &ViewKind) {
     }
     if kind.target == Some(ARRAY_BUFFER) {
         view["byteStride"] = json!(kind.stride);
+    }
+}
+
+/// Sets the offset of an accessor in its view.
+pub(super) fn set_offset(accessor: &mut Value, offset: usize) {
+    match offset {
+        0 => remove(accessor, "byteOffset"),
+        offset => accessor["byteOffset"] = json!(offset),
     }
 }
 

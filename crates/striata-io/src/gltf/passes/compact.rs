@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 
-use super::additions::remove;
+use super::additions::{remove, set_offset};
 use super::extensions::are_all_known;
 use super::references::{Referent, visit, visit_views};
 use super::{GltfParts, array_length, entries, entries_mut, index, index_at};
@@ -230,34 +230,37 @@ fn users_of_views(root: &mut Value, live_accessors: &[bool], view_count: usize) 
 /// Copies those parts of a view that its accessors use.
 fn cut(root: &mut Value, range: &Range, users: &[usize], source: &[u8], binary: &mut Vec<u8>) {
     let moved = binary.len();
+    let view = &root["bufferViews"][range.view];
+    // Parts of interleaved data consist of whole steps, because some readers expect them.
+    let step = if view.get("byteStride").is_some() { index_at(view, "byteStride") } else { Some(4) };
+    let spans: Option<Vec<[usize; 3]>> = users
+        .iter()
+        .map(|&user| {
+            let [start, end] =
+                span(&root["accessors"][user], view).filter(|&[_, end]| end <= source.len())?;
+            Some([start, end, user])
+        })
+        .collect();
     root["bufferViews"][range.view]["byteOffset"] = json!(moved);
-    let mut spans = Vec::new();
-    for &user in users {
-        let span = span(&root["accessors"][user], &root["bufferViews"][range.view]);
-        match span.filter(|&[_, end]| end <= source.len()) {
-            Some([start, end]) => spans.push([start, end, user]),
-            // Something is wrong with this accessor, so everything is kept.
-            None => return binary.extend_from_slice(source),
-        }
-    }
-    spans.sort_unstable();
-    let used: usize = spans.iter().map(|[start, end, _]| end - start).sum();
-    if used >= source.len() {
+    // If something is wrong with an accessor, everything is kept.
+    let (Some(mut spans), Some(step @ 1..)) = (spans, step) else {
         return binary.extend_from_slice(source);
-    }
-    // The view starts where it is aligned, and its parts keep their alignment relative to it.
-    let mut copied_to = 0;
+    };
+    spans.sort_unstable();
+    // Bytes up to `copied` have been copied or skipped, and are found `shift` bytes before.
+    let (mut copied, mut shift) = (0, 0);
     for [start, end, user] in spans {
-        if binary.len() == moved || start >= copied_to {
-            while binary.len() % 4 != (moved + start) % 4 {
-                binary.push(0);
-            }
-            copied_to = start;
+        let first = start / step * step;
+        if first > copied {
+            shift += first - copied;
+            copied = first;
         }
-        let offset = binary.len() - moved - (copied_to - start);
-        binary.extend_from_slice(&source[copied_to..end.max(copied_to)]);
-        copied_to = end.max(copied_to);
-        root["accessors"][user]["byteOffset"] = json!(offset);
+        let last = end.next_multiple_of(step).min(source.len());
+        if last > copied {
+            binary.extend_from_slice(&source[copied..last]);
+            copied = last;
+        }
+        set_offset(&mut root["accessors"][user], start - shift);
     }
     root["bufferViews"][range.view]["byteLength"] = json!(binary.len() - moved);
 }

@@ -37,7 +37,7 @@ use meshopt::meshopt;
 use quantize::quantize;
 
 /// glTF document before it is embedded into a file.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct GltfParts {
     /// The JSON; its `buffers[0]`, if there is one, describes `binary` and has no URI.
     pub root: Value,

@@ -58,11 +58,13 @@ pub(super) fn apply(document: &Document<'_>, grids: &Grids, uses: &[Use], change
         let number = match skins.get(&(skin, grid)) {
             Some(&number) => number,
             None => {
-                let same = uses.iter().filter(|other| (other.skin, other.grid) == (skin, grid)).count();
-                let is_alone = use_counts.get(&skin) == Some(&same);
+                // The first grid may take the skin itself, unless other meshes need it as it is.
+                let count = uses.iter().filter(|other| other.skin == skin).count();
+                let is_first = !skins.keys().any(|&(other, _)| other == skin);
+                let is_free = is_first && use_counts.get(&skin) == Some(&count);
                 let Some(number) = grids.grids[grid]
                     .and_then(|grid| matrices(document, skin, &grid))
-                    .and_then(|matrices| converted_skin(changes, skin, is_alone, &matrices))
+                    .and_then(|matrices| converted_skin(changes, (root, skin), is_free, &matrices))
                 else {
                     continue;
                 };
@@ -79,18 +81,18 @@ pub(super) fn apply(document: &Document<'_>, grids: &Grids, uses: &[Use], change
 /// Sets the matrices of a skin or of a copy of it, and returns its number.
 fn converted_skin(
     changes: &mut Changes<'_>,
-    skin: usize,
-    is_alone: bool,
+    (snapshot, skin): (&Value, usize),
+    is_free: bool,
     matrices: &Elements,
 ) -> Option<usize> {
-    let value: &Value = entries(changes.root, "skins").get(skin)?;
+    let value: &Value = entries(snapshot, "skins").get(skin)?;
     changes.replaced.extend(value.get("inverseBindMatrices").and_then(index));
     let mut value = value.clone();
     let kind = ViewKind::of_others("matrices", matrices);
     let accessor = changes.additions.push(kind, matrices, matrices.accessor());
     value["inverseBindMatrices"] = json!(accessor);
-    if is_alone {
-        entries_mut(changes.root, "skins")[skin] = value;
+    if is_free {
+        *entries_mut(changes.root, "skins").get_mut(skin)? = value;
         return Some(skin);
     }
     let number = array_length(changes.root, "skins");
