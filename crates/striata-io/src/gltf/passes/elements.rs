@@ -51,7 +51,7 @@ impl Elements {
     }
 
     /// Declares that the integers are fractions of their largest value.
-    pub(super) fn as_normalized(self) -> Self {
+    pub(super) fn into_normalized(self) -> Self {
         Self { normalized: true, ..self }
     }
 

@@ -48,13 +48,13 @@ pub(super) fn move_accessor(
             let Some(integers) = integers else { return };
             let is_small = integers.iter().all(|&vertex| vertex < 0xffff);
             let component = if is_small { ComponentType::U16 } else { ComponentType::U32 };
-            let is_list = role.usage == Use::Triangles && integers.len() % 3 == 0;
+            let is_list = role.usage == Use::Triangles && integers.len().is_multiple_of(3);
             let elements = Elements::integers(integers.into_iter().map(i64::from), 1, component);
             (ViewKind::of_indices(if is_list { TRIANGLES } else { STRIPS }, &elements), elements)
         }
         Use::Other => {
             let elements = Elements::read(&source);
-            if elements.element_bytes() % 4 != 0 {
+            if !elements.element_bytes().is_multiple_of(4) {
                 return;
             }
             (ViewKind::of_others(&role.name, &elements), elements)

@@ -48,7 +48,7 @@ pub(super) fn signed_fractions(numbers: &[f32], width: usize, bits: u32) -> Opti
         let level = (f64::from(x).clamp(-1.0, 1.0) * last).round();
         (level * most / last).round() as i64
     };
-    Some(Elements::integers(numbers.iter().map(fraction), width, component).as_normalized())
+    Some(Elements::integers(numbers.iter().map(fraction), width, component).into_normalized())
 }
 
 /// Converts numbers from 0 to 1 to normalized integers; [`None`] if there are others.
@@ -61,7 +61,7 @@ pub(super) fn fractions(numbers: &[f32], width: usize, bits: u32) -> Option<Elem
         if bits <= 8 { (ComponentType::U8, 255.0) } else { (ComponentType::U16, 65535.0) };
     let last = f64::from((1u32 << bits) - 1);
     let fraction = |&x: &f32| ((f64::from(x) * last).round() * most / last).round() as i64;
-    Some(Elements::integers(numbers.iter().map(fraction), width, component).as_normalized())
+    Some(Elements::integers(numbers.iter().map(fraction), width, component).into_normalized())
 }
 
 /// Converts texture coordinates from 0 to 1 to 16-bit fractions, and rounds others to multiples of
@@ -72,7 +72,7 @@ pub(super) fn texture_coordinates(numbers: &[f32], bits: u32) -> Option<Elements
         let last = f64::from((1u32 << bits) - 1);
         let fraction = |&x: &f32| ((f64::from(x) * last).round() * 65535.0 / last).round() as i64;
         let integers = numbers.iter().map(fraction);
-        return Some(Elements::integers(integers, 2, ComponentType::U16).as_normalized());
+        return Some(Elements::integers(integers, 2, ComponentType::U16).into_normalized());
     }
     if numbers.iter().any(|x| !x.is_finite()) {
         return None;
@@ -97,7 +97,7 @@ pub(super) fn weights(sets: &[Vec<f32>]) -> Option<Vec<Elements>> {
             set.extend_from_slice(four);
         }
     }
-    let elements = |set: Vec<i64>| Elements::integers(set, 4, ComponentType::U8).as_normalized();
+    let elements = |set: Vec<i64>| Elements::integers(set, 4, ComponentType::U8).into_normalized();
     Some(bytes.into_iter().map(elements).collect())
 }
 

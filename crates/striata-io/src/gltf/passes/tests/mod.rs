@@ -101,7 +101,7 @@ fn sheet_triangles() -> Vec<u32> {
 fn directions() -> Vec<f32> {
     let direction = |i: u32| {
         let (sin, cos) = (i as f32 * 0.37).sin_cos();
-        [sin * 0.6, cos * 0.6, if i % 2 == 0 { 0.8 } else { -0.8 }]
+        [sin * 0.6, cos * 0.6, if i.is_multiple_of(2) { 0.8 } else { -0.8 }]
     };
     (0..VERTEX_COUNT).flat_map(direction).collect()
 }
@@ -183,7 +183,7 @@ fn everything() -> GltfParts {
     sketch.node(json!({ "mesh": skinned[1], "skin": skins[0], "translation": [9.0, 9.0, 9.0] }));
     sketch.node(json!({ "mesh": skinned[1], "skin": skins[1] }));
     let moves = sketch.others(&Elements::floats(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], 3));
-    let turns = Elements::integers([0, 0, 0, 127, 90, 0, 0, 90], 4, ComponentType::I8).as_normalized();
+    let turns = Elements::integers([0, 0, 0, 127, 90, 0, 0, 90], 4, ComponentType::I8).into_normalized();
     let turns = sketch.others(&turns);
     let attributes = json!({ "TRANSLATION": moves, "ROTATION": turns });
     sketch.node(json!({
