@@ -115,7 +115,7 @@ fn gltf_can_be_quantized_and_compressed() {
     bench.run("extract ball.striata -o level.gltf --triangles 100 --draco --quiet").success();
     bench.run("simplify sphere.obj -o level.glb --triangles 100 --meshopt --quiet").success();
     for (command, reason) in [
-        ("convert sphere.obj x.ply --meshopt", "--meshopt is for glTF, but x.ply is written as ply"),
+        ("convert sphere.obj x.ply --meshopt", "--meshopt is for glTF, but x.ply is written as PLY"),
         ("extract ball.striata -o x.obj --triangles 100 --draco", "--draco is for glTF"),
         ("convert sphere.obj x.glb --meshopt --draco", "cannot be used with"),
         ("convert sphere.obj x.glb --bits 12", "required"),
