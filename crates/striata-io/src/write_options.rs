@@ -67,7 +67,8 @@ impl WriteOptions {
 /// Precision of quantized glTF. Values outside the given ranges are clamped.
 ///
 /// Normals, tangents, colors, weights and joints become integers of 8 bits, or of 16 bits if they need
-/// more. Texture coordinates that leave the range 0 to 1 remain floats.
+/// more. Texture coordinates that leave the range 0 to 1, or that
+/// [`meshopt`](WriteOptions::meshopt) compresses, remain floats of the given precision.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct QuantizeOptions {

@@ -34,7 +34,7 @@ use crate::error::Refusal;
 use compact::compact;
 use draco::draco;
 use meshopt::meshopt;
-use quantize::quantize;
+use quantize::{Texcoords, quantize};
 
 /// glTF document before it is embedded into a file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -70,7 +70,8 @@ impl GltfParts {
             return Ok(());
         }
         if let Some(quantization) = &options.quantize {
-            quantize(self, quantization);
+            let texcoords = if options.meshopt { Texcoords::Floats } else { Texcoords::Integers };
+            quantize(self, quantization, texcoords);
         }
         if options.meshopt {
             meshopt(self, options.quantize.as_ref());

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use super::grid::{Grid, Grids};
-use super::{Changes, convert};
+use super::{Changes, Texcoords, convert};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::{Accessor, accessor};
 use crate::gltf::component_type::ComponentType;
@@ -42,7 +42,7 @@ enum Part<'a> {
 struct Quantizer<'a, 'c, 'r> {
     document: &'a Document<'a>,
     grids: &'a Grids,
-    options: &'a QuantizeOptions,
+    options: (&'a QuantizeOptions, Texcoords),
     changes: &'c mut Changes<'r>,
     /// Replacements; [`None`] if an accessor stays as it is.
     known: BTreeMap<(u64, Rule), Option<usize>>,
@@ -51,10 +51,9 @@ struct Quantizer<'a, 'c, 'r> {
 
 /// Quantizes everything that belongs to the primitives.
 pub(super) fn quantize(
-    document: &Document<'_>,
-    primitives: &[Primitive],
+    (document, primitives): (&Document<'_>, &[Primitive]),
     grids: &Grids,
-    options: &QuantizeOptions,
+    options: (&QuantizeOptions, Texcoords),
     changes: &mut Changes<'_>,
 ) {
     let (known, known_weights) = (BTreeMap::new(), BTreeMap::new());
@@ -211,7 +210,7 @@ fn convert_by(
     source: &Accessor<'_>,
     rule: Rule,
     grids: &Grids,
-    options: &QuantizeOptions,
+    (options, texcoords): (&QuantizeOptions, Texcoords),
 ) -> Option<Elements> {
     let is_float = source.component == ComponentType::F32;
     let (width, floats) = (source.component_count, || source.floats());
@@ -230,7 +229,7 @@ fn convert_by(
         }
         Rule::TextureCoordinate => {
             (is_float && width == 2).then_some(())?;
-            convert::texture_coordinates(&floats(), options.texcoord_bits)
+            convert::texture_coordinates(&floats(), options.texcoord_bits, texcoords)
         }
         Rule::Color => {
             let is_larger = is_float || source.component == ComponentType::U16 && options.color_bits <= 8;

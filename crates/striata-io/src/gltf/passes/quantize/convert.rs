@@ -1,5 +1,6 @@
 //! Conversion of floats to small integers.
 
+use super::Texcoords;
 use super::grid::Grid;
 use crate::gltf::component_type::ComponentType;
 use crate::gltf::passes::elements::Elements;
@@ -64,11 +65,11 @@ pub(super) fn fractions(numbers: &[f32], width: usize, bits: u32) -> Option<Elem
     Some(Elements::integers(numbers.iter().map(fraction), width, component).into_normalized())
 }
 
-/// Converts texture coordinates from 0 to 1 to 16-bit fractions, and rounds others to multiples of
-/// 2^-bits; [`None`] if some are not finite.
-pub(super) fn texture_coordinates(numbers: &[f32], bits: u32) -> Option<Elements> {
+/// Converts texture coordinates from 0 to 1 to 16-bit fractions, unless floats are wanted, and rounds others
+/// to multiples of 2^-bits; [`None`] if some are not finite.
+pub(super) fn texture_coordinates(numbers: &[f32], bits: u32, texcoords: Texcoords) -> Option<Elements> {
     let bits = bits.clamp(1, 16);
-    if numbers.iter().all(|x| (0.0..=1.0).contains(x)) {
+    if texcoords == Texcoords::Integers && numbers.iter().all(|x| (0.0..=1.0).contains(x)) {
         let last = f64::from((1u32 << bits) - 1);
         let fraction = |&x: &f32| ((f64::from(x) * last).round() * 65535.0 / last).round() as i64;
         let integers = numbers.iter().map(fraction);

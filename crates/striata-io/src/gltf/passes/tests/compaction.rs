@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::world::{assert_same, floats};
 use super::{Elements, GltfParts, Sketch, add_mesh, everything};
 use crate::QuantizeOptions;
-use crate::gltf::passes::{array_length, compact, entries, open, quantize};
+use crate::gltf::passes::{Texcoords, array_length, compact, entries, open, quantize};
 
 fn image_bytes(parts: &GltfParts) -> &[u8] {
     let view = parts.root["images"][0]["bufferView"].as_u64().unwrap() as usize;
@@ -60,7 +60,7 @@ fn slots_stay_if_an_unknown_extension_may_refer_to_them() {
     super::push_entries(&mut parts.root, "bufferViews", vec![view]);
     super::push_entries(&mut parts.root, "accessors", vec![slot]);
     let before = parts.clone();
-    quantize(&mut parts, &QuantizeOptions::default());
+    quantize(&mut parts, &QuantizeOptions::default(), Texcoords::Integers);
     let slots = entries(&parts.root, "accessors");
     assert!(slots.len() > entries(&before.root, "accessors").len());
     assert_eq!((&slots[0]["count"], slots[0].get("bufferView")), (&json!(1), None));
@@ -77,7 +77,7 @@ fn interleaved_views_are_cut_in_whole_steps() {
     let numbers: Vec<f32> = (0..60).map(|i| i as f32).collect();
     let binary: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
     let accessor = |offset: usize, count: usize, kind: &str| json!({ "bufferView": 0, "byteOffset": offset, "componentType": 5126, "count": count, "type": kind });
-    // Steps of 5 floats: positions and texture coordinates of vertices 0 and 1, 4 and 5, 6 to 11.
+    // Steps of 5 floats. Used are the positions of vertices 0, 1, 4 and 5, and texture coordinates of 8.
     let accessors = [
         accessor(0, 2, "VEC3"),
         accessor(12, 2, "VEC2"),

@@ -164,10 +164,12 @@ fn everything() -> GltfParts {
     let matrices: Vec<f32> = (0..32).map(|i| if i % 16 % 5 == 0 { 1.0 } else { 0.01 * i as f32 }).collect();
     let matrices = sketch.others(&Elements::floats(&matrices, 16));
     let leaf = sketch.node(json!({
-        "mesh": meshes[0], "translation": [1.0, 2.0, 3.0], "rotation": [0.6, 0.0, 0.0, 0.8], "scale": [2.0, 3.0, 0.5],
+        "mesh": meshes[0],
+        "translation": [1.0, 2.0, 3.0], "rotation": [0.6, 0.0, 0.0, 0.8], "scale": [2.0, 3.0, 0.5],
     }));
     sketch.node(json!({
-        "mesh": meshes[1], "matrix": [0.0, 2.0, 0.0, 0.0, 1.0, 0.0, 0.5, 0.0, 0.0, 0.0, 3.0, 0.0, 4.0, 5.0, 6.0, 1.0],
+        "mesh": meshes[1],
+        "matrix": [0.0, 2.0, 0.0, 0.0, 1.0, 0.0, 0.5, 0.0, 0.0, 0.0, 3.0, 0.0, 4.0, 5.0, 6.0, 1.0],
     }));
     let parent = sketch.node(json!({
         "mesh": meshes[1], "children": [leaf], "camera": 0, "weights": [0.75], "name": "parent",

@@ -7,11 +7,11 @@ use super::{Elements, Sketch, add_mesh, everything, sheet, sheet_triangles};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::ComponentType;
-use crate::gltf::passes::{GltfParts, array_length, entries, index, open, quantize};
+use crate::gltf::passes::{GltfParts, Texcoords, array_length, entries, index, open, quantize};
 
 fn quantized(parts: &GltfParts) -> GltfParts {
     let mut out = parts.clone();
-    quantize(&mut out, &QuantizeOptions::default());
+    quantize(&mut out, &QuantizeOptions::default(), Texcoords::Integers);
     out
 }
 
@@ -24,7 +24,7 @@ fn every_node_shows_the_same_positions() {
     assert_same(&quantized(&parts), &parts, 3.0 * 3f64.sqrt() * step);
     let coarse = QuantizeOptions::default().with_position_bits(6);
     let mut out = parts.clone();
-    quantize(&mut out, &coarse);
+    quantize(&mut out, &coarse, Texcoords::Integers);
     assert_same(&out, &parts, 3.0 * 3f64.sqrt() * 5.0 / 63.0);
     let position = index(&out.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"]).unwrap();
     assert_eq!(out.root["accessors"][position as usize]["componentType"], 5121);
