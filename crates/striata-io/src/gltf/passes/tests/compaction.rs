@@ -76,7 +76,12 @@ fn slots_stay_if_an_unknown_extension_may_refer_to_them() {
 fn interleaved_views_are_cut_in_whole_steps() {
     let numbers: Vec<f32> = (0..60).map(|i| i as f32).collect();
     let binary: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
-    let accessor = |offset: usize, count: usize, kind: &str| json!({ "bufferView": 0, "byteOffset": offset, "componentType": 5126, "count": count, "type": kind });
+    let accessor = |offset: usize, count: usize, kind: &str| {
+        let mut accessor = json!({ "bufferView": 0, "byteOffset": offset, "componentType": 5126 });
+        accessor["count"] = json!(count);
+        accessor["type"] = json!(kind);
+        accessor
+    };
     // Steps of 5 floats. Used are the positions of vertices 0, 1, 4 and 5, and texture coordinates of 8.
     let accessors = [
         accessor(0, 2, "VEC3"),

@@ -173,7 +173,7 @@ fn draco_keeps_triangles() {
     // The first two have morph targets.
     assert_eq!([0, 1, 2, 3].map(extension), [false, false, true, true]);
     for mesh in [2, 3] {
-        assert_eq!(decoded(&out, mesh), corners_of_plain(&parts, mesh));
+        assert_eq!(decoded(&out, mesh), decoded(&parts, mesh));
     }
 }
 
@@ -204,7 +204,9 @@ fn draco_drops_unused_vertices_and_unrolls_strips() {
     // Rows of the upper half, joined by degenerate triangles; the lower half is unused.
     let strip: Vec<u32> = (0..4).flat_map(|y| row(y).chain([y * 9 + 17, y * 9 + 9])).collect();
     let (first, last) = (sketch.indices(&strip), sketch.indices(&sheet_triangles()[288..]));
-    let primitive = |mode: u32, indices: usize| json!({ "mode": mode, "attributes": { "POSITION": position }, "indices": indices });
+    let attributes = json!({ "POSITION": position });
+    let primitive =
+        |mode: u32, indices: usize| json!({ "mode": mode, "attributes": attributes, "indices": indices });
     let mesh = sketch.add("meshes", json!({ "primitives": [primitive(5, first), primitive(4, last)] }));
     sketch.node(json!({ "mesh": mesh }));
     let options = WriteOptions::default().with_draco(true).with_quantize(QuantizeOptions::default());
@@ -227,7 +229,7 @@ fn glb(parts: &GltfParts) -> Vec<u8> {
     crate::gltf::container::joined(json, parts.binary.clone()).unwrap()
 }
 
-/// Corners of a mesh without morph targets, decoded by the reader.
+/// Attributes of the corners of a mesh without morph targets, as the reader returns them.
 #[cfg(feature = "draco")]
 fn decoded(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
     let mut parts = parts.clone();
@@ -242,13 +244,7 @@ fn decoded(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
             (0..layer.component_count.into()).map(|c| layer.get(vertex, c).to_bits()).collect::<Vec<_>>()
         };
         let position = mesh.positions[vertex].map(f32::to_bits);
-        layers
-            .iter()
-            .take(0)
-            .flat_map(of_layer)
-            .chain(position)
-            .chain(layers.iter().flat_map(of_layer))
-            .collect()
+        position.into_iter().chain(layers.iter().flat_map(of_layer)).collect()
     };
     let turn = |&[a, b, c]: &[u32; 3]| {
         let turns = [[a, b, c], [b, c, a], [c, a, b]].map(|turn| turn.map(corner).to_vec());
@@ -257,11 +253,6 @@ fn decoded(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
     let mut triangles: Vec<_> = mesh.triangles.iter().map(turn).collect();
     triangles.sort();
     triangles
-}
-
-#[cfg(feature = "draco")]
-fn corners_of_plain(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
-    decoded(parts, mesh)
 }
 
 #[test]
