@@ -49,6 +49,14 @@ pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
         ))
         .with_hint("remove --ascii, or use the extension .ply"));
     }
+    if let Some(flag) = args.gltf.first_given_flag().filter(|_| !matches!(format, Format::Gltf | Format::Glb))
+    {
+        return Err(Failure::user(format!(
+            "{flag} is for glTF, but {} is written as {format}",
+            display_name(path)
+        ))
+        .with_hint(format!("remove {flag}, or use the extension .glb or .gltf")));
+    }
     Ok(format)
 }
 
@@ -74,7 +82,7 @@ fn bytes_of(
     args: &FormatArgs,
 ) -> Result<Vec<u8>, Failure> {
     let format = format_of(path, args)?;
-    let mut options = WriteOptions::default().with_ascii(args.ascii);
+    let mut options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
     match primitives {
         Primitives::Triangles => {}
         Primitives::Strips(strips) => options = options.with_strips(strips),

@@ -131,7 +131,7 @@ pub use source::Source;
 pub use write::to_bytes;
 #[cfg(not(target_family = "wasm"))]
 pub use write::{to_file_bytes, write};
-pub use write_options::WriteOptions;
+pub use write_options::{QuantizeOptions, WriteOptions};
 
 /// The README's example, compiled with the documentation tests.
 #[cfg(doctest)]

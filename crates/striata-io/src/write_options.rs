@@ -14,6 +14,16 @@ pub struct WriteOptions {
     /// glTF has no restart index, so each fan becomes a primitive, which takes some 140 bytes of JSON.
     /// Default: [`None`].
     pub fans: Option<Vec<Vec<Vec<u32>>>>,
+    /// glTF only: how to round attributes to small integers (`KHR_mesh_quantization`). Default: [`None`],
+    /// so all values are kept exactly.
+    pub quantize: Option<QuantizeOptions>,
+    /// glTF only: whether to compress geometry with meshoptimizer (`EXT_meshopt_compression`). This alone is
+    /// lossless and saves little; set [`quantize`](Self::quantize) too, as gltfpack does. Default: false.
+    pub meshopt: bool,
+    /// glTF only: whether to compress triangles with Draco (`KHR_draco_mesh_compression`); excludes
+    /// [`meshopt`](Self::meshopt). Draco quantizes to the bits of [`quantize`](Self::quantize) by itself, and
+    /// keeps floats exactly without it. Default: false.
+    pub draco: bool,
 }
 
 impl WriteOptions {
@@ -33,5 +43,73 @@ impl WriteOptions {
     #[must_use]
     pub fn with_fans(self, fans: Vec<Vec<Vec<u32>>>) -> Self {
         Self { strips: None, fans: Some(fans), ..self }
+    }
+
+    /// Sets [`quantize`](Self::quantize).
+    #[must_use]
+    pub fn with_quantize(self, quantize: QuantizeOptions) -> Self {
+        Self { quantize: Some(quantize), ..self }
+    }
+
+    /// Sets [`meshopt`](Self::meshopt).
+    #[must_use]
+    pub fn with_meshopt(self, meshopt: bool) -> Self {
+        Self { meshopt, ..self }
+    }
+
+    /// Sets [`draco`](Self::draco).
+    #[must_use]
+    pub fn with_draco(self, draco: bool) -> Self {
+        Self { draco, ..self }
+    }
+}
+
+/// Precision of quantized glTF. Values outside the given ranges are clamped.
+///
+/// Normals, tangents, colors, weights and joints become integers of 8 bits, or of 16 bits if they need
+/// more. Texture coordinates that leave the range 0 to 1, or that
+/// [`meshopt`](WriteOptions::meshopt) compresses, remain floats of the given precision.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct QuantizeOptions {
+    /// Bits per coordinate along the longest side of a mesh's bounding box, 1 to 16. Default: 14.
+    pub position_bits: u32,
+    /// Bits per coordinate of a normal or tangent, 2 to 16. Default: 8.
+    pub normal_bits: u32,
+    /// Bits per texture coordinate, from 0 to 1; 1 to 16. Default: 12.
+    pub texcoord_bits: u32,
+    /// Bits per color channel, 1 to 16. Default: 8.
+    pub color_bits: u32,
+}
+
+impl Default for QuantizeOptions {
+    fn default() -> Self {
+        Self { position_bits: 14, normal_bits: 8, texcoord_bits: 12, color_bits: 8 }
+    }
+}
+
+impl QuantizeOptions {
+    /// Sets [`position_bits`](Self::position_bits).
+    #[must_use]
+    pub fn with_position_bits(self, position_bits: u32) -> Self {
+        Self { position_bits, ..self }
+    }
+
+    /// Sets [`normal_bits`](Self::normal_bits).
+    #[must_use]
+    pub fn with_normal_bits(self, normal_bits: u32) -> Self {
+        Self { normal_bits, ..self }
+    }
+
+    /// Sets [`texcoord_bits`](Self::texcoord_bits).
+    #[must_use]
+    pub fn with_texcoord_bits(self, texcoord_bits: u32) -> Self {
+        Self { texcoord_bits, ..self }
+    }
+
+    /// Sets [`color_bits`](Self::color_bits).
+    #[must_use]
+    pub fn with_color_bits(self, color_bits: u32) -> Self {
+        Self { color_bits, ..self }
     }
 }

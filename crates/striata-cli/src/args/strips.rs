@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use striata_command::args::{FormatArg, FormatArgs, STRIPS, StripSearchArgs, strips_help};
+use striata_command::args::{FormatArg, FormatArgs, GltfArgs, STRIPS, StripSearchArgs, strips_help};
 use striata_command::failure::Failure;
 use striata_command::strip_chain::{StripChain, StripPlan};
 use striata_strip::{StripOptions, Stripifier};
@@ -69,7 +69,7 @@ impl StripArgs {
             // Other verbs write PLY to stdout, but PLY written here could not contain strips.
             None => is_stdout.then_some(FormatArg::Glb),
         };
-        FormatArgs { to, ascii: false }
+        FormatArgs { to, ascii: false, gltf: GltfArgs::default() }
     }
 
     /// Returns the options of the only stripifier, for stripifying in blocks.

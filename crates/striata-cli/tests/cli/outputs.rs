@@ -97,6 +97,38 @@ fn flags_that_do_not_apply_are_refused() {
 }
 
 #[test]
+fn gltf_can_be_quantized_and_compressed() {
+    let bench = Workbench::with_ball();
+    let size = |command: &str, name: &str| {
+        bench.run(&format!("{command} {name} --quiet")).success();
+        assert_eq!(bench.json(&format!("info {name}"))["triangle_count"], 512, "{command}");
+        bench.read(name).len()
+    };
+    let plain = size("convert sphere.obj", "plain.glb");
+    let lossless = size("convert sphere.obj --meshopt --lossless", "lossless.glb");
+    let quantized = size("convert sphere.obj --quantize", "quantized.glb");
+    let meshopt = size("convert sphere.obj --meshopt", "meshopt.glb");
+    let draco = size("convert sphere.obj --draco --bits 11", "draco.glb");
+    assert!(lossless < plain && quantized < plain && meshopt < quantized && draco < meshopt);
+    let coarse = size("convert sphere.obj --meshopt --bits 8 --normal-bits 6", "coarse.glb");
+    assert!(coarse < meshopt);
+    bench.run("extract ball.striata -o level.gltf --triangles 100 --draco --quiet").success();
+    bench.run("simplify sphere.obj -o level.glb --triangles 100 --meshopt --quiet").success();
+    for (command, reason) in [
+        ("convert sphere.obj x.ply --meshopt", "--meshopt is for glTF, but x.ply is written as PLY"),
+        ("extract ball.striata -o x.obj --triangles 100 --draco", "--draco is for glTF"),
+        ("convert sphere.obj x.glb --meshopt --draco", "cannot be used with"),
+        ("convert sphere.obj x.glb --bits 12", "required"),
+        ("convert sphere.obj x.glb --lossless", "required"),
+        ("convert sphere.obj x.glb --quantize --bits 17", "17 is not in 1..=16"),
+        ("convert sphere.obj x.glb --quantize --lossless", "cannot be used with"),
+    ] {
+        let message = bench.refused(command);
+        assert!(message.contains(reason), "{command}: {message}");
+    }
+}
+
+#[test]
 fn attribute_bits_of_streams_can_be_chosen() {
     let bench = Workbench::new();
     let spot = asset("spot.obj.zst");

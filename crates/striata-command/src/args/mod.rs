@@ -1,6 +1,7 @@
 //! Flags shared by several verbs, and the types that their values parse to.
 
 mod coloring;
+mod gltf;
 mod length;
 mod level;
 mod output;
@@ -11,6 +12,7 @@ mod strips;
 mod view;
 
 pub use self::coloring::Coloring;
+pub use self::gltf::GltfArgs;
 pub use self::length::Length;
 pub use self::level::{
     Count, EyeArgs, LEVEL, Level, LevelArgs, LevelChoice, LevelsArgs, OptionalLevel, parse_detail,

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::GltfArgs;
+
 /// The output file of a verb that writes meshes, and its format.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Output")]
@@ -26,6 +28,9 @@ pub struct FormatArgs {
     /// Write PLY as text
     #[arg(long)]
     pub ascii: bool,
+    /// How glTF is quantized and compressed.
+    #[command(flatten)]
+    pub gltf: GltfArgs,
 }
 
 /// A format that meshes can be written in.

@@ -195,12 +195,12 @@ impl Accessor<'_> {
         })
     }
 
-    /// Returns the bytes of all elements, tightly packed, with sparse replacements applied.
+    /// Returns the bytes of all elements, without gaps.
     pub(super) fn packed_bytes(&self) -> Vec<u8> {
         match self.component.bytes() {
-            1 => self.read::<1, _>(|b| b).into_flattened(),
-            2 => self.read::<2, _>(|b| b).into_flattened(),
-            _ => self.read::<4, _>(|b| b).into_flattened(),
+            1 => self.read::<1, _>(|[byte]| byte),
+            2 => self.read::<2, _>(|bytes| bytes).into_flattened(),
+            _ => self.read::<4, _>(|bytes| bytes).into_flattened(),
         }
     }
 

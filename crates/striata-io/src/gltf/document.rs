@@ -89,6 +89,20 @@ impl<'a> Document<'a> {
         Ok(Self { root, buffers, input_bytes, source, unpacked })
     }
 
+    /// Opens a document whose first buffer is at hand, whatever it requires. Other buffers are not loaded,
+    /// so what refers to them cannot be read.
+    pub(super) fn of_parts(root: &'a Value, binary: &'a [u8]) -> Self {
+        /// Size that the document itself may have.
+        const JSON_BYTES: u64 = 1 << 20;
+        let root = JsonNode { value: root, path: String::new() };
+        let count = |key: &str| root.value.get(key).and_then(Value::as_array).map_or(0, Vec::len);
+        let bytes_of = |index: usize| if index == 0 { binary } else { &[][..] };
+        let buffers = (0..count("buffers")).map(|i| Rc::new(Cow::Borrowed(bytes_of(i)))).collect();
+        let unpacked = Unpacked::new(count("bufferViews"));
+        let input_bytes = JSON_BYTES + binary.len() as u64;
+        Self { root, buffers, input_bytes, source: Source::default(), unpacked }
+    }
+
     fn load_buffers(&mut self, blob: Option<&'a [u8]>) -> Result<(), Fault> {
         let mut known: BTreeMap<&str, Rc<Cow<'a, [u8]>>> = BTreeMap::new();
         for (index, at) in self.root.entries("buffers")?.iter().enumerate() {

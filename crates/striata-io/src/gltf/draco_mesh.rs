@@ -77,8 +77,9 @@ pub(super) fn decoded(document: &Document<'_>, source: &[u8], at: &JsonNode<'_>)
     Ok(DracoMesh { point_count, index_count, indices, attributes })
 }
 
+/// Decodes a mesh of at most `bytes_left` bytes.
 #[cfg(feature = "draco")]
-fn decode(source: &[u8], bytes_left: u64) -> Result<draco_core::Mesh, String> {
+pub(super) fn decode(source: &[u8], bytes_left: u64) -> Result<draco_core::Mesh, String> {
     use draco_core::{DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
 
     let limits = DecodeLimits::default()
@@ -110,7 +111,7 @@ fn component_type(data_type: draco_core::DataType) -> Option<ComponentType> {
 
 /// Returns the values of all points, tightly packed.
 #[cfg(feature = "draco")]
-fn values_of_points(
+pub(super) fn values_of_points(
     attribute: &draco_core::PointAttribute,
     point_count: usize,
     element_bytes: usize,

@@ -11,6 +11,8 @@
 //! and animations are dropped: joints and weights are kept as layers, but not the nodes, skins and channels
 //! that use them. Cost: one pass over each accessor of each block of vertices.
 //!
+//! What the writer has finished, `passes` may quantize and compress.
+//!
 //! Compressed geometry is decoded at first use: buffer views of meshoptimizer in `meshopt` (feature
 //! `meshopt`), primitives of Draco in `draco` and `draco_mesh` (feature `draco`). `unpacked` keeps the
 //! result and limits its size. Quantized attributes need no special care: `accessor` reads every component
@@ -32,6 +34,7 @@ mod json;
 mod layers;
 mod meshopt;
 mod node_tree;
+mod passes;
 mod primitive;
 mod read_scene;
 mod references;

@@ -10,8 +10,8 @@ use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 
 use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
 use super::component_type::ComponentType;
+use super::passes::GltfParts;
 use super::write_layers::{Attributes, attributes};
-use super::{container, uri};
 use crate::WriteOptions;
 use crate::error::Refusal;
 use crate::gltf_json::extensions_in;
@@ -21,33 +21,22 @@ const TRIANGLE_FAN: u32 = 6;
 
 /// Encodes a mesh as a GLB file.
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    let (root, binary) = document(mesh, options, |_| Value::Null)?;
-    joined(&root, binary)
-}
-
-/// Joins a document and its binary data into a GLB file.
-pub(super) fn joined(root: &Value, binary: Vec<u8>) -> Result<Vec<u8>, Refusal> {
-    container::joined(root.to_string().into_bytes(), binary)
-        .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()))
+    parts(mesh, options)?.into_glb()
 }
 
 /// Encodes a mesh as a glTF file with an embedded buffer.
 pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    let (root, _) = document(mesh, options, data_uri)?;
-    Ok(format!("{root:#}\n").into_bytes())
+    Ok(parts(mesh, options)?.into_json())
 }
 
-/// Returns a URI that contains the data of a buffer.
-pub(super) fn data_uri(binary: &[u8]) -> Value {
-    Value::String(format!("data:application/octet-stream;base64,{}", uri::to_base64(binary)))
+/// Builds the document and its binary data, quantized and compressed as the options say.
+fn parts(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusal> {
+    let mut parts = document(mesh, options)?;
+    parts.apply(options)?;
+    Ok(parts)
 }
 
-/// Builds the document and its binary data; `buffer_uri` returns the buffer's URI, or null.
-fn document(
-    mesh: &IndexedMesh,
-    options: &WriteOptions,
-    buffer_uri: impl Fn(&[u8]) -> Value,
-) -> Result<(Value, Vec<u8>), Refusal> {
+fn document(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusal> {
     let mut builder = Builder::default();
     let mut root = Map::new();
     root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));
@@ -63,14 +52,9 @@ fn document(
     insert(&mut root, "accessors", builder.accessors);
     insert(&mut root, "bufferViews", builder.views);
     if !builder.binary.is_empty() {
-        let mut buffer = json!({ "byteLength": builder.binary.len() });
-        let uri = buffer_uri(&builder.binary);
-        if !uri.is_null() {
-            buffer["uri"] = uri;
-        }
-        insert(&mut root, "buffers", vec![buffer]);
+        insert(&mut root, "buffers", vec![json!({ "byteLength": builder.binary.len() })]);
     }
-    Ok((Value::Object(root), builder.binary))
+    Ok(GltfParts { root: Value::Object(root), binary: builder.binary })
 }
 
 /// Adds an array to the document unless it is empty, because glTF does not allow empty arrays.

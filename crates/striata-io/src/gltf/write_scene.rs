@@ -10,9 +10,10 @@ use serde_json::{Map, Value, json};
 use striata::mesh::{IndexedMesh, Semantic};
 
 use super::builder::Builder;
+use super::passes::GltfParts;
 use super::primitive::semantic;
 use super::references::{entries, has_triangles};
-use super::write::{data_uri, insert, joined};
+use super::write::insert;
 use super::write_layers::{Attributes, attributes};
 use crate::error::Refusal;
 use crate::{SceneWriter, WriteOptions};
@@ -22,8 +23,7 @@ pub(crate) fn scene_to_glb_bytes(
     writer: &SceneWriter<'_>,
     options: &WriteOptions,
 ) -> Result<Vec<u8>, Refusal> {
-    let (root, binary) = document(writer, options, |_| Value::Null)?;
-    joined(&root, binary)
+    parts(writer, options)?.into_glb()
 }
 
 /// Encodes a scene as a glTF file with everything embedded.
@@ -31,16 +31,17 @@ pub(crate) fn scene_to_json_bytes(
     writer: &SceneWriter<'_>,
     options: &WriteOptions,
 ) -> Result<Vec<u8>, Refusal> {
-    let (root, _) = document(writer, options, data_uri)?;
-    Ok(format!("{root:#}\n").into_bytes())
+    Ok(parts(writer, options)?.into_json())
 }
 
-/// Builds the document and its binary data; `buffer_uri` returns the buffer's URI, or null.
-fn document(
-    writer: &SceneWriter<'_>,
-    options: &WriteOptions,
-    buffer_uri: impl Fn(&[u8]) -> Value,
-) -> Result<(Value, Vec<u8>), Refusal> {
+/// Builds the document and its binary data, quantized and compressed as the options say.
+fn parts(writer: &SceneWriter<'_>, options: &WriteOptions) -> Result<GltfParts, Refusal> {
+    let mut parts = document(writer, options)?;
+    parts.apply(options)?;
+    Ok(parts)
+}
+
+fn document(writer: &SceneWriter<'_>, options: &WriteOptions) -> Result<GltfParts, Refusal> {
     if options.strips.is_some() || options.fans.is_some() {
         return Err(Refusal::Unsupported("strips and fans are for files with one mesh".to_owned()));
     }
@@ -69,14 +70,9 @@ fn document(
     insert(&mut root, "accessors", builder.accessors);
     insert(&mut root, "bufferViews", builder.views);
     if !builder.binary.is_empty() {
-        let mut buffer = json!({ "byteLength": builder.binary.len() });
-        let uri = buffer_uri(&builder.binary);
-        if !uri.is_null() {
-            buffer["uri"] = uri;
-        }
-        insert(&mut root, "buffers", vec![buffer]);
+        insert(&mut root, "buffers", vec![json!({ "byteLength": builder.binary.len() })]);
     }
-    Ok((Value::Object(root), builder.binary))
+    Ok(GltfParts { root: Value::Object(root), binary: builder.binary })
 }
 
 /// Adds the triangles of all meshes; first those with vertices of their own.

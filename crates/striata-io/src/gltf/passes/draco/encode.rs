@@ -1,0 +1,255 @@
+//! Encoding of a primitive.
+
+use draco_core::{
+    DataType, EncoderBuffer, EncoderOptions, GeometryAttributeType, Mesh, MeshEncoder, PointAttribute,
+    PointIndex,
+};
+use serde_json::{Map, Value, json};
+
+use crate::QuantizeOptions;
+use crate::gltf::accessor::accessor;
+use crate::gltf::component_type::ComponentType;
+use crate::gltf::compression::contained;
+use crate::gltf::document::Document;
+use crate::gltf::draco_mesh;
+use crate::gltf::passes::additions::{Additions, ViewKind, remove};
+use crate::gltf::passes::elements::Elements;
+use crate::gltf::passes::primitives::{Primitive, TRIANGLES};
+
+/// Compression level, from 0 to 10; the default of Draco's own command.
+const LEVEL: i32 = 7;
+
+/// Estimated size of the JSON that a compressed primitive needs in addition, in bytes.
+const JSON_BYTES: usize = 160;
+
+/// Compressed primitive.
+pub(super) struct Coded {
+    bytes: Vec<u8>,
+    attributes: Vec<CodedAttribute>,
+    index_count: usize,
+    point_count: usize,
+}
+
+struct CodedAttribute {
+    name: String,
+    /// Identifier in the compressed mesh.
+    id: u32,
+    /// Accessor of the decoded data.
+    accessor: Value,
+}
+
+/// JSON of a compressed primitive.
+pub(super) struct CodedJson {
+    pub attributes: Value,
+    pub indices: usize,
+    pub extension: Value,
+}
+
+impl Coded {
+    /// Adds the compressed data and the accessors to the document.
+    pub(super) fn added_to(self, additions: &mut Additions) -> CodedJson {
+        let bytes = Elements::integers(self.bytes.into_iter().map(i64::from), 1, ComponentType::U8);
+        let role = format!("draco {}", additions.shelves.len());
+        let mut extension = json!({});
+        additions.store(ViewKind::of_others(&role, &bytes), &bytes, &mut extension);
+        let component = if self.point_count < 0xffff { ComponentType::U16 } else { ComponentType::U32 };
+        let indices = additions.push_accessor(json!({
+            "componentType": component.number(),
+            "count": self.index_count,
+            "type": "SCALAR",
+        }));
+        let (mut attributes, mut ids) = (Map::new(), Map::new());
+        for CodedAttribute { name, id, accessor } in self.attributes {
+            attributes.insert(name.clone(), json!(additions.push_accessor(accessor)));
+            ids.insert(name, json!(id));
+        }
+        extension["attributes"] = Value::Object(ids);
+        CodedJson { attributes: Value::Object(attributes), indices, extension }
+    }
+}
+
+/// Attribute of the vertices that a primitive uses.
+struct Source<'a> {
+    name: &'a str,
+    accessor: &'a Value,
+    elements: Elements,
+}
+
+/// Encodes a primitive; [`None`] if it must or should stay uncompressed.
+pub(super) fn coded(
+    document: &Document<'_>,
+    primitive: &Primitive,
+    quantization: Option<&QuantizeOptions>,
+) -> Option<Coded> {
+    let mut sources = Vec::new();
+    for (name, index) in &primitive.attributes {
+        let elements = Elements::read(&accessor(document, *index, &document.root).ok()?);
+        let accessor = document.item("accessors", *index, &document.root).ok()?.value;
+        sources.push(Source { name, accessor, elements });
+    }
+    let position = sources.iter().find(|source| source.name == "POSITION")?;
+    let vertex_count = position.elements.count;
+    if position.elements.width != 3 || sources.iter().any(|source| source.elements.count != vertex_count) {
+        return None;
+    }
+    let triangles = used_vertices(triangles(document, primitive, vertex_count)?, &mut sources)?;
+    let plain_bytes = triangles.len() * 6 + sources.iter().map(|s| s.elements.bytes.len()).sum::<usize>();
+    let coded = contained(|| encode(&triangles, &sources, quantization)).ok()?;
+    (coded.bytes.len() + JSON_BYTES < plain_bytes).then_some(coded)
+}
+
+/// Returns the triangles of a primitive; [`None`] if its indices are damaged or there are no triangles.
+fn triangles(document: &Document<'_>, primitive: &Primitive, vertex_count: usize) -> Option<Vec<[u32; 3]>> {
+    let list: Vec<u32> = match primitive.indices {
+        Some(indices) => accessor(document, indices, &document.root).ok()?.integers()?,
+        None => (0..u32::try_from(vertex_count).ok()?).collect(),
+    };
+    if list.iter().any(|&vertex| vertex as usize >= vertex_count) {
+        return None;
+    }
+    let triangles: Vec<[u32; 3]> = match primitive.mode {
+        TRIANGLES => list.as_chunks::<3>().0.to_vec(),
+        5 => {
+            let turned = |(i, window): (usize, &[u32; 3])| {
+                let [a, b, c] = *window;
+                if i % 2 == 0 { [a, b, c] } else { [b, a, c] }
+            };
+            list.array_windows().enumerate().map(turned).collect()
+        }
+        _ => list.get(1..)?.windows(2).map(|pair| [list[0], pair[0], pair[1]]).collect(),
+    };
+    let is_degenerate = |[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
+    let triangles: Vec<_> = triangles.into_iter().filter(|triangle| !is_degenerate(triangle)).collect();
+    (!triangles.is_empty()).then_some(triangles)
+}
+
+/// Drops the vertices that no triangle uses.
+fn used_vertices(mut triangles: Vec<[u32; 3]>, sources: &mut [Source<'_>]) -> Option<Vec<[u32; 3]>> {
+    let mut new_numbers = vec![None; sources.first()?.elements.count];
+    let mut used = Vec::new();
+    for vertex in triangles.as_flattened_mut() {
+        let number = new_numbers[*vertex as usize].get_or_insert_with(|| {
+            used.push(*vertex);
+            used.len() as u32 - 1
+        });
+        *vertex = *number;
+    }
+    for source in sources {
+        source.elements = source.elements.reordered(&used);
+    }
+    Some(triangles)
+}
+
+/// Encodes triangles, decodes them again, and describes the result.
+fn encode(
+    triangles: &[[u32; 3]],
+    sources: &[Source<'_>],
+    quantization: Option<&QuantizeOptions>,
+) -> Result<Coded, String> {
+    let mut mesh = Mesh::new();
+    mesh.set_num_points(sources.first().map_or(0, |source| source.elements.count));
+    let mut options = EncoderOptions::new();
+    options.set_compression_level(LEVEL);
+    let mut ids = Vec::new();
+    for source in sources {
+        let id = mesh.add_attribute(attribute(source)?);
+        if let Some(bits) = quantization.and_then(|quantization| bits(source, quantization)) {
+            options.set_attribute_quantization(id, bits as i32);
+        }
+        ids.push(mesh.attribute(id).unique_id());
+    }
+    for triangle in triangles {
+        mesh.add_face(triangle.map(PointIndex));
+    }
+    mesh.finalize().map_err(|error| error.to_string())?;
+    let (mut encoder, mut out) = (MeshEncoder::new(), EncoderBuffer::new());
+    encoder.set_mesh(mesh);
+    encoder.encode(&options, &mut out).map_err(|error| error.to_string())?;
+    let bytes = out.data().to_vec();
+    described(bytes, triangles, sources, &ids)
+}
+
+/// Decodes what was encoded, checks it, and describes it.
+fn described(
+    bytes: Vec<u8>,
+    triangles: &[[u32; 3]],
+    sources: &[Source<'_>],
+    ids: &[u32],
+) -> Result<Coded, String> {
+    let decoded = draco_mesh::decode(&bytes, u64::MAX)?;
+    let (point_count, triangle_count) = (decoded.num_points(), decoded.num_faces());
+    if triangle_count > triangles.len()
+        || triangle_count + collapsed_count(triangles, sources) < triangles.len()
+    {
+        return Err(format!("{triangle_count} of {} triangles are left", triangles.len()));
+    }
+    let mut attributes = Vec::new();
+    for (source, &id) in sources.iter().zip(ids) {
+        let found = decoded.attribute_by_unique_id(id).ok_or("an attribute is missing")?;
+        let values = draco_mesh::values_of_points(found, point_count, source.elements.element_bytes())?;
+        let elements = Elements { count: point_count, bytes: values, ..source.elements };
+        let mut accessor = source.accessor.clone();
+        for key in ["bufferView", "byteOffset", "sparse", "min", "max"] {
+            remove(&mut accessor, key);
+        }
+        accessor["count"] = json!(point_count);
+        if source.name == "POSITION" {
+            elements.declare_bounds(&mut accessor);
+        }
+        attributes.push(CodedAttribute { name: source.name.to_owned(), id, accessor });
+    }
+    Ok(Coded { bytes, attributes, index_count: triangle_count * 3, point_count })
+}
+
+/// Returns the number of triangles of which two corners have the same position; Draco drops them.
+fn collapsed_count(triangles: &[[u32; 3]], sources: &[Source<'_>]) -> usize {
+    let Some(positions) = sources.iter().find(|source| source.name == "POSITION") else { return 0 };
+    let size = positions.elements.element_bytes();
+    let position = |vertex: u32| &positions.elements.bytes[vertex as usize * size..][..size];
+    let is_collapsed = |triangle: &&[u32; 3]| {
+        let [a, b, c] = triangle.map(position);
+        a == b || b == c || c == a
+    };
+    triangles.iter().filter(is_collapsed).count()
+}
+
+fn attribute(source: &Source<'_>) -> Result<PointAttribute, String> {
+    let Elements { component, width, normalized, count, ref bytes } = source.elements;
+    let data_type = match component {
+        ComponentType::I8 => DataType::Int8,
+        ComponentType::U8 => DataType::Uint8,
+        ComponentType::I16 => DataType::Int16,
+        ComponentType::U16 => DataType::Uint16,
+        ComponentType::U32 => DataType::Uint32,
+        ComponentType::F32 => DataType::Float32,
+    };
+    let mut attribute = PointAttribute::new();
+    let width = u8::try_from(width).map_err(|error| error.to_string())?;
+    attribute
+        .try_init(kind(source), width, data_type, normalized, count)
+        .map_err(|error| error.to_string())?;
+    attribute.buffer_mut().write(0, bytes);
+    Ok(attribute)
+}
+
+fn kind(source: &Source<'_>) -> GeometryAttributeType {
+    match source.name {
+        "POSITION" => GeometryAttributeType::Position,
+        "NORMAL" => GeometryAttributeType::Normal,
+        name if name.starts_with("TEXCOORD_") => GeometryAttributeType::TexCoord,
+        name if name.starts_with("COLOR_") => GeometryAttributeType::Color,
+        _ => GeometryAttributeType::Generic,
+    }
+}
+
+/// Returns the bits that an attribute of floats is quantized to; [`None`] if it is kept exactly.
+fn bits(source: &Source<'_>, quantization: &QuantizeOptions) -> Option<u32> {
+    let bits = match (source.name, kind(source)) {
+        (_, GeometryAttributeType::Position) => quantization.position_bits,
+        (_, GeometryAttributeType::Normal) | ("TANGENT", _) => quantization.normal_bits.max(2),
+        (_, GeometryAttributeType::TexCoord) => quantization.texcoord_bits,
+        (_, GeometryAttributeType::Color) => quantization.color_bits,
+        _ => return None,
+    };
+    (source.elements.component == ComponentType::F32).then_some(bits.clamp(1, 30))
+}

@@ -1,0 +1,68 @@
+//! Compression of primitives with Draco (`KHR_draco_mesh_compression`).
+//!
+//! Each triangle primitive gets a compressed mesh of its own, with the vertices that its triangles use;
+//! strips and fans become single triangles. Positions, normals, tangents, texture coordinates and colors
+//! that are floats are quantized; joints, weights and attributes without a standard name are kept exactly.
+//! What was encoded is decoded again, because Draco merges and reorders vertices: accessors declare what a
+//! decoder returns.
+//!
+//! Primitives stay uncompressed if they have morph targets, which Draco cannot store, extensions that may
+//! count vertices, or damaged data, or if compression does not make them smaller.
+
+#[cfg(feature = "draco")]
+mod encode;
+
+use super::GltfParts;
+use crate::QuantizeOptions;
+
+/// Compresses a document; without `quantization`, floats are kept exactly.
+#[cfg(not(feature = "draco"))]
+pub(in crate::gltf) fn draco(_: &mut GltfParts, _: Option<&QuantizeOptions>) {}
+
+/// Compresses a document; without `quantization`, floats are kept exactly.
+#[cfg(feature = "draco")]
+pub(in crate::gltf) fn draco(parts: &mut GltfParts, quantization: Option<&QuantizeOptions>) {
+    use std::collections::{BTreeMap, BTreeSet};
+
+    use serde_json::json;
+
+    use super::additions::{Additions, plain_view};
+    use super::primitives::{TRIANGLES, primitives};
+    use super::{compact, extensions, open};
+
+    const EXTENSION: &str = "KHR_draco_mesh_compression";
+
+    let snapshot = parts.root.clone();
+    let document = open(&snapshot, &parts.binary);
+    let mut additions = Additions::new(&snapshot);
+    let (mut known, mut replaced) = (BTreeMap::new(), BTreeSet::new());
+    for primitive in primitives(&snapshot).0 {
+        let is_free = extensions::are_free_of_order(&primitive.extensions);
+        if !primitive.has_triangles() || !primitive.targets.is_empty() || !is_free {
+            continue;
+        }
+        let key = (primitive.attributes.clone(), primitive.indices, primitive.mode);
+        let coded = known.entry(key).or_insert_with(|| {
+            encode::coded(&document, &primitive, quantization).map(|coded| coded.added_to(&mut additions))
+        });
+        let Some(value) = parts.root.pointer_mut(&primitive.path()) else { continue };
+        let Some(coded) = coded else { continue };
+        replaced.extend(primitive.attributes.iter().map(|(_, accessor)| *accessor));
+        replaced.extend(primitive.indices);
+        value["attributes"] = coded.attributes.clone();
+        value["indices"] = json!(coded.indices);
+        if value.get("mode").is_some() {
+            value["mode"] = json!(TRIANGLES);
+        }
+        if value.get("extensions").is_none() {
+            value["extensions"] = json!({});
+        }
+        value["extensions"][EXTENSION] = coded.extension.clone();
+    }
+    let is_used = known.values().any(Option::is_some);
+    additions.apply(parts, plain_view);
+    if is_used {
+        extensions::require(&mut parts.root, EXTENSION);
+    }
+    compact(parts, &replaced);
+}

@@ -1,0 +1,131 @@
+//! What each accessor is used for, as far as that matters for compression.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use crate::gltf::passes::extensions::are_all_known;
+use crate::gltf::passes::primitives::{Primitive, TRIANGLES};
+use crate::gltf::passes::references::{Referent, visit};
+use crate::gltf::passes::{entries, index, index_at};
+
+/// Use of an accessor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Use {
+    /// Attribute or morph target of vertices.
+    Vertices,
+    /// Indices of single triangles.
+    Triangles,
+    /// Indices of strips or fans.
+    Strips,
+    /// Anything else.
+    Other,
+}
+
+/// Role of an accessor that can be compressed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Role {
+    pub usage: Use,
+    /// What accessors in the same view have in common.
+    pub name: String,
+    /// Whether only triangles use it, so that its order is free.
+    pub is_free: bool,
+}
+
+/// Returns the roles of accessors; [`None`] for those that must stay as they are.
+pub(super) fn roles(root: &Value, primitives: &[Primitive]) -> BTreeMap<u64, Option<Role>> {
+    let mut collector = Collector::default();
+    for primitive in primitives {
+        collector.primitive(primitive);
+    }
+    for skin in entries(root, "skins") {
+        collector.add(skin.get("inverseBindMatrices"), Use::Other, "matrices");
+    }
+    for animation in entries(root, "animations") {
+        for (number, sampler) in entries(animation, "samplers").iter().enumerate() {
+            collector.add(sampler.get("input"), Use::Other, "time");
+            let channels = entries(animation, "channels").iter();
+            let mut own = channels.filter(|channel| index_at(channel, "sampler") == Some(number));
+            let path = own.next().and_then(|channel| channel.pointer("/target/path")?.as_str());
+            let name = format!("animated {}", path.unwrap_or_default());
+            collector.add(sampler.get("output"), Use::Other, &name);
+        }
+    }
+    for node in entries(root, "nodes") {
+        let attributes = node.pointer("/extensions/EXT_mesh_gpu_instancing/attributes");
+        for value in attributes.and_then(Value::as_object).into_iter().flat_map(|map| map.values()) {
+            collector.add(Some(value), Use::Other, "instances");
+        }
+    }
+    collector.checked(root)
+}
+
+/// Roles found so far, and the number of uses that they explain.
+#[derive(Default)]
+struct Collector {
+    roles: BTreeMap<u64, Option<Role>>,
+    counts: BTreeMap<u64, usize>,
+}
+
+impl Collector {
+    fn primitive(&mut self, primitive: &Primitive) {
+        let is_packed = primitive.extensions.iter().any(|name| name == "KHR_draco_mesh_compression");
+        let is_free = primitive.has_triangles() && !is_packed;
+        let targets = primitive.targets.iter().flatten();
+        let targets = targets.map(|(name, accessor)| (format!("target {name}"), accessor));
+        let attributes = primitive.attributes.iter().map(|(name, accessor)| (name.clone(), accessor));
+        for (name, &accessor) in attributes.chain(targets) {
+            let name = name.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned();
+            self.put(accessor, Role { usage: Use::Vertices, name, is_free });
+        }
+        if let Some(indices) = primitive.indices {
+            let usage = if primitive.mode == TRIANGLES { Use::Triangles } else { Use::Strips };
+            self.put(indices, Role { usage, name: "indices".to_owned(), is_free });
+        }
+    }
+
+    fn add(&mut self, reference: Option<&Value>, usage: Use, name: &str) {
+        if let Some(accessor) = reference.and_then(index) {
+            self.put(accessor, Role { usage, name: name.to_owned(), is_free: true });
+        }
+    }
+
+    fn put(&mut self, accessor: u64, role: Role) {
+        *self.counts.entry(accessor).or_default() += 1;
+        match self.roles.get_mut(&accessor) {
+            None => {
+                self.roles.insert(accessor, Some(role));
+            }
+            Some(known) => *known = known.take().and_then(|known| known.joined(role)),
+        }
+    }
+
+    /// Leaves out accessors with other uses, or without any by triangles.
+    fn checked(mut self, root: &Value) -> BTreeMap<u64, Option<Role>> {
+        let mut copy = root.clone();
+        let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
+        visit(&mut copy, &mut |referent, value| {
+            if let (Referent::Accessor, Some(accessor)) = (referent, index(value)) {
+                *counts.entry(accessor).or_default() += 1;
+            }
+        });
+        let is_closed = are_all_known(root);
+        for (accessor, role) in &mut self.roles {
+            let is_explained = self.counts.get(accessor) == counts.get(accessor);
+            *role = role.take().filter(|_| is_explained);
+            if let Some(role) = role {
+                role.is_free &= is_closed;
+            }
+        }
+        self.roles
+    }
+}
+
+impl Role {
+    /// Returns the role of an accessor with two uses; [`None`] if they are too different.
+    fn joined(self, other: Self) -> Option<Self> {
+        let is_same = self.usage == other.usage;
+        let name = if self.name == other.name { self.name } else { "several".to_owned() };
+        is_same.then_some(Self { usage: self.usage, name, is_free: self.is_free && other.is_free })
+    }
+}

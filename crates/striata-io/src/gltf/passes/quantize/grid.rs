@@ -1,0 +1,128 @@
+//! Grids of positions.
+
+use std::collections::BTreeMap;
+
+use crate::gltf::accessor::accessor;
+use crate::gltf::component_type::ComponentType;
+use crate::gltf::document::Document;
+use crate::gltf::passes::extensions::are_free_of_values;
+use crate::gltf::passes::primitives::{Primitive, Sets};
+
+/// Grid that positions are rounded to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Grid {
+    /// Position of the grid point with the coordinates 0.
+    pub origin: [f32; 3],
+    /// Side of a cell in mesh units.
+    pub step: f32,
+    /// Largest coordinate.
+    pub last: u32,
+}
+
+/// Grids of all meshes.
+#[derive(Debug)]
+pub(super) struct Grids {
+    /// Grids; [`None`] if the meshes that would share it cannot be quantized.
+    pub grids: Vec<Option<Grid>>,
+    /// Number of the grid of each mesh.
+    pub of_mesh: Vec<usize>,
+}
+
+impl Grids {
+    /// Returns the number of a mesh's grid, unless its positions are not quantized.
+    pub(super) fn number(&self, mesh: usize) -> Option<usize> {
+        let &number = self.of_mesh.get(mesh)?;
+        self.grids[number].map(|_| number)
+    }
+
+    /// Gives up the quantization of all meshes that share a grid.
+    pub(super) fn drop_grid(&mut self, number: usize) {
+        self.grids[number] = None;
+    }
+}
+
+/// Finds meshes that share positions, and a grid for each set of them.
+pub(super) fn grids(
+    document: &Document<'_>,
+    primitives: &[Primitive],
+    are_read: &[bool],
+    bits: u32,
+) -> Grids {
+    let mut sets = Sets::new(are_read.len());
+    let mut owners = BTreeMap::new();
+    for primitive in primitives {
+        let targets = primitive.targets.iter().flatten();
+        let positions = primitive.attributes.iter().chain(targets).filter(|(name, _)| name == "POSITION");
+        for &(_, accessor) in positions {
+            let &mut owner = owners.entry(accessor).or_insert(primitive.mesh);
+            sets.join(owner, primitive.mesh);
+        }
+    }
+    let of_mesh: Vec<usize> = (0..are_read.len()).map(|mesh| sets.find(mesh)).collect();
+    let mut boxes: Vec<Option<Box3>> = are_read.iter().map(|_| Some(Box3::EMPTY)).collect();
+    for (mesh, _) in are_read.iter().enumerate().filter(|&(_, is_read)| !is_read) {
+        boxes[of_mesh[mesh]] = None;
+    }
+    let mut known = BTreeMap::new();
+    for primitive in primitives {
+        let set = of_mesh[primitive.mesh];
+        let of_primitive =
+            primitive.attribute("POSITION").filter(|_| are_free_of_values(&primitive.extensions));
+        let of_primitive = of_primitive
+            .and_then(|accessor| *known.entry(accessor).or_insert_with(|| bounding_box(document, accessor)));
+        boxes[set] = boxes[set].zip(of_primitive).map(|(a, b)| a.joined(b));
+    }
+    let grids = boxes.into_iter().map(|bounds| bounds?.grid(bits)).collect();
+    Grids { grids, of_mesh }
+}
+
+/// Axis-aligned box.
+#[derive(Clone, Copy, Debug)]
+struct Box3 {
+    min: [f32; 3],
+    max: [f32; 3],
+}
+
+impl Box3 {
+    const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
+
+    fn joined(self, other: Self) -> Self {
+        let axes = [0, 1, 2];
+        Self {
+            min: axes.map(|i| self.min[i].min(other.min[i])),
+            max: axes.map(|i| self.max[i].max(other.max[i])),
+        }
+    }
+
+    /// Returns the grid that covers the box; [`None`] if it is empty or its size exceeds all numbers.
+    fn grid(self, bits: u32) -> Option<Grid> {
+        let last = (1u32 << bits.clamp(1, 16)) - 1;
+        let sides = [0, 1, 2].map(|i| f64::from(self.max[i]) - f64::from(self.min[i]));
+        let side = sides.into_iter().fold(0.0, f64::max);
+        if !self.min[0].is_finite() || !side.is_finite() {
+            return None;
+        }
+        let step = (side / f64::from(last)) as f32;
+        let step = if step >= f32::MIN_POSITIVE { step } else { 1.0 };
+        // Steps so small that they vanish next to the coordinates, or too large, make no grid.
+        (step.is_finite() && side <= f64::from(step) * f64::from(last) * 1.001).then_some(Grid {
+            origin: self.min,
+            step,
+            last,
+        })
+    }
+}
+
+/// Returns the bounding box of positions; [`None`] if they are not finite floats.
+fn bounding_box(document: &Document<'_>, index: u64) -> Option<Box3> {
+    let positions = accessor(document, index, &document.root).ok()?;
+    if positions.component != ComponentType::F32 || positions.component_count != 3 || positions.count == 0 {
+        return None;
+    }
+    let numbers = positions.floats();
+    if numbers.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let points = numbers.as_chunks::<3>().0.iter();
+    Some(points.fold(Box3::EMPTY, |bounds, &point| bounds.joined(Box3 { min: point, max: point })))
+}

@@ -1,0 +1,73 @@
+//! Quantization: attributes become small integers (`KHR_mesh_quantization`).
+//!
+//! Positions lie on a grid with cubic cells. All primitives of a mesh share a grid, and so do meshes that
+//! share vertices, so that no cracks appear. The scene converts grid steps back to lengths: see
+//! `placement`. Points and lines of such a mesh get positions on its grid too, since they are shown by the
+//! same node; apart from that, primitives without triangles stay as they are.
+//!
+//! The error of a coordinate is at most half a grid step, that is, half of the longest side of the
+//! bounding box divided by 2^bits - 1. Normals, tangents, colors and weights become normalized integers,
+//! and so do texture coordinates from 0 to 1. Others remain floats, rounded to multiples of 2^-bits, which
+//! `meshopt` compresses as integers. That takes a quarter fewer bytes than fractions of 65535, so it is the
+//! rule for all texture coordinates if `meshopt` follows. The alternative, integers with a texture
+//! transform (`KHR_texture_transform`), would change materials, which other meshes and animations use.
+//!
+//! Draco's primitives, and meshes with extensions that may depend on coordinates, stay as they are.
+
+mod attributes;
+mod convert;
+mod grid;
+mod placement;
+mod skins;
+mod transforms;
+
+use std::collections::BTreeSet;
+
+use serde_json::Value;
+
+use super::additions::{Additions, plain_view};
+use super::primitives::primitives;
+use super::{GltfParts, compact, extensions, open};
+use crate::QuantizeOptions;
+
+const EXTENSION: &str = "KHR_mesh_quantization";
+
+/// Type of texture coordinates from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::gltf) enum Texcoords {
+    /// Normalized 16-bit integers, the smallest without compression.
+    Integers,
+    /// Floats that `meshopt` compresses as integers.
+    Floats,
+}
+
+/// What a pass has changed so far.
+struct Changes<'a> {
+    /// The document to change; `snapshot` is what it was before.
+    root: &'a mut Value,
+    additions: Additions,
+    /// Accessors that others have replaced.
+    replaced: BTreeSet<u64>,
+    /// Whether anything needs the extension.
+    needs_extension: bool,
+}
+
+/// Quantizes the meshes of a document.
+pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions, texcoords: Texcoords) {
+    let snapshot = parts.root.clone();
+    let document = open(&snapshot, &parts.binary);
+    let (primitives, are_read) = primitives(&snapshot);
+    let additions = Additions::new(&snapshot);
+    let mut changes =
+        Changes { root: &mut parts.root, additions, replaced: BTreeSet::new(), needs_extension: false };
+    let mut grids = grid::grids(&document, &primitives, &are_read, options.position_bits);
+    let placements = placement::placements(&document, &mut grids);
+    attributes::quantize((&document, &primitives), &grids, (options, texcoords), &mut changes);
+    placement::apply(&document, &grids, placements, &mut changes);
+    let Changes { additions, replaced, needs_extension, .. } = changes;
+    additions.apply(parts, plain_view);
+    if needs_extension {
+        extensions::require(&mut parts.root, EXTENSION);
+    }
+    compact(parts, &replaced);
+}

@@ -1,0 +1,89 @@
+//! Transforms of nodes, combined with the conversion from grid steps to lengths.
+
+use glam::{DMat4, DQuat, DVec3};
+use serde_json::{Value, json};
+
+use super::grid::Grid;
+
+impl Grid {
+    fn origin(&self) -> DVec3 {
+        DVec3::from_array(self.origin.map(f64::from))
+    }
+
+    /// Returns the conversion from grid coordinates to positions.
+    pub(super) fn matrix(&self) -> DMat4 {
+        DMat4::from_scale_rotation_translation(
+            DVec3::splat(f64::from(self.step)),
+            DQuat::IDENTITY,
+            self.origin(),
+        )
+    }
+
+    /// Returns translation and scale after the conversion has been applied first.
+    pub(super) fn folded(&self, translation: DVec3, rotation: DQuat, scale: DVec3) -> [DVec3; 2] {
+        [translation + rotation * (scale * self.origin()), scale * f64::from(self.step)]
+    }
+}
+
+/// Returns a number that reads as the closest float, in as few digits as possible.
+pub(super) fn short(number: f64) -> Value {
+    let float = number as f32;
+    float.to_string().parse::<f64>().map_or_else(|_| json!(number), |number| json!(number))
+}
+
+/// Returns the numbers of a vector.
+pub(super) fn short_list(vector: DVec3) -> Value {
+    Value::Array(vector.to_array().map(short).to_vec())
+}
+
+/// Writes the conversion to a node without a transform.
+pub(super) fn set(node: &mut Value, grid: &Grid) {
+    let [translation, scale] = grid.folded(DVec3::ZERO, DQuat::IDENTITY, DVec3::ONE);
+    set_parts(node, translation, scale);
+}
+
+fn set_parts(node: &mut Value, translation: DVec3, scale: DVec3) {
+    node["translation"] = short_list(translation);
+    node["scale"] = short_list(scale);
+}
+
+/// Applies the conversion before the transform of a node; false if the node's transform is malformed or
+/// would overflow.
+pub(super) fn fold(node: &mut Value, grid: &Grid) -> bool {
+    if node.get("matrix").is_some() {
+        let Some(numbers) = numbers::<16>(node, "matrix", [0.0; 16]) else { return false };
+        let matrix = (DMat4::from_cols_array(&numbers) * grid.matrix()).to_cols_array();
+        if !matrix.iter().all(|&x| is_float(x)) {
+            return false;
+        }
+        node["matrix"] = Value::Array(matrix.map(short).to_vec());
+        return true;
+    }
+    let parts = numbers(node, "translation", [0.0; 3])
+        .zip(numbers(node, "rotation", [0.0, 0.0, 0.0, 1.0]))
+        .zip(numbers(node, "scale", [1.0; 3]));
+    let Some(((translation, rotation), scale)) = parts else { return false };
+    let rotation = DQuat::from_array(rotation);
+    // Readers differ in what they make of others.
+    if (rotation.length_squared() - 1.0).abs() > 1e-5 {
+        return false;
+    }
+    let [translation, scale] =
+        grid.folded(DVec3::from_array(translation), rotation, DVec3::from_array(scale));
+    if !translation.to_array().into_iter().chain(scale.to_array()).all(is_float) {
+        return false;
+    }
+    set_parts(node, translation, scale);
+    true
+}
+
+fn is_float(number: f64) -> bool {
+    (number as f32).is_finite()
+}
+
+/// Returns the numbers of a member, or the default if it is missing.
+fn numbers<const N: usize>(node: &Value, key: &str, default: [f64; N]) -> Option<[f64; N]> {
+    let Some(value) = node.get(key) else { return Some(default) };
+    let numbers: Option<Vec<f64>> = value.as_array()?.iter().map(Value::as_f64).collect();
+    numbers?.try_into().ok()
+}
