@@ -9,6 +9,7 @@
 //! | [`mod@file`] | `.striata` files of scenes |
 //! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
 //! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
+//! | `view` | levels of a scene for a camera |
 //! | [`stream`] | a scene as one progressive stream |
 //! | [`textures`] | previews and re-encoding of images |
 
@@ -24,6 +25,7 @@ mod pose;
 mod single_mesh;
 pub mod stream;
 pub mod textures;
+mod view;
 
 pub use deformation::Deformation;
 pub use error::{BuildError, SceneMismatch};

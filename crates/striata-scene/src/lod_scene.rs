@@ -135,6 +135,20 @@ impl LodScene {
         self.levels().resolve(target)
     }
 
+    /// Returns the levels that are at least as fine as `level`, which becomes the coarsest one.
+    #[must_use]
+    pub fn without_levels_below(&self, level: &SceneLevel) -> Self {
+        let first = |mesh: usize| level.split_counts.get(mesh).copied().unwrap_or(0);
+        let lods = self.lods().iter().enumerate();
+        let lods = lods.map(|(mesh, lod)| Some(lod.as_ref()?.without_levels_below(first(mesh)))).collect();
+        Self::of_parts(self.scene().clone(), lods)
+    }
+
+    /// Whether the errors of all levels are guaranteed bounds rather than estimates.
+    pub fn has_guaranteed_errors(&self) -> bool {
+        self.lods().iter().flatten().all(Lod::has_guaranteed_errors)
+    }
+
     /// Returns a scene with the triangles of a level, and only the vertices that they use. Split counts
     /// above the full mesh mean the full mesh.
     pub fn level_scene(&self, level: &SceneLevel) -> Scene {

@@ -86,6 +86,15 @@ impl Lod {
         Self { tables: Arc::new(Tables::new(refinable, false)) }
     }
 
+    /// Returns the levels with at least `split_count` vertex splits; the first of them becomes the base mesh.
+    /// Counts above the full mesh leave only the full mesh.
+    #[must_use]
+    pub fn without_levels_below(&self, split_count: usize) -> Self {
+        let first = split_count.min(self.step_count());
+        let refinable = self.tables.refinable().clone().without_levels_below(first);
+        Self { tables: Arc::new(Tables::new(refinable, self.has_guaranteed_errors())) }
+    }
+
     /// Reads the levels from a `.striata` file.
     ///
     /// The fans are read from the file if it contains them, and rebuilt otherwise.

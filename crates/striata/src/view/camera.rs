@@ -1,6 +1,6 @@
 //! A perspective camera: visibility of bounding spheres and projection of errors to pixels.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 use super::Sphere;
 
@@ -110,6 +110,13 @@ impl Camera {
         // the screen's corner.
         let cos = ((to.dot(self.forward) - radius) / (distance + radius)).max(self.corner_cos());
         (f64::from(error) * self.pixels / ((distance - radius) * cos * cos)) as f32
+    }
+
+    /// Returns the camera in another space; `matrix` is a rotation with a translation and a uniform scale.
+    pub(super) fn moved(&self, matrix: &DMat4) -> Self {
+        let turned = |direction: DVec3| matrix.transform_vector3(direction).normalize();
+        let [forward, right, up] = [self.forward, self.right, self.up].map(turned);
+        Self { eye: matrix.transform_point3(self.eye), forward, right, up, ..*self }
     }
 
     /// Cosine of the angle between the view axis and a corner of the screen.

@@ -8,7 +8,7 @@
 //! Differs: \[Hop97\] considers the directions of errors, while here an error is a distance in any
 //! direction. The stretching of a flat screen toward its corners is taken into account.
 
-use glam::{DMat3, Vec3};
+use glam::{DMat3, DMat4, DVec3, Vec3};
 
 use super::{Camera, Criterion, Part, Sphere, Verdict};
 
@@ -125,6 +125,38 @@ impl ScreenError {
         Self { fovea: Some((fovea, gaze)), ..self }
     }
 
+    /// Multiplies all tolerances by a factor.
+    #[must_use]
+    pub fn relaxed(self, factor: f32) -> Self {
+        let [silhouette, region] = [self.silhouette.map(|px| px * factor), self.region.map(|r| r.1 * factor)];
+        let region = self.region.map(|(sphere, _)| sphere).zip(region);
+        Self { pixels: self.pixels * factor, silhouette, region, ..self }
+    }
+
+    /// Returns the same criterion for an object that is shown with a transform, in units of the object.
+    ///
+    /// `transform` is a matrix in column order, from the object to the space of this criterion. The result
+    /// has no model bounds. [`None`] if the transform is anything but a rotation with a translation and a
+    /// uniform scale, because errors in all directions would then not appear equally large.
+    pub fn in_object(&self, transform: &[f64; 16]) -> Option<Self> {
+        let matrix = DMat4::from_cols_array(transform);
+        let linear = DMat3::from_mat4(matrix);
+        let (squares, scale) = (linear.transpose() * linear, linear.x_axis.length());
+        let is_similar =
+            squares.abs_diff_eq(DMat3::from_diagonal(DVec3::splat(scale * scale)), 1e-5 * scale * scale);
+        if !(is_similar && linear.determinant() > 0.0 && matrix.is_finite()) {
+            return None;
+        }
+        let camera = self.camera.moved(&matrix.inverse());
+        let region = self.region.map(|(region, pixels)| {
+            let center = matrix.inverse().transform_point3(DVec3::from(region.center.map(f64::from)));
+            let radius = (f64::from(region.radius) / scale) as f32;
+            (Sphere { center: center.as_vec3().into(), radius }, pixels)
+        });
+        let Self { silhouette, fovea, .. } = *self;
+        Some(Self { silhouette, region, fovea, ..Self::new(camera, self.pixels) })
+    }
+
     /// The camera.
     pub fn camera(&self) -> &Camera {
         &self.camera
@@ -160,7 +192,7 @@ impl Criterion for ScreenError {
         let placement = |s: &Self| {
             let camera = &s.camera;
             let rotation = DMat3::from_cols(camera.right, camera.up, camera.forward).transpose();
-            (rotation, rotation * (glam::DVec3::from(model.center.map(f64::from)) - camera.eye))
+            (rotation, rotation * (DVec3::from(model.center.map(f64::from)) - camera.eye))
         };
         let ((rotation, center), (rotation_before, center_before)) = (placement(self), placement(earlier));
         // Bounds how far the rotation moves a point of the unit sphere: the difference of two rotations has
@@ -175,6 +207,8 @@ impl Criterion for ScreenError {
 
 #[cfg(test)]
 mod tests {
+    use glam::DQuat;
+
     use super::*;
     use crate::mesh::Random;
     use crate::view::NormalCone;
@@ -305,5 +339,35 @@ mod tests {
         assert_eq!(weight(2, &front), weight(0, &front));
         let far_off = part([-1.5, -1.0, 0.0], [0.0, 0.0, 1.0]);
         assert!(weight(3, &far_off) < 0.7 * weight(0, &far_off) && weight(3, &far_off) > 0.0);
+    }
+    #[test]
+    fn an_object_looks_the_same_in_its_own_space() {
+        let mut input = RandomInput(Random::new(21));
+        for round in 0..400 {
+            let scale = f64::from(input.number(3.0).abs() + 0.1);
+            let axis = Vec3::from(input.point(1.0)).as_dvec3().normalize();
+            let (angle, offset) = (f64::from(input.number(6.0)), Vec3::from(input.point(4.0)).as_dvec3());
+            let rotation = DQuat::from_axis_angle(axis, angle);
+            let matrix = DMat4::from_scale_rotation_translation(DVec3::splat(scale), rotation, offset);
+            let eye = input.point(9.0);
+            let criterion = input.criterion(eye, round % 4);
+            let inside = criterion.in_object(&matrix.to_cols_array()).expect("a similarity");
+            let part = input.part();
+            let center = matrix.transform_point3(Vec3::from(part.sphere.center).as_dvec3()).as_vec3();
+            let axis = (rotation * Vec3::from(part.cone.axis).as_dvec3()).as_vec3();
+            let in_scene = Part {
+                sphere: Sphere { center: center.into(), radius: part.sphere.radius * scale as f32 },
+                cone: NormalCone { axis: axis.into(), ..part.cone },
+                error: part.error * scale as f32,
+            };
+            let [own, outer] = [inside.weigh(&part).weight, criterion.weigh(&in_scene).weight];
+            // At the limits of the frustum and of the cone, rounding decides.
+            let is_near_limit = own == 0.0 || outer == 0.0;
+            assert!(is_near_limit || (own / outer - 1.0).abs() < 1e-3, "{own}, {outer}");
+        }
+        for bad in [[1.0, 2.0, 1.0], [-1.0, 1.0, 1.0], [0.0; 3]] {
+            let matrix = DMat4::from_scale(DVec3::from(bad)).to_cols_array();
+            assert_eq!(input.criterion([0.0, 0.0, 5.0], 0).in_object(&matrix), None);
+        }
     }
 }

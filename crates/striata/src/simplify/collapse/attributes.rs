@@ -358,7 +358,7 @@ mod tests {
     /// Squared differences between two vertices of the first triangle and of the second.
     fn differences(welded: &Welded, factors: &[f32]) -> [f32; 2] {
         let space =
-            AttributeSpace::new(welded, &AttributeWeights::default(), factors).expect("there are UVs");
+            AttributeSpace::new(welded, &AttributeWeights::default(), factors, 1.0).expect("there are UVs");
         [welded.mesh.triangles[0], welded.mesh.triangles[1]].map(|[a, b, _]| space.difference_squared(a, b))
     }
 
