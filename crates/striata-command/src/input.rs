@@ -103,9 +103,26 @@ impl Input {
         }
     }
 
-    /// Whether the input is a .striata file or a stream.
+    /// Whether the input is a .striata file or a stream of one mesh.
     pub fn has_levels(&self) -> bool {
-        matches!(&self.content, Content::File(file) if has_levels(file.format))
+        matches!(&self.content, Content::File(file) if has_levels(file.format)) && !self.has_scene_levels()
+    }
+
+    /// Returns the format and the bytes, without compression; `None` for a shape.
+    pub(crate) fn bytes(&self) -> Option<(Format, &[u8])> {
+        match &self.content {
+            Content::File(file) => Some((file.format, file.bytes.as_slice())),
+            Content::Shape(_) => None,
+        }
+    }
+
+    /// Returns the name and the folder of the file, as readers need them.
+    pub(crate) fn source(&self) -> Source<'_> {
+        let source = Source::new(&self.name);
+        match &self.content {
+            Content::File(FileContent { folder: Some(folder), .. }) => source.with_folder(folder),
+            _ => source,
+        }
     }
 
     /// Returns the size of the file on disk; `None` for a shape.
@@ -134,31 +151,36 @@ impl Input {
             Content::File(file) => file,
             Content::Shape(shape) => return Ok(shape.mesh()),
         };
+        if self.has_scene_levels() {
+            return Ok(self.scene(output)?.flattened()?);
+        }
         if has_levels(file.format) {
             let striata = self.striata()?;
             let mesh = striata.mesh().map_err(|error| self.damaged(&error))?;
             self.remark_on(&striata, output)?;
             return Ok(mesh);
         }
-        let mut source = Source::new(&self.name);
-        if let Some(folder) = &file.folder {
-            source = source.with_folder(folder);
-        }
-        let report = read_bytes_with_report(file.bytes.as_slice(), &source).map_err(|error| {
-            let excerpt = excerpt(&self.name, file.bytes.as_slice(), &error);
-            Failure::from(error).with_excerpt(excerpt)
-        })?;
+        let report = read_bytes_with_report(file.bytes.as_slice(), &self.source());
+        let report = report.map_err(|error| self.unreadable_mesh(error))?;
         for warning in &report.warnings {
             output.say(&format!("warning: {warning}"));
         }
         Ok(report.mesh)
     }
 
+    /// Returns the failure for a mesh or scene that cannot be read, with the offending line of a text.
+    pub(crate) fn unreadable_mesh(&self, error: ReadError) -> Failure {
+        let excerpt = self.bytes().and_then(|(_, bytes)| excerpt(&self.name, bytes, &error));
+        Failure::from(error).with_excerpt(excerpt)
+    }
+
     /// Converts the vertex colors of a mesh from this input to those of the format that it will be written
     /// in: linear for glTF, sRGB for PLY, OBJ and OFF.
     pub fn convert_colors(&self, mesh: &mut IndexedMesh, to: Format) {
         if let Content::File(file) = &self.content {
-            striata_io::convert_colors(mesh, file.format, to);
+            // The meshes of scenes have colors as in glTF.
+            let from = if self.has_scene_levels() { Format::Glb } else { file.format };
+            striata_io::convert_colors(mesh, from, to);
         }
     }
 

@@ -92,10 +92,10 @@ pub fn level_requests(
     output: &Path,
 ) -> Result<Vec<LevelRequest>, Failure> {
     match &levels.levels {
-        Some(levels) => {
-            let paths = paths_of_levels(levels, output)?;
+        Some(names) => {
+            let paths = paths_of(names, levels.lod_chain, output)?;
             let target = |level: &Level| Target::Triangles(level.triangles.of_triangles(full.triangle_count));
-            let requests = levels.iter().zip(paths).map(|(level, path)| LevelRequest {
+            let requests = names.iter().zip(paths).map(|(level, path)| LevelRequest {
                 name: Some(level.text.clone()),
                 target: Some(target(level)),
                 path,
@@ -116,8 +116,16 @@ pub fn level_requests(
 /// Under the same conditions as [`level_requests`].
 pub fn check_paths(level: &LevelArgs, levels: &LevelsArgs, output: &Path) -> Result<Vec<PathBuf>, Failure> {
     match &levels.levels {
-        Some(levels) => paths_of_levels(levels, output),
+        Some(names) => paths_of(names, levels.lod_chain, output),
         None => Ok(vec![path_of_level(level.text().as_deref(), output)?]),
+    }
+}
+
+fn paths_of(levels: &[Level], is_chain: bool, output: &Path) -> Result<Vec<PathBuf>, Failure> {
+    if is_chain {
+        Ok(vec![path_of_level(None, output)?; levels.len()])
+    } else {
+        paths_of_levels(levels, output)
     }
 }
 

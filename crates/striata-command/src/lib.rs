@@ -1,7 +1,7 @@
 //! Code shared by the commands of striata: flags, input and output of files, progress, tables, and failures.
 //!
 //! In reading order: [`args`] are the flags; [`failure`], [`output`] and [`clock`] report results, errors and
-//! times; [`input`], [`shapes`] and [`save`] read and write meshes; [`sequence`], [`texture_contrast`],
+//! times; [`input`], [`shapes`], [`scene`] and [`save`] read and write meshes and scenes; [`sequence`], [`texture_contrast`],
 //! [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] carry out what the flags ask
 //! for; [`page`] formats reports as HTML.
 //!
@@ -19,6 +19,7 @@ pub mod level;
 pub mod output;
 pub mod page;
 pub mod save;
+pub mod scene;
 pub mod sequence;
 pub mod shapes;
 pub mod stream;

@@ -3,11 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use striata::mesh::IndexedMesh;
-use striata_io::{FileBatch, Format, WriteOptions, to_file_bytes, write_atomically};
+use striata_io::{
+    FileBatch, Format, Scene, WriteOptions, scene_to_file_bytes, to_file_bytes, write_atomically,
+};
 
 use crate::args::{FormatArg, FormatArgs};
 use crate::failure::Failure;
 use crate::output::to_stdout;
+use crate::scene::flat_mesh;
 use crate::shapes::Shape;
 
 /// Whether the path is `-`, which stands for stdout (or stdin).
@@ -91,6 +94,25 @@ fn bytes_of(
     Ok(to_file_bytes(path, format, mesh, &options)?)
 }
 
+/// Returns the contents of the file that a scene is written to: glTF keeps it as it is, unless it should be
+/// flat; other formats get one mesh.
+///
+/// # Errors
+/// If the format cannot represent the scene.
+pub fn bytes_of_scene(
+    scene: &Scene,
+    is_flat: bool,
+    path: &Path,
+    args: &FormatArgs,
+) -> Result<Vec<u8>, Failure> {
+    let format = format_of(path, args)?;
+    if is_flat {
+        return bytes_of(&flat_mesh(scene, format)?, Primitives::Triangles, path, args);
+    }
+    let options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
+    Ok(scene_to_file_bytes(path, format, scene, &options)?)
+}
+
 /// Writes a mesh to a file or to stdout.
 ///
 /// # Errors
@@ -135,10 +157,21 @@ impl<'a> LevelFiles<'a> {
     /// # Errors
     /// If the format cannot represent the mesh or writing fails.
     pub fn write(&mut self, mesh: &IndexedMesh, primitives: Primitives, path: &Path) -> Result<(), Failure> {
-        let bytes = bytes_of(mesh, primitives, path, self.format)?;
+        self.write_contents(&bytes_of(mesh, primitives, path, self.format)?, path)
+    }
+
+    /// Writes a level of a scene, like [`write`](Self::write).
+    ///
+    /// # Errors
+    /// If the format cannot represent the scene or writing fails.
+    pub fn write_scene(&mut self, scene: &Scene, is_flat: bool, path: &Path) -> Result<(), Failure> {
+        self.write_contents(&bytes_of_scene(scene, is_flat, path, self.format)?, path)
+    }
+
+    fn write_contents(&mut self, bytes: &[u8], path: &Path) -> Result<(), Failure> {
         match &mut self.batch {
-            Some(batch) => Ok(batch.write(path, |out| out.write_all(&bytes))?),
-            None => write_bytes(&bytes, path),
+            Some(batch) => Ok(batch.write(path, |out| out.write_all(bytes))?),
+            None => write_bytes(bytes, path),
         }
     }
 

@@ -14,7 +14,7 @@ use striata::simplify::{
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::texture_contrast::texture_contrasts;
+use crate::scene::texture_factors;
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
@@ -275,14 +275,7 @@ impl SequenceArgs {
         if let SequencePlan::Quadric { options, .. } = &mut plan
             && self.weights.uv_contrast
         {
-            let contrasts = texture_contrasts(mesh);
-            if contrasts.iter().all(Option::is_none) {
-                output.say(
-                    "warning: --uv-contrast has no effect: no material has a readable base color texture",
-                );
-            }
-            options.texcoord_factors =
-                contrasts.into_iter().map(|contrast| contrast.unwrap_or(1.0)).collect();
+            options.texcoord_factors = texture_factors(&mesh.appearance, output);
         }
         Ok(plan)
     }
@@ -291,7 +284,7 @@ impl SequenceArgs {
     ///
     /// # Errors
     /// If a flag belongs to the other order.
-    fn plan(&self, diagonal: f64, limits: Limits) -> Result<SequencePlan, Failure> {
+    pub(crate) fn plan(&self, diagonal: f64, limits: Limits) -> Result<SequencePlan, Failure> {
         let Limits { base_triangle_count, max_error } = limits;
         let rule = |is_locked| if is_locked { BoundaryRule::Locked } else { BoundaryRule::Kept };
         let (boundary, group_borders) = (rule(self.lock_boundary), rule(self.lock_groups));

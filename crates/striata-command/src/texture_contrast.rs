@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::io::Cursor;
 
 use serde_json::Value;
-use striata::mesh::{Appearance, IndexedMesh, Material};
+use striata::mesh::{Appearance, Material};
 use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
@@ -33,8 +33,7 @@ const PNG_LIMIT: usize = 1 << 29;
 /// apart, averaged over red, green and blue as stored (sRGB) in [0, 1]. This is the visible change if the
 /// texture slides by that distance. If the material is masked or blended, colors are multiplied by alpha, and
 /// alpha counts as another channel. The whole image counts, whether or not the mesh uses all of it.
-pub fn texture_contrasts(mesh: &IndexedMesh) -> Vec<Option<f32>> {
-    let appearance = &mesh.appearance;
+pub fn texture_contrasts(appearance: &Appearance) -> Vec<Option<f32>> {
     let mut known = HashMap::new();
     let mut factor = |material: &Material| {
         let (image, has_alpha) = base_color_image(appearance, material)?;
@@ -176,7 +175,7 @@ mod tests {
         mesh.appearance.materials = vec![Material::default(), Material { name: String::new(), gltf_json }];
         mesh.appearance.textures_json = vec!["{}".to_owned(), r#"{"source":0}"#.to_owned()];
         mesh.appearance.images = vec![Image { bytes, ..Image::default() }];
-        let factors = texture_contrasts(&mesh);
+        let factors = texture_contrasts(&mesh.appearance);
         assert_eq!((factors.len(), factors[0]), (2, None), "the first material has no texture");
         factors[1]
     }

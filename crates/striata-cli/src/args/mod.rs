@@ -11,8 +11,9 @@ use striata::model::ModelKind;
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
 use striata_command::args::{
-    AxisAlignedBox, BUILD_STRIPS, Count, EyeArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs,
-    OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, ViewArgs, strips_help,
+    AxisAlignedBox, BUILD_STRIPS, Count, EyeArgs, FlatArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs,
+    OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, TextureArgs, ViewArgs,
+    strips_help,
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(all(feature = "serve", not(feature = "window")))]
@@ -144,6 +145,12 @@ pub(crate) struct BuildArgs {
     /// How the stream is encoded.
     #[command(flatten)]
     pub(crate) stream_encoding: StreamArgs,
+    /// Whether a scene becomes one mesh.
+    #[command(flatten)]
+    pub(crate) scene: FlatArgs,
+    /// How textures are re-encoded.
+    #[command(flatten)]
+    pub(crate) textures: TextureArgs,
 }
 
 /// Arguments of `info`.
@@ -155,6 +162,9 @@ pub(crate) struct InfoArgs {
     /// Also build every model and report its size and build time
     #[arg(long)]
     pub(crate) models: bool,
+    /// Whether a scene is described as one mesh.
+    #[command(flatten)]
+    pub(crate) scene: FlatArgs,
 }
 
 /// Arguments of `extract`.
@@ -205,6 +215,9 @@ pub(crate) struct ExtractArgs {
     /// The output file.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
+    /// How textures are re-encoded.
+    #[command(flatten)]
+    pub(crate) textures: TextureArgs,
 }
 
 /// Arguments of `simplify`.
@@ -246,6 +259,12 @@ pub(crate) struct SimplifyArgs {
     /// The output file.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
+    /// Whether a scene becomes one mesh.
+    #[command(flatten)]
+    pub(crate) scene: FlatArgs,
+    /// How textures are re-encoded.
+    #[command(flatten)]
+    pub(crate) textures: TextureArgs,
 }
 
 /// Arguments of `distance`.
@@ -289,6 +308,12 @@ pub(crate) struct ConvertArgs {
     /// The format of the output.
     #[command(flatten)]
     pub(crate) format: FormatArgs,
+    /// Whether a scene becomes one mesh.
+    #[command(flatten)]
+    pub(crate) scene: FlatArgs,
+    /// How textures are re-encoded.
+    #[command(flatten)]
+    pub(crate) textures: TextureArgs,
 }
 
 impl ConvertArgs {
@@ -363,6 +388,11 @@ impl BuildArgs {
     pub(crate) fn strip_flag(&self) -> Option<&'static str> {
         let flags = [("--strips", self.strips.is_some()), ("--budget", self.search.budget.is_some())];
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+
+    /// Whether only a stream is stored.
+    pub(crate) fn is_stream(&self) -> bool {
+        self.stream
     }
 
     /// Returns the names of the models to store, as the user spelled them.

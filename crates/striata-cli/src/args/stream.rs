@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use striata_command::args::{OptionalLevel, OutputArgs, StreamArgs};
+use striata_command::args::{FlatArgs, OptionalLevel, OutputArgs, StreamArgs, TextureArgs};
 
 /// Arguments of `encode`.
 #[derive(Debug, Args)]
@@ -11,18 +11,34 @@ use striata_command::args::{OptionalLevel, OutputArgs, StreamArgs};
     override_usage = "striata encode [OPTIONS] <INPUT> [-o <OUT.stri>]",
     after_help = "Examples:\n  \
     striata encode shape:torus -o torus.stri\n  \
-    striata encode scan.obj --bits 16 --effort small"
+    striata encode robot.glb -o robot-stream.glb --texture-max 1024"
 )]
 pub(crate) struct EncodeArgs {
     /// Mesh to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// File to write, or - for stdout: a stream (.stri), or a .striata file that contains only the stream
-    /// [default: the input with extension .stri]
+    /// File to write, or - for stdout: a stream (.stri), a GLB file that other programs show at a coarse level
+    /// (.glb), or a .striata file that contains only the stream [default: the input with extension .stri]
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
     /// How the stream is encoded.
     #[command(flatten)]
     pub(crate) stream: StreamArgs,
+    /// Longest side of the previews of color textures in the stream of a scene; 0 for none
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        allow_negative_numbers = true,
+        default_value_t = 128,
+        value_parser = clap::value_parser!(u32).range(0..=4096),
+        help_heading = "Textures",
+    )]
+    pub(crate) preview: u32,
+    /// Whether a scene becomes one mesh.
+    #[command(flatten)]
+    pub(crate) scene: FlatArgs,
+    /// How textures are re-encoded.
+    #[command(flatten)]
+    pub(crate) textures: TextureArgs,
 }
 
 /// Arguments of `decode`.

@@ -2,11 +2,14 @@
 
 use serde::Serialize;
 
+use super::scene;
 use crate::args::ConvertArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, format_count};
 use striata_command::save::{Primitives, display_name, format_of, is_stdout, write_mesh};
+use striata_command::scene::with_mesh_textures;
+use striata_io::Format;
 
 #[derive(Serialize)]
 struct Report {
@@ -24,7 +27,11 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.format)?;
     let input = Input::open(&args.input)?;
-    let mut mesh = input.mesh(output)?;
+    let is_gltf = matches!(format, Format::Gltf | Format::Glb);
+    if is_gltf && input.scene_kind().is_some() {
+        return scene::convert(args, &input, (path, format.extension()), output);
+    }
+    let mut mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     input.convert_colors(&mut mesh, format);
     write_mesh(&mesh, Primitives::Triangles, path, &args.format)?;
     let report = Report {

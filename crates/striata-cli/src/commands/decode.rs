@@ -9,6 +9,7 @@ use striata::simplify::Target;
 use super::extract::{
     INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
 };
+use super::scene;
 use crate::args::DecodeArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -49,6 +50,10 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
+    if input.has_scene_levels() {
+        drop(bar);
+        return scene::decode(args, &input, started, output);
+    }
     let file = input.striata()?;
     let stream = stream_of(&file, &input)?;
     bar.phase("decode");

@@ -9,6 +9,7 @@ use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata_io::Format;
 use striata_stream::{EncodedStream, StreamInfo, StreamOptions, encode_stream, file_model};
 
+use super::scene;
 use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
@@ -34,13 +35,24 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     };
     output.check_stdout_is_free(is_stdout(&path))?;
     check_not_compressed(&path, "streams")?;
-    let in_container = is_container(&path)?;
+    let format = format_of_output(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
     let input = Input::open(&args.input)?;
+    if is_scene(&input, format, args) {
+        return encode_scene(args, &input, (&path, format), output);
+    }
     let mesh = input.mesh(output)?;
+    if !mesh.appearance.images.is_empty() && format == Format::Stream && !args.scene.flat {
+        // Streams of one mesh have no textures.
+        return encode_scene(args, &input, (&path, format), output);
+    }
+    if let Some(flag) = args.textures.first_given_flag() {
+        return Err(Failure::user(format!("{flag}: a stream of one mesh has no textures"))
+            .with_hint(format!("remove {flag}")));
+    }
     phases.enter("weld");
     let welded = weld(&mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     phases.enter("simplify");
@@ -55,7 +67,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("encode");
     let options = args.stream.options(mesh.diagonal());
     let stream = encode_stream(refinable, batches, &options)?;
-    let bytes = match in_container {
+    let bytes = match format == Format::Striata {
         true => in_striata_file(refinable, &stream, &input.file_name())?,
         false => stream.bytes.clone(),
     };
@@ -69,17 +81,40 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     output.summary(&report, &report.to_text(args, &options))
 }
 
-/// Whether the name requests a `.striata` file around the stream.
+/// Returns the format that the name requests.
 ///
 /// # Errors
 /// If the name is that of another format.
-fn is_container(path: &Path) -> Result<bool, Failure> {
+fn format_of_output(path: &Path) -> Result<Format, Failure> {
     match Format::from_extension(path) {
-        Some(Format::Striata) => Ok(true),
-        None | Some(Format::Stream) => Ok(false),
+        Some(format @ (Format::Striata | Format::Glb)) => Ok(format),
+        None | Some(Format::Stream) => Ok(Format::Stream),
         Some(_) => Err(Failure::user(format!("{}: `encode` writes streams", path.display()))
-            .with_hint("use the extension .stri or .striata; `striata convert` writes meshes")),
+            .with_hint("use the extension .stri, .glb or .striata; `striata convert` writes meshes")),
     }
+}
+
+/// Whether the input is encoded as a scene: GLB files always contain one.
+fn is_scene(input: &Input, format: Format, args: &EncodeArgs) -> bool {
+    format == Format::Glb || (input.scene_kind().is_some() && !args.scene.flat)
+}
+
+/// Encodes the input as a scene.
+///
+/// # Errors
+/// If this fails, or the output is a `.striata` file.
+fn encode_scene(
+    args: &EncodeArgs,
+    input: &Input,
+    output_file: (&Path, Format),
+    output: &Output,
+) -> Result<(), Failure> {
+    if output_file.1 == Format::Striata {
+        let path = output_file.0.display();
+        return Err(Failure::user(format!("{path}: a .striata file cannot contain the stream of a scene"))
+            .with_hint("use the extension .stri or .glb, or write the levels with `striata build`"));
+    }
+    scene::encode(args, input, output_file, output)
 }
 
 /// Wraps the stream in a `.striata` file without other models.

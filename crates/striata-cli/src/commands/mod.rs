@@ -10,6 +10,7 @@ mod encode;
 mod extract;
 mod info;
 mod render;
+mod scene;
 mod simplify;
 mod strip;
 mod strip_blocks;

@@ -9,16 +9,18 @@ use striata::simplify::{
     simplify_with_progress,
 };
 
+use super::scene::{self, check_outputs};
 use crate::args::{PlacementArg, SimplifyArgs};
 use striata_command::args::OrderArg;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
-    CoarseningLimit, FullMesh, LevelRequest, LevelRow, ReachedLevel, check_paths, check_strict,
-    level_requests, shortfall, shortfall_note, table_of_levels,
+    CoarseningLimit, FullMesh, LevelRequest, LevelRow, ReachedLevel, check_strict, level_requests, shortfall,
+    shortfall_note, table_of_levels,
 };
 use striata_command::output::{Bar, Output, format_count, format_duration, format_length};
 use striata_command::save::{LevelFiles, Primitives, display_name, format_of, is_stdout};
+use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
 
 /// Sample points on each surface for the distance from the level to the original.
@@ -70,14 +72,16 @@ struct LevelReport {
 pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
-    for path in check_paths(&args.level, &args.levels, &args.output.output)? {
-        format_of(&path, &args.output.format)?;
-    }
+    check_outputs(&args.level, &args.levels, (&args.output.output, &args.output.format))?;
     check_placement(args)?;
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    let mesh = input.mesh(output)?;
+    if (input.scene_kind().is_some() || args.levels.lod_chain) && !args.scene.flat {
+        drop(bar);
+        return scene::simplify(args, &input, started, output);
+    }
+    let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     args.sequence.warn_about_groups(&mesh, output);
     let in_file = |failure: Failure| failure.in_file(&input.name);
     let full = if args.level.has_share() || args.levels.has_share() {

@@ -173,6 +173,10 @@ pub struct LevelsArgs {
         conflicts_with_all = ["triangles", "ratio", "vertices", "detail", "error", "split_count"],
     )]
     pub levels: Option<Vec<Level>>,
+    /// With --levels: write the full mesh and these levels to one glTF file, between which engines switch
+    /// (MSFT_lod); no {} in the output name
+    #[arg(long, requires = "levels")]
+    pub lod_chain: bool,
 }
 
 /// A triangle or vertex count, given as a number or as a percentage of the full mesh.

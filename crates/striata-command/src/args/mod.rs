@@ -6,6 +6,7 @@ mod length;
 mod level;
 mod output;
 mod report;
+mod scene;
 mod sequence;
 mod stream;
 mod strips;
@@ -21,6 +22,7 @@ pub use self::output::{FormatArg, FormatArgs, OutputArgs};
 #[cfg(feature = "gpu")]
 pub use self::report::DriverArgs;
 pub use self::report::ReportArgs;
+pub use self::scene::{FlatArgs, TextureArgs};
 pub use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 pub use self::stream::{EffortArg, StreamArgs};
 pub use self::strips::{BUILD_STRIPS, STRIPS, StripSearchArgs, parse_at_least_zero, strips_help};

@@ -9,7 +9,7 @@ use super::{Scene, SceneWriter};
 #[cfg(not(target_family = "wasm"))]
 use crate::write::packed_for_name;
 use crate::write_options::WriteOptions;
-use crate::{Format, ReadError, Source, WriteError, read_bytes, to_bytes};
+use crate::{Format, ReadError, Source, WriteError, convert_colors, read_bytes, to_bytes};
 
 impl Scene {
     /// Returns one mesh of everything that the default scene shows, with all transforms applied, as
@@ -26,14 +26,19 @@ impl Scene {
     }
 }
 
-/// Encodes a scene as the bytes of a file: glTF and GLB keep everything; other formats get one mesh.
+/// Encodes a scene as the bytes of a file: glTF and GLB keep everything; other formats get one mesh, with
+/// vertex colors as the format has them.
 ///
 /// # Errors
 /// Returns [`WriteError`] if the format cannot store a mesh of the scene.
 pub fn scene_to_bytes(format: Format, scene: &Scene, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
     match format {
         Format::Gltf | Format::Glb => SceneWriter::new(scene).to_bytes(format, options),
-        _ => to_bytes(format, &scene.flattened()?, options),
+        _ => {
+            let mut mesh = scene.flattened()?;
+            convert_colors(&mut mesh, Format::Glb, format);
+            to_bytes(format, &mesh, options)
+        }
     }
 }
 

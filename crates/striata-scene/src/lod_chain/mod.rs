@@ -40,11 +40,13 @@ pub struct LodChainOptions {
     pub viewport_px: [u32; 2],
     /// Format of the file, glTF or GLB; default GLB.
     pub format: Format,
+    /// How the file is quantized and compressed; default: neither.
+    pub write: WriteOptions,
 }
 
 impl Default for LodChainOptions {
     fn default() -> Self {
-        Self { error_px: 1.0, viewport_px: [1920, 1080], format: Format::Glb }
+        Self { error_px: 1.0, viewport_px: [1920, 1080], format: Format::Glb, write: WriteOptions::default() }
     }
 }
 
@@ -65,6 +67,12 @@ impl LodChainOptions {
     #[must_use]
     pub fn with_format(self, format: Format) -> Self {
         Self { format, ..self }
+    }
+
+    /// Sets [`LodChainOptions::write`].
+    #[must_use]
+    pub fn with_write_options(self, write: WriteOptions) -> Self {
+        Self { write, ..self }
     }
 }
 
@@ -120,7 +128,7 @@ pub fn lod_chain(
     let writer = SceneWriter::new(&scene);
     let writer =
         shared.into_iter().fold(writer, |writer, (mesh, shared)| writer.with_shared_mesh(mesh, shared));
-    writer.to_bytes(options.format, &WriteOptions::default())
+    writer.to_bytes(options.format, &options.write)
 }
 
 /// Split counts of the levels of a mesh below the full one, from fine to coarse.

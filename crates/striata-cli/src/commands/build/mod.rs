@@ -17,6 +17,7 @@ use striata::simplify::Retriangulation;
 
 use self::models::takes_strips;
 use self::report::Report;
+use super::scene;
 use crate::args::BuildArgs;
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
@@ -26,6 +27,7 @@ use striata_command::output::Output;
 use striata_command::save::{
     check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
 };
+use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
 
 /// Reads the mesh, builds and writes the file, and reports.
@@ -47,7 +49,12 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     phases.enter("read");
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    let (mesh, source) = (input.mesh(output)?, input.file_name());
+    if input.scene_kind().is_some() && !args.scene.flat {
+        drop(bar);
+        return scene::build(args, &input, &path, output);
+    }
+    let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
+    let source = input.file_name();
     let diagonal = mesh.diagonal();
     args.sequence.warn_about_groups(&mesh, output);
     let base = base_of(args, &mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;

@@ -23,6 +23,7 @@ use self::level_output::{diagonal_of, no_level, primitives_of};
 use self::report::{LevelMesh, LevelsReport, Report};
 use self::uniform_levels::{ExtractedLevel, Model, each_level, each_level_of_strips, read_model};
 use self::view_and_box::{run_box, run_view};
+use super::scene::{self, check_outputs};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
 use crate::commands::build::errors_are_guaranteed;
@@ -40,8 +41,20 @@ use striata_command::save::{LevelFiles, format_of, is_stdout};
 pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
+    check_outputs(&args.level, &args.levels, (&args.output.output, &args.output.format))?;
     check_form(args)?;
     let input = Input::open(&args.input)?;
+    if args.view.is_given() && args.eye.eye.is_none() {
+        return Err(Failure::user("flags of a view were given without --eye")
+            .with_hint("use --eye instead of the other level, or remove these flags"));
+    }
+    if input.has_scene_levels() || args.levels.lod_chain {
+        return scene::extract(args, &input, started, output);
+    }
+    if let Some(flag) = args.textures.first_given_flag() {
+        return Err(Failure::user(format!("{flag}: {} is not a scene", input.name))
+            .with_hint(format!("remove {flag}, or re-encode textures with `striata build` or `convert`")));
+    }
     let file = input.striata()?;
     let is_named = args.model.as_deref() == Some(ModelKind::Progressive.as_str());
     let is_view_or_box = args.eye.eye.is_some() || args.detail_box.is_some();
@@ -50,10 +63,6 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         return from_stream::run(args, (&file, &input), started, output);
     }
     input.remark_on(&file, output)?;
-    if args.view.is_given() && args.eye.eye.is_none() {
-        return Err(Failure::user("flags of a view were given without --eye")
-            .with_hint("use --eye instead of the other level, or remove these flags"));
-    }
     if let Some(eye) = args.eye.eye {
         return run_view(args, eye, &input, started, output);
     }

@@ -12,11 +12,13 @@ use striata::mesh::{
     AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, TriangleGroup, validate, weld,
 };
 use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
+use striata_io::Scene;
 use striata_stream::{StreamDefect, StreamInfo};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
 use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
+use crate::commands::scene::SceneFacts;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{
@@ -76,6 +78,9 @@ struct Report {
     /// Facts about the stream, for files with a stream.
     #[serde(skip_serializing_if = "Option::is_none")]
     stream: Option<Value>,
+    /// Parts of a scene; missing for a mesh.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scene: Option<SceneFacts>,
     sections: Vec<Value>,
     defect_counts: Map<String, Value>,
     defects: Vec<String>,
@@ -89,6 +94,11 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let (mut report, mesh) = if input.has_levels() {
         of_container(&input, output)?
+    } else if let Some((facts, scene)) = scene_of(&input, args, output)? {
+        let mesh = scene.flattened()?;
+        let mut report = Report::new(&input, &mesh);
+        report.scene = Some(facts);
+        (report, mesh)
     } else {
         let mesh = input.mesh(output)?;
         (Report::new(&input, &mesh), mesh)
@@ -98,6 +108,11 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
         report.model_costs = Some(costs.map_err(|failure| failure.in_file(&input.name))?);
     }
     output.data(&report, &report.to_text(&input.name))
+}
+
+/// Returns the parts of a scene and its full scene; `None` if the input is no scene, or the user wants one mesh.
+fn scene_of(input: &Input, args: &InfoArgs, output: &Output) -> Result<Option<(SceneFacts, Scene)>, Failure> {
+    if args.scene.flat { Ok(None) } else { SceneFacts::read(input, output) }
 }
 
 /// Returns the report on a file with levels, and its full mesh.
@@ -214,6 +229,7 @@ impl Report {
             steps: None,
             notes,
             stream: None,
+            scene: None,
             sections: Vec::new(),
             defect_counts: defects
                 .counts()
@@ -266,6 +282,9 @@ impl Report {
         row("attributes", or_none(names(&self.attributes)));
         row("materials", or_none(self.materials.join(", ")));
         row("diagonal", format_length(self.diagonal));
+        for (name, value) in self.scene.iter().flat_map(SceneFacts::rows) {
+            row(name, value);
+        }
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
             row("levels", format_count(step_count + 1));
             let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };

@@ -1,0 +1,151 @@
+//! `build` for scenes: a `.striata` file with the document, its images, and the levels of every mesh.
+
+use std::path::Path;
+
+use serde::Serialize;
+use striata::file::WriteOptions;
+use striata::simplify::Target;
+use striata_command::clock::{Phases, peak_rss_bytes};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{CoarseningLimit, ReachedLevel, check_strict, shortfall, shortfall_note};
+use striata_command::output::{
+    Output, Table, format_bytes, format_count, format_duration, format_length, format_noun_count,
+};
+use striata_command::save::{DEFAULT_NAME_NOTE, display_name, write_bytes};
+use striata_command::scene::{build_scene, check_scene_flags, with_textures};
+use striata_command::sequence::{Limits, StepKind, limit_in_units};
+use striata_scene::LodScene;
+
+use crate::args::BuildArgs;
+
+/// Phases whose times are reported.
+const PHASES: [&str; 3] = ["read", "simplify", "write"];
+
+#[derive(Serialize)]
+struct Report {
+    path: String,
+    mesh_count: usize,
+    vertex_count: usize,
+    /// Number of triangles; those of a mesh count once for each instance.
+    triangle_count: usize,
+    step_count: usize,
+    base_triangle_count: usize,
+    /// Error of the coarsest level, scene units.
+    error_max: f64,
+    error_is_guaranteed: bool,
+    /// Why the coarsest level has more triangles than `--base`; null if it does not.
+    shortfall: Option<String>,
+    image_bytes: usize,
+    output_bytes: usize,
+    phases: Phases,
+    secs: f64,
+    peak_rss_bytes: Option<u64>,
+}
+
+/// Builds the levels of a scene, writes them, and reports.
+///
+/// # Errors
+/// If any of this fails; an existing output is then left unchanged.
+pub(in crate::commands) fn build(
+    args: &BuildArgs,
+    input: &Input,
+    path: &Path,
+    output: &Output,
+) -> Result<(), Failure> {
+    let names = args.model_names();
+    let strip_flag = args.strip_flag();
+    let stream_flag = args.stream_encoding.first_given_flag();
+    check_scene_flags(
+        input,
+        &[
+            ("--stream", args.is_stream()),
+            ("--models", names != ["lodstrips"]),
+            (strip_flag.unwrap_or_default(), strip_flag.is_some()),
+            (stream_flag.unwrap_or_default(), stream_flag.is_some()),
+        ],
+    )?;
+    let mut phases = Phases::new(&PHASES);
+    let mut bar = output.bar();
+    phases.enter("read");
+    bar.phase("read");
+    let scene = with_textures(input.scene(output)?, args.textures.options().as_ref(), output)?;
+    phases.enter("simplify");
+    let base = args.base.map(|count| count.of_triangles(scene.triangle_count()));
+    let limits = Limits {
+        base_triangle_count: base.unwrap_or(0),
+        max_error: limit_in_units(args.max_error, scene.diagonal()),
+    };
+    let lods =
+        build_scene(input, &scene, (&args.sequence, limits), output, &mut |progress| bar.show(progress))?;
+    let shortfall = base.and_then(|base| shortfall_of(&lods, base, args));
+    check_strict(args.strict, None, shortfall.as_deref())?;
+    phases.enter("write");
+    bar.phase("write");
+    let options = WriteOptions::default()
+        .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
+        .with_metadata("source", input.file_name());
+    let bytes = lods.to_striata(&options);
+    let bytes = bytes.map_err(|error| Failure::user(format!("{}: {error}", input.name)))?;
+    write_bytes(&bytes, path)?;
+    phases.leave();
+    drop(bar);
+    let report = Report {
+        path: display_name(path),
+        mesh_count: lods.lods().iter().flatten().count(),
+        vertex_count: lods.levels().vertex_count(),
+        triangle_count: lods.triangle_count(),
+        step_count: lods.levels().step_count(),
+        base_triangle_count: lods.levels().base_triangle_count(),
+        error_max: lods.levels().base_error(),
+        error_is_guaranteed: lods.has_guaranteed_errors(),
+        shortfall,
+        image_bytes: scene.images().iter().map(|image| image.bytes.len()).sum(),
+        output_bytes: bytes.len(),
+        secs: phases.total_secs(),
+        phases,
+        peak_rss_bytes: peak_rss_bytes(),
+    };
+    output.summary(&report, &report.to_text(args.output.is_none()))
+}
+
+/// Explains why the coarsest level has more triangles than requested, if it has.
+fn shortfall_of(lods: &LodScene, base: usize, args: &BuildArgs) -> Option<String> {
+    let level = lods.level(Target::Triangles(base));
+    let reached = ReachedLevel {
+        vertex_count: level.vertex_count,
+        triangle_count: level.triangle_count,
+        stop_reason: level.stop_reason,
+    };
+    let limit = CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single));
+    shortfall(Target::Triangles(base), reached, &limit)
+}
+
+impl Report {
+    fn to_text(&self, is_default_name: bool) -> String {
+        let mut table = Table::default();
+        let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
+        row("meshes", format_count(self.mesh_count));
+        let [full, base] = [self.triangle_count, self.base_triangle_count].map(format_count);
+        row("triangles", format!("{full} down to {base}"));
+        row("vertices", format_count(self.vertex_count));
+        row("levels", format_count(self.step_count + 1));
+        let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
+        row("error of coarsest level", format!("{} ({kind})", format_length(self.error_max)));
+        row("images", format_bytes(self.image_bytes));
+        let chosen = if is_default_name { DEFAULT_NAME_NOTE } else { "" };
+        row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
+        row("time", format_duration(self.secs));
+        let mut text = table.to_text();
+        if let Some(shortfall) = &self.shortfall {
+            text.push_str(&shortfall_note(None, shortfall));
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// Describes a number of meshes.
+pub(super) fn mesh_count_text(count: usize) -> String {
+    format_noun_count(count, "mesh", "meshes")
+}

@@ -1,0 +1,48 @@
+//! `convert` for scenes.
+
+use std::path::Path;
+
+use serde::Serialize;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::{Output, format_count, format_noun_count};
+use striata_command::save::{bytes_of_scene, display_name, write_bytes};
+use striata_command::scene::with_textures;
+
+use crate::args::ConvertArgs;
+
+#[derive(Serialize)]
+struct Report {
+    vertex_count: usize,
+    triangle_count: usize,
+    mesh_count: usize,
+    format: &'static str,
+}
+
+/// Reads a scene, writes it, and reports.
+///
+/// # Errors
+/// If either fails.
+pub(in crate::commands) fn convert(
+    args: &ConvertArgs,
+    input: &Input,
+    (path, format): (&Path, &'static str),
+    output: &Output,
+) -> Result<(), Failure> {
+    let scene = with_textures(input.scene(output)?, args.textures.options().as_ref(), output)?;
+    write_bytes(&bytes_of_scene(&scene, args.scene.flat, path, &args.format)?, path)?;
+    let report = Report {
+        vertex_count: scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum(),
+        triangle_count: scene.triangle_count(),
+        mesh_count: scene.meshes().iter().flatten().count(),
+        format,
+    };
+    let text = format!(
+        "{}: {} vertices in {}, {} triangles",
+        display_name(path),
+        format_count(report.vertex_count),
+        format_noun_count(report.mesh_count, "mesh", "meshes"),
+        format_count(report.triangle_count)
+    );
+    output.summary(&report, &text)
+}

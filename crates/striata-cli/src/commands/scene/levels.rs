@@ -1,0 +1,322 @@
+//! `simplify`, `extract` and `decode` for scenes: levels of a whole scene.
+
+use std::path::Path;
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::simplify::Target;
+use striata_command::args::{FormatArgs, LevelArgs, LevelsArgs};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{
+    CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_paths, check_strict, level_requests,
+    shortfall, shortfall_note, table_of_levels,
+};
+use striata_command::output::{Output, format_count, format_duration, format_length};
+use striata_command::save::{LevelFiles, display_name, format_of, write_bytes};
+use striata_command::scene::{build_scene, check_scene_flags, full_scene_sizes, with_textures};
+use striata_command::sequence::{Limits, StepKind, limit_in_units};
+use striata_io::{Format, WriteOptions};
+use striata_scene::textures::TextureOptions;
+use striata_scene::{LodChainOptions, LodScene, SceneLevel, lod_chain};
+
+use super::view::extract_view;
+use crate::args::{DecodeArgs, ExtractArgs, PlacementArg, SimplifyArgs, TriangleForm};
+
+/// Report on one level of a scene.
+#[derive(Serialize)]
+pub(super) struct Report {
+    #[serde(flatten)]
+    pub(super) level: LevelReport,
+    pub(super) error_is_guaranteed: bool,
+    pub(super) secs: f64,
+}
+
+/// Report on several levels of a scene.
+#[derive(Serialize)]
+struct LevelsReport {
+    levels: Vec<LevelReport>,
+    error_is_guaranteed: bool,
+    secs: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct LevelReport {
+    /// The text that the user wrote for the level, if there are several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) level: Option<String>,
+    pub(super) path: String,
+    /// Number of vertices; those of a mesh count once.
+    pub(super) vertex_count: usize,
+    /// Number of triangles; those of a mesh count once for each instance.
+    pub(super) triangle_count: usize,
+    /// Largest error of all meshes, scene units; null for a view.
+    pub(super) error: Option<f64>,
+    /// Error allowed on the screen, for a view, pixels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) pixels: Option<f64>,
+    pub(super) stop_reason: &'static str,
+    /// How the level misses its target; null if it does not.
+    pub(super) shortfall: Option<String>,
+}
+
+/// Where levels go, and what is done to them.
+struct Destination<'a> {
+    level: &'a LevelArgs,
+    levels: Option<&'a LevelsArgs>,
+    output: &'a Path,
+    format: &'a FormatArgs,
+    textures: Option<TextureOptions>,
+    is_strict: bool,
+    /// Why no coarser level exists than the coarsest one.
+    limit: CoarseningLimit,
+}
+
+/// Simplifies a scene, writes its levels, and reports.
+///
+/// # Errors
+/// If any of this fails; nothing is written then.
+pub(in crate::commands) fn simplify(
+    args: &SimplifyArgs,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    check_scene_flags(input, &[("--placement optimal", args.placement == PlacementArg::Optimal)])?;
+    let mut bar = output.bar();
+    bar.phase("read");
+    let scene = input.scene(output)?;
+    let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
+    let lods =
+        build_scene(input, &scene, (&args.sequence, limits), output, &mut |progress| bar.show(progress))?;
+    drop(bar);
+    let destination = Destination {
+        level: &args.level,
+        levels: Some(&args.levels),
+        output: &args.output.output,
+        format: &args.output.format,
+        textures: args.textures.options(),
+        is_strict: args.strict,
+        limit: CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single)),
+    };
+    write_levels(&lods, &destination, started, output)
+}
+
+/// Writes levels of a scene from a file, and reports.
+///
+/// # Errors
+/// If any of this fails; nothing is written then.
+pub(in crate::commands) fn extract(
+    args: &ExtractArgs,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    let flags = [
+        ("--model", args.model.is_some()),
+        ("--as strips", args.form == TriangleForm::Strips),
+        ("--as fans", args.form == TriangleForm::Fans),
+        ("--detail-box", args.detail_box.is_some()),
+    ];
+    if let Some((flag, _)) = flags.into_iter().find(|&(_, is_given)| is_given) {
+        return Err(Failure::user(format!("{flag} is for one mesh, but {} is a scene", input.name))
+            .with_hint(format!("remove {flag}, or build a file of one mesh with `striata build --flat`")));
+    }
+    let received = input.received_scene(output)?;
+    if args.eye.eye.is_some() {
+        return extract_view(args, &received.lods, started, output);
+    }
+    let destination = Destination {
+        level: &args.level,
+        levels: Some(&args.levels),
+        output: &args.output.output,
+        format: &args.output.format,
+        textures: args.textures.options(),
+        is_strict: args.strict,
+        limit: CoarseningLimit::File,
+    };
+    write_levels(&received.lods, &destination, started, output)
+}
+
+/// Decodes the stream of a scene, or a level of it, and reports.
+///
+/// # Errors
+/// If any of this fails.
+pub(in crate::commands) fn decode(
+    args: &DecodeArgs,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    let received = input.received_scene(output)?;
+    let destination = Destination {
+        level: &args.level.level,
+        levels: None,
+        output: &args.output.output,
+        format: &args.output.format,
+        textures: None,
+        is_strict: false,
+        limit: CoarseningLimit::File,
+    };
+    write_levels(&received.lods, &destination, started, output)
+}
+
+/// Writes the requested levels, or the finest one if none is requested, and reports.
+fn write_levels(
+    lods: &LodScene,
+    destination: &Destination<'_>,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    let one = LevelsArgs { levels: None, lod_chain: false };
+    let several = destination.levels.unwrap_or(&one);
+    let full = full_scene_sizes(lods, destination.level.error.is_some());
+    let requests = level_requests(destination.level, several, full, destination.output)?;
+    let mut reports = Vec::new();
+    let mut levels = Vec::new();
+    for request in &requests {
+        let target = request.target.unwrap_or(match destination.limit {
+            // Without a target, `simplify` goes as far as its limit, and `decode` gives everything.
+            CoarseningLimit::Simplification(_) => Target::Detail(0.0),
+            CoarseningLimit::File => Target::Detail(1.0),
+        });
+        let level = lods.level(target);
+        let report = LevelReport::new(request, &level, &destination.limit);
+        check_strict(destination.is_strict, request.name.as_deref(), report.shortfall.as_deref())?;
+        reports.push(report);
+        levels.push(level);
+    }
+    let mut bar = output.bar();
+    bar.phase("write");
+    if several.lod_chain {
+        write_chain(lods, &levels, destination, output)?;
+    } else {
+        let mut files = LevelFiles::new(destination.format, several.levels.is_some());
+        // Images are the same in all levels, and re-encoded once.
+        let frame = with_textures(lods.scene().clone(), destination.textures.as_ref(), output)?;
+        for (level, request) in levels.iter().zip(&requests) {
+            let meshes = lods.level_scene(level).into_parts().meshes;
+            let scene = frame.clone().with_meshes(meshes);
+            let scene = scene.map_err(|error| Failure::internal(error.to_string()))?;
+            files.write_scene(&scene, false, &request.path)?;
+        }
+        files.commit()?;
+    }
+    drop(bar);
+    let (error_is_guaranteed, secs) = (lods.has_guaranteed_errors(), started.elapsed().as_secs_f64());
+    if several.levels.is_some() {
+        let report = LevelsReport { levels: reports, error_is_guaranteed, secs };
+        return output.summary(&report, &report.to_text(full.triangle_count));
+    }
+    let level = reports.pop().ok_or_else(|| Failure::internal("no level was given"))?;
+    let report = Report { level, error_is_guaranteed, secs };
+    output.summary(&report, &report.to_text(full.triangle_count))
+}
+
+/// Writes the full scene and all levels as one file, between which engines switch.
+fn write_chain(
+    lods: &LodScene,
+    levels: &[SceneLevel],
+    destination: &Destination<'_>,
+    output: &Output,
+) -> Result<(), Failure> {
+    let format = chain_format(destination.output, destination.format)?;
+    let frame = with_textures(lods.scene().clone(), destination.textures.as_ref(), output)?;
+    let lods = LodScene::from_lods(frame, lods.lods().to_vec());
+    let lods = lods.map_err(|error| Failure::internal(error.to_string()))?;
+    let write = destination.format.gltf.applied_to(WriteOptions::default());
+    let options = LodChainOptions::default().with_format(format).with_write_options(write);
+    let bytes = lod_chain(&lods, levels, &options)?;
+    write_bytes(&bytes, destination.output)
+}
+
+/// Returns the format of a file with several levels.
+///
+/// # Errors
+/// If the format is not glTF.
+fn chain_format(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
+    match format_of(path, args)? {
+        format @ (Format::Gltf | Format::Glb) => Ok(format),
+        format => Err(Failure::user(format!(
+            "--lod-chain is for glTF, but {} is written as {format}",
+            display_name(path)
+        ))
+        .with_hint("use the extension .glb or .gltf")),
+    }
+}
+
+/// Checks output names before the work begins.
+///
+/// # Errors
+/// If a name or its format does not suit the levels.
+pub(in crate::commands) fn check_outputs(
+    level: &LevelArgs,
+    levels: &LevelsArgs,
+    (output, format): (&Path, &FormatArgs),
+) -> Result<(), Failure> {
+    for path in check_paths(level, levels, output)? {
+        format_of(&path, format)?;
+    }
+    if levels.lod_chain {
+        chain_format(output, format)?;
+    }
+    Ok(())
+}
+
+impl LevelReport {
+    fn new(request: &LevelRequest, level: &SceneLevel, limit: &CoarseningLimit) -> Self {
+        let &SceneLevel { triangle_count, vertex_count, error, stop_reason, .. } = level;
+        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
+        Self {
+            level: request.name.clone(),
+            path: display_name(&request.path),
+            vertex_count,
+            triangle_count,
+            error: Some(error),
+            pixels: None,
+            stop_reason: stop_reason.as_str(),
+            shortfall: request.target.and_then(|target| shortfall(target, reached, limit)),
+        }
+    }
+}
+
+impl Report {
+    pub(super) fn to_text(&self, before: usize) -> String {
+        let level = &self.level;
+        let kind = if self.error_is_guaranteed { "guaranteed " } else { "" };
+        let error = match (level.error, level.pixels) {
+            (Some(error), _) => format!("{kind}error {}", format_length(error)),
+            (None, pixels) => format!("{kind}errors up to {:.3} pixels", pixels.unwrap_or_default()),
+        };
+        let shortfall = level.shortfall.as_deref().map(|text| format!("\n{}", shortfall_note(None, text)));
+        format!(
+            "{}: {} -> {} triangles, {error}, {}, {}{}",
+            level.path,
+            format_count(before),
+            format_count(level.triangle_count),
+            level.stop_reason.replace('_', " "),
+            format_duration(self.secs),
+            shortfall.unwrap_or_default()
+        )
+    }
+}
+
+impl LevelsReport {
+    fn to_text(&self, before: usize) -> String {
+        let rows = self.levels.iter().map(|level| LevelRow {
+            name: level.level.as_deref().unwrap_or_default(),
+            triangle_count: level.triangle_count,
+            vertex_count: level.vertex_count,
+            error: level.error.unwrap_or_default(),
+            path: &level.path,
+            shortfall: level.shortfall.as_deref(),
+        });
+        let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
+        format!(
+            "{}from {} triangles, errors {kind}, {}",
+            table_of_levels(&rows.collect::<Vec<_>>()),
+            format_count(before),
+            format_duration(self.secs)
+        )
+    }
+}

@@ -1,0 +1,70 @@
+//! `extract --eye` for scenes.
+
+use std::time::Instant;
+
+use striata::simplify::{StopReason, Target};
+use striata_command::failure::Failure;
+use striata_command::level::{CoarseningLimit, ReachedLevel, check_paths, check_strict, shortfall};
+use striata_command::output::Output;
+use striata_command::save::{bytes_of_scene, display_name, write_bytes};
+use striata_command::scene::with_textures;
+use striata_scene::LodScene;
+
+use super::levels::{LevelReport, Report};
+use crate::args::ExtractArgs;
+
+/// Smallest pixel tolerance used with a triangle limit, so that tolerances can be multiplied.
+const LEAST_PIXELS: f64 = 1e-4;
+
+/// Writes the scene for a viewer at a point, and reports.
+///
+/// # Errors
+/// If the camera is degenerate, or the output cannot be written.
+pub(super) fn extract_view(
+    args: &ExtractArgs,
+    lods: &LodScene,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    let (Some(eye), [path]) =
+        (args.eye.eye, &check_paths(&args.level, &args.levels, &args.output.output)?[..])
+    else {
+        return Err(Failure::internal("a view has one eye and one output"));
+    };
+    let bounds = lods.full_scene().bounds();
+    let center = bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|i| f32::midpoint(b.min[i], b.max[i])));
+    let camera = args.view.camera(eye, center);
+    let camera = camera
+        .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
+    let limit = args.level.triangle_count().map(|count| count.of_triangles(lods.triangle_count()));
+    let (scene, pixels) = match limit {
+        None => (lods.view_scene(&args.view.criterion(camera, 0.0)), args.view.pixels()),
+        Some(limit) => {
+            let (scene, factor) = lods.view_scene_within(&args.view.criterion(camera, LEAST_PIXELS), limit);
+            (scene, args.view.pixels().max(LEAST_PIXELS) * f64::from(factor))
+        }
+    };
+    let triangle_count = scene.triangle_count();
+    let vertex_count = scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum();
+    let is_above = limit.is_some_and(|limit| triangle_count > limit);
+    let stop_reason = if is_above { StopReason::BaseReached } else { StopReason::TargetReached };
+    let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
+    let shortfall =
+        limit.and_then(|limit| shortfall(Target::Triangles(limit), reached, &CoarseningLimit::File));
+    check_strict(args.strict, None, shortfall.as_deref())?;
+    let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
+    write_bytes(&bytes_of_scene(&scene, false, path, &args.output.format)?, path)?;
+    let level = LevelReport {
+        level: None,
+        path: display_name(path),
+        vertex_count,
+        triangle_count,
+        error: None,
+        pixels: Some(pixels),
+        stop_reason: stop_reason.as_str(),
+        shortfall,
+    };
+    let secs = started.elapsed().as_secs_f64();
+    let report = Report { level, error_is_guaranteed: lods.has_guaranteed_errors(), secs };
+    output.summary(&report, &report.to_text(lods.triangle_count()))
+}

@@ -1,0 +1,78 @@
+//! Flags for scenes: whether they stay scenes, and what happens to their textures.
+
+use clap::{ArgGroup, Args, ValueEnum};
+use striata_scene::textures::{TextureFormat, TextureOptions};
+
+/// Whether a scene is treated as one mesh.
+#[derive(Clone, Copy, Debug, Default, Args)]
+#[command(next_help_heading = "Scenes (.gltf, .glb, and files made from them)")]
+pub struct FlatArgs {
+    /// Treat a scene as one mesh: apply the transforms of nodes, and drop skins, animations and cameras
+    #[arg(long)]
+    pub flat: bool,
+}
+
+/// How the images of textures are re-encoded; without any of these flags, they stay as they are.
+#[derive(Clone, Copy, Debug, Default, Args)]
+#[command(
+    next_help_heading = "Textures",
+    group = ArgGroup::new("TextureCoding").args(["texture_max", "texture_format"]).multiple(true),
+)]
+pub struct TextureArgs {
+    /// Reduce images to at most this many pixels per side
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..),
+    )]
+    texture_max: Option<u32>,
+    /// Re-encode images: jpeg (those with visible alpha as png), png or webp (lossless)
+    #[arg(long, value_name = "FORMAT", hide_possible_values = true)]
+    texture_format: Option<TextureFormatArg>,
+    /// Quality of images that become JPEG, 1 to 100 [default: 90]
+    #[arg(
+        long,
+        value_name = "QUALITY",
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u8).range(1..=100),
+        requires = "TextureCoding",
+    )]
+    texture_quality: Option<u8>,
+}
+
+/// A format that images can be written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum TextureFormatArg {
+    /// JPEG; images whose alpha is visible become PNG
+    Jpeg,
+    /// PNG
+    Png,
+    /// WebP, lossless
+    Webp,
+}
+
+impl TextureArgs {
+    /// Returns the first of these flags that the user gave.
+    pub fn first_given_flag(&self) -> Option<&'static str> {
+        // The parser accepts the quality only together with one of these.
+        let flags = [
+            ("--texture-max", self.texture_max.is_some()),
+            ("--texture-format", self.texture_format.is_some()),
+        ];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+
+    /// Returns how images are re-encoded; `None` if they stay as they are.
+    pub fn options(&self) -> Option<TextureOptions> {
+        self.first_given_flag()?;
+        let format = self.texture_format.map(|format| match format {
+            TextureFormatArg::Jpeg => TextureFormat::Jpeg,
+            TextureFormatArg::Png => TextureFormat::Png,
+            TextureFormatArg::Webp => TextureFormat::WebP,
+        });
+        let defaults = TextureOptions::default();
+        let quality = self.texture_quality.unwrap_or(defaults.quality);
+        Some(defaults.with_max_side(self.texture_max).with_format(format).with_quality(quality))
+    }
+}
