@@ -40,6 +40,8 @@ pub struct ReceivedScene {
     pub lods: LodScene,
     /// Whether the input is complete: not a stream that is cut off.
     pub is_complete: bool,
+    /// Error of the finest level that was received, scene units; 0 if the input is complete.
+    pub error: f64,
 }
 
 impl Input {
@@ -91,7 +93,7 @@ impl Input {
     /// # Errors
     /// If the input has no levels, or is damaged.
     pub fn received_scene(&self, output: &Output) -> Result<ReceivedScene, Failure> {
-        let complete = |lods| ReceivedScene { lods, is_complete: true };
+        let complete = |lods| ReceivedScene { lods, is_complete: true, error: 0.0 };
         let (Some(kind), Some((_, bytes))) = (self.scene_kind(), self.bytes()) else {
             let lod = Lod::from_file(&self.striata()?).map_err(|error| self.broken(&error))?;
             return Ok(complete(LodScene::from_lod(lod).map_err(|error| self.broken(&error))?));
@@ -130,7 +132,8 @@ impl Input {
         }
         // A mesh whose base is missing has no levels, but shows nothing either.
         let lods = LodScene::from_lods(scene.without_meshes(), decoder.lods());
-        Ok(ReceivedScene { lods: lods.map_err(|error| self.broken(&error))?, is_complete })
+        let error = decoder.error().unwrap_or(0.0);
+        Ok(ReceivedScene { lods: lods.map_err(|error| self.broken(&error))?, is_complete, error })
     }
 
     fn without_levels(&self) -> Failure {
@@ -306,7 +309,7 @@ fn say_textures(report: &TextureReport, output: &Output) {
     let count = format_noun_count(report.changed.len(), "image", "images");
     let unchanged = match report.unchanged_count {
         0 => String::new(),
-        unchanged => format!("; {} as they were", format_noun_count(unchanged, "image stays", "images stay")),
+        unchanged => format!("; {} unchanged", format_count(unchanged)),
     };
     let [before, after] = [before, after].map(format_bytes);
     output.say(&format!("textures: {count} re-encoded, {before} -> {after}{unchanged}"));

@@ -50,7 +50,7 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    if input.has_scene_levels() {
+    if input.scene_kind().is_some() {
         drop(bar);
         return scene::decode(args, &input, started, output);
     }

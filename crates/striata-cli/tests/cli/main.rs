@@ -11,6 +11,7 @@ mod outputs;
 mod patterns;
 mod refusals;
 mod render;
+mod scenes;
 mod seams;
 #[cfg(all(unix, feature = "serve"))]
 mod serve;

@@ -71,7 +71,8 @@ fn triangles_of(
     if primitives.is_empty() {
         return Ok(None);
     }
-    let mut mesh = mesh_of_primitives(document, primitives, used_bytes)?;
+    // Files may store the vertices of all meshes together, so that each mesh uses a part of them.
+    let mut mesh = mesh_of_primitives(document, primitives, used_bytes)?.without_unused_vertices();
     let shows_something = mesh.triangles.iter().any(|triangle| {
         let [a, b, c] = triangle.map(|vertex| mesh.positions[vertex as usize]);
         a != b && b != c && c != a

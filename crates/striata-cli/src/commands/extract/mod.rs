@@ -48,7 +48,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         return Err(Failure::user("flags of a view were given without --eye")
             .with_hint("use --eye instead of the other level, or remove these flags"));
     }
-    if input.has_scene_levels() || args.levels.lod_chain {
+    if input.scene_kind().is_some() || args.levels.lod_chain {
         return scene::extract(args, &input, started, output);
     }
     if let Some(flag) = args.textures.first_given_flag() {

@@ -95,7 +95,8 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     let (mut report, mesh) = if input.has_levels() {
         of_container(&input, output)?
     } else if let Some((facts, scene)) = scene_of(&input, args, output)? {
-        let mesh = scene.flattened()?;
+        // Reading a file of a scene as one mesh shows it as it is, with defects and unused vertices.
+        let mesh = if input.has_scene_levels() { scene.flattened()? } else { input.mesh(&Output::quiet())? };
         let mut report = Report::new(&input, &mesh);
         report.scene = Some(facts);
         (report, mesh)

@@ -99,7 +99,7 @@ pub(in crate::commands) fn simplify(
         is_strict: args.strict,
         limit: CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single)),
     };
-    write_levels(&lods, &destination, started, output)
+    write_levels(&lods, 0.0, &destination, started, output)
 }
 
 /// Writes levels of a scene from a file, and reports.
@@ -135,7 +135,7 @@ pub(in crate::commands) fn extract(
         is_strict: args.strict,
         limit: CoarseningLimit::File,
     };
-    write_levels(&received.lods, &destination, started, output)
+    write_levels(&received.lods, received.error, &destination, started, output)
 }
 
 /// Decodes the stream of a scene, or a level of it, and reports.
@@ -158,12 +158,14 @@ pub(in crate::commands) fn decode(
         is_strict: false,
         limit: CoarseningLimit::File,
     };
-    write_levels(&received.lods, &destination, started, output)
+    write_levels(&received.lods, received.error, &destination, started, output)
 }
 
-/// Writes the requested levels, or the finest one if none is requested, and reports.
+/// Writes the requested levels, or the finest one if none is requested, and reports. `finest_error` is the
+/// error of the finest level, which is not 0 if a stream is cut off.
 fn write_levels(
     lods: &LodScene,
+    finest_error: f64,
     destination: &Destination<'_>,
     started: Instant,
     output: &Output,
@@ -180,7 +182,8 @@ fn write_levels(
             CoarseningLimit::Simplification(_) => Target::Detail(0.0),
             CoarseningLimit::File => Target::Detail(1.0),
         });
-        let level = lods.level(target);
+        let mut level = lods.level(target);
+        level.error = level.error.max(finest_error);
         let report = LevelReport::new(request, &level, &destination.limit);
         check_strict(destination.is_strict, request.name.as_deref(), report.shortfall.as_deref())?;
         reports.push(report);
