@@ -27,7 +27,8 @@ pub fn all() -> Vec<TestScene> {
 }
 
 impl TestScene {
-    fn new(name: &'static str) -> Self {
+    /// Creates an empty document.
+    pub fn named(name: &'static str) -> Self {
         Self { name, document: json!({ "asset": { "version": "2.0" } }), buffer: Vec::new() }
     }
 
@@ -167,7 +168,7 @@ pub const PNG: &[u8] = &[
 /// Nested nodes with negative and uneven scales, a mesh shown three times, two scenes, a camera, a light, an
 /// image, and an extension without references that nobody knows.
 pub fn hierarchy() -> TestScene {
-    let mut scene = TestScene::new("hierarchy");
+    let mut scene = TestScene::named("hierarchy");
     scene.push_materials(3);
     let view = scene.push_view(PNG);
     scene.push("images", json!({ "bufferView": view, "mimeType": "image/png", "name": "pixel" }));
@@ -208,7 +209,7 @@ pub fn hierarchy() -> TestScene {
 
 /// A tube with two joints, one of which is animated.
 pub fn skinned() -> TestScene {
-    let mut scene = TestScene::new("skinned");
+    let mut scene = TestScene::named("skinned");
     scene.push_materials(1);
     let mut tube = shapes::uv_cylinder(16, 20);
     let height = |p: &[f32; 3]| (p[1] * 0.5 + 0.5).clamp(0.0, 1.0);
@@ -242,7 +243,7 @@ pub fn skinned() -> TestScene {
 
 /// A sphere with two morph targets, whose weights are animated, and a node with a child.
 pub fn morphed() -> TestScene {
-    let mut scene = TestScene::new("morphed");
+    let mut scene = TestScene::named("morphed");
     let mut sphere = shapes::icosphere(3, 1.0);
     for target in 0..2 {
         let delta = sphere.positions.iter().flat_map(|p| [p[0] * 0.5, p[1] * f32::from(target), 0.25]);
@@ -282,7 +283,7 @@ pub fn morphed() -> TestScene {
 
 /// A mesh of triangles and points, and one of lines only.
 pub fn mixed_primitives() -> TestScene {
-    let mut scene = TestScene::new("mixed primitives");
+    let mut scene = TestScene::named("mixed primitives");
     scene.push_materials(2);
     let mut primitives = scene.primitives_of(&shapes::two_material_sphere(10, 14));
     let points = scene.push_floats("VEC3", 3, &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0]);
@@ -298,7 +299,7 @@ pub fn mixed_primitives() -> TestScene {
 
 /// Meshes that no node shows.
 pub fn without_nodes() -> TestScene {
-    let mut scene = TestScene::new("without nodes");
+    let mut scene = TestScene::named("without nodes");
     scene.push_mesh("a", &shapes::icosphere(2, 1.0));
     scene.push_mesh("b", &shapes::torus(10, 8, 2.0, 0.5));
     scene
@@ -306,7 +307,7 @@ pub fn without_nodes() -> TestScene {
 
 /// An unknown extension that refers to an accessor and a buffer view, which must keep their numbers.
 pub fn with_unknown_references() -> TestScene {
-    let mut scene = TestScene::new("unknown references");
+    let mut scene = TestScene::named("unknown references");
     let mesh = scene.push_mesh("ball", &shapes::icosphere(2, 1.0));
     let accessor = scene.push_floats("SCALAR", 1, &[1.0, 2.0, 3.0]);
     let view = scene.push_view(b"opaque data");
@@ -319,7 +320,7 @@ pub fn with_unknown_references() -> TestScene {
 
 /// A large sphere with a tiny separate primitive, of which coarse levels show nothing, and an empty one.
 pub fn vanishing_primitive() -> TestScene {
-    let mut scene = TestScene::new("vanishing primitive");
+    let mut scene = TestScene::named("vanishing primitive");
     scene.push_materials(3);
     let mut mesh = shapes::icosphere(3, 1.0);
     let first = mesh.triangles.len() as u32;
@@ -350,7 +351,7 @@ pub fn vanishing_primitive() -> TestScene {
 
 /// A node whose mesh an extension shows several times.
 pub fn instanced_by_extension() -> TestScene {
-    let mut scene = TestScene::new("instanced by extension");
+    let mut scene = TestScene::named("instanced by extension");
     let mesh = scene.push_mesh("tree", &shapes::uv_cylinder(12, 9));
     let places = scene.push_floats("VEC3", 3, &[0.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0, 5.0]);
     let instancing = json!({ "EXT_mesh_gpu_instancing": { "attributes": { "TRANSLATION": places } } });
@@ -362,5 +363,5 @@ pub fn instanced_by_extension() -> TestScene {
 
 /// A document without anything to show.
 pub fn empty() -> TestScene {
-    TestScene::new("empty")
+    TestScene::named("empty")
 }

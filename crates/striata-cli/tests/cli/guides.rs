@@ -28,7 +28,7 @@ fn blocks(guide: &str, language: &str) -> Vec<String> {
 fn folder() -> Workbench {
     let bench = Workbench::new();
     let bust = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/nefertiti.ply.zst");
-    for file in [asset("spot.obj.zst"), bust] {
+    for file in [asset("spot.obj.zst"), asset("arm.glb"), bust] {
         let name = file.file_name().expect("a file").to_string_lossy().into_owned();
         std::fs::copy(&file, bench.path(&name)).expect("the folder is ours");
     }
@@ -87,7 +87,7 @@ fn the_server_of_the_guides_starts() {
     let bench = folder();
     let program = assert_cmd::cargo::cargo_bin("striata");
     let server = striata_testing::server::Server::start(&program, &bench.path("."), &[]);
-    assert_eq!(server.report["models"], 2);
+    assert_eq!(server.report["models"], 3);
 }
 
 #[cfg(feature = "window")]

@@ -98,7 +98,7 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
         // Reading a file of a scene as one mesh shows it as it is, with defects and unused vertices.
         let mesh = if input.has_scene_levels() { scene.flattened()? } else { input.mesh(&Output::quiet())? };
         let mut report = Report::new(&input, &mesh);
-        report.scene = Some(facts);
+        report.set_scene(facts, &scene);
         (report, mesh)
     } else {
         let mesh = input.mesh(output)?;
@@ -237,6 +237,25 @@ impl Report {
                 .map(|(kind, count)| (kind.as_str().to_owned(), count.into()))
                 .collect(),
             defects: defects.defects().iter().map(ToString::to_string).collect(),
+        }
+    }
+
+    /// Adds the parts of a scene, with the defects of each of its meshes: as one mesh, vertices without a skin
+    /// would count as defective next to others with one.
+    fn set_scene(&mut self, facts: SceneFacts, scene: &Scene) {
+        self.scene = Some(facts);
+        (self.defect_counts, self.defects) = (Map::new(), Vec::new());
+        for (index, mesh) in scene.meshes().iter().enumerate() {
+            let Some(found) = mesh.as_ref().map(validate) else { continue };
+            for (kind, count) in found.counts() {
+                let sum = self.defect_counts.entry(kind.as_str()).or_insert(json!(0));
+                *sum = json!(sum.as_u64().unwrap_or(0) + count as u64);
+            }
+            let name = || match scene.mesh_name(index) {
+                "" => format!("mesh {index}"),
+                name => format!("mesh {index} ({name})"),
+            };
+            self.defects.extend(found.defects().iter().map(|defect| format!("{}: {defect}", name())));
         }
     }
 
