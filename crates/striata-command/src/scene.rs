@@ -247,12 +247,13 @@ fn appearance_of(scene: &Scene) -> Appearance {
         gltf_json: material.to_string(),
     });
     let texts = |key: &str| entries(scene.document(), key).iter().map(Value::to_string).collect();
-    let mut appearance = Appearance::default();
-    appearance.materials = materials.collect();
-    appearance.textures_json = texts("textures");
-    appearance.samplers_json = texts("samplers");
-    appearance.images = scene.images().to_vec();
-    appearance
+    Appearance {
+        materials: materials.collect(),
+        textures_json: texts("textures"),
+        samplers_json: texts("samplers"),
+        images: scene.images().to_vec(),
+        ..Appearance::default()
+    }
 }
 
 fn entries<'v>(document: &'v Value, key: &str) -> &'v [Value] {
