@@ -1,13 +1,14 @@
 //! Simplification of the meshes of a scene: the one path of levels, files and streams.
 
 use std::collections::BTreeSet;
+use std::ops::ControlFlow;
 
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{
     BatchOptions, BuiltBatches, SequenceOptions, SimplifyError, build_batches_with_progress,
     build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
 };
-use striata::{Lod, LodOptions, ProgressFn};
+use striata::{Lod, LodOptions, Progress, ProgressFn};
 use striata_io::Scene;
 
 use crate::deformation::{Deformation, ScenePoses, with_errors};
@@ -42,13 +43,17 @@ impl<'s> MeshSimplifier<'s> {
             return Lod::build_with_progress(mesh, &options.clone().with_sequence(sequence), progress);
         };
         let mesh = with_layers(mesh, &deformation);
-        let mut refinable = build_sequence_with_progress(&mesh, &sequence, progress)?.refinable;
+        let stages = if options.has_guaranteed_errors { 3 } else { 2 };
+        let mut refinable =
+            build_sequence_with_progress(&mesh, &sequence, &mut stage(progress, (0, stages)))?.refinable;
         drop(mesh);
         deformation.remove_layers(&mut refinable.mesh);
         if options.has_guaranteed_errors {
-            refinable = certify_collapses_in_any_state_with_progress(&refinable, progress)?;
+            refinable =
+                certify_collapses_in_any_state_with_progress(&refinable, &mut stage(progress, (1, stages)))?;
         }
-        let refinable = deformation.finish_with_progress(refinable, progress)?;
+        let refinable =
+            deformation.finish_with_progress(refinable, &mut stage(progress, (stages - 1, stages)))?;
         let first = first_level(&refinable, &sequence);
         let refinable = if first > 0 { refinable.without_levels_below(first) } else { refinable };
         Ok(if options.has_guaranteed_errors {
@@ -73,8 +78,13 @@ impl<'s> MeshSimplifier<'s> {
         let Some(deformation) = self.deformation((index, mesh), &options.sequence) else {
             return build_batches_with_progress(mesh, &options, progress);
         };
-        let mut built = build_batches_with_progress(&with_layers(mesh, &deformation), &options, progress)?;
-        let refinable = deformation.finish_with_progress(built.built.refinable, progress)?;
+        let mut built = build_batches_with_progress(
+            &with_layers(mesh, &deformation),
+            &options,
+            &mut stage(progress, (0, 2)),
+        )?;
+        let refinable =
+            deformation.finish_with_progress(built.built.refinable, &mut stage(progress, (1, 2)))?;
         let refinable = with_errors_of_batches(refinable, &built.batches);
         let first = first_level(&refinable, &options.sequence);
         built.batches.retain(|&start| start as usize >= first);
@@ -118,6 +128,17 @@ impl<'s> MeshSimplifier<'s> {
             sequence.texcoord_factors = used.into_iter().map(factor).collect();
         }
         Ok(sequence)
+    }
+}
+
+/// Returns a callback for one of several stages, each of which reports progress from its own beginning.
+fn stage<'p>(
+    progress: &'p mut ProgressFn<'_>,
+    (index, count): (u64, u64),
+) -> impl FnMut(Progress) -> ControlFlow<()> {
+    move |now| {
+        let done = now.done.min(now.total).saturating_add(index.saturating_mul(now.total));
+        progress(Progress { phase: now.phase, done, total: now.total.saturating_mul(count) })
     }
 }
 
