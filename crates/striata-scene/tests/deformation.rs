@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use striata::mesh::{IndexedMesh, Semantic, TriangleTree};
-use striata::simplify::{AttributeWeights, SequenceOptions};
+use striata::simplify::{AttributeWeights, BatchOptions, SequenceOptions};
 use striata::{Level, Lod, LodOptions, Target};
 use striata_io::{Scene, SceneInstance, Source, read_scene_bytes};
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamOptions, encode_scene};
@@ -20,6 +20,11 @@ fn read(scene: &TestScene) -> Scene {
 
 fn build(scene: &Scene) -> LodScene {
     LodScene::build(scene, &LodOptions::default()).unwrap()
+}
+
+fn without_poses() -> SequenceOptions {
+    let weights = AttributeWeights { displacement: 0.0, ..AttributeWeights::default() };
+    SequenceOptions::default().with_attribute_weights(weights)
 }
 
 fn deformed_scenes() -> Vec<TestScene> {
@@ -151,9 +156,7 @@ fn errors_of_levels_hold_at_times_that_were_not_examined() {
 fn without_poses_errors_do_not_hold() {
     for sample in [scenes::bending_tube(), scenes::folding_grid()] {
         let scene = read(&sample);
-        let weights = AttributeWeights { displacement: 0.0, ..AttributeWeights::default() };
-        let sequence = SequenceOptions::default().with_attribute_weights(weights);
-        let options = LodOptions::default().with_sequence(sequence);
+        let options = LodOptions::default().with_sequence(without_poses());
         let ignored = LodScene::build(&scene, &options).unwrap();
         assert!(first_violation(&scene, &lods(&ignored)).is_some(), "{}: poses have no weight", sample.name);
     }
@@ -174,31 +177,45 @@ fn a_straight_tube_keeps_rings_to_bend_at() {
     assert!(ours < 0.25 * distance_of(&plain), "{ours} against {}", distance_of(&plain));
 }
 
-/// Returns the largest error that may be lost by rounding positions of a stream.
-fn rounding(scene: &Scene) -> f64 {
-    scene.diagonal() / 1000.0
+/// Encodes a scene, and returns the levels of its first mesh as they are decoded.
+fn streamed(scene: &Scene, sequence: SequenceOptions) -> Lod {
+    let batches = BatchOptions::default().with_sequence(sequence);
+    let encoded = encode_scene(scene, &SceneStreamOptions::default().with_batches(batches)).unwrap();
+    let mut decoder = SceneStreamDecoder::new();
+    decoder.push(&encoded.bytes).unwrap();
+    decoder.finish().unwrap();
+    decoder.lods().remove(0).unwrap()
+}
+
+/// Writes a scene as a GLB file with streams, and returns the levels of its first mesh as they are decoded.
+fn from_glb(scene: &Scene, sequence: SequenceOptions) -> Lod {
+    let options = GlbStreamOptions::default().with_sequence(sequence);
+    let bytes = build(scene).to_glb_with_stream(&options).unwrap();
+    let lods = read_glb_with_stream(&bytes, &Source::new("tube.glb")).unwrap().unwrap();
+    lods.lods()[0].clone().unwrap()
 }
 
 #[test]
 fn levels_of_streams_bend_too() {
     let scene = read(&scenes::bending_tube());
-    let encoded = encode_scene(&scene, &SceneStreamOptions::default()).unwrap();
-    let mut decoder = SceneStreamDecoder::new();
-    decoder.push(&encoded.bytes).unwrap();
-    decoder.finish().unwrap();
-    let glb = build(&scene).to_glb_with_stream(&GlbStreamOptions::default()).unwrap();
-    let from_glb = read_glb_with_stream(&glb, &Source::new("tube.glb")).unwrap().unwrap();
     let poser = Poser::new(&scene).unwrap();
     let instance = &scene.instances()[0];
     let bent = poser.pose(0, poser.duration(0));
-    for lod in [decoder.lods().remove(0), from_glb.lods()[0].clone()].map(Option::unwrap) {
-        assert_eq!(lod.mesh().layers.len(), 2, "joints and weights only");
-        for share in SHARES {
+    for decoded in [streamed, from_glb] {
+        let distance_and_error = |lod: &Lod, share: usize| {
             let level = lod.level(Target::Triangles(lod.mesh().triangle_count() * share / 100));
-            let distance = posed_distance(&poser, (&bent, instance), lod.mesh(), &shown(&lod, &level));
-            let limit = f64::from(level.error()) + rounding(&scene);
-            assert!(distance <= limit, "{share} %: {distance} > {limit}");
-            assert!(limit < 0.2, "{share} %: the tube is torn by {limit}");
+            let distance = posed_distance(&poser, (&bent, instance), lod.mesh(), &shown(lod, &level));
+            (distance, f64::from(level.error()))
+        };
+        let ours = decoded(&scene, SequenceOptions::default());
+        let plain = decoded(&scene, without_poses());
+        assert_eq!(ours.mesh().layers.len(), 2, "joints and weights only");
+        for share in SHARES {
+            let (distance, error) = distance_and_error(&ours, share);
+            // Positions are rounded.
+            assert!(distance <= error + scene.diagonal() / 1000.0, "{share} %: {distance} > {error}");
+            let (torn, _) = distance_and_error(&plain, share);
+            assert!(distance < 0.5 * torn, "{share} %: {distance} against {torn}");
         }
     }
 }
@@ -220,9 +237,9 @@ fn guaranteed_errors_and_error_limits_keep_their_meaning() {
     assert!(guaranteed.lods()[0].as_ref().unwrap().has_guaranteed_errors());
     assert_eq!(first_violation(&scene, &lods(&guaranteed)), None);
     let limit = 0.05;
-    let options = LodOptions::default().with_sequence(SequenceOptions::default().with_max_error(Some(limit)));
+    let options = LodOptions::default().with_sequence(SequenceOptions::default().with_max_error(limit));
     let limited = LodScene::build(&scene, &options).unwrap();
     let lod = limited.lods()[0].as_ref().unwrap();
-    assert!(lod.sequence().error_at(0) as f64 <= limit && lod.step_count() > 0);
+    assert!(f64::from(lod.sequence().error_at(0)) <= limit && lod.step_count() > 0);
     assert_eq!(first_violation(&scene, &lods(&limited)), None);
 }
