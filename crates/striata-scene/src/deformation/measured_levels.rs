@@ -18,14 +18,16 @@ const LEVEL_RATIO: f64 = 0.7;
 /// The same for small meshes, and the number of vertices, summed over the poses, up to which a mesh is small.
 const DENSE_LEVEL_RATIO: f64 = 0.9;
 const SMALL_WORK: usize = 1 << 18;
-/// Factor on distances that exceed the error in the bind pose. Between two of 32 evenly spread times, a
-/// distance that rises and falls twice within an animation may be larger by 1 - cos(2 pi / 31), or 2 %.
+/// Factor on the largest distances. Between two of 32 evenly spread times, a distance that rises and falls
+/// twice within an animation may be larger by 1 - cos(2 pi / 31), or 2 %.
 const TIME_MARGIN: f64 = 1.02;
+/// Largest number of steps from a triangle to a neighbor.
+const MAX_WALK: usize = 32;
 /// Number of vertices that are examined, summed over the poses.
 const EXAMINED_VERTICES: usize = 1 << 19;
 /// Least number of poses in which a large mesh is measured, as long as the vertices of all poses do not
 /// exceed the limit below, which bounds memory: 12 bytes each.
-const MIN_POSES: usize = 12;
+const MIN_POSES: usize = 16;
 const MAX_EXAMINED_VERTICES: usize = 1 << 26;
 
 /// A level and the largest distance found in any pose.
@@ -59,8 +61,13 @@ pub(super) fn measured_levels(
         scale: posed.scale(),
         rank: 0.0,
     });
-    let mut meter =
-        LevelMeter { refinable, posed: posed.collect(), triangles: Vec::new(), hints: Vec::new() };
+    let mut meter = LevelMeter {
+        refinable,
+        posed: posed.collect(),
+        triangles: Vec::new(),
+        hints: Vec::new(),
+        rings: Rings::default(),
+    };
     let is_small = meter.posed.len() * vertices <= SMALL_WORK;
     let ratio = if is_small { DENSE_LEVEL_RATIO } else { LEVEL_RATIO };
     let step_count = refinable.sequence.step_count();
@@ -82,21 +89,23 @@ struct LevelMeter<'r> {
     triangles: Vec<[u32; 3]>,
     /// For each vertex, a triangle of the level near the vertex that it has collapsed to.
     hints: Vec<u32>,
+    rings: Rings,
 }
 
 impl LevelMeter<'_> {
     /// Returns the largest distance in any pose.
     fn measure(&mut self, split_count: usize) -> f64 {
-        let Self { refinable, posed, triangles, hints } = self;
+        let Self { refinable, posed, triangles, hints, rings } = self;
         let sequence = &refinable.sequence;
         triangles.clear();
         replay_into(refinable, split_count, &refinable.mesh.triangles, triangles);
         nearby_triangles(sequence, split_count, triangles, hints);
+        rings.rebuild(triangles, refinable.mesh.vertex_count());
         let mut worst = f64::from(sequence.error_at(split_count));
         for posed in posed.iter_mut() {
             let corners = std::mem::take(triangles);
             let mut shown = IndexedMesh::new(std::mem::take(&mut posed.positions), corners);
-            let distance = worst_distance(&shown, hints, worst * posed.scale) / posed.scale;
+            let distance = worst_distance(&shown, rings, hints, worst * posed.scale) / posed.scale;
             posed.rank = if distance > worst { distance } else { 0.0 };
             worst = worst.max(distance);
             *triangles = std::mem::take(&mut shown.triangles);
@@ -104,18 +113,16 @@ impl LevelMeter<'_> {
         }
         // Next time, the worst poses come first, which saves searches in the others.
         posed.sort_by(|a, b| b.rank.total_cmp(&a.rank));
-        let error = f64::from(sequence.error_at(split_count));
-        if worst > error { TIME_MARGIN * worst } else { error }
+        TIME_MARGIN * worst
     }
 }
 
 /// Returns the largest distance of a vertex from the triangles of a level; `enough` if it is less.
-fn worst_distance(shown: &IndexedMesh, hints: &mut [u32], enough: f64) -> f64 {
+fn worst_distance(shown: &IndexedMesh, rings: &Rings, hints: &mut [u32], enough: f64) -> f64 {
     let mut worst = enough;
     let mut tree = None;
     for (vertex, hint) in hints.iter_mut().enumerate() {
-        let near = shown.triangles.get(*hint as usize);
-        if near.is_some_and(|&triangle| is_within(shown, vertex, triangle, worst)) {
+        if is_near(shown, rings, (vertex as u32, hint), worst) {
             continue;
         }
         // A pose with positions that are not finite has no surface.
@@ -134,12 +141,71 @@ fn worst_distance(shown: &IndexedMesh, hints: &mut [u32], enough: f64) -> f64 {
     worst
 }
 
-/// Whether a vertex is a corner of a triangle, or no farther from it than a distance.
-fn is_within(shown: &IndexedMesh, vertex: usize, triangle: [u32; 3], distance: f64) -> bool {
+/// Whether a vertex is a corner of a triangle, or no farther than a distance from it or from one that is
+/// found by walking to nearer and nearer neighbors; the hint becomes the last one.
+fn is_near(shown: &IndexedMesh, rings: &Rings, (vertex, hint): (u32, &mut u32), distance: f64) -> bool {
     let at = |vertex: u32| DVec3::from_array(shown.positions[vertex as usize].map(f64::from));
-    let point = at(vertex as u32);
-    triangle.contains(&(vertex as u32))
-        || point.distance_squared(nearest_point(point, triangle.map(at))) <= distance * distance
+    let Some(&start) = shown.triangles.get(*hint as usize) else { return false };
+    if start.contains(&vertex) {
+        return true;
+    }
+    let (point, limit) = (at(vertex), distance * distance);
+    let squared = |triangle: [u32; 3]| point.distance_squared(nearest_point(point, triangle.map(at)));
+    let mut nearest = squared(start);
+    for _ in 0..MAX_WALK {
+        if nearest <= limit {
+            return true;
+        }
+        let from = *hint;
+        for &corner in &shown.triangles[from as usize] {
+            for &neighbor in rings.of(corner) {
+                let other = squared(shown.triangles[neighbor as usize]);
+                if other < nearest {
+                    (nearest, *hint) = (other, neighbor);
+                }
+            }
+        }
+        if *hint == from {
+            return false;
+        }
+    }
+    nearest <= limit
+}
+
+/// The triangles of each vertex.
+#[derive(Default)]
+struct Rings {
+    /// Index of the first triangle of each vertex, and the number of all at the end.
+    first: Vec<u32>,
+    triangles: Vec<u32>,
+}
+
+impl Rings {
+    fn of(&self, vertex: u32) -> &[u32] {
+        &self.triangles[self.first[vertex as usize] as usize..self.first[vertex as usize + 1] as usize]
+    }
+
+    fn rebuild(&mut self, triangles: &[[u32; 3]], vertex_count: usize) {
+        self.first.clear();
+        self.first.resize(vertex_count + 1, 0);
+        for &vertex in triangles.as_flattened() {
+            self.first[vertex as usize] += 1;
+        }
+        let mut end = 0;
+        for first in &mut self.first {
+            end += *first;
+            *first = end;
+        }
+        self.triangles.clear();
+        self.triangles.resize(3 * triangles.len(), 0);
+        for (index, triangle) in triangles.iter().enumerate() {
+            for &vertex in triangle {
+                // Each ring is filled from its end.
+                self.first[vertex as usize] -= 1;
+                self.triangles[self.first[vertex as usize] as usize] = index as u32;
+            }
+        }
+    }
 }
 
 /// Returns the point of a triangle that is nearest to a point, or another one if the triangle is degenerate.

@@ -10,6 +10,11 @@
 //! * Afterward, [`Deformation::finish`] removes these layers, measures levels in these and further poses, and
 //!   raises the errors of the levels to the largest distance found.
 //!
+//! Measured at times that were not examined (`docs/results/scenes.md`): half of the triangles of an animated
+//! fox have an RMS distance of 0.60 instead of 0.73 and a maximum of 3.5 instead of 8.8 units; at a tenth,
+//! 2.5 instead of 2.8 and 13.1 instead of 14.9. No level of three scenes exceeds its error. This is not
+//! guaranteed: only vertices, some levels and some poses are measured.
+//!
 //! A mesh without a skin is examined in its own space, because its node moves all levels alike.
 
 mod measured_levels;
