@@ -132,8 +132,8 @@ impl<'s> MeshSimplifier<'s> {
 }
 
 /// Returns a callback for one of several stages, each of which reports progress from its own beginning.
-fn stage<'p>(
-    progress: &'p mut ProgressFn<'_>,
+fn stage(
+    progress: &mut ProgressFn<'_>,
     (index, count): (u64, u64),
 ) -> impl FnMut(Progress) -> ControlFlow<()> {
     move |now| {
