@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `levels` | distributes a target over all meshes of a scene by one priority |
 //! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh; `single_mesh` makes one from a `Lod` |
-//! | `deformation` | simplification that respects the poses of skins and morph targets |
+//! | `deformation` | simplification that respects the poses of skins and morph targets; `mesh_simplifier` applies it to every mesh |
 //! | `pose` | where skins and morph targets put the vertices at a time of an animation |
 //! | [`mod@file`] | `.striata` files of scenes |
 //! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
@@ -21,13 +21,14 @@ pub mod glb_stream;
 mod levels;
 pub mod lod_chain;
 mod lod_scene;
+mod mesh_simplifier;
 mod pose;
 mod single_mesh;
 pub mod stream;
 pub mod textures;
 mod view;
 
-pub use deformation::Deformation;
+pub use deformation::{Deformation, ScenePoses};
 pub use error::{BuildError, SceneMismatch};
 #[cfg(not(target_family = "wasm"))]
 pub use file::{open, save};

@@ -1,16 +1,16 @@
 //! A scene with every level of detail of each of its meshes.
 
-use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
 use striata::mesh::{IndexedMesh, Levels};
-use striata::simplify::{SequenceOptions, SimplifyError};
+use striata::simplify::SimplifyError;
 use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
 use striata_io::Scene;
 
 use crate::error::{BuildError, SceneMismatch};
 use crate::levels::{MeshWeight, SceneLevel, SceneLevels};
+use crate::mesh_simplifier::MeshSimplifier;
 
 /// A scene without triangles and a [`Lod`] for each of its meshes.
 ///
@@ -50,6 +50,12 @@ impl LodScene {
     /// scale of its instances. `texcoord_factors` is indexed by the materials of the document.
     /// `base_triangle_count` applies to each mesh; `locked_vertices` must be empty.
     ///
+    /// Meshes with skins or morph targets are simplified for the poses of the scene's animations as well: see
+    /// [`Deformation`](crate::Deformation). Their errors are at least the distances measured in these poses.
+    /// The weight of displacements of [`AttributeWeights`](striata::simplify::AttributeWeights) applies to
+    /// poses too; 0 ignores them. A scene whose skins or animations cannot be read is simplified as it stands.
+    /// Guaranteed errors are guaranteed for the mesh as it is stored; in poses they are measured.
+    ///
     /// # Errors
     /// [`BuildError`] if a mesh is inconsistent or an option is out of range.
     pub fn build(scene: &Scene, options: &LodOptions) -> Result<Self, BuildError> {
@@ -65,18 +71,15 @@ impl LodScene {
         options: &LodOptions,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, BuildError> {
-        let weights = MeshWeight::of_scene(scene);
+        let simplifier = MeshSimplifier::new(scene);
         let mut progress = MeshProgress::new(scene.meshes(), progress);
-        let mut lods = Vec::with_capacity(weights.len());
-        for (index, (mesh, weight)) in scene.meshes().iter().zip(&weights).enumerate() {
+        let mut lods = Vec::with_capacity(scene.meshes().len());
+        for (index, mesh) in scene.meshes().iter().enumerate() {
             let Some(mesh) = mesh else {
                 lods.push(None);
                 continue;
             };
-            let built = options_of_mesh(scene, index, *weight, options).and_then(|sequence| {
-                let options = options.clone().with_sequence(sequence);
-                Lod::build_with_progress(mesh, &options, &mut |now| progress.report(now))
-            });
+            let built = simplifier.lod((index, mesh), options, &mut |now| progress.report(now));
             let built = built.and_then(|lod| progress.finish_mesh(mesh).map(|()| lod));
             let name = || scene.mesh_name(index).to_owned();
             lods.push(Some(built.map_err(|error| BuildError::new(index, name(), error))?));
@@ -175,33 +178,6 @@ pub(crate) fn check_groups(scene: &Scene, mesh: usize, group_count: usize) -> Re
     let found = group_count.max(1);
     let expected = scene.primitive_materials(mesh).len();
     if found == expected { Ok(()) } else { Err(SceneMismatch::GroupCount { mesh, found, expected }) }
-}
-
-/// Returns the options of one mesh, with lengths in its own units and factors of its own materials.
-pub(crate) fn options_of_mesh(
-    scene: &Scene,
-    mesh: usize,
-    weight: MeshWeight,
-    options: &LodOptions,
-) -> Result<SequenceOptions, SimplifyError> {
-    let mut sequence = options.sequence.clone();
-    if let Some(vertex) = sequence.locked_vertices.first() {
-        let (option, value) = ("locked_vertices", format!("vertex {vertex}"));
-        return Err(SimplifyError::Option { option, value, expected: "empty for a scene" });
-    }
-    for length in [&mut sequence.max_error, &mut sequence.pair_distance].into_iter().flatten() {
-        // A tiny scale must not make a valid option infinite.
-        let in_mesh_units = *length / weight.scale;
-        *length = if length.is_finite() { in_mesh_units.min(f64::MAX) } else { *length };
-    }
-    if !sequence.texcoord_factors.is_empty() {
-        // The materials of a mesh are numbered from 0, in the order of the document.
-        let used: BTreeSet<usize> = scene.primitive_materials(mesh).into_iter().flatten().collect();
-        let factors = &options.sequence.texcoord_factors;
-        let factor = |material: usize| factors.get(material).copied().unwrap_or(1.0);
-        sequence.texcoord_factors = used.into_iter().map(factor).collect();
-    }
-    Ok(sequence)
 }
 
 /// Progress over all meshes, in triangles.

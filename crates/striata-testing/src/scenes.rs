@@ -17,6 +17,9 @@ pub fn all() -> Vec<TestScene> {
         hierarchy(),
         skinned(),
         morphed(),
+        bending_tube(),
+        folding_grid(),
+        two_sizes(),
         mixed_primitives(),
         without_nodes(),
         with_unknown_references(),
@@ -279,6 +282,122 @@ pub fn morphed() -> TestScene {
     );
     scene.document["scenes"] = json!([{ "nodes": [0, 2] }]);
     scene
+}
+
+/// A straight tube of 40 rings, whose middle ring its animation bends by a right angle.
+pub fn bending_tube() -> TestScene {
+    let mut scene = TestScene::named("bending tube");
+    let mesh = scene.push_mesh("tube", &jointed_tube());
+    let half = std::f32::consts::FRAC_1_SQRT_2;
+    scene.push_bend([0.0, half, 0.0, half]);
+    scene.document["nodes"] = json!([
+        { "mesh": mesh, "skin": 0 },
+        { "name": "lower", "children": [2] },
+        { "name": "upper", "translation": [0.0, 0.0, 2.0] },
+    ]);
+    scene.push_skin([1, 2]);
+    scene.document["scenes"] = json!([{ "nodes": [0, 1] }]);
+    scene
+}
+
+/// The tube of [`bending_tube`] twice, in two sizes with a skin each; the animation bends only one of them.
+pub fn two_sizes() -> TestScene {
+    let mut scene = TestScene::named("two sizes");
+    let mesh = scene.push_mesh("tube", &jointed_tube());
+    let half = std::f32::consts::FRAC_1_SQRT_2;
+    scene.push_bend([0.0, half, 0.0, half]);
+    scene.document["nodes"] = json!([
+        { "mesh": mesh, "skin": 0 },
+        { "name": "lower", "children": [2], "scale": [0.25, 0.25, 0.25] },
+        { "name": "upper", "translation": [0.0, 0.0, 2.0] },
+        { "mesh": mesh, "skin": 1 },
+        { "name": "large lower", "children": [5], "scale": [3.0, 3.0, 3.0], "translation": [9.0, 0.0, 0.0] },
+        { "name": "large upper", "translation": [0.0, 0.0, 2.0] },
+    ]);
+    scene.push_skin([1, 2]);
+    scene.push_skin([4, 5]);
+    scene.document["scenes"] = json!([{ "nodes": [0, 1, 3, 4] }]);
+    scene
+}
+
+/// A flat grid that its morph targets fold to a roof and raise to a ridge.
+pub fn folding_grid() -> TestScene {
+    let mut scene = TestScene::named("folding grid");
+    let mut grid = shapes::grid(24, 24);
+    let bounds = grid.bounds().expect("a grid has vertices");
+    let width = bounds.max[0] - bounds.min[0];
+    let across = |p: &[f32; 3]| (p[0] - bounds.min[0]) / width;
+    let roof = |p: &[f32; 3]| [0.0, 0.0, width * (0.5 - (across(p) - 0.5).abs())];
+    let ridge = |p: &[f32; 3]| [0.0, 0.0, width * (0.25 - (across(p) - 0.25).abs()).max(0.0)];
+    for (target, delta) in [
+        grid.positions.iter().flat_map(roof).collect::<Vec<f32>>(),
+        grid.positions.iter().flat_map(ridge).collect(),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let semantic = Semantic::MorphPosition(target as u16);
+        grid.layers.push(AttributeLayer::from_f32(semantic, 3, delta));
+    }
+    let mesh = scene.push_mesh("grid", &grid);
+    let times = scene.push_floats("SCALAR", 1, &[0.0, 1.0, 2.0]);
+    let weights = scene.push_floats("SCALAR", 1, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
+    scene.document["nodes"] = json!([{ "mesh": mesh }]);
+    scene.push(
+        "animations",
+        json!({
+            "channels": [{ "sampler": 0, "target": { "node": 0, "path": "weights" } }],
+            "samplers": [{ "input": times, "output": weights }],
+        }),
+    );
+    scene.document["scenes"] = json!([{ "nodes": [0] }]);
+    scene
+}
+
+/// A tube along z from 0 to 4, the upper half of which follows the second of two joints.
+fn jointed_tube() -> IndexedMesh {
+    let mut tube = shapes::uv_cylinder(24, 40);
+    tube.layers.clear();
+    for position in &mut tube.positions {
+        position[0] *= 0.5;
+        position[1] *= 0.5;
+        position[2] *= 4.0;
+    }
+    // The weight rises from 0 to 1 around the middle.
+    let upper = |p: &[f32; 3]| ((p[2] - 1.6) / 0.8).clamp(0.0, 1.0);
+    let joints = tube.positions.iter().flat_map(|_| [0u16, 1, 0, 0]).collect();
+    let weights = tube.positions.iter().flat_map(|p| [1.0 - upper(p), upper(p), 0.0, 0.0]).collect();
+    let layer = |semantic, data| AttributeLayer { semantic, component_count: 4, normalized: false, data };
+    tube.layers.push(layer(Semantic::Joints(0), LayerData::U16(joints)));
+    tube.layers.push(layer(Semantic::Weights(0), LayerData::F32(weights)));
+    tube
+}
+
+impl TestScene {
+    /// Adds an animation that turns node 2 from its rest to a rotation within a second.
+    fn push_bend(&mut self, rotation: [f32; 4]) {
+        let times = self.push_floats("SCALAR", 1, &[0.0, 1.0]);
+        let turns = self.push_floats("VEC4", 4, &[[0.0, 0.0, 0.0, 1.0], rotation].concat());
+        self.push(
+            "animations",
+            json!({
+                "channels": [{ "sampler": 0, "target": { "node": 2, "path": "rotation" } }],
+                "samplers": [{ "input": times, "output": turns }],
+            }),
+        );
+    }
+
+    /// Adds a skin of two joints, the second of which is two units above the first.
+    fn push_skin(&mut self, joints: [usize; 2]) {
+        let lifted = |z: f32| {
+            let mut matrix = [0.0; 16];
+            (0..4).for_each(|i| matrix[5 * i] = 1.0);
+            matrix[14] = z;
+            matrix
+        };
+        let binds = self.push_floats("MAT4", 16, &[lifted(0.0), lifted(-2.0)].concat());
+        self.push("skins", json!({ "joints": joints, "inverseBindMatrices": binds }));
+    }
 }
 
 /// A mesh of triangles and points, and one of lines only.

@@ -3,6 +3,7 @@
 #[cfg(feature = "gpu")]
 mod bench_gpu;
 mod compare;
+mod poses;
 
 use clap::{Parser, Subcommand};
 use striata_command::args::ReportArgs;
@@ -12,6 +13,7 @@ pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::compare::{
     AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
 };
+pub(crate) use self::poses::PosesArgs;
 
 /// The whole command line.
 #[derive(Debug, Parser)]
@@ -39,6 +41,8 @@ pub(crate) struct Cli {
 pub(crate) enum Verb {
     /// Compare models, stripifiers and streams on the same meshes
     Compare(Box<CompareArgs>),
+    /// Measure levels of skinned and morphing meshes in the poses of their animations
+    Poses(PosesArgs),
     /// Time different ways of drawing a changing level on the GPU
     #[cfg(feature = "gpu")]
     BenchGpu(BenchGpuArgs),

@@ -11,6 +11,7 @@ mod compare_patterns;
 mod compare_rate;
 mod compare_views;
 mod help;
+mod poses;
 #[path = "../../../striata-cli/tests/cli/workbench.rs"]
 #[expect(dead_code, reason = "shared with the tests of striata-cli, which use more of it")]
 mod workbench;

@@ -2,16 +2,17 @@
 
 use serde_json::{Map, Value, json};
 use striata::mesh::IndexedMesh;
-use striata::simplify::{BatchOptions, SimplifyError, build_batches};
-use striata::{Lod, LodOptions, Target};
+use striata::simplify::SimplifyError;
+use striata::{Lod, Target, ignore_progress};
 use striata_io::{Format, Scene, SceneWriter, WriteOptions};
-use striata_stream::{SHAPE_STEPS, StreamError, encode_stream};
+use striata_stream::{Precision, SHAPE_STEPS, StreamError, StreamOptions, encode_stream};
 
 use super::{GlbStreamError, GlbStreamOptions, STREAM_EXTENSION, STREAM_EXTENSION_VERSION};
 use crate::document::{extension_slot, use_extension};
 use crate::error::BuildError;
 use crate::levels::{MeshWeight, SceneLevel};
-use crate::lod_scene::{LodScene, options_of_mesh};
+use crate::lod_scene::LodScene;
+use crate::mesh_simplifier::MeshSimplifier;
 
 impl LodScene {
     /// Encodes the scene as a GLB file that any viewer shows at a coarse level, and that contains the full
@@ -61,24 +62,35 @@ impl LodScene {
 
     /// Encodes a stream for each mesh that shows anything.
     fn streams(&self, options: &GlbStreamOptions) -> Result<Vec<Option<Vec<u8>>>, GlbStreamError> {
+        let simplifier = MeshSimplifier::new(self.scene());
         let weights = MeshWeight::of_scene(self.scene());
-        let encode = |(mesh, (lod, weight)): (usize, (&Option<Lod>, &MeshWeight))| {
+        let encode = |(mesh, lod): (usize, &Option<Lod>)| {
             let Some(lod) = lod.as_ref().filter(|lod| lod.mesh().triangle_count() > 0) else {
                 return Ok(None);
             };
             let failed =
                 |error: SimplifyError| BuildError::new(mesh, self.scene().mesh_name(mesh).to_owned(), error);
-            let sequence = LodOptions::default().with_sequence(options.sequence.clone());
-            let sequence = options_of_mesh(self.scene(), mesh, *weight, &sequence).map_err(failed)?;
             let in_stream = |error: StreamError| GlbStreamError::Stream { mesh, error };
-            let step = options.stream.grid_step(lod.mesh()).map_err(|error| in_stream(error.into()))?;
-            let batches =
-                BatchOptions::default().with_sequence(sequence).with_shape_step(Some(SHAPE_STEPS * step));
-            let built = build_batches(lod.mesh(), &batches).map_err(failed)?;
-            let stream = encode_stream(&built.built.refinable, &built.batches, &options.stream);
+            let own = in_mesh_units(&options.stream, &weights[mesh]);
+            let step = own.grid_step(lod.mesh()).map_err(|error| in_stream(error.into()))?;
+            let shape_step = options.batches.shape_step.unwrap_or(SHAPE_STEPS * step);
+            let batches = options.batches.clone().with_shape_step(Some(shape_step));
+            let built =
+                simplifier.batches((mesh, lod.mesh()), &batches, &mut ignore_progress).map_err(failed)?;
+            let stream = encode_stream(&built.built.refinable, &built.batches, &own);
             Ok(Some(stream.map_err(in_stream)?.bytes))
         };
-        self.lods().iter().zip(&weights).enumerate().map(encode).collect()
+        self.lods().iter().enumerate().map(encode).collect()
+    }
+}
+
+/// Returns the options of a mesh, with a tolerance in its own units.
+fn in_mesh_units(options: &StreamOptions, weight: &MeshWeight) -> StreamOptions {
+    match options.precision {
+        Precision::Tolerance(length) => {
+            options.clone().with_precision(Precision::Tolerance(length / weight.scale))
+        }
+        _ => options.clone(),
     }
 }
 

@@ -8,6 +8,8 @@ mod animation;
 mod interpolation;
 mod skin;
 
+use std::sync::Arc;
+
 use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, Semantic};
@@ -42,10 +44,14 @@ enum Local {
 }
 
 /// The transforms of all nodes and the weights of their morph targets at one time.
+///
+/// Clones share their data.
 #[derive(Clone, Debug)]
 pub struct Pose {
-    matrices: Vec<DMat4>,
-    morph_weights: Vec<Vec<f32>>,
+    matrices: Arc<[DMat4]>,
+    morph_weights: Arc<[Vec<f32>]>,
+    /// A node whose weights differ from those above.
+    replaced: Option<(usize, Vec<f32>)>,
 }
 
 impl Poser {
@@ -119,7 +125,8 @@ impl Poser {
             let parent = self.nodes[node].parent.map_or(DMat4::IDENTITY, |parent| matrices[parent]);
             matrices[node] = parent * locals[node].0.matrix();
         }
-        Pose { matrices, morph_weights: locals.into_iter().map(|(_, weights)| weights).collect() }
+        let morph_weights = locals.into_iter().map(|(_, weights)| weights).collect();
+        Pose { matrices: matrices.into(), morph_weights, replaced: None }
     }
 
     /// Returns the positions of a mesh in a pose, in the units of the scene.
@@ -127,9 +134,28 @@ impl Poser {
     /// The order is that of the mesh's vertices, so that the positions of a level can be compared with those
     /// of the full mesh.
     pub fn positions(&self, pose: &Pose, instance: &SceneInstance, mesh: &IndexedMesh) -> Vec<[f32; 3]> {
+        let mut positions = self.deformed(pose, instance, mesh);
+        if self.skin_of(instance).is_none()
+            && let Some(matrix) = instance.node.and_then(|node| pose.matrices.get(node))
+        {
+            for position in &mut positions {
+                *position = transformed(matrix, *position);
+            }
+        }
+        positions
+    }
+
+    /// Returns the positions of a mesh after its morph targets and its skin have moved them, without the
+    /// transform of a node that has no skin: in units of the scene with a skin, of the mesh without one.
+    pub(crate) fn deformed(
+        &self,
+        pose: &Pose,
+        instance: &SceneInstance,
+        mesh: &IndexedMesh,
+    ) -> Vec<[f32; 3]> {
         let mut positions = mesh.positions.clone();
-        let weights = instance.node.and_then(|node| pose.morph_weights.get(node));
-        for (target, &weight) in weights.into_iter().flatten().enumerate().filter(|&(_, &w)| w != 0.0) {
+        let weights = instance.node.map_or(&[][..], |node| pose.morph_weights_of(node));
+        for (target, &weight) in weights.iter().enumerate().filter(|&(_, &w)| w != 0.0) {
             let semantic = u16::try_from(target).map(Semantic::MorphPosition);
             let Some(layer) = semantic.ok().and_then(|semantic| mesh.layer(&semantic)) else { continue };
             for (vertex, position) in positions.iter_mut().enumerate() {
@@ -138,30 +164,37 @@ impl Poser {
                 }
             }
         }
-        let node_matrix = instance.node.and_then(|node| pose.matrices.get(node)).copied();
-        let skin = instance.skin.and_then(|skin| self.skins.get(skin));
-        match skin {
-            Some(skin) => skin.deform(&pose.matrices, mesh, &mut positions),
-            None => {
-                let matrix = node_matrix.unwrap_or(DMat4::IDENTITY);
-                for position in &mut positions {
-                    *position = transformed(&matrix, *position);
-                }
-            }
+        if let Some(skin) = self.skin_of(instance) {
+            skin.deform(&pose.matrices, mesh, &mut positions);
         }
         positions
+    }
+
+    fn skin_of(&self, instance: &SceneInstance) -> Option<&Skin> {
+        self.skins.get(instance.skin?)
+    }
+
+    /// Number of nodes.
+    pub(crate) fn node_count(&self) -> usize {
+        self.nodes.len()
     }
 }
 
 impl Pose {
-    /// Returns the pose with one morph target of an instance at full weight and all others at none; [`None`]
-    /// if the instance has no node.
-    pub fn with_target(mut self, instance: &SceneInstance, target: u16) -> Option<Self> {
-        let weights = self.morph_weights.get_mut(instance.node?)?;
-        weights.clear();
-        weights.resize(usize::from(target) + 1, 0.0);
-        weights[usize::from(target)] = 1.0;
-        Some(self)
+    /// Returns the pose with other weights of the morph targets of an instance; [`None`] if the instance has
+    /// no node.
+    #[must_use]
+    pub fn with_morph_weights(self, instance: &SceneInstance, weights: Vec<f32>) -> Option<Self> {
+        let node = instance.node.filter(|&node| node < self.morph_weights.len())?;
+        Some(Self { replaced: Some((node, weights)), ..self })
+    }
+
+    /// Weights of the morph targets of a node; those beyond the end of the list are 0.
+    fn morph_weights_of(&self, node: usize) -> &[f32] {
+        match &self.replaced {
+            Some((replaced, weights)) if *replaced == node => weights,
+            _ => self.morph_weights.get(node).map_or(&[], Vec::as_slice),
+        }
     }
 }
 

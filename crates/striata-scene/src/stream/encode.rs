@@ -1,7 +1,7 @@
 //! The writer: encodes every mesh, then distributes all bytes over packets.
 
 use striata::mesh::IndexedMesh;
-use striata::simplify::{BatchOptions, SimplifyError, build_batches_with_progress};
+use striata::simplify::{BatchOptions, SimplifyError};
 use striata::{Progress, ProgressFn, ignore_progress};
 use striata_io::Scene;
 use striata_stream::{
@@ -18,6 +18,7 @@ use super::layout::Body;
 use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
 use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
 use super::schedule::MeshCosts;
+use crate::mesh_simplifier::MeshSimplifier;
 
 /// A scene as a stream.
 #[derive(Clone, Debug)]
@@ -160,6 +161,7 @@ fn encode_meshes(
 ) -> Result<Vec<Option<MeshStream>>, SceneEncodeError> {
     let total: usize = scene.meshes().iter().flatten().map(IndexedMesh::triangle_count).sum();
     let (mut done, mut streams) = (0u64, Vec::new());
+    let simplifier = MeshSimplifier::new(scene);
     let precisions = mesh_precisions(scene, &options.stream);
     for (index, (mesh, precision)) in scene.meshes().iter().zip(precisions).enumerate() {
         let Some((mesh, MeshPrecision { options: own, scale })) = mesh.as_ref().zip(precision) else {
@@ -171,8 +173,8 @@ fn encode_meshes(
             let share = part.done.min(part.total).saturating_mul(own) / part.total.max(1);
             progress(Progress { phase: part.phase, done: done + share, total: total as u64 })
         };
-        let (bytes, info) =
-            encode_mesh(mesh, (&own, &options.batches), &mut within).map_err(|error| error.in_mesh(index))?;
+        let (bytes, info) = encode_mesh(&simplifier, (index, mesh), (&own, &options.batches), &mut within)
+            .map_err(|error| error.in_mesh(index))?;
         streams.push(Some(MeshStream { bytes, info, scale }));
         done += mesh.triangle_count() as u64;
         if progress(Progress { phase: "encode", done, total: total as u64 }).is_break() {
@@ -198,7 +200,8 @@ impl MeshFault {
 }
 
 fn encode_mesh(
-    mesh: &IndexedMesh,
+    simplifier: &MeshSimplifier<'_>,
+    (index, mesh): (usize, &IndexedMesh),
     (options, batches): (&StreamOptions, &BatchOptions),
     progress: &mut ProgressFn<'_>,
 ) -> Result<(Vec<u8>, StreamInfo), MeshFault> {
@@ -207,7 +210,7 @@ fn encode_mesh(
         let step = options.grid_step(mesh).map_err(|error| MeshFault::Stream(error.into()))?;
         batches.shape_step = Some(SHAPE_STEPS * step);
     }
-    let built = build_batches_with_progress(mesh, &batches, progress).map_err(MeshFault::Simplify)?;
+    let built = simplifier.batches((index, mesh), &batches, progress).map_err(MeshFault::Simplify)?;
     let stream = encode_stream(&built.built.refinable, &built.batches, options).map_err(MeshFault::Stream)?;
     // A stream that was just written has a valid header.
     let info = StreamInfo::read(&stream.bytes).ok().flatten().unwrap_or_default();

@@ -11,7 +11,9 @@ pub struct SceneStreamOptions {
     /// is in units of the scene; each mesh gets the precision that this requires. Metadata are those of the
     /// scene.
     pub stream: StreamOptions,
-    /// How meshes are simplified. If `shape_step` is none, it follows from the grid of each mesh.
+    /// How meshes are simplified, as by [`LodScene::build`](crate::LodScene::build): lengths of the sequence
+    /// are in units of the scene, and poses count. `shape_step` is in units of each mesh; if it is none, it
+    /// follows from the grid of each mesh.
     pub batches: BatchOptions,
     /// Longest side of the previews of color images, pixels; default 128. Those of other maps, such as normals, are half
     /// as long. With 0, images have no previews.

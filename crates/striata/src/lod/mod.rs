@@ -77,7 +77,7 @@ impl Lod {
             return Ok(Self::from_refinable(built.refinable));
         }
         let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress)?;
-        Ok(Self { tables: Arc::new(Tables::new(certified, true)) })
+        Ok(Self::from_certified(certified))
     }
 
     /// Wraps a mesh that already has a collapse sequence, such as a decoded stream; its errors count as
@@ -93,6 +93,12 @@ impl Lod {
         let first = split_count.min(self.step_count());
         let refinable = self.tables.refinable().clone().without_levels_below(first);
         Self { tables: Arc::new(Tables::new(refinable, self.has_guaranteed_errors())) }
+    }
+
+    /// Wraps a mesh whose errors are guaranteed bounds, as computed by
+    /// [`certify_collapses_in_any_state`](crate::simplify::certify_collapses_in_any_state).
+    pub fn from_certified(refinable: RefinableMesh) -> Self {
+        Self { tables: Arc::new(Tables::new(refinable, true)) }
     }
 
     /// Reads the levels from a `.striata` file.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::Serialize;
 use striata::LodOptions;
-use striata::simplify::{BatchOptions, SequenceOptions};
+use striata::simplify::BatchOptions;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -122,7 +122,7 @@ fn glb(args: &EncodeArgs, input: &Input, scene: &Scene, bar: &mut Bar) -> Result
         LodScene::build_with_progress(scene, &LodOptions::default(), &mut |progress| bar.show(progress));
     let options = GlbStreamOptions::default()
         .with_stream(args.stream.options(scene.diagonal()))
-        .with_sequence(SequenceOptions::default());
+        .with_batches(batches(args));
     let bytes = lods.map_err(failed)?.to_glb_with_stream(&options);
     bytes.map_err(|error| Failure::user(format!("{}: {error}", input.name)))
 }

@@ -1,0 +1,166 @@
+//! Simplification of the meshes of a scene: the one path of levels, files and streams.
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::simplify::{
+    BatchOptions, BuiltBatches, SequenceOptions, SimplifyError, build_batches_with_progress,
+    build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
+};
+use striata::{Lod, LodOptions, Progress, ProgressFn};
+use striata_io::Scene;
+
+use crate::deformation::{Deformation, ScenePoses, with_errors};
+use crate::levels::MeshWeight;
+
+/// Simplifies meshes with options in units of the scene, for the poses of the scene.
+#[derive(Debug)]
+pub(crate) struct MeshSimplifier<'s> {
+    scene: &'s Scene,
+    weights: Vec<MeshWeight>,
+    /// Absent if skins or animations cannot be read.
+    poses: Option<ScenePoses>,
+}
+
+impl<'s> MeshSimplifier<'s> {
+    pub(crate) fn new(scene: &'s Scene) -> Self {
+        Self { scene, weights: MeshWeight::of_scene(scene), poses: ScenePoses::new(scene).ok() }
+    }
+
+    /// Builds the levels of a mesh of the scene, which has this index.
+    ///
+    /// # Errors
+    /// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
+    pub(crate) fn lod(
+        &self,
+        (index, mesh): (usize, &IndexedMesh),
+        options: &LodOptions,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Lod, SimplifyError> {
+        let sequence = self.options(index, &options.sequence)?;
+        let Some(deformation) = self.deformation((index, mesh), &sequence) else {
+            return Lod::build_with_progress(mesh, &options.clone().with_sequence(sequence), progress);
+        };
+        let mesh = with_layers(mesh, &deformation);
+        let stages = if options.has_guaranteed_errors { 3 } else { 2 };
+        let mut refinable =
+            build_sequence_with_progress(&mesh, &sequence, &mut stage(progress, (0, stages)))?.refinable;
+        drop(mesh);
+        deformation.remove_layers(&mut refinable.mesh);
+        if options.has_guaranteed_errors {
+            refinable =
+                certify_collapses_in_any_state_with_progress(&refinable, &mut stage(progress, (1, stages)))?;
+        }
+        let refinable =
+            deformation.finish_with_progress(refinable, &mut stage(progress, (stages - 1, stages)))?;
+        let first = first_level(&refinable, &sequence);
+        let refinable = if first > 0 { refinable.without_levels_below(first) } else { refinable };
+        Ok(if options.has_guaranteed_errors {
+            Lod::from_certified(refinable)
+        } else {
+            Lod::from_refinable(refinable)
+        })
+    }
+
+    /// Simplifies a mesh of the scene, which has this index, in batches.
+    ///
+    /// # Errors
+    /// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
+    pub(crate) fn batches(
+        &self,
+        (index, mesh): (usize, &IndexedMesh),
+        options: &BatchOptions,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<BuiltBatches, SimplifyError> {
+        let sequence = self.options(index, &options.sequence)?;
+        let options = options.clone().with_sequence(sequence);
+        let Some(deformation) = self.deformation((index, mesh), &options.sequence) else {
+            return build_batches_with_progress(mesh, &options, progress);
+        };
+        let mut built = build_batches_with_progress(
+            &with_layers(mesh, &deformation),
+            &options,
+            &mut stage(progress, (0, 2)),
+        )?;
+        let refinable =
+            deformation.finish_with_progress(built.built.refinable, &mut stage(progress, (1, 2)))?;
+        let refinable = with_errors_of_batches(refinable, &built.batches);
+        let first = first_level(&refinable, &options.sequence);
+        built.batches.retain(|&start| start as usize >= first);
+        built.batches.iter_mut().for_each(|start| *start -= first as u32);
+        built.built.refinable = if first > 0 { refinable.without_levels_below(first) } else { refinable };
+        Ok(built)
+    }
+
+    /// Returns the poses to simplify a mesh for, if any and if they have a weight.
+    fn deformation(
+        &self,
+        (index, mesh): (usize, &IndexedMesh),
+        options: &SequenceOptions,
+    ) -> Option<Deformation<'_>> {
+        let has_weight = options.attribute_weights.displacement > 0.0;
+        // A mesh or options that are refused get an error that does not depend on poses.
+        let is_valid = mesh.check().is_ok() && options.check().is_ok();
+        if !has_weight || !is_valid {
+            return None;
+        }
+        Deformation::of(self.scene, self.poses.as_ref()?, index, mesh)
+    }
+
+    /// Returns the options of one mesh, with lengths in its own units and factors of its own materials.
+    fn options(&self, mesh: usize, options: &SequenceOptions) -> Result<SequenceOptions, SimplifyError> {
+        let mut sequence = options.clone();
+        if let Some(vertex) = sequence.locked_vertices.first() {
+            let (option, value) = ("locked_vertices", format!("vertex {vertex}"));
+            return Err(SimplifyError::Option { option, value, expected: "empty for a scene" });
+        }
+        for length in [&mut sequence.max_error, &mut sequence.pair_distance].into_iter().flatten() {
+            // A tiny scale must not make a valid option infinite.
+            let in_mesh_units = *length / self.weights[mesh].scale;
+            *length = if length.is_finite() { in_mesh_units.min(f64::MAX) } else { *length };
+        }
+        if !sequence.texcoord_factors.is_empty() {
+            // The materials of a mesh are numbered from 0, in the order of the document.
+            let used: BTreeSet<usize> = self.scene.primitive_materials(mesh).into_iter().flatten().collect();
+            let factors = &options.texcoord_factors;
+            let factor = |material: usize| factors.get(material).copied().unwrap_or(1.0);
+            sequence.texcoord_factors = used.into_iter().map(factor).collect();
+        }
+        Ok(sequence)
+    }
+}
+
+/// Returns a callback for one of several stages, each of which reports progress from its own beginning.
+fn stage(
+    progress: &mut ProgressFn<'_>,
+    (index, count): (u64, u64),
+) -> impl FnMut(Progress) -> ControlFlow<()> {
+    move |now| {
+        let done = now.done.min(now.total).saturating_add(index.saturating_mul(now.total));
+        progress(Progress { phase: now.phase, done, total: now.total.saturating_mul(count) })
+    }
+}
+
+fn with_layers(mesh: &IndexedMesh, deformation: &Deformation<'_>) -> IndexedMesh {
+    let mut mesh = mesh.clone();
+    deformation.add_layers(&mut mesh);
+    mesh
+}
+
+/// Returns the coarsest level that does not exceed the error limit.
+fn first_level(refinable: &RefinableMesh, options: &SequenceOptions) -> usize {
+    options.max_error.map_or(0, |max_error| refinable.sequence.split_count_for_error(max_error))
+}
+
+/// Gives all levels of a batch the error of its coarse end, because steps of a batch may be reordered.
+fn with_errors_of_batches(refinable: RefinableMesh, batches: &[u32]) -> RefinableMesh {
+    let mut errors = refinable.sequence.errors().to_vec();
+    for ends in batches.windows(2) {
+        let batch = &mut errors[ends[0] as usize..ends[1] as usize];
+        if let Some(&error) = batch.first() {
+            batch.fill(error);
+        }
+    }
+    with_errors(refinable, errors)
+}
