@@ -35,6 +35,9 @@ fn can_be_required(extension: &str) -> bool {
     KNOWN.contains(&extension) || extension.starts_with("KHR_materials_")
 }
 
+/// Size that a document may have whose text is not at hand, bytes.
+const JSON_BYTES: u64 = 1 << 20;
+
 /// Parsed document with its buffers.
 pub(super) struct Document<'a> {
     pub root: JsonNode<'a>,
@@ -85,15 +88,13 @@ impl<'a> Document<'a> {
         let root = JsonNode { value: root, path: String::new() };
         let unpacked = Unpacked::new(root.entries("bufferViews")?.len());
         let buffers = vec![Rc::new(Cow::Borrowed(buffer))];
-        let (input_bytes, source) = (buffer.len() as u64, Source::default());
+        let (input_bytes, source) = (JSON_BYTES + buffer.len() as u64, Source::default());
         Ok(Self { root, buffers, input_bytes, source, unpacked })
     }
 
     /// Opens a document whose first buffer is at hand, whatever it requires. Other buffers are not loaded,
     /// so what refers to them cannot be read.
     pub(super) fn of_parts(root: &'a Value, binary: &'a [u8]) -> Self {
-        /// Size that the document itself may have.
-        const JSON_BYTES: u64 = 1 << 20;
         let root = JsonNode { value: root, path: String::new() };
         let count = |key: &str| root.value.get(key).and_then(Value::as_array).map_or(0, Vec::len);
         let bytes_of = |index: usize| if index == 0 { binary } else { &[][..] };

@@ -3,6 +3,8 @@
 use glam::{DMat3, DMat4, DVec3};
 use serde_json::Value;
 
+use super::document::Document;
+use super::gpu_instancing::{GpuInstances, is_instanced};
 use super::json::JsonNode;
 use super::node_tree::{PlacedNode, placed_nodes};
 use crate::error::Fault;
@@ -18,6 +20,7 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
             node: None,
             mesh,
             skin: None,
+            in_node: None,
             transform: DMat4::IDENTITY.to_cols_array(),
             scale: 1.0,
         };
@@ -29,7 +32,8 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
         matrix_of[*index] = Some(*matrix);
     }
     let mut poses = SkinPoses { root: &root, buffer, matrix_of: &matrix_of, known: Vec::new() };
-    let mut found = Vec::new();
+    let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::default());
+    let mut opened = None;
     for PlacedNode { index, node, matrix } in &nodes {
         let Some(at) = node.get("mesh") else { continue };
         let mesh = at.as_unsigned()?;
@@ -39,13 +43,26 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
             Some(skin) => poses.matrix(skin)?,
             None => *matrix,
         };
-        found.push(SceneInstance {
-            node: Some(*index),
-            mesh: mesh as usize,
-            skin,
-            transform: matrix.to_cols_array(),
-            scale: largest_stretch(&matrix),
-        });
+        let instance = |in_node: Option<DMat4>| {
+            let matrix = in_node.map_or(matrix, |in_node| matrix * in_node);
+            SceneInstance {
+                node: Some(*index),
+                mesh: mesh as usize,
+                skin,
+                in_node: in_node.map(|in_node| Box::new(in_node.to_cols_array())),
+                transform: matrix.to_cols_array(),
+                scale: largest_stretch(&matrix),
+            }
+        };
+        if is_instanced(node) {
+            let document = match &mut opened {
+                Some(opened) => opened,
+                none => none.insert(Document::over(document, buffer)?),
+            };
+            found.extend(gpu_instances.of_node(document, node)?.into_iter().map(instance));
+        } else {
+            found.push(instance(None));
+        }
     }
     Ok(found)
 }

@@ -143,7 +143,8 @@ impl Poser {
         match skin {
             Some(skin) => skin.deform(&pose.matrices, mesh, &mut positions),
             None => {
-                let matrix = node_matrix.unwrap_or(DMat4::IDENTITY);
+                let in_node = instance.in_node.as_ref().map(|columns| DMat4::from_cols_array(columns));
+                let matrix = node_matrix.unwrap_or(DMat4::IDENTITY) * in_node.unwrap_or(DMat4::IDENTITY);
                 for position in &mut positions {
                     *position = transformed(&matrix, *position);
                 }

@@ -95,16 +95,16 @@ pub(super) fn mesh_scales(scene: &Scene) -> Vec<Option<f64>> {
     let document = scene.document();
     let growth = node_growth(document, scene.buffer());
     let of_node = |node: usize| growth.get(node).copied().unwrap_or(1.0);
+    let of_skin = |skin: &Value| {
+        let joints = entries(skin, "joints").iter().filter_map(Value::as_u64);
+        joints.fold(1.0, |most, joint| of_node(joint as usize).max(most))
+    };
+    // Once for each skin, which many instances may share.
+    let skins: Vec<f64> = entries(document, "skins").iter().map(of_skin).collect();
     let mut scales = vec![None; scene.meshes().len()];
     for instance in scene.instances() {
-        let joints = instance.skin.and_then(|skin| entries(document, "skins").get(skin));
-        let grown = match joints {
-            Some(skin) => {
-                let joints = entries(skin, "joints").iter().filter_map(Value::as_u64);
-                joints.fold(1.0, |most, joint| of_node(joint as usize).max(most))
-            }
-            None => instance.node.map_or(1.0, of_node),
-        };
+        let of_skin = instance.skin.and_then(|skin| skins.get(skin)).copied();
+        let grown = of_skin.unwrap_or_else(|| instance.node.map_or(1.0, of_node));
         let scale = instance.scale * grown;
         let slot = &mut scales[instance.mesh];
         *slot = Some(slot.map_or(scale, |most: f64| most.max(scale)));

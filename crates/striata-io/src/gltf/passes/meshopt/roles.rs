@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use crate::gltf::passes::extensions::are_all_known;
+use crate::gltf::extensions::are_all_known;
 use crate::gltf::passes::primitives::{Primitive, TRIANGLES};
-use crate::gltf::passes::references::{Referent, visit};
 use crate::gltf::passes::{entries, index, index_at};
+use crate::gltf::references::{Referent, for_each};
 
 /// Use of an accessor.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -104,8 +104,8 @@ impl Collector {
     fn checked(mut self, root: &Value) -> BTreeMap<u64, Option<Role>> {
         let mut copy = root.clone();
         let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
-        visit(&mut copy, &mut |referent, value| {
-            if let (Referent::Accessor, Some(accessor)) = (referent, index(value)) {
+        for_each(&mut copy, |referent, value| {
+            if let (Referent::Accessor(_), Some(accessor)) = (referent, index(value)) {
                 *counts.entry(accessor).or_default() += 1;
             }
         });
