@@ -76,7 +76,7 @@ impl<'a> Document<'a> {
                 None => return Err(Fault::Extension(name.to_owned())),
             }
         }
-        let unpacked = Unpacked::new(root.entries("bufferViews")?.len());
+        let unpacked = Unpacked::new(root.values("bufferViews")?.len());
         let (buffers, input_bytes) = (Vec::new(), json_bytes as u64);
         let mut document = Self { root, buffers, input_bytes, source: *source, unpacked };
         document.load_buffers(blob)?;
@@ -86,7 +86,7 @@ impl<'a> Document<'a> {
     /// Opens a document without buffers of its own: all its buffer views lie in `buffer`.
     pub(super) fn over(root: &'a Value, buffer: &'a [u8]) -> Result<Self, Fault> {
         let root = JsonNode { value: root, path: String::new() };
-        let unpacked = Unpacked::new(root.entries("bufferViews")?.len());
+        let unpacked = Unpacked::new(root.values("bufferViews")?.len());
         let buffers = vec![Rc::new(Cow::Borrowed(buffer))];
         let (input_bytes, source) = (JSON_BYTES + buffer.len() as u64, Source::default());
         Ok(Self { root, buffers, input_bytes, source, unpacked })

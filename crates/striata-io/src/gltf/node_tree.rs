@@ -94,7 +94,7 @@ fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
 /// Returns the meshes of the default scene in tree order, or all meshes if there are no nodes.
 pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>, Fault> {
     let root = &document.root;
-    if root.entries("nodes")?.is_empty() {
+    if root.values("nodes")?.is_empty() {
         let bare = |mesh: JsonNode<'a>| Instance { name: mesh.text("name"), mesh, transform: None };
         return Ok(root.entries("meshes")?.into_iter().map(bare).collect());
     }
@@ -126,10 +126,9 @@ pub(super) struct PlacedNode<'a> {
 ///
 /// Fails if they do not form a tree, or a transform is malformed.
 pub(super) fn placed_nodes<'a>(root: &JsonNode<'a>) -> Result<Vec<PlacedNode<'a>>, Fault> {
-    let nodes = root.entries("nodes")?;
     let mut found = Vec::new();
-    let mut is_seen = vec![false; nodes.len()];
-    let mut stack = roots(root, &nodes)?;
+    let mut is_seen = vec![false; root.values("nodes")?.len()];
+    let mut stack = roots(root)?;
     stack.reverse();
     while let Some(Pending { index, parent, from }) = stack.pop() {
         let node = root.item("nodes", index, &from)?;
@@ -156,7 +155,7 @@ struct Pending<'a> {
 }
 
 /// Returns the roots of the default scene, or of the first; without scenes, the nodes without a parent.
-fn roots<'a>(root: &JsonNode<'a>, nodes: &[JsonNode<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
+fn roots<'a>(root: &JsonNode<'a>) -> Result<Vec<Pending<'a>>, Fault> {
     let scene = match root.get("scene") {
         Some(at) => Some(root.item("scenes", at.as_unsigned()?, &at)?),
         None => root.entries("scenes")?.into_iter().next(),
@@ -166,8 +165,9 @@ fn roots<'a>(root: &JsonNode<'a>, nodes: &[JsonNode<'a>]) -> Result<Vec<Pending<
             |at: JsonNode<'a>| Ok(Pending { index: at.as_unsigned()?, parent: DMat4::IDENTITY, from: at });
         return scene.entries("nodes")?.into_iter().map(entry).collect();
     }
+    let nodes = root.entries("nodes")?;
     let mut is_child = vec![false; nodes.len()];
-    for node in nodes {
+    for node in &nodes {
         for child in node.entries("children")? {
             if let Some(slot) = usize::try_from(child.as_unsigned()?).ok().and_then(|i| is_child.get_mut(i)) {
                 *slot = true;

@@ -14,8 +14,8 @@ use crate::scene::SceneInstance;
 /// nodes. `buffer` contains the data that the buffer views refer to.
 pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneInstance>, Fault> {
     let root = JsonNode { value: document, path: String::new() };
-    let mesh_count = root.entries("meshes")?.len();
-    if root.entries("nodes")?.is_empty() {
+    let mesh_count = root.values("meshes")?.len();
+    if root.values("nodes")?.is_empty() {
         let bare = |mesh| SceneInstance {
             node: None,
             mesh,
@@ -27,7 +27,7 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
         return Ok((0..mesh_count).map(bare).collect());
     }
     let nodes = placed_nodes(&root)?;
-    let mut matrix_of = vec![None; root.entries("nodes")?.len()];
+    let mut matrix_of = vec![None; root.values("nodes")?.len()];
     for PlacedNode { index, matrix, .. } in &nodes {
         matrix_of[*index] = Some(*matrix);
     }
@@ -91,12 +91,13 @@ impl SkinPoses<'_, '_> {
             return Ok(matrix);
         }
         let at = self.root.item("skins", skin as u64, self.root)?;
+        let joints = at.entries("joints")?;
         let inverse_binds = match at.unsigned("inverseBindMatrices")? {
-            Some(accessor) => self.matrices(accessor),
+            Some(accessor) => self.matrices(accessor, joints.len()),
             None => Vec::new(),
         };
         let mut largest = None;
-        for (joint, node) in at.entries("joints")?.iter().enumerate() {
+        for (joint, node) in joints.iter().enumerate() {
             let node = usize::try_from(node.as_unsigned()?).ok();
             let Some(&Some(matrix)) = node.and_then(|node| self.matrix_of.get(node)) else { continue };
             let matrix = matrix * inverse_binds.get(joint).copied().unwrap_or(DMat4::IDENTITY);
@@ -111,8 +112,8 @@ impl SkinPoses<'_, '_> {
         Ok(matrix)
     }
 
-    /// Returns the matrices of an accessor of the buffer; none if it is malformed.
-    fn matrices(&self, accessor: u64) -> Vec<DMat4> {
+    /// Returns the first matrices of an accessor of the buffer, at most `limit`; none if it is malformed.
+    fn matrices(&self, accessor: u64, limit: usize) -> Vec<DMat4> {
         let bytes = || -> Option<&[u8]> {
             let at = self.root.item("accessors", accessor, self.root).ok()?;
             let is_matrices = at.text("type") == "MAT4" && at.unsigned("componentType").ok()? == Some(5126);
@@ -129,7 +130,7 @@ impl SkinPoses<'_, '_> {
             let (numbers, _) = bytes.as_chunks::<4>();
             DMat4::from_cols_array(&std::array::from_fn(|i| number(&numbers[i])))
         };
-        matrices.iter().map(matrix).collect()
+        matrices.iter().take(limit).map(matrix).collect()
     }
 }
 

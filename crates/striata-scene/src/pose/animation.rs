@@ -1,10 +1,13 @@
 //! Animations: keys of node transforms and morph weights.
 
+use std::sync::Arc;
+
 use glam::DQuat;
 use serde_json::Value;
-use striata_io::{Scene, SceneError};
+use striata_io::SceneError;
 
 use super::interpolation::{along_arc, cubic};
+use super::numbers::AccessorNumbers;
 use super::{index, list};
 
 /// Property of a node that a channel changes.
@@ -30,9 +33,9 @@ pub(super) struct Channel {
     pub property: Property,
     interpolation: Interpolation,
     /// Seconds, ascending.
-    times: Vec<f32>,
+    times: Arc<[f32]>,
     /// Values of all keys; three for each key of a spline: tangent, value, tangent.
-    values: Vec<f32>,
+    values: Arc<[f32]>,
     /// Numbers in a value.
     width: usize,
 }
@@ -44,7 +47,11 @@ pub(super) struct Animation {
 }
 
 impl Animation {
-    pub(super) fn read(at: &Value, scene: &Scene, node_count: usize) -> Result<Self, SceneError> {
+    pub(super) fn read(
+        at: &Value,
+        accessors: &mut AccessorNumbers<'_>,
+        node_count: usize,
+    ) -> Result<Self, SceneError> {
         let samplers = list(at, "samplers");
         let mut channels = Vec::new();
         for channel in list(at, "channels") {
@@ -58,7 +65,7 @@ impl Animation {
                 _ => continue,
             };
             if let (Some(node), Some(sampler)) = (node, sampler) {
-                channels.extend(Channel::read(sampler, scene, (node, property))?);
+                channels.extend(Channel::read(sampler, accessors, (node, property))?);
             }
         }
         Ok(Self { channels })
@@ -75,13 +82,13 @@ impl Channel {
     /// Reads a channel; [`None`] if it has no keys, or too few values for them.
     fn read(
         sampler: &Value,
-        scene: &Scene,
+        accessors: &mut AccessorNumbers<'_>,
         (node, property): (usize, Property),
     ) -> Result<Option<Self>, SceneError> {
         let accessor = |key| sampler.get(key).and_then(Value::as_u64);
         let (Some(input), Some(output)) = (accessor("input"), accessor("output")) else { return Ok(None) };
-        let (times, _) = scene.numbers(input)?;
-        let (values, _) = scene.numbers(output)?;
+        let (times, _) = accessors.read(input)?;
+        let (values, _) = accessors.read(output)?;
         let interpolation = match sampler.get("interpolation").and_then(Value::as_str) {
             Some("STEP") => Interpolation::Step,
             Some("CUBICSPLINE") => Interpolation::CubicSpline,
