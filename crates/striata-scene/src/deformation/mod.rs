@@ -32,27 +32,12 @@ pub struct Deformation<'s> {
     layer_count: usize,
 }
 
-/// Returns the instances of a mesh; of those of one node, which have the same poses, only the largest.
-fn instances_of(scene: &Scene, mesh: usize) -> Vec<&SceneInstance> {
-    let mut found: Vec<&SceneInstance> = Vec::new();
-    for instance in scene.instances().iter().filter(|instance| instance.mesh == mesh) {
-        match found.last_mut() {
-            Some(last) if last.node == instance.node && last.in_node.is_some() => {
-                if instance.scale > last.scale {
-                    *last = instance;
-                }
-            }
-            _ => found.push(instance),
-        }
-    }
-    found
-}
-
 impl<'s> Deformation<'s> {
     /// Chooses poses of a mesh; [`None`] if nothing deforms it.
     pub fn of(scene: &'s Scene, poser: &'s Poser, mesh_index: usize) -> Option<Self> {
         let mesh = scene.meshes().get(mesh_index)?.as_ref()?;
-        let instances = instances_of(scene, mesh_index);
+        let instances: Vec<&SceneInstance> =
+            scene.instances().iter().filter(|instance| instance.mesh == mesh_index).collect();
         let has_targets =
             mesh.layers.iter().any(|layer| matches!(layer.semantic, Semantic::MorphPosition(_)));
         if !has_targets && instances.iter().all(|instance| instance.skin.is_none()) {

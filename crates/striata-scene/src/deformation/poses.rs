@@ -26,9 +26,6 @@ pub(super) fn chosen_poses<'s>(
     let rest = poser.rest_pose();
     let mut candidates = Vec::new();
     for &instance in instances {
-        if candidates.len() == MAX_CANDIDATES {
-            break;
-        }
         let at_rest = poser.positions(&rest, instance, &sample);
         for pose in poses(poser, instance, mesh) {
             if candidates.len() == MAX_CANDIDATES {
