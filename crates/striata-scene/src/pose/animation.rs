@@ -38,6 +38,8 @@ pub(super) struct Channel {
     values: Arc<[f32]>,
     /// Numbers in a value.
     width: usize,
+    /// Numbers in a value that matter: weights beyond the morph targets of a mesh do not.
+    used: usize,
 }
 
 /// An animation; channels of unknown kinds are left out.
@@ -50,12 +52,15 @@ impl Animation {
     pub(super) fn read(
         at: &Value,
         accessors: &mut AccessorNumbers<'_>,
-        node_count: usize,
+        target_counts: &[usize],
     ) -> Result<Self, SceneError> {
         let samplers = list(at, "samplers");
         let mut channels = Vec::new();
         for channel in list(at, "channels") {
-            let node = channel.pointer("/target/node").and_then(index).filter(|&node| node < node_count);
+            let node = channel
+                .pointer("/target/node")
+                .and_then(index)
+                .and_then(|node| Some((node, *target_counts.get(node)?)));
             let sampler = channel.get("sampler").and_then(index).and_then(|sampler| samplers.get(sampler));
             let property = match channel.pointer("/target/path").and_then(Value::as_str) {
                 Some("translation") => Property::Translation,
@@ -64,8 +69,8 @@ impl Animation {
                 Some("weights") => Property::MorphWeights,
                 _ => continue,
             };
-            if let (Some(node), Some(sampler)) = (node, sampler) {
-                channels.extend(Channel::read(sampler, accessors, (node, property))?);
+            if let (Some((node, target_count)), Some(sampler)) = (node, sampler) {
+                channels.extend(Channel::read(sampler, accessors, (node, property, target_count))?);
             }
         }
         Ok(Self { channels })
@@ -83,7 +88,7 @@ impl Channel {
     fn read(
         sampler: &Value,
         accessors: &mut AccessorNumbers<'_>,
-        (node, property): (usize, Property),
+        (node, property, target_count): (usize, Property, usize),
     ) -> Result<Option<Self>, SceneError> {
         let accessor = |key| sampler.get(key).and_then(Value::as_u64);
         let (Some(input), Some(output)) = (accessor("input"), accessor("output")) else { return Ok(None) };
@@ -104,7 +109,8 @@ impl Channel {
         if times.is_empty() || width == 0 || !is_enough {
             return Ok(None);
         }
-        Ok(Some(Self { node, property, interpolation, times, values, width }))
+        let used = if property == Property::MorphWeights { width.min(target_count) } else { width };
+        Ok(Some(Self { node, property, interpolation, times, values, width, used }))
     }
 
     /// Returns the value at a time.
@@ -130,7 +136,7 @@ impl Channel {
             Interpolation::Linear => {
                 self.key(next - 1).zip(self.key(next)).map(|(a, b)| a + share * (b - a)).collect()
             }
-            Interpolation::CubicSpline => (0..self.width)
+            Interpolation::CubicSpline => (0..self.used)
                 .map(|component| {
                     let at = |key: usize, part: usize| {
                         f64::from(self.values[(key * 3 + part) * self.width + component])
@@ -148,6 +154,6 @@ impl Channel {
             Interpolation::CubicSpline => (key * 3 + 1) * self.width,
             _ => key * self.width,
         };
-        self.values[first..first + self.width].iter().map(|&x| f64::from(x))
+        self.values[first..first + self.used].iter().map(|&x| f64::from(x))
     }
 }

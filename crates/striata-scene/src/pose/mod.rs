@@ -76,8 +76,9 @@ impl Poser {
         let mut numbers = AccessorNumbers::of(scene);
         let skins = list(document, "skins").iter().map(|skin| Skin::read(skin, &mut numbers));
         let skins = skins.collect::<Result<_, _>>()?;
+        let target_counts: Vec<usize> = nodes.iter().map(|node| node.target_count).collect();
         let animations = list(document, "animations").iter();
-        let animations = animations.map(|at| Animation::read(at, &mut numbers, nodes.len()));
+        let animations = animations.map(|at| Animation::read(at, &mut numbers, &target_counts));
         Ok(Self { skins, animations: animations.collect::<Result<_, _>>()?, nodes, order })
     }
 
@@ -111,8 +112,7 @@ impl Poser {
                 }
                 (Property::Scale, Local::Parts { scale, .. }, &[x, y, z]) => *scale = DVec3::new(x, y, z),
                 (Property::MorphWeights, _, value) => {
-                    let targets = self.nodes[channel.node].target_count;
-                    *weights = value.iter().take(targets).map(|&w| w as f32).collect();
+                    *weights = value.iter().map(|&w| w as f32).collect();
                 }
                 _ => {}
             }

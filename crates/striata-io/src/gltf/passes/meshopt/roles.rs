@@ -42,12 +42,10 @@ pub(super) fn roles(root: &Value, primitives: &[Primitive]) -> BTreeMap<u64, Opt
         collector.add(skin.get("inverseBindMatrices"), Use::Other, "matrices");
     }
     for animation in entries(root, "animations") {
+        let paths = animated_paths(animation);
         for (number, sampler) in entries(animation, "samplers").iter().enumerate() {
             collector.add(sampler.get("input"), Use::Other, "time");
-            let channels = entries(animation, "channels").iter();
-            let mut own = channels.filter(|channel| index_at(channel, "sampler") == Some(number));
-            let path = own.next().and_then(|channel| channel.pointer("/target/path")?.as_str());
-            let name = format!("animated {}", path.unwrap_or_default());
+            let name = format!("animated {}", paths.get(&number).unwrap_or(&""));
             collector.add(sampler.get("output"), Use::Other, &name);
         }
     }
@@ -58,6 +56,17 @@ pub(super) fn roles(root: &Value, primitives: &[Primitive]) -> BTreeMap<u64, Opt
         }
     }
     collector.checked(root)
+}
+
+/// Returns what the first channel of each sampler of an animation changes.
+fn animated_paths(animation: &Value) -> BTreeMap<usize, &str> {
+    let mut paths = BTreeMap::new();
+    for channel in entries(animation, "channels") {
+        let Some(sampler) = index_at(channel, "sampler") else { continue };
+        let path = channel.pointer("/target/path").and_then(Value::as_str);
+        paths.entry(sampler).or_insert(path.unwrap_or_default());
+    }
+    paths
 }
 
 /// Roles found so far, and the number of uses that they explain.
