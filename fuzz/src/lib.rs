@@ -1,4 +1,13 @@
-//! Builds small meshes from bytes, so that a fuzzer's mutations become mutations of a mesh.
+//! Builds small meshes, glTF documents and streams from bytes, so that a fuzzer's mutations become mutations
+//! of what the bytes stand for.
+
+mod gltf;
+mod packets;
+
+pub use gltf::{GltfParts, glb_of_chunks};
+pub use packets::{packed, unpacked};
+
+use std::sync::Once;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGroup};
 
@@ -10,6 +19,11 @@ impl Bytes<'_> {
         let Some((&first, rest)) = self.0.split_first() else { return 0 };
         self.0 = rest;
         first
+    }
+
+    /// Returns a number of two bytes.
+    pub fn short(&mut self) -> usize {
+        usize::from(self.byte()) | usize::from(self.byte()) << 8
     }
 
     pub fn is_empty(&self) -> bool {
@@ -95,4 +109,19 @@ pub fn with_correct_checksums(bytes: &[u8]) -> Vec<u8> {
     let checksum = crc32fast::hash(&out[..HEADER + ENTRY * count]);
     out[24..28].copy_from_slice(&checksum.to_le_bytes());
     out
+}
+
+/// Lets panics within the decoders of other crates pass, which striata turns into errors; libFuzzer would abort
+/// at any panic.
+pub fn allow_contained_panics() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let abort = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |info| {
+            let file = info.location().map_or("", |location| location.file());
+            if !["draco", "meshoptimizer"].iter().any(|name| file.contains(name)) {
+                abort(info);
+            }
+        }));
+    });
 }

@@ -170,12 +170,14 @@ mod tests {
 
     /// Returns the factor of a material with this file as its base color texture.
     fn factor_of(bytes: Vec<u8>) -> Option<f32> {
-        let mut mesh = IndexedMesh::new(Vec::new(), Vec::new());
         let gltf_json = r#"{"pbrMetallicRoughness":{"baseColorTexture":{"index":1}}}"#.to_owned();
-        mesh.appearance.materials = vec![Material::default(), Material { name: String::new(), gltf_json }];
-        mesh.appearance.textures_json = vec!["{}".to_owned(), r#"{"source":0}"#.to_owned()];
-        mesh.appearance.images = vec![Image { bytes, ..Image::default() }];
-        let factors = texture_contrasts(&mesh.appearance);
+        let appearance = Appearance {
+            materials: vec![Material::default(), Material { name: String::new(), gltf_json }],
+            textures_json: vec!["{}".to_owned(), r#"{"source":0}"#.to_owned()],
+            images: vec![Image { bytes, ..Image::default() }],
+            ..Appearance::default()
+        };
+        let factors = texture_contrasts(&appearance);
         assert_eq!((factors.len(), factors[0]), (2, None), "the first material has no texture");
         factors[1]
     }

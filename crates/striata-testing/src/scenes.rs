@@ -37,13 +37,23 @@ impl TestScene {
 
     /// Encodes the document as a GLB file.
     pub fn to_glb(&self) -> Vec<u8> {
+        self.to_glb_with(&[])
+    }
+
+    /// Encodes the document as a GLB file, after some of its strings have been replaced by JSON texts: arrays of
+    /// a million entries would take gigabytes as values.
+    pub fn to_glb_with(&self, texts: &[(&str, String)]) -> Vec<u8> {
         let mut document = self.document.clone();
         let mut buffer = self.buffer.clone();
         buffer.resize(buffer.len().next_multiple_of(4), 0);
         if !buffer.is_empty() {
             document["buffers"] = json!([{ "byteLength": buffer.len() }]);
         }
-        let mut text = document.to_string().into_bytes();
+        let mut text = document.to_string();
+        for (string, value) in texts {
+            text = text.replace(&format!("\"{string}\""), value);
+        }
+        let mut text = text.into_bytes();
         text.resize(text.len().next_multiple_of(4), b' ');
         let chunks = [(b"JSON", text), (b"BIN\0", buffer)];
         let chunks: Vec<_> = chunks.into_iter().filter(|(_, bytes)| !bytes.is_empty()).collect();

@@ -42,7 +42,7 @@ struct Piece<'a> {
     /// [`None`] for the block's own primitive.
     primitive: Option<Primitive<'a>>,
     block: usize,
-    name: String,
+    name: &'a str,
 }
 
 /// Everything the scene shows, before it is decoded.
@@ -54,7 +54,7 @@ struct Plan<'a> {
     vertex_count: usize,
     triangle_limit: u64,
     block_of: BTreeMap<BlockKey, usize>,
-    /// Memory that other meshes of the document take already, in bytes.
+    /// Memory that other meshes of the document and the names of groups take, in bytes.
     other_bytes: u64,
 }
 
@@ -71,7 +71,7 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
                 return Err(document_fault(format!("the scene shows more than {MAX_PRIMITIVES} primitives")));
             }
             if let Some(primitive) = Primitive::parse(document, at)? {
-                plan.add(document, primitive, instance.transform, &instance.name)?;
+                plan.add(document, primitive, instance.transform, instance.name)?;
             }
         }
     }
@@ -118,8 +118,10 @@ impl<'a> Plan<'a> {
         document: &Document<'_>,
         primitive: Primitive<'a>,
         transform: Option<Transform>,
-        name: &str,
+        name: &'a str,
     ) -> Result<(), Fault> {
+        // Each group has a copy.
+        self.other_bytes = self.other_bytes.saturating_add(name.len() as u64);
         let key: BlockKey = (
             primitive.position,
             primitive.attributes.clone(),
@@ -138,7 +140,7 @@ impl<'a> Plan<'a> {
         let shown = primitive.as_ref().unwrap_or(&own.primitive);
         self.triangle_limit += shown.triangle_limit(document, own.vertex_count)?;
         self.check_size(document)?;
-        self.pieces.push(Piece { primitive, block, name: name.to_owned() });
+        self.pieces.push(Piece { primitive, block, name });
         Ok(())
     }
 
@@ -176,7 +178,8 @@ impl<'a> Plan<'a> {
         let is_countable = self.vertex_count < u32::MAX as usize / 4 && self.triangle_limit < 1 << 30;
         if bytes > limit || !is_countable {
             let reason = format!(
-                "the scene expands to {} vertices and up to {} triangles, too many for a file of {} bytes",
+                "the scene expands to {} vertices and up to {} triangles, {bytes} bytes with all names, too \
+                 many for a file of {} bytes",
                 self.vertex_count, self.triangle_limit, document.input_bytes
             );
             return Err(document_fault(reason));
@@ -247,12 +250,12 @@ impl<'a> Plan<'a> {
             let count = (mesh.triangles.len() - first) as u32;
             // Fans of one object are separate primitives, but form one group.
             let joins = grouping == Grouping::FansJoined && primitive.is_fan();
-            let fans = joins.then_some((piece.block, &piece.name, primitive.material));
+            let fans = joins.then_some((piece.block, piece.name, primitive.material));
             match mesh.groups.last_mut() {
                 Some(group) if fans.is_some() && fans == fans_before => group.count += count,
                 _ => {
                     block_of_group.push(piece.block);
-                    let (name, material, first) = (piece.name.clone(), primitive.material, first as u32);
+                    let (name, material, first) = (piece.name.to_owned(), primitive.material, first as u32);
                     mesh.groups.push(TriangleGroup { name, material, first, count });
                 }
             }

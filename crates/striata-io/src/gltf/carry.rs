@@ -12,7 +12,7 @@ use super::accessor::accessor;
 use super::compression;
 use super::document::Document;
 use super::json::JsonNode;
-use super::references::{Use, entries, for_each_carried, has_triangles, of_primitive};
+use super::references::{Referent, Use, entries, for_each_carried, has_triangles, of_primitive};
 use crate::error::Fault;
 
 const ARRAY_BUFFER: u32 = 34962;
@@ -75,7 +75,8 @@ fn renumbered(document: &Document<'_>, root: &mut Value, is_geometry: &[bool]) -
     let mut carried = Carried::default();
     let mut number_of: BTreeMap<(u64, Use), usize> = BTreeMap::new();
     let mut shared: BTreeMap<Use, Shared> = BTreeMap::new();
-    for_each_carried(root, |mesh| is_geometry[mesh], &mut |reference, usage| {
+    for_each_carried(root, |mesh| is_geometry[mesh], &mut |referent, reference| {
+        let Referent::Accessor(usage) = referent else { return Ok(()) };
         let from = JsonNode { value: reference, path: format!("{usage:?}") };
         let index = from.as_unsigned()?;
         let next = number_of.len();
@@ -165,8 +166,10 @@ fn with_same_numbers(
     is_geometry: &[bool],
 ) -> Result<Carried, Fault> {
     let mut left_out = triangle_accessors(document, is_geometry);
-    for_each_carried(root, |mesh| is_geometry[mesh], &mut |reference, _| {
-        left_out.remove(&reference.as_u64().unwrap_or(u64::MAX));
+    for_each_carried(root, |mesh| is_geometry[mesh], &mut |referent, reference| {
+        if matches!(referent, Referent::Accessor(_)) {
+            left_out.remove(&reference.as_u64().unwrap_or(u64::MAX));
+        }
         Ok::<(), Fault>(())
     })?;
     let (mut carried, mut needed, mut unneeded) =
@@ -211,8 +214,8 @@ fn triangle_accessors(document: &Document<'_>, is_geometry: &[bool]) -> BTreeSet
     let mut found = BTreeSet::new();
     for (mesh, &is_geometry) in entries(&mut root, "meshes").zip(is_geometry) {
         for primitive in entries(mesh, "primitives").filter(|p| is_geometry && has_triangles(p)) {
-            let visited = of_primitive(primitive, &mut |reference, _| {
-                found.extend(reference.as_u64());
+            let visited = of_primitive(primitive, &mut |referent, reference| {
+                found.extend(reference.as_u64().filter(|_| matches!(referent, Referent::Accessor(_))));
                 Ok::<(), Fault>(())
             });
             debug_assert!(visited.is_ok(), "collecting does not fail");

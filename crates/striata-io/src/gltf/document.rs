@@ -35,6 +35,9 @@ fn can_be_required(extension: &str) -> bool {
     KNOWN.contains(&extension) || extension.starts_with("KHR_materials_")
 }
 
+/// Size that a document may have whose text is not at hand, bytes.
+const JSON_BYTES: u64 = 1 << 20;
+
 /// Parsed document with its buffers.
 pub(super) struct Document<'a> {
     pub root: JsonNode<'a>,
@@ -73,7 +76,7 @@ impl<'a> Document<'a> {
                 None => return Err(Fault::Extension(name.to_owned())),
             }
         }
-        let unpacked = Unpacked::new(root.entries("bufferViews")?.len());
+        let unpacked = Unpacked::new(root.values("bufferViews")?.len());
         let (buffers, input_bytes) = (Vec::new(), json_bytes as u64);
         let mut document = Self { root, buffers, input_bytes, source: *source, unpacked };
         document.load_buffers(blob)?;
@@ -83,17 +86,15 @@ impl<'a> Document<'a> {
     /// Opens a document without buffers of its own: all its buffer views lie in `buffer`.
     pub(super) fn over(root: &'a Value, buffer: &'a [u8]) -> Result<Self, Fault> {
         let root = JsonNode { value: root, path: String::new() };
-        let unpacked = Unpacked::new(root.entries("bufferViews")?.len());
+        let unpacked = Unpacked::new(root.values("bufferViews")?.len());
         let buffers = vec![Rc::new(Cow::Borrowed(buffer))];
-        let (input_bytes, source) = (buffer.len() as u64, Source::default());
+        let (input_bytes, source) = (JSON_BYTES + buffer.len() as u64, Source::default());
         Ok(Self { root, buffers, input_bytes, source, unpacked })
     }
 
     /// Opens a document whose first buffer is at hand, whatever it requires. Other buffers are not loaded,
     /// so what refers to them cannot be read.
     pub(super) fn of_parts(root: &'a Value, binary: &'a [u8]) -> Self {
-        /// Size that the document itself may have.
-        const JSON_BYTES: u64 = 1 << 20;
         let root = JsonNode { value: root, path: String::new() };
         let count = |key: &str| root.value.get(key).and_then(Value::as_array).map_or(0, Vec::len);
         let bytes_of = |index: usize| if index == 0 { binary } else { &[][..] };

@@ -45,13 +45,19 @@ impl<'a> JsonNode<'a> {
 
     /// Returns a non-negative integer, if the key exists.
     pub(super) fn unsigned(&self, key: &str) -> Result<Option<u64>, Fault> {
-        self.get(key).map(|at| at.as_unsigned()).transpose()
+        match self.value.get(key) {
+            None => Ok(None),
+            // The path is only needed for an error; documents may have a million numbers.
+            Some(value) => match whole_number(value) {
+                Some(number) => Ok(Some(number)),
+                None => self.get(key).map(|at| at.as_unsigned()).transpose(),
+            },
+        }
     }
 
     /// Returns the value as a non-negative integer.
     pub(super) fn as_unsigned(&self) -> Result<u64, Fault> {
-        let whole = |x: f64| (x.fract() == 0.0 && (0.0..9e15).contains(&x)).then_some(x as u64);
-        let found = self.value.as_u64().or_else(|| self.value.as_f64().and_then(whole));
+        let found = whole_number(self.value);
         found.ok_or_else(|| self.fault(format!("expected a whole number, found {}", describe(self.value))))
     }
 
@@ -68,6 +74,13 @@ impl<'a> JsonNode<'a> {
     /// Returns a boolean; false if the key is missing.
     pub(super) fn flag(&self, key: &str) -> bool {
         self.value.get(key).and_then(Value::as_bool).unwrap_or(false)
+    }
+
+    /// Returns the values of an array without their paths; empty if the key is missing.
+    pub(super) fn values(&self, key: &str) -> Result<&'a [Value], Fault> {
+        let Some(value) = self.value.get(key) else { return Ok(&[]) };
+        let is_no_array = || self.fault(format!("`{key}` must be an array, found {}", describe(value)));
+        value.as_array().map(Vec::as_slice).ok_or_else(is_no_array)
     }
 
     /// Returns the entries of an array; empty if the key is missing.
@@ -96,14 +109,27 @@ impl<'a> JsonNode<'a> {
 
     /// Returns an array of exactly `N` numbers, if the key exists.
     pub(super) fn numbers<const N: usize>(&self, key: &str) -> Result<Option<[f64; N]>, Fault> {
-        let Some(at) = self.get(key) else { return Ok(None) };
-        let values = at.value.as_array().filter(|values| values.len() == N);
-        let numbers: Option<Vec<f64>> = values.and_then(|v| v.iter().map(Value::as_f64).collect());
-        match numbers.and_then(|n| <[f64; N]>::try_from(n).ok()) {
-            Some(numbers) => Ok(Some(numbers)),
-            None => Err(at.fault(format!("expected {N} numbers, found {}", describe(at.value)))),
+        let Some(value) = self.value.get(key) else { return Ok(None) };
+        let mut numbers = [0.0; N];
+        let values = value.as_array().filter(|values| values.len() == N);
+        let found = values.and_then(|values| {
+            let mut slots = numbers.iter_mut().zip(values);
+            slots.try_for_each(|(slot, value)| value.as_f64().map(|number| *slot = number))
+        });
+        match found {
+            Some(()) => Ok(Some(numbers)),
+            None => {
+                let reason = format!("expected {N} numbers, found {}", describe(value));
+                Err(self.get(key).map_or_else(|| self.fault(&reason), |at| at.fault(&reason)))
+            }
         }
     }
+}
+
+/// Returns a non-negative integer, which may be written as a float.
+fn whole_number(value: &Value) -> Option<u64> {
+    let whole = |x: f64| (x.fract() == 0.0 && (0.0..9e15).contains(&x)).then_some(x as u64);
+    value.as_u64().or_else(|| value.as_f64().and_then(whole))
 }
 
 /// Describes a value in a message, shortened.

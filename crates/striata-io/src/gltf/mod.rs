@@ -30,6 +30,8 @@ mod container;
 mod document;
 mod draco;
 mod draco_mesh;
+mod extensions;
+mod gpu_instancing;
 mod json;
 mod layers;
 mod meshopt;

@@ -1,8 +1,9 @@
 //! Flattened node tree: the meshes that the scene shows, and their transforms.
 
-use glam::{DMat3, DMat4, DQuat, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 
 use super::document::Document;
+use super::gpu_instancing::{GpuInstances, unit};
 use super::json::JsonNode;
 use crate::error::Fault;
 
@@ -10,7 +11,7 @@ use crate::error::Fault;
 pub(super) struct Instance<'a> {
     pub mesh: JsonNode<'a>,
     /// Name of the mesh, or of the node if the mesh has none.
-    pub name: String,
+    pub name: &'a str,
     /// [`None`] for the identity, and for skinned meshes, whose node transforms glTF ignores.
     pub transform: Option<Transform>,
 }
@@ -93,19 +94,21 @@ fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
 /// Returns the meshes of the default scene in tree order, or all meshes if there are no nodes.
 pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>, Fault> {
     let root = &document.root;
-    if root.entries("nodes")?.is_empty() {
-        let bare =
-            |mesh: JsonNode<'a>| Instance { name: mesh.text("name").to_owned(), mesh, transform: None };
+    if root.values("nodes")?.is_empty() {
+        let bare = |mesh: JsonNode<'a>| Instance { name: mesh.text("name"), mesh, transform: None };
         return Ok(root.entries("meshes")?.into_iter().map(bare).collect());
     }
-    let mut found = Vec::new();
+    let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::default());
     for PlacedNode { node, matrix, .. } in placed_nodes(root)? {
         if let Some(mesh) = node.get("mesh") {
             let mesh = root.item("meshes", mesh.as_unsigned()?, &mesh)?;
             let own_name = mesh.text("name");
-            let name = if own_name.is_empty() { node.text("name") } else { own_name }.to_owned();
-            let transform = if node.get("skin").is_some() { None } else { Transform::new(matrix) };
-            found.push(Instance { mesh, name, transform });
+            let name = if own_name.is_empty() { node.text("name") } else { own_name };
+            for placement in gpu_instances.of_node(document, &node)? {
+                let matrix = placement.map_or(matrix, |placement| matrix * placement);
+                let transform = if node.get("skin").is_some() { None } else { Transform::new(matrix) };
+                found.push(Instance { mesh: mesh.clone(), name, transform });
+            }
         }
     }
     Ok(found)
@@ -123,10 +126,9 @@ pub(super) struct PlacedNode<'a> {
 ///
 /// Fails if they do not form a tree, or a transform is malformed.
 pub(super) fn placed_nodes<'a>(root: &JsonNode<'a>) -> Result<Vec<PlacedNode<'a>>, Fault> {
-    let nodes = root.entries("nodes")?;
     let mut found = Vec::new();
-    let mut is_seen = vec![false; nodes.len()];
-    let mut stack = roots(root, &nodes)?;
+    let mut is_seen = vec![false; root.values("nodes")?.len()];
+    let mut stack = roots(root)?;
     stack.reverse();
     while let Some(Pending { index, parent, from }) = stack.pop() {
         let node = root.item("nodes", index, &from)?;
@@ -153,7 +155,7 @@ struct Pending<'a> {
 }
 
 /// Returns the roots of the default scene, or of the first; without scenes, the nodes without a parent.
-fn roots<'a>(root: &JsonNode<'a>, nodes: &[JsonNode<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
+fn roots<'a>(root: &JsonNode<'a>) -> Result<Vec<Pending<'a>>, Fault> {
     let scene = match root.get("scene") {
         Some(at) => Some(root.item("scenes", at.as_unsigned()?, &at)?),
         None => root.entries("scenes")?.into_iter().next(),
@@ -163,8 +165,9 @@ fn roots<'a>(root: &JsonNode<'a>, nodes: &[JsonNode<'a>]) -> Result<Vec<Pending<
             |at: JsonNode<'a>| Ok(Pending { index: at.as_unsigned()?, parent: DMat4::IDENTITY, from: at });
         return scene.entries("nodes")?.into_iter().map(entry).collect();
     }
+    let nodes = root.entries("nodes")?;
     let mut is_child = vec![false; nodes.len()];
-    for node in nodes {
+    for node in &nodes {
         for child in node.entries("children")? {
             if let Some(slot) = usize::try_from(child.as_unsigned()?).ok().and_then(|i| is_child.get_mut(i)) {
                 *slot = true;
@@ -187,13 +190,7 @@ fn local_matrix(node: &JsonNode<'_>) -> Result<DMat4, Fault> {
     let translation = node.numbers::<3>("translation")?.unwrap_or([0.0; 3]);
     let rotation = node.numbers::<4>("rotation")?.unwrap_or([0.0, 0.0, 0.0, 1.0]);
     let scale = node.numbers::<3>("scale")?.unwrap_or([1.0; 3]);
-    let rotation = DQuat::from_array(rotation);
-    let length = rotation.length();
-    if !(length > 0.0 && length.is_finite()) {
-        return Err(node.fault("the rotation has no length"));
-    }
-    // A quaternion of unit length is kept unchanged, so that the identity stays exact.
-    let rotation = if length == 1.0 { rotation } else { rotation.normalize() };
+    let Some(rotation) = unit(rotation) else { return Err(node.fault("the rotation has no length")) };
     Ok(DMat4::from_scale_rotation_translation(
         DVec3::from_array(scale),
         rotation,

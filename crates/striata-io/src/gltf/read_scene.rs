@@ -8,9 +8,10 @@ use super::assemble::mesh_of_primitives;
 use super::carry::carry;
 use super::compression;
 use super::document::Document;
+use super::extensions::are_all_carried;
 use super::json::JsonNode;
 use super::primitive::Primitive;
-use super::references::{entries, has_triangles, has_unknown_references};
+use super::references::{entries, has_triangles};
 use crate::error::Fault;
 use crate::report::Warnings;
 use crate::scene::{Scene, SceneParts, number_materials};
@@ -37,7 +38,8 @@ pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Resu
     let meshes: Vec<Option<IndexedMesh>> =
         meshes.iter().map(|mesh| triangles_of(document, mesh, &mut used_bytes)).collect::<Result<_, _>>()?;
     let is_geometry: Vec<bool> = meshes.iter().map(Option::is_some).collect();
-    let keeps_numbers = has_unknown_references(document.root.value);
+    // An unknown extension may refer to accessors or buffer views by their numbers.
+    let keeps_numbers = !are_all_carried(document.root.value);
     let buffer = carry(document, &mut root, &is_geometry, keeps_numbers)?;
     clear_triangles(&mut root, &is_geometry);
     let images = images(document, warnings)?;

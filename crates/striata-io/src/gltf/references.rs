@@ -1,17 +1,22 @@
-//! Places of a document that refer to accessors, and extensions known to refer to none.
+//! Places of a document that refer to accessors and buffer views.
 
-use std::collections::BTreeSet;
+use std::convert::Infallible;
 
 use serde_json::Value;
 
-use crate::gltf_json::extensions_in;
+/// What a reference refers to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Referent {
+    Accessor(Use),
+    View,
+}
 
 /// What an accessor is used for; accessors of different uses may not share a buffer view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Use {
-    /// Vertex attribute or morph target of points or lines.
+    /// Vertex attribute or morph target.
     Vertices,
-    /// Indices of points or lines.
+    /// Indices of a primitive, or of its outline.
     Indices,
     /// Transforms of the instances of a node.
     Instances,
@@ -21,40 +26,8 @@ pub(super) enum Use {
     Animation,
 }
 
-/// Extensions that contain no indices of accessors or buffer views, or only ones that are known here.
-const WITHOUT_REFERENCES: [&str; 21] = [
-    "EXT_lights_image_based",
-    "EXT_mesh_features",
-    "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression",
-    "EXT_texture_avif",
-    "EXT_texture_webp",
-    "KHR_animation_pointer",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_mesh_quantization",
-    "KHR_meshopt_compression",
-    "KHR_node_hoverability",
-    "KHR_node_selectability",
-    "KHR_node_visibility",
-    "KHR_texture_basisu",
-    "KHR_texture_procedurals",
-    "KHR_texture_transform",
-    "KHR_xmp_json_ld",
-    "MSFT_lod",
-    "MSFT_texture_dds",
-    "STRIATA_lod",
-];
-
-/// Whether an extension of the document may refer to accessors or buffer views that are not known here.
-///
-/// Indices must then keep their meaning.
-pub(super) fn has_unknown_references(root: &Value) -> bool {
-    let mut extensions = BTreeSet::new();
-    extensions_in(root, &mut extensions);
-    let is_known = |name: &str| WITHOUT_REFERENCES.contains(&name) || name.starts_with("KHR_materials_");
-    !extensions.iter().all(|name| is_known(name))
-}
+/// Receives each reference; it may change them.
+pub(super) type Visit<'v, E> = dyn FnMut(Referent, &mut Value) -> Result<(), E> + 'v;
 
 /// Whether a primitive consists of triangles, which levels of detail are built from.
 pub(crate) fn has_triangles(primitive: &Value) -> bool {
@@ -63,69 +36,122 @@ pub(crate) fn has_triangles(primitive: &Value) -> bool {
     has_positions && matches!(mode, Some(4..=6))
 }
 
-/// Calls `visit` for each reference to an accessor, other than those of meshes for which `is_geometry`
-/// returns true and of their triangle primitives.
+/// Visits all references but those of accessors to their views.
+pub(super) fn for_each(root: &mut Value, mut visit: impl FnMut(Referent, &mut Value)) {
+    let mut visit = |referent, value: &mut Value| {
+        visit(referent, value);
+        Ok::<(), Infallible>(())
+    };
+    // Nothing can fail.
+    let Ok(()) = for_each_carried(root, |_| false, &mut visit);
+}
+
+/// Visits all references like [`for_each`], other than those of the triangle primitives of meshes for which
+/// `is_geometry` returns true.
 pub(super) fn for_each_carried<E>(
     root: &mut Value,
-    mut is_geometry: impl FnMut(usize) -> bool,
-    visit: &mut dyn FnMut(&mut Value, Use) -> Result<(), E>,
+    is_geometry: impl Fn(usize) -> bool,
+    visit: &mut Visit<'_, E>,
 ) -> Result<(), E> {
     for (index, mesh) in entries(root, "meshes").enumerate() {
-        let is_geometry = is_geometry(index);
+        if let Some(extension) = mesh.pointer_mut("/extensions/STRIATA_lod") {
+            of_member(extension, "bufferView", Referent::View, visit)?;
+        }
         for primitive in entries(mesh, "primitives") {
-            if !(is_geometry && has_triangles(primitive)) {
+            if !(is_geometry(index) && has_triangles(primitive)) {
                 of_primitive(primitive, visit)?;
             }
         }
     }
     for node in entries(root, "nodes") {
-        let instancing = node.pointer_mut("/extensions/EXT_mesh_gpu_instancing");
-        for accessor in instancing.into_iter().flat_map(|at| members(at, "attributes")) {
-            visit(accessor, Use::Instances)?;
+        if let Some(instancing) = node.pointer_mut("/extensions/EXT_mesh_gpu_instancing") {
+            of_members(instancing.get_mut("attributes"), Use::Instances, visit)?;
         }
     }
     for skin in entries(root, "skins") {
-        if let Some(accessor) = skin.get_mut("inverseBindMatrices") {
-            visit(accessor, Use::BindMatrices)?;
-        }
+        of_member(skin, "inverseBindMatrices", Referent::Accessor(Use::BindMatrices), visit)?;
     }
     for animation in entries(root, "animations") {
         for sampler in entries(animation, "samplers") {
-            for key in ["input", "output"] {
-                if let Some(accessor) = sampler.get_mut(key) {
-                    visit(accessor, Use::Animation)?;
-                }
+            of_member(sampler, "input", Referent::Accessor(Use::Animation), visit)?;
+            of_member(sampler, "output", Referent::Accessor(Use::Animation), visit)?;
+        }
+    }
+    for image in entries(root, "images") {
+        of_member(image, "bufferView", Referent::View, visit)?;
+    }
+    of_root_extensions(root, visit)
+}
+
+/// Visits the references of a primitive.
+pub(super) fn of_primitive<E>(primitive: &mut Value, visit: &mut Visit<'_, E>) -> Result<(), E> {
+    of_members(primitive.get_mut("attributes"), Use::Vertices, visit)?;
+    for target in entries(primitive, "targets") {
+        of_members(Some(target), Use::Vertices, visit)?;
+    }
+    of_member(primitive, "indices", Referent::Accessor(Use::Indices), visit)?;
+    for (extension, key, referent) in [
+        ("KHR_draco_mesh_compression", "bufferView", Referent::View),
+        ("CESIUM_primitive_outline", "indices", Referent::Accessor(Use::Indices)),
+    ] {
+        if let Some(extension) = primitive.pointer_mut(&format!("/extensions/{extension}")) {
+            of_member(extension, key, referent, visit)?;
+        }
+    }
+    Ok(())
+}
+
+fn of_root_extensions<E>(root: &mut Value, visit: &mut Visit<'_, E>) -> Result<(), E> {
+    for (extension, array) in [
+        ("EXT_lights_ies", "lights"),
+        ("KHR_audio", "audio"),
+        ("KHR_audio_emitter", "audio"),
+        ("MSFT_audio_emitter", "clips"),
+    ] {
+        let Some(extension) = root.pointer_mut(&format!("/extensions/{extension}")) else { continue };
+        for entry in entries(extension, array) {
+            of_member(entry, "bufferView", Referent::View, visit)?;
+        }
+    }
+    let Some(metadata) = root.pointer_mut("/extensions/EXT_structural_metadata") else { return Ok(()) };
+    for table in entries(metadata, "propertyTables") {
+        let Some(Value::Object(properties)) = table.get_mut("properties") else { continue };
+        for property in properties.values_mut() {
+            for key in ["values", "arrayOffsets", "stringOffsets"] {
+                of_member(property, key, Referent::View, visit)?;
             }
         }
     }
     Ok(())
 }
 
-/// Calls `visit` for each reference of a primitive to an accessor.
-pub(super) fn of_primitive<E>(
-    primitive: &mut Value,
-    visit: &mut dyn FnMut(&mut Value, Use) -> Result<(), E>,
-) -> Result<(), E> {
-    for accessor in members(primitive, "attributes") {
-        visit(accessor, Use::Vertices)?;
-    }
-    for target in entries(primitive, "targets") {
-        for accessor in target.as_object_mut().into_iter().flat_map(|map| map.values_mut()) {
-            visit(accessor, Use::Vertices)?;
+/// Visits the references of an accessor to its views.
+pub(super) fn for_each_view(accessor: &mut Value, visit: &mut impl FnMut(&mut Value)) {
+    for pointer in ["/bufferView", "/sparse/indices/bufferView", "/sparse/values/bufferView"] {
+        if let Some(view) = accessor.pointer_mut(pointer) {
+            visit(view);
         }
     }
-    match primitive.get_mut("indices") {
-        Some(accessor) => visit(accessor, Use::Indices),
-        None => Ok(()),
+}
+
+fn of_member<E>(
+    object: &mut Value,
+    key: &str,
+    referent: Referent,
+    visit: &mut Visit<'_, E>,
+) -> Result<(), E> {
+    object.get_mut(key).map_or(Ok(()), |value| visit(referent, value))
+}
+
+fn of_members<E>(object: Option<&mut Value>, usage: Use, visit: &mut Visit<'_, E>) -> Result<(), E> {
+    let members = object.and_then(Value::as_object_mut).into_iter().flat_map(|map| map.values_mut());
+    for value in members {
+        visit(Referent::Accessor(usage), value)?;
     }
+    Ok(())
 }
 
 /// Entries of an array; none if there is no such array.
 pub(super) fn entries<'v>(value: &'v mut Value, key: &str) -> impl Iterator<Item = &'v mut Value> {
     value.get_mut(key).and_then(Value::as_array_mut).into_iter().flatten()
-}
-
-/// Members of an object; none if there is no such object.
-fn members<'v>(value: &'v mut Value, key: &str) -> impl Iterator<Item = &'v mut Value> {
-    value.get_mut(key).and_then(Value::as_object_mut).into_iter().flat_map(|map| map.values_mut())
 }

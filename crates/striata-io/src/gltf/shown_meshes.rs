@@ -3,6 +3,8 @@
 use glam::{DMat3, DMat4, DVec3};
 use serde_json::Value;
 
+use super::document::Document;
+use super::gpu_instancing::{GpuInstances, is_instanced};
 use super::json::JsonNode;
 use super::node_tree::{PlacedNode, placed_nodes};
 use crate::error::Fault;
@@ -12,24 +14,26 @@ use crate::scene::SceneInstance;
 /// nodes. `buffer` contains the data that the buffer views refer to.
 pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneInstance>, Fault> {
     let root = JsonNode { value: document, path: String::new() };
-    let mesh_count = root.entries("meshes")?.len();
-    if root.entries("nodes")?.is_empty() {
+    let mesh_count = root.values("meshes")?.len();
+    if root.values("nodes")?.is_empty() {
         let bare = |mesh| SceneInstance {
             node: None,
             mesh,
             skin: None,
+            in_node: None,
             transform: DMat4::IDENTITY.to_cols_array(),
             scale: 1.0,
         };
         return Ok((0..mesh_count).map(bare).collect());
     }
     let nodes = placed_nodes(&root)?;
-    let mut matrix_of = vec![None; root.entries("nodes")?.len()];
+    let mut matrix_of = vec![None; root.values("nodes")?.len()];
     for PlacedNode { index, matrix, .. } in &nodes {
         matrix_of[*index] = Some(*matrix);
     }
     let mut poses = SkinPoses { root: &root, buffer, matrix_of: &matrix_of, known: Vec::new() };
-    let mut found = Vec::new();
+    let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::default());
+    let mut opened = None;
     for PlacedNode { index, node, matrix } in &nodes {
         let Some(at) = node.get("mesh") else { continue };
         let mesh = at.as_unsigned()?;
@@ -39,13 +43,26 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
             Some(skin) => poses.matrix(skin)?,
             None => *matrix,
         };
-        found.push(SceneInstance {
-            node: Some(*index),
-            mesh: mesh as usize,
-            skin,
-            transform: matrix.to_cols_array(),
-            scale: largest_stretch(&matrix),
-        });
+        let instance = |in_node: Option<DMat4>| {
+            let matrix = in_node.map_or(matrix, |in_node| matrix * in_node);
+            SceneInstance {
+                node: Some(*index),
+                mesh: mesh as usize,
+                skin,
+                in_node: in_node.map(|in_node| Box::new(in_node.to_cols_array())),
+                transform: matrix.to_cols_array(),
+                scale: largest_stretch(&matrix),
+            }
+        };
+        if is_instanced(node) {
+            let document = match &mut opened {
+                Some(opened) => opened,
+                none => none.insert(Document::over(document, buffer)?),
+            };
+            found.extend(gpu_instances.of_node(document, node)?.into_iter().map(instance));
+        } else {
+            found.push(instance(None));
+        }
     }
     Ok(found)
 }
@@ -74,12 +91,13 @@ impl SkinPoses<'_, '_> {
             return Ok(matrix);
         }
         let at = self.root.item("skins", skin as u64, self.root)?;
+        let joints = at.entries("joints")?;
         let inverse_binds = match at.unsigned("inverseBindMatrices")? {
-            Some(accessor) => self.matrices(accessor),
+            Some(accessor) => self.matrices(accessor, joints.len()),
             None => Vec::new(),
         };
         let mut largest = None;
-        for (joint, node) in at.entries("joints")?.iter().enumerate() {
+        for (joint, node) in joints.iter().enumerate() {
             let node = usize::try_from(node.as_unsigned()?).ok();
             let Some(&Some(matrix)) = node.and_then(|node| self.matrix_of.get(node)) else { continue };
             let matrix = matrix * inverse_binds.get(joint).copied().unwrap_or(DMat4::IDENTITY);
@@ -94,8 +112,8 @@ impl SkinPoses<'_, '_> {
         Ok(matrix)
     }
 
-    /// Returns the matrices of an accessor of the buffer; none if it is malformed.
-    fn matrices(&self, accessor: u64) -> Vec<DMat4> {
+    /// Returns the first matrices of an accessor of the buffer, at most `limit`; none if it is malformed.
+    fn matrices(&self, accessor: u64, limit: usize) -> Vec<DMat4> {
         let bytes = || -> Option<&[u8]> {
             let at = self.root.item("accessors", accessor, self.root).ok()?;
             let is_matrices = at.text("type") == "MAT4" && at.unsigned("componentType").ok()? == Some(5126);
@@ -112,7 +130,7 @@ impl SkinPoses<'_, '_> {
             let (numbers, _) = bytes.as_chunks::<4>();
             DMat4::from_cols_array(&std::array::from_fn(|i| number(&numbers[i])))
         };
-        matrices.iter().map(matrix).collect()
+        matrices.iter().take(limit).map(matrix).collect()
     }
 }
 

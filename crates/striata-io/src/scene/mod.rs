@@ -144,7 +144,8 @@ impl Scene {
         &self.meshes
     }
 
-    /// Meshes that the default scene shows, one entry for each node, in tree order.
+    /// Meshes that the default scene shows, in tree order: one entry for each node, or one for each of its
+    /// instances by `EXT_mesh_gpu_instancing`.
     pub fn instances(&self) -> &[SceneInstance] {
         &self.instances
     }

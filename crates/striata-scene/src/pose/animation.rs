@@ -1,10 +1,13 @@
 //! Animations: keys of node transforms and morph weights.
 
+use std::sync::Arc;
+
 use glam::DQuat;
 use serde_json::Value;
-use striata_io::{Scene, SceneError};
+use striata_io::SceneError;
 
 use super::interpolation::{along_arc, cubic};
+use super::numbers::AccessorNumbers;
 use super::{index, list};
 
 /// Property of a node that a channel changes.
@@ -30,11 +33,13 @@ pub(super) struct Channel {
     pub property: Property,
     interpolation: Interpolation,
     /// Seconds, ascending.
-    times: Vec<f32>,
+    times: Arc<[f32]>,
     /// Values of all keys; three for each key of a spline: tangent, value, tangent.
-    values: Vec<f32>,
+    values: Arc<[f32]>,
     /// Numbers in a value.
     width: usize,
+    /// Numbers in a value that matter: weights beyond the morph targets of a mesh do not.
+    used: usize,
 }
 
 /// An animation; channels of unknown kinds are left out.
@@ -44,11 +49,18 @@ pub(super) struct Animation {
 }
 
 impl Animation {
-    pub(super) fn read(at: &Value, scene: &Scene, node_count: usize) -> Result<Self, SceneError> {
+    pub(super) fn read(
+        at: &Value,
+        accessors: &mut AccessorNumbers<'_>,
+        target_counts: &[usize],
+    ) -> Result<Self, SceneError> {
         let samplers = list(at, "samplers");
         let mut channels = Vec::new();
         for channel in list(at, "channels") {
-            let node = channel.pointer("/target/node").and_then(index).filter(|&node| node < node_count);
+            let node = channel
+                .pointer("/target/node")
+                .and_then(index)
+                .and_then(|node| Some((node, *target_counts.get(node)?)));
             let sampler = channel.get("sampler").and_then(index).and_then(|sampler| samplers.get(sampler));
             let property = match channel.pointer("/target/path").and_then(Value::as_str) {
                 Some("translation") => Property::Translation,
@@ -57,8 +69,8 @@ impl Animation {
                 Some("weights") => Property::MorphWeights,
                 _ => continue,
             };
-            if let (Some(node), Some(sampler)) = (node, sampler) {
-                channels.extend(Channel::read(sampler, scene, (node, property))?);
+            if let (Some((node, target_count)), Some(sampler)) = (node, sampler) {
+                channels.extend(Channel::read(sampler, accessors, (node, property, target_count))?);
             }
         }
         Ok(Self { channels })
@@ -75,13 +87,13 @@ impl Channel {
     /// Reads a channel; [`None`] if it has no keys, or too few values for them.
     fn read(
         sampler: &Value,
-        scene: &Scene,
-        (node, property): (usize, Property),
+        accessors: &mut AccessorNumbers<'_>,
+        (node, property, target_count): (usize, Property, usize),
     ) -> Result<Option<Self>, SceneError> {
         let accessor = |key| sampler.get(key).and_then(Value::as_u64);
         let (Some(input), Some(output)) = (accessor("input"), accessor("output")) else { return Ok(None) };
-        let (times, _) = scene.numbers(input)?;
-        let (values, _) = scene.numbers(output)?;
+        let (times, _) = accessors.read(input)?;
+        let (values, _) = accessors.read(output)?;
         let interpolation = match sampler.get("interpolation").and_then(Value::as_str) {
             Some("STEP") => Interpolation::Step,
             Some("CUBICSPLINE") => Interpolation::CubicSpline,
@@ -97,7 +109,8 @@ impl Channel {
         if times.is_empty() || width == 0 || !is_enough {
             return Ok(None);
         }
-        Ok(Some(Self { node, property, interpolation, times, values, width }))
+        let used = if property == Property::MorphWeights { width.min(target_count) } else { width };
+        Ok(Some(Self { node, property, interpolation, times, values, width, used }))
     }
 
     /// Returns the value at a time.
@@ -123,7 +136,7 @@ impl Channel {
             Interpolation::Linear => {
                 self.key(next - 1).zip(self.key(next)).map(|(a, b)| a + share * (b - a)).collect()
             }
-            Interpolation::CubicSpline => (0..self.width)
+            Interpolation::CubicSpline => (0..self.used)
                 .map(|component| {
                     let at = |key: usize, part: usize| {
                         f64::from(self.values[(key * 3 + part) * self.width + component])
@@ -141,6 +154,6 @@ impl Channel {
             Interpolation::CubicSpline => (key * 3 + 1) * self.width,
             _ => key * self.width,
         };
-        self.values[first..first + self.width].iter().map(|&x| f64::from(x))
+        self.values[first..first + self.used].iter().map(|&x| f64::from(x))
     }
 }

@@ -6,6 +6,7 @@
 
 mod animation;
 mod interpolation;
+mod numbers;
 mod skin;
 
 use std::sync::Arc;
@@ -16,6 +17,7 @@ use striata::mesh::{IndexedMesh, Semantic};
 use striata_io::{Scene, SceneError, SceneInstance};
 
 use self::animation::{Animation, Property};
+use self::numbers::AccessorNumbers;
 use self::skin::Skin;
 
 /// Reads the poses of a scene.
@@ -33,7 +35,10 @@ pub struct Poser {
 struct Node {
     parent: Option<usize>,
     local: Local,
-    morph_weights: Vec<f32>,
+    /// Shared by all nodes that show a mesh and have no weights of their own.
+    morph_weights: Arc<[f32]>,
+    /// Number of morph targets of its mesh.
+    target_count: usize,
 }
 
 /// Transform of a node relative to its parent.
@@ -49,7 +54,7 @@ enum Local {
 #[derive(Clone, Debug)]
 pub struct Pose {
     matrices: Arc<[DMat4]>,
-    morph_weights: Arc<[Vec<f32>]>,
+    morph_weights: Arc<[Arc<[f32]>]>,
     /// A node whose weights differ from those above.
     replaced: Option<(usize, Vec<f32>)>,
 }
@@ -61,8 +66,9 @@ impl Poser {
     /// [`SceneError`] if they refer to something that does not exist, or their data are malformed.
     pub fn new(scene: &Scene) -> Result<Self, SceneError> {
         let document = scene.document();
+        let meshes: Vec<MeshTargets> = list(document, "meshes").iter().map(MeshTargets::read).collect();
         let mut nodes: Vec<Node> =
-            list(document, "nodes").iter().map(|node| Node::read(node, document)).collect();
+            list(document, "nodes").iter().map(|node| Node::read(node, &meshes)).collect();
         for (parent, node) in list(document, "nodes").iter().enumerate() {
             for child in list(node, "children").iter().filter_map(index) {
                 if let Some(child) = nodes.get_mut(child) {
@@ -71,15 +77,13 @@ impl Poser {
             }
         }
         let order = parents_first(&nodes);
-        let skins = list(document, "skins").iter().map(|skin| Skin::read(skin, scene));
-        let animations =
-            list(document, "animations").iter().map(|at| Animation::read(at, scene, nodes.len()));
-        Ok(Self {
-            skins: skins.collect::<Result<_, _>>()?,
-            animations: animations.collect::<Result<_, _>>()?,
-            nodes,
-            order,
-        })
+        let mut numbers = AccessorNumbers::of(scene);
+        let skins = list(document, "skins").iter().map(|skin| Skin::read(skin, &mut numbers));
+        let skins = skins.collect::<Result<_, _>>()?;
+        let target_counts: Vec<usize> = nodes.iter().map(|node| node.target_count).collect();
+        let animations = list(document, "animations").iter();
+        let animations = animations.map(|at| Animation::read(at, &mut numbers, &target_counts));
+        Ok(Self { skins, animations: animations.collect::<Result<_, _>>()?, nodes, order })
     }
 
     /// Number of animations.
@@ -94,13 +98,12 @@ impl Poser {
 
     /// Returns the pose of the nodes as they are in the document.
     pub fn rest_pose(&self) -> Pose {
-        self.pose_of(self.nodes.iter().map(|node| (node.local, node.morph_weights.clone())).collect())
+        self.pose_of(self.locals())
     }
 
     /// Returns the pose at a time of an animation, in seconds; the first or last one outside its keys.
     pub fn pose(&self, animation: usize, time: f32) -> Pose {
-        let mut locals: Vec<(Local, Vec<f32>)> =
-            self.nodes.iter().map(|node| (node.local, node.morph_weights.clone())).collect();
+        let mut locals = self.locals();
         for channel in self.animations.get(animation).into_iter().flat_map(|animation| &animation.channels) {
             let (local, weights) = &mut locals[channel.node];
             let value = channel.value(time);
@@ -112,14 +115,20 @@ impl Poser {
                     *rotation = DQuat::from_xyzw(x, y, z, w).normalize();
                 }
                 (Property::Scale, Local::Parts { scale, .. }, &[x, y, z]) => *scale = DVec3::new(x, y, z),
-                (Property::MorphWeights, _, value) => *weights = value.iter().map(|&w| w as f32).collect(),
+                (Property::MorphWeights, _, value) => {
+                    *weights = value.iter().map(|&w| w as f32).collect();
+                }
                 _ => {}
             }
         }
         self.pose_of(locals)
     }
 
-    fn pose_of(&self, locals: Vec<(Local, Vec<f32>)>) -> Pose {
+    fn locals(&self) -> Vec<(Local, Arc<[f32]>)> {
+        self.nodes.iter().map(|node| (node.local, Arc::clone(&node.morph_weights))).collect()
+    }
+
+    fn pose_of(&self, locals: Vec<(Local, Arc<[f32]>)>) -> Pose {
         let mut matrices = vec![DMat4::IDENTITY; self.nodes.len()];
         for &node in &self.order {
             let parent = self.nodes[node].parent.map_or(DMat4::IDENTITY, |parent| matrices[parent]);
@@ -135,11 +144,12 @@ impl Poser {
     /// of the full mesh.
     pub fn positions(&self, pose: &Pose, instance: &SceneInstance, mesh: &IndexedMesh) -> Vec<[f32; 3]> {
         let mut positions = self.deformed(pose, instance, mesh);
-        if self.skin_of(instance).is_none()
-            && let Some(matrix) = instance.node.and_then(|node| pose.matrices.get(node))
-        {
+        if self.skin_of(instance).is_none() {
+            let node = instance.node.and_then(|node| pose.matrices.get(node)).copied();
+            let in_node = instance.in_node.as_ref().map(|columns| DMat4::from_cols_array(columns));
+            let matrix = node.unwrap_or(DMat4::IDENTITY) * in_node.unwrap_or(DMat4::IDENTITY);
             for position in &mut positions {
-                *position = transformed(matrix, *position);
+                *position = transformed(&matrix, *position);
             }
         }
         positions
@@ -193,7 +203,7 @@ impl Pose {
     fn morph_weights_of(&self, node: usize) -> &[f32] {
         match &self.replaced {
             Some((replaced, weights)) if *replaced == node => weights,
-            _ => self.morph_weights.get(node).map_or(&[], Vec::as_slice),
+            _ => self.morph_weights.get(node).map_or(&[], |weights| weights),
         }
     }
 }
@@ -203,15 +213,35 @@ fn transformed(matrix: &DMat4, position: [f32; 3]) -> [f32; 3] {
 }
 
 impl Node {
-    fn read(node: &Value, document: &Value) -> Self {
-        let mesh = node.get("mesh").and_then(index).and_then(|mesh| list(document, "meshes").get(mesh));
-        let weights = node.get("weights").or_else(|| mesh?.get("weights"));
+    fn read(node: &Value, meshes: &[MeshTargets]) -> Self {
+        let mesh = node.get("mesh").and_then(index).and_then(|mesh| meshes.get(mesh));
+        let of_mesh = || mesh.map_or_else(|| Arc::from([]), |mesh| Arc::clone(&mesh.weights));
         Self {
             parent: None,
             local: Local::read(node),
-            morph_weights: numbers(weights).into_iter().map(|x| x as f32).collect(),
+            morph_weights: node.get("weights").map_or_else(of_mesh, weights),
+            target_count: mesh.map_or(0, |mesh| mesh.count),
         }
     }
+}
+
+/// Morph targets of a mesh of the document.
+struct MeshTargets {
+    /// Largest number of targets of its primitives.
+    count: usize,
+    weights: Arc<[f32]>,
+}
+
+impl MeshTargets {
+    fn read(mesh: &Value) -> Self {
+        let primitives = list(mesh, "primitives").iter();
+        let count = primitives.map(|primitive| list(primitive, "targets").len()).max().unwrap_or(0);
+        Self { count, weights: weights(mesh.get("weights").unwrap_or(&Value::Null)) }
+    }
+}
+
+fn weights(value: &Value) -> Arc<[f32]> {
+    numbers(Some(value)).into_iter().map(|x| x as f32).collect()
 }
 
 impl Local {

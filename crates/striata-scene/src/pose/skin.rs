@@ -3,8 +3,9 @@
 use glam::DMat4;
 use serde_json::Value;
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
-use striata_io::{Scene, SceneError};
+use striata_io::SceneError;
 
+use super::numbers::AccessorNumbers;
 use super::{index, list, transformed};
 
 /// Joints of a skin, with the matrices from the mesh to each joint in its bind pose.
@@ -15,15 +16,15 @@ pub(super) struct Skin {
 }
 
 impl Skin {
-    pub(super) fn read(skin: &Value, scene: &Scene) -> Result<Self, SceneError> {
+    pub(super) fn read(skin: &Value, accessors: &mut AccessorNumbers<'_>) -> Result<Self, SceneError> {
         let joints: Vec<usize> = list(skin, "joints").iter().filter_map(index).collect();
         let mut inverse_binds = Vec::new();
         if let Some(accessor) = skin.get("inverseBindMatrices").and_then(Value::as_u64) {
-            let (numbers, width) = scene.numbers(accessor)?;
+            let (numbers, width) = accessors.read(accessor)?;
             let (matrices, _) = numbers.as_chunks::<16>();
             if width == 16 {
                 let matrix = |columns: &[f32; 16]| DMat4::from_cols_array(&columns.map(f64::from));
-                inverse_binds = matrices.iter().map(matrix).collect();
+                inverse_binds = matrices.iter().take(joints.len()).map(matrix).collect();
             }
         }
         inverse_binds.resize(joints.len(), DMat4::IDENTITY);

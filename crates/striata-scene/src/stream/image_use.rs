@@ -19,7 +19,9 @@ pub(super) fn image_areas(scene: &Scene) -> Vec<f64> {
     }
     for (index_of_mesh, (mesh, scale)) in scene.meshes().iter().zip(mesh_scale).enumerate() {
         let Some(mesh) = mesh else { continue };
-        for (group, primitive) in mesh.groups.iter().zip(triangle_primitives(document, index_of_mesh)) {
+        for (group, primitive) in
+            mesh.groups_or_whole().iter().zip(triangle_primitives(document, index_of_mesh))
+        {
             let Some(material) = index(primitive, "material") else { continue };
             let area = scale * area_of(mesh, group);
             for (image, role) in images_of_material(document, material) {

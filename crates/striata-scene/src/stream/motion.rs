@@ -1,5 +1,7 @@
 //! How far animations may move what is rounded: growth by animated scales, and the sizes of morph targets.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, LayerData, Semantic};
 use striata_io::Scene;
@@ -14,6 +16,9 @@ const MAX_GROWTH: f64 = 64.0;
 pub(super) fn node_growth(document: &Value, buffer: &[u8]) -> Vec<f64> {
     let nodes = entries(document, "nodes");
     let mut own = vec![1.0f64; nodes.len()];
+    let largest = |numbers: &[f64]| numbers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    // Many channels may share an accessor.
+    let mut largest_of: BTreeMap<usize, Option<f64>> = BTreeMap::new();
     for animation in entries(document, "animations") {
         for channel in entries(animation, "channels") {
             let Some(target) = channel.get("target") else { continue };
@@ -21,11 +26,12 @@ pub(super) fn node_growth(document: &Value, buffer: &[u8]) -> Vec<f64> {
             let Some(node) = index(target, "node").filter(|&node| is_scale && node < own.len()) else {
                 continue;
             };
-            let largest = |numbers: &[f64]| numbers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-            let Some(keys) = sampler_output(document, buffer, (animation, channel)) else { continue };
+            let Some(accessor) = sampler_output(animation, channel) else { continue };
+            let read = || Some(largest(&numbers(document, buffer, accessor)?));
+            let Some(of_keys) = *largest_of.entry(accessor).or_insert_with(read) else { continue };
             let at_rest: Vec<f64> = entries(&nodes[node], "scale").iter().filter_map(Value::as_f64).collect();
             let at_rest = if at_rest.is_empty() { 1.0 } else { largest(&at_rest) };
-            let growth = largest(&keys) / at_rest;
+            let growth = of_keys / at_rest;
             if growth.is_finite() {
                 own[node] = own[node].max(growth);
             }
@@ -80,13 +86,10 @@ fn with_ancestors(nodes: &[Value], own: &[f64]) -> Vec<f64> {
     found.into_iter().map(|product| product.unwrap_or(1.0)).collect()
 }
 
-fn sampler_output(
-    document: &Value,
-    buffer: &[u8],
-    (animation, channel): (&Value, &Value),
-) -> Option<Vec<f64>> {
+/// The accessor of the values of a channel.
+fn sampler_output(animation: &Value, channel: &Value) -> Option<usize> {
     let sampler = entries(animation, "samplers").get(index(channel, "sampler")?)?;
-    numbers(document, buffer, index(sampler, "output")?)
+    index(sampler, "output")
 }
 
 /// Largest factor from units of each mesh to units of the scene, animations included; [`None`] for meshes
@@ -95,16 +98,16 @@ pub(super) fn mesh_scales(scene: &Scene) -> Vec<Option<f64>> {
     let document = scene.document();
     let growth = node_growth(document, scene.buffer());
     let of_node = |node: usize| growth.get(node).copied().unwrap_or(1.0);
+    let of_skin = |skin: &Value| {
+        let joints = entries(skin, "joints").iter().filter_map(Value::as_u64);
+        joints.fold(1.0, |most, joint| of_node(joint as usize).max(most))
+    };
+    // Once for each skin, which many instances may share.
+    let skins: Vec<f64> = entries(document, "skins").iter().map(of_skin).collect();
     let mut scales = vec![None; scene.meshes().len()];
     for instance in scene.instances() {
-        let joints = instance.skin.and_then(|skin| entries(document, "skins").get(skin));
-        let grown = match joints {
-            Some(skin) => {
-                let joints = entries(skin, "joints").iter().filter_map(Value::as_u64);
-                joints.fold(1.0, |most, joint| of_node(joint as usize).max(most))
-            }
-            None => instance.node.map_or(1.0, of_node),
-        };
+        let of_skin = instance.skin.and_then(|skin| skins.get(skin)).copied();
+        let grown = of_skin.unwrap_or_else(|| instance.node.map_or(1.0, of_node));
         let scale = instance.scale * grown;
         let slot = &mut scales[instance.mesh];
         *slot = Some(slot.map_or(scale, |most: f64| most.max(scale)));
@@ -146,17 +149,20 @@ pub(super) fn weighted_extent(scene: &Scene, mesh: usize, extents: &[f64]) -> f6
     let nodes = entries(document, "nodes");
     let shows = |node: &Value| index(node, "mesh") == Some(mesh);
     nodes.iter().filter(|node| shows(node)).for_each(|node| consider(&listed(node)));
+    let mut outputs = BTreeSet::new();
     for animation in entries(document, "animations") {
         for channel in entries(animation, "channels") {
             let Some(target) = channel.get("target") else { continue };
             let node = index(target, "node").and_then(|node| nodes.get(node));
             let is_weights = target.get("path").and_then(Value::as_str) == Some("weights");
-            if !is_weights || !node.is_some_and(shows) {
-                continue;
+            if is_weights && node.is_some_and(shows) {
+                outputs.extend(sampler_output(animation, channel));
             }
-            let keys = sampler_output(document, scene.buffer(), (animation, channel)).unwrap_or_default();
-            keys.chunks_exact(extents.len().max(1)).for_each(&mut consider);
         }
+    }
+    for accessor in outputs {
+        let keys = numbers(document, scene.buffer(), accessor).unwrap_or_default();
+        keys.chunks_exact(extents.len().max(1)).for_each(&mut consider);
     }
     most
 }

@@ -26,8 +26,9 @@ pub(super) fn check_head(head: &SceneHead) -> Result<(), SceneStreamError> {
     for (mesh, entry) in head.meshes.iter().enumerate() {
         let Some(entry) = entry else { continue };
         let primitives = triangle_primitives(&head.document, mesh).count();
-        if entry.group_count as usize != primitives {
-            let groups = entry.group_count;
+        // Without groups, one primitive contains all triangles.
+        let groups = entry.group_count.max(1);
+        if groups as usize != primitives {
             return fail(format!("meshes[{mesh}] has {groups} groups for {primitives} triangle primitives"));
         }
     }

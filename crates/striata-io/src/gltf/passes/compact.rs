@@ -10,9 +10,9 @@ use std::collections::BTreeSet;
 use serde_json::{Value, json};
 
 use super::additions::{remove, set_offset};
-use super::extensions::are_all_known;
-use super::references::{Referent, visit, visit_views};
 use super::{GltfParts, array_length, entries, entries_mut, index, index_at};
+use crate::gltf::extensions::are_all_known;
+use crate::gltf::references::{Referent, for_each, for_each_view};
 
 /// Extensions of buffer views with a range of bytes of their own.
 const COMPRESSIONS: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
@@ -23,9 +23,9 @@ pub(super) fn compact(parts: &mut GltfParts, replaced: &BTreeSet<u64>) {
     let (accessor_count, view_count) =
         (array_length(&parts.root, "accessors"), array_length(&parts.root, "bufferViews"));
     let (mut live_accessors, mut live_views) = (vec![false; accessor_count], vec![false; view_count]);
-    visit(&mut parts.root, &mut |referent, value| {
+    for_each(&mut parts.root, |referent, value| {
         let live = match referent {
-            Referent::Accessor => &mut live_accessors,
+            Referent::Accessor(_) => &mut live_accessors,
             Referent::View => &mut live_views,
         };
         mark(live, value);
@@ -37,7 +37,7 @@ pub(super) fn compact(parts: &mut GltfParts, replaced: &BTreeSet<u64>) {
     let mut views_of_dead = vec![false; view_count];
     for (accessor, &is_live) in entries_mut(&mut parts.root, "accessors").iter_mut().zip(&live_accessors) {
         let views = if is_live { &mut live_views } else { &mut views_of_dead };
-        visit_views(accessor, &mut |value| mark(views, value));
+        for_each_view(accessor, &mut |value| mark(views, value));
     }
     if !is_closed {
         let pairs = live_views.iter_mut().zip(&views_of_dead);
@@ -82,12 +82,12 @@ fn remove_slots(root: &mut Value, live_accessors: &[bool], live_views: &[bool]) 
             *value = json!(number);
         }
     };
-    visit(root, &mut |referent, value| match referent {
-        Referent::Accessor => renumber(&accessors, value),
+    for_each(root, |referent, value| match referent {
+        Referent::Accessor(_) => renumber(&accessors, value),
         Referent::View => renumber(&views, value),
     });
     for accessor in entries_mut(root, "accessors") {
-        visit_views(accessor, &mut |value| renumber(&views, value));
+        for_each_view(accessor, &mut |value| renumber(&views, value));
     }
 }
 
@@ -209,14 +209,14 @@ fn users_of_views(root: &mut Value, live_accessors: &[bool], view_count: usize) 
             *view = None;
         }
     };
-    visit(root, &mut |referent, value| {
+    for_each(root, |referent, value| {
         if referent == Referent::View {
             lock(value);
         }
     });
     let accessors = entries_mut(root, "accessors");
     for accessor in accessors.iter_mut().filter(|accessor| accessor.get("sparse").is_some()) {
-        visit_views(accessor, &mut |value| lock(value));
+        for_each_view(accessor, &mut |value| lock(value));
     }
     for (number, accessor) in accessors.iter().enumerate().filter(|&(number, _)| live_accessors[number]) {
         let view = index_at(accessor, "bufferView").and_then(|view| users.get_mut(view)?.as_mut());

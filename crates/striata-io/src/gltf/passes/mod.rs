@@ -11,8 +11,8 @@
 //!   been put into a better order.
 //! - `draco`: primitives are compressed (`KHR_draco_mesh_compression`).
 //!
-//! `references` knows where documents refer to accessors and buffer views, `extensions` which extensions
-//! add no such places.
+//! The `references` and `extensions` of the reader know where documents refer to accessors and buffer views,
+//! and which extensions add no other places.
 
 mod additions;
 mod compact;
@@ -22,7 +22,6 @@ mod extensions;
 mod meshopt;
 mod primitives;
 mod quantize;
-mod references;
 #[cfg(test)]
 mod tests;
 

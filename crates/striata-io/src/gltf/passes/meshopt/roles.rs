@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use crate::gltf::passes::extensions::are_all_known;
+use crate::gltf::extensions::are_all_known;
 use crate::gltf::passes::primitives::{Primitive, TRIANGLES};
-use crate::gltf::passes::references::{Referent, visit};
 use crate::gltf::passes::{entries, index, index_at};
+use crate::gltf::references::{Referent, for_each};
 
 /// Use of an accessor.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,12 +42,10 @@ pub(super) fn roles(root: &Value, primitives: &[Primitive]) -> BTreeMap<u64, Opt
         collector.add(skin.get("inverseBindMatrices"), Use::Other, "matrices");
     }
     for animation in entries(root, "animations") {
+        let paths = animated_paths(animation);
         for (number, sampler) in entries(animation, "samplers").iter().enumerate() {
             collector.add(sampler.get("input"), Use::Other, "time");
-            let channels = entries(animation, "channels").iter();
-            let mut own = channels.filter(|channel| index_at(channel, "sampler") == Some(number));
-            let path = own.next().and_then(|channel| channel.pointer("/target/path")?.as_str());
-            let name = format!("animated {}", path.unwrap_or_default());
+            let name = format!("animated {}", paths.get(&number).unwrap_or(&""));
             collector.add(sampler.get("output"), Use::Other, &name);
         }
     }
@@ -58,6 +56,17 @@ pub(super) fn roles(root: &Value, primitives: &[Primitive]) -> BTreeMap<u64, Opt
         }
     }
     collector.checked(root)
+}
+
+/// Returns what the first channel of each sampler of an animation changes.
+fn animated_paths(animation: &Value) -> BTreeMap<usize, &str> {
+    let mut paths = BTreeMap::new();
+    for channel in entries(animation, "channels") {
+        let Some(sampler) = index_at(channel, "sampler") else { continue };
+        let path = channel.pointer("/target/path").and_then(Value::as_str);
+        paths.entry(sampler).or_insert(path.unwrap_or_default());
+    }
+    paths
 }
 
 /// Roles found so far, and the number of uses that they explain.
@@ -104,8 +113,8 @@ impl Collector {
     fn checked(mut self, root: &Value) -> BTreeMap<u64, Option<Role>> {
         let mut copy = root.clone();
         let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
-        visit(&mut copy, &mut |referent, value| {
-            if let (Referent::Accessor, Some(accessor)) = (referent, index(value)) {
+        for_each(&mut copy, |referent, value| {
+            if let (Referent::Accessor(_), Some(accessor)) = (referent, index(value)) {
                 *counts.entry(accessor).or_default() += 1;
             }
         });

@@ -17,9 +17,9 @@ use super::grid::{Grid, Grids};
 use super::{Changes, skins, transforms};
 use crate::gltf::accessor::accessor;
 use crate::gltf::document::Document;
+use crate::gltf::extensions::are_all_known;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
-use crate::gltf::passes::extensions::are_all_known;
 use crate::gltf::passes::{array_length, entries, entries_mut, index, index_at, push_entries};
 
 const INSTANCING: &str = "/extensions/EXT_mesh_gpu_instancing/attributes";

@@ -1,10 +1,11 @@
 //! Writes small valid files for the fuzzer to start from to `fuzz/corpus/TARGET/`.
 
+mod scenes;
+
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use striata::LodOptions;
 use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{FragmentedMesh, IndexedMesh};
 use striata::model::{Fans, LodStrips, Mts, Patterns};
@@ -12,9 +13,8 @@ use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequ
 use striata::strip::stripify;
 use striata_io::Format;
 use striata_lab::baseline::SequentialPatterns;
-use striata_scene::{GlbStreamOptions, LodScene};
 use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_stream, file_model};
-use striata_testing::{meshes, scenes};
+use striata_testing::meshes;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
@@ -42,13 +42,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             fs::write(folder(target)?.join(i.to_string()), as_fuzz_input(mesh))?;
         }
     }
-    for scene in scenes::all() {
-        let lods = striata_io::read_scene_bytes(&scene.to_glb(), &striata_io::Source::new("scene.glb"))?;
-        let lods = LodScene::build(&lods, &LodOptions::default())?;
-        let folder = folder("scene_file")?;
-        fs::write(folder.join(format!("{}.striata", scene.name)), lods.to_striata(&WriteOptions::default())?)?;
-        let streams = lods.to_glb_with_stream(&GlbStreamOptions::default())?;
-        fs::write(folder.join(format!("{}.glb", scene.name)), streams)?;
+    for (target, name, bytes) in scenes::inputs()? {
+        fs::write(folder(target)?.join(name), bytes)?;
     }
     Ok(())
 }

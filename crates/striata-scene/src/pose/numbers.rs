@@ -1,0 +1,47 @@
+//! Numbers of accessors, of which animations and skins may share many.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use striata_io::{Place, Scene, SceneError};
+
+/// Numbers that may be read regardless of the size of the buffer.
+const ALWAYS_ALLOWED: usize = 1 << 24;
+
+/// Numbers of an accessor, and how many of them each element has.
+pub(super) type Numbers = (Arc<[f32]>, usize);
+
+/// Reads each accessor of a scene once, and limits the numbers of all of them, which may overlap.
+pub(super) struct AccessorNumbers<'s> {
+    scene: &'s Scene,
+    known: BTreeMap<u64, Numbers>,
+    count: usize,
+}
+
+impl<'s> AccessorNumbers<'s> {
+    pub(super) fn of(scene: &'s Scene) -> Self {
+        Self { scene, known: BTreeMap::new(), count: 0 }
+    }
+
+    /// Returns the numbers of an accessor.
+    ///
+    /// # Errors
+    /// [`SceneError`] if there is no such accessor, it is malformed, or all accessors together have far more
+    /// numbers than the buffer has bytes.
+    pub(super) fn read(&mut self, accessor: u64) -> Result<Numbers, SceneError> {
+        if let Some(known) = self.known.get(&accessor) {
+            return Ok(known.clone());
+        }
+        let (numbers, width) = self.scene.numbers(accessor)?;
+        self.count = self.count.saturating_add(numbers.len());
+        let buffer_bytes = self.scene.buffer().len();
+        if self.count > ALWAYS_ALLOWED.max(buffer_bytes.saturating_mul(4)) {
+            let place = Place::Json(format!("accessors[{accessor}]"));
+            let reason = format!("more than {} numbers in a buffer of {buffer_bytes} bytes", self.count);
+            return Err(SceneError { place, reason });
+        }
+        let numbers = (Arc::from(numbers), width);
+        self.known.insert(accessor, numbers.clone());
+        Ok(numbers)
+    }
+}
