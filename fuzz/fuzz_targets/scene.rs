@@ -6,11 +6,12 @@ use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
 use striata::{LodOptions, Target};
-use striata_fuzz::{Bytes, GltfParts, allow_contained_panics, glb_of_chunks};
+use striata_fuzz::{Bytes, allow_contained_panics};
 use striata_io::{Format, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamOptions, encode_scene};
 use striata_scene::{LodScene, Poser};
 use striata_testing::scenes;
+use striata_testing::strange::{GltfParts, glb_of_chunks};
 
 /// Scenes whose values are changed.
 static SCENES: LazyLock<Vec<GltfParts>> = LazyLock::new(|| {
@@ -28,7 +29,7 @@ fuzz_target!(|data: &[u8]| {
     let glb = match SCENES.get(kind % (SCENES.len() + 1)) {
         Some(parts) => {
             let mut parts = parts.clone();
-            parts.change(&mut input);
+            parts.change(input.0);
             parts.to_glb()
         }
         None => {
