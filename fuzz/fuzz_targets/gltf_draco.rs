@@ -3,8 +3,9 @@
 
 use libfuzzer_sys::fuzz_target;
 use serde_json::json;
-use striata_fuzz::{GltfParts, allow_contained_panics};
+use striata_fuzz::allow_contained_panics;
 use striata_io::{Source, read_bytes, read_scene_bytes};
+use striata_testing::strange::GltfParts;
 
 fuzz_target!(|data: &[u8]| {
     allow_contained_panics();

@@ -3,8 +3,9 @@
 
 use libfuzzer_sys::fuzz_target;
 use serde_json::{Value, json};
-use striata_fuzz::{Bytes, GltfParts, allow_contained_panics};
+use striata_fuzz::{Bytes, allow_contained_panics};
 use striata_io::{Source, read_bytes, read_scene_bytes};
+use striata_testing::strange::GltfParts;
 
 const MODES: [&str; 3] = ["ATTRIBUTES", "TRIANGLES", "INDICES"];
 const FILTERS: [&str; 5] = ["NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"];

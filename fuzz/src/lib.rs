@@ -1,10 +1,8 @@
-//! Builds small meshes, glTF documents and streams from bytes, so that a fuzzer's mutations become mutations
-//! of what the bytes stand for.
+//! Builds small meshes and streams from bytes, so that a fuzzer's mutations become mutations of what the bytes
+//! stand for; `striata_testing::strange` does so for glTF documents.
 
-mod gltf;
 mod packets;
 
-pub use gltf::{GltfParts, glb_of_chunks};
 pub use packets::{packed, unpacked};
 
 use std::sync::Once;

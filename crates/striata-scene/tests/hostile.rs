@@ -1,15 +1,17 @@
 //! Broken and enormous scenes are survived by levels, poses, streams, files and textures.
 
+use proptest::prelude::*;
 use serde_json::{Value, json};
 use striata::mesh::{Image, IndexedMesh, shapes};
 use striata::simplify::{BatchOptions, SequenceOptions};
 use striata::{LodOptions, Target};
-use striata_io::{Scene, SceneParts, Source, read_scene_bytes};
+use striata_io::{Format, Scene, SceneParts, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
 use striata_scene::file::SceneFile;
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamOptions, encode_scene};
 use striata_scene::textures::{TextureOptions, TextureRole, image_info, preview, recode, recode_scene};
 use striata_scene::{LodScene, MeshWeight, Poser, read_glb_with_stream};
 use striata_testing::scenes::{self, TestScene};
+use striata_testing::strange::GltfParts;
 
 fn read(scene: &TestScene) -> Result<Scene, String> {
     read_scene_bytes(&scene.to_glb(), &Source::new("scene.glb")).map_err(|error| error.to_string())
@@ -264,4 +266,41 @@ fn instances_by_extension_count_in_weights_levels_and_poses() {
     let mut decoder = SceneStreamDecoder::new();
     decoder.push(&stream.unwrap().bytes).unwrap();
     assert_eq!(decoder.scene().unwrap().instances(), scene.instances());
+}
+
+/// Writes and reads a scene until nothing changes any more.
+fn settles(scene: &Scene) {
+    let Ok(first) = scene_to_bytes(Format::Glb, scene, &WriteOptions::default()) else { return };
+    let again = read_scene_bytes(&first, &Source::new("again.glb")).unwrap();
+    assert_eq!(again.instances().len(), scene.instances().len());
+    let second = scene_to_bytes(Format::Glb, &again, &WriteOptions::default()).unwrap();
+    let third = read_scene_bytes(&second, &Source::new("again.glb")).unwrap();
+    assert_eq!(third.document(), again.document());
+    assert_eq!(third.buffer(), again.buffer());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(if cfg!(debug_assertions) { 150 } else { 2000 }))]
+
+    #[test]
+    fn strange_values_are_errors_or_scenes(
+        sample in 0usize..9,
+        changes in prop::collection::vec(any::<u8>(), 0..40),
+        checks in any::<u8>(),
+    ) {
+        let mut parts = GltfParts::of_glb(&scenes::all()[sample].to_glb());
+        parts.change(&changes);
+        let Ok(scene) = read_scene_bytes(&parts.to_glb(), &Source::new("x.glb")) else { return Ok(()) };
+        settles(&scene);
+        pose(&scene);
+        if checks < 32 && scene.triangle_count() < 3000 {
+            let lods = LodScene::build(&scene, &LodOptions::default());
+            if let Ok(lods) = lods {
+                prop_assert!(lods.to_striata(&Default::default()).is_ok());
+            }
+            if encode_scene(&scene, &SceneStreamOptions::default()).is_ok() {
+                streamed(&scene);
+            }
+        }
+    }
 }

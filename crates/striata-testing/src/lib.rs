@@ -7,4 +7,5 @@ pub mod scenes;
 #[cfg(all(unix, feature = "server"))]
 pub mod server;
 pub mod simplifier;
+pub mod strange;
 pub mod support;

@@ -6,11 +6,12 @@ use serde_json::Value;
 use striata::LodOptions;
 use striata::file::WriteOptions;
 use striata::mesh::shapes;
-use striata_fuzz::{GltfParts, unpacked};
+use striata_fuzz::unpacked;
 use striata_io::{Format, QuantizeOptions, Scene, Source, read_scene_bytes, scene_to_bytes};
 use striata_scene::stream::{SceneStreamOptions, encode_scene};
 use striata_scene::{GlbStreamOptions, LodScene};
 use striata_testing::scenes;
+use striata_testing::strange::GltfParts;
 
 /// Target, file name and contents of each input.
 pub type Input = (&'static str, String, Vec<u8>);

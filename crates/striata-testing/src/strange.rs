@@ -1,8 +1,23 @@
-//! glTF documents whose values a fuzzer changes: mutations of the text would rarely leave it well-formed.
+//! glTF documents whose values are changed as random bytes say: changes of the text would rarely leave it
+//! well-formed.
 
 use serde_json::{Value, json};
 
-use crate::Bytes;
+/// Reads choices from the front of random bytes; zeros once they are used up.
+struct Choices<'a>(&'a [u8]);
+
+impl Choices<'_> {
+    fn byte(&mut self) -> u8 {
+        let Some((&first, rest)) = self.0.split_first() else { return 0 };
+        self.0 = rest;
+        first
+    }
+
+    /// Returns a number of two bytes.
+    fn short(&mut self) -> usize {
+        usize::from(self.byte()) | usize::from(self.byte()) << 8
+    }
+}
 
 /// A glTF document and its only buffer.
 #[derive(Clone, Debug)]
@@ -38,9 +53,10 @@ impl GltfParts {
     }
 
     /// Changes values of the document and bytes of the buffer, until the input is used up.
-    pub fn change(&mut self, input: &mut Bytes<'_>) {
+    pub fn change(&mut self, input: &[u8]) {
+        let input = &mut Choices(input);
         for _ in 0..MAX_CHANGES {
-            if input.is_empty() {
+            if input.0.is_empty() {
                 break;
             }
             match input.byte() % 8 {
@@ -58,7 +74,7 @@ impl GltfParts {
         }
     }
 
-    fn change_bytes(&mut self, input: &mut Bytes<'_>) {
+    fn change_bytes(&mut self, input: &mut Choices<'_>) {
         const FLOATS: [f32; 6] = [f32::NAN, f32::INFINITY, f32::MAX, -0.0, 1e-40, -1.0];
         let (place, value) = (input.short(), input.byte());
         if self.buffer.len() < 4 {
@@ -74,7 +90,7 @@ impl GltfParts {
         }
     }
 
-    fn copy_value(&mut self, input: &mut Bytes<'_>) {
+    fn copy_value(&mut self, input: &mut Choices<'_>) {
         let count = count(&self.document);
         let (from, to) = (input.short() % count, input.short() % count);
         let copy = value_at(&mut self.document, &mut { from }).cloned().unwrap_or_default();
@@ -90,7 +106,7 @@ impl GltfParts {
         }
     }
 
-    fn remove_value(&mut self, input: &mut Bytes<'_>) {
+    fn remove_value(&mut self, input: &mut Choices<'_>) {
         let (place, entry) = (input.short() % count(&self.document), usize::from(input.byte()));
         match value_at(&mut self.document, &mut { place }) {
             Some(Value::Array(entries)) if !entries.is_empty() => {
@@ -104,7 +120,7 @@ impl GltfParts {
         }
     }
 
-    fn rename_member(&mut self, input: &mut Bytes<'_>) {
+    fn rename_member(&mut self, input: &mut Choices<'_>) {
         const KEYS: [&str; 24] = [
             "children",
             "mesh",
@@ -154,7 +170,7 @@ pub fn glb_of_chunks(text: &[u8], buffer: &[u8]) -> Vec<u8> {
 }
 
 /// Returns a value that a document does not expect, or another number.
-fn strange(input: &mut Bytes<'_>, old: &Value) -> Value {
+fn strange(input: &mut Choices<'_>, old: &Value) -> Value {
     const TEXTS: [&str; 15] = [
         "SCALAR",
         "VEC2",
