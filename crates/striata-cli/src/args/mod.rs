@@ -54,13 +54,13 @@ pub(crate) struct Cli {
 /// The verbs of the command.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
-    /// Build a .striata file with every level of detail of a mesh
+    /// Build a .striata file with every level of detail of a mesh or scene
     Build(BuildArgs),
-    /// Show what a mesh, .striata file or stream contains
+    /// Show what a mesh, scene, .striata file or stream contains
     Info(InfoArgs),
-    /// Write one or more levels of a .striata file as meshes
+    /// Write one or more levels of a .striata file
     Extract(ExtractArgs),
-    /// Simplify a mesh to one or more levels
+    /// Simplify a mesh or scene to one or more levels
     Simplify(SimplifyArgs),
     /// Convert a mesh to triangle strips
     Strip(StripArgs),
@@ -68,7 +68,7 @@ pub(crate) enum Verb {
     Distance(DistanceArgs),
     /// Convert between mesh formats
     Convert(ConvertArgs),
-    /// Compress a mesh into a progressive stream
+    /// Compress a mesh or scene into a progressive stream
     Encode(EncodeArgs),
     /// Decode a progressive stream, complete or cut off, into a mesh
     Decode(DecodeArgs),
@@ -106,7 +106,7 @@ const BASE: &str = "Base mesh (the coarsest level)";
     striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%"
 )]
 pub(crate) struct BuildArgs {
-    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
+    /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
     /// File to write, or - for stdout [default: the input with extension .striata]
     #[arg(short, long, value_name = "OUT.striata")]
@@ -226,10 +226,10 @@ pub(crate) struct ExtractArgs {
     override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
     striata simplify shape:torus -o small.ply --triangles 10%\n  \
-    striata simplify scan.obj -o scan.glb --max-error 0.5% --order hausdorff"
+    striata simplify robot.glb -o robot-{}.glb --levels 50%,10% --texture-max 512"
 )]
 pub(crate) struct SimplifyArgs {
-    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
+    /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
     /// Where vertices may lie: subset (vertices of the input) or optimal (anywhere; closer to the original,
     /// with interpolated attributes)
@@ -289,9 +289,9 @@ pub(crate) struct DistanceArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata convert shape:torus torus.glb\n  \
-    striata convert scan.stl - --to ply --ascii")]
+    striata convert robot.gltf robot.glb --meshopt --texture-format webp")]
 pub(crate) struct ConvertArgs {
-    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
+    /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
     /// File to write, or - for stdout
     #[arg(value_name = "OUT", required_unless_present = "output_flag")]

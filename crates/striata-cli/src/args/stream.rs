@@ -14,7 +14,7 @@ use striata_command::args::{FlatArgs, OptionalLevel, OutputArgs, StreamArgs, Tex
     striata encode robot.glb -o robot-stream.glb --texture-max 1024"
 )]
 pub(crate) struct EncodeArgs {
-    /// Mesh to read, - for stdin, or a built-in shape: shape:torus
+    /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
     /// File to write, or - for stdout: a stream (.stri), a GLB file that other programs show at a coarse level
     /// (.glb), or a .striata file that contains only the stream [default: the input with extension .stri]
