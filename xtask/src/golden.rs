@@ -16,6 +16,19 @@ const EXPECTED: [&str; 6] =
 /// Meshes that are also written as triangle strips; the second one has seams.
 const STRIPPED: [&str; 2] = ["crates/striata-cli/assets/nefertiti.ply.zst", "assets/spot.obj.zst"];
 
+/// A skinned, animated and textured scene, and what is made of it; `{}` is the folder of the outputs.
+const SCENE: &str = "assets/arm.glb";
+const SCENE_OUTPUTS: [&str; 8] = [
+    "convert SCENE {}/scene.glb",
+    "convert SCENE {}/scene-quantized.glb --quantize --texture-max 100",
+    "convert SCENE {}/scene-meshopt.glb --meshopt --texture-format webp",
+    "convert SCENE {}/scene-draco.glb --draco --texture-format jpeg",
+    "simplify SCENE -o {}/scene-{}.glb --levels 50%,1%",
+    "simplify SCENE -o {}/scene-chain.glb --levels 50%,1% --lod-chain",
+    "encode SCENE -o {}/scene-streams.glb",
+    "convert {}/scene-streams.glb {}/scene-decoded.glb",
+];
+
 /// Runs the demo in a temporary folder and checks the files.
 ///
 /// # Errors
@@ -30,6 +43,7 @@ pub(crate) fn run() -> Result<()> {
         ensure!(file.metadata().is_ok_and(|m| m.len() > 0), "the demo did not write {name}");
     }
     strip_scenes(&command, &folder)?;
+    write_scenes(&command, &folder)?;
     let mut scenes: Vec<OsString> = Vec::new();
     for entry in std::fs::read_dir(&folder)? {
         let path = entry?.path();
@@ -38,7 +52,7 @@ pub(crate) fn run() -> Result<()> {
         }
     }
     scenes.sort();
-    ensure!(scenes.len() >= 3 + STRIPPED.len(), "there are only {} GLB files", scenes.len());
+    ensure!(scenes.len() >= 3 + STRIPPED.len() + SCENE_OUTPUTS.len() + 1, "there are only {} GLB files", scenes.len());
     let validator = workspace().join("xtask/gltf-validate");
     machine::npm_install(&validator)?;
     let mut arguments = vec![OsString::from("validate.mjs")];
@@ -54,6 +68,20 @@ fn strip_scenes(command: &Path, folder: &Path) -> Result<()> {
         let name = asset.file_name().unwrap_or_default().to_string_lossy();
         let out = folder.join(format!("{name}.strips.glb"));
         steps::run(Command::new(command).arg("strip").arg(&asset).arg("-o").arg(out))?;
+    }
+    Ok(())
+}
+
+/// Writes the scene in all forms.
+fn write_scenes(command: &Path, folder: &Path) -> Result<()> {
+    let scene = workspace().join(SCENE);
+    for line in SCENE_OUTPUTS {
+        let words = line.split(' ').map(|word| match word.strip_prefix("{}/") {
+            Some(name) => folder.join(name).into_os_string(),
+            None if word == "SCENE" => scene.clone().into_os_string(),
+            None => OsString::from(word),
+        });
+        steps::run(Command::new(command).args(words))?;
     }
     Ok(())
 }

@@ -41,8 +41,11 @@ fn arm() -> IndexedMesh {
         *position = [position[0] * radius, along * height, position[2] * radius];
         let at = along * (JOINTS - 1) as f32;
         let lower = (at as usize).min(JOINTS - 2);
-        joints.extend([lower as u16, lower as u16 + 1, 0, 0]);
-        weights.extend([lower as f32 + 1.0 - at, at - lower as f32, 0.0, 0.0]);
+        let shares = [lower as f32 + 1.0 - at, at - lower as f32];
+        // A joint without weight has number 0.
+        let joint = |which: usize| if shares[which] > 0.0 { (lower + which) as u16 } else { 0 };
+        joints.extend([joint(0), joint(1), 0, 0]);
+        weights.extend([shares[0], shares[1], 0.0, 0.0]);
     }
     let layer = |semantic, data| AttributeLayer { semantic, component_count: 4, normalized: false, data };
     mesh.layers.push(layer(Semantic::Joints(0), LayerData::U16(joints)));
