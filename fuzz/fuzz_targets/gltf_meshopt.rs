@@ -1,4 +1,4 @@
-//! Buffer views of meshoptimizer in every mode, with every filter, must give an error or data of the declared size.
+//! Buffer views of meshoptimizer in every mode, with every filter, must give an error or a consistent mesh.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
