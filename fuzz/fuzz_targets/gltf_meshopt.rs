@@ -39,7 +39,8 @@ fn file(
         (0..256u32).flat_map(|i| [i as f32, (i * i % 7) as f32, 0.5]).flat_map(f32::to_le_bytes).collect();
     let length = count * stride;
     let mut compression = json!({
-        "buffer": 0, "byteOffset": 0, "byteLength": packed.len(), "byteStride": stride, "count": count, "mode": mode,
+        "buffer": 0, "byteOffset": 0, "byteLength": packed.len(),
+        "byteStride": stride, "count": count, "mode": mode,
     });
     if filter != "NONE" {
         compression["filter"] = json!(filter);
