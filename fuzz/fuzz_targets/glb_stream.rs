@@ -1,5 +1,5 @@
-//! GLB files with streams, damaged in their documents and in their data, must give an error, or levels that can
-//! be written.
+//! GLB files with streams, damaged in their documents and in their data, must give an error, or levels that
+//! can be written.
 #![no_main]
 
 use std::sync::LazyLock;

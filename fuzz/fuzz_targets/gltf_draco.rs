@@ -25,7 +25,9 @@ fuzz_target!(|data: &[u8]| {
         "extensionsRequired": ["KHR_draco_mesh_compression"],
         "buffers": [{ "byteLength": data.len() }],
         "bufferViews": [{ "buffer": 0, "byteLength": data.len() }],
-        "accessors": [accessor("VEC3", 5126), accessor("VEC3", 5126), accessor("VEC2", 5126), accessor("SCALAR", 5125)],
+        "accessors": [
+            accessor("VEC3", 5126), accessor("VEC3", 5126), accessor("VEC2", 5126), accessor("SCALAR", 5125),
+        ],
         "meshes": [{ "primitives": [primitive] }],
     });
     let mut parts = GltfParts { document, buffer: data.to_vec() };

@@ -1,4 +1,4 @@
-//! Buffer views of meshoptimizer in every mode, with every filter, must give an error or data of the declared size.
+//! Buffer views of meshoptimizer in every mode, with every filter, must give an error or a consistent mesh.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -39,7 +39,8 @@ fn file(
         (0..256u32).flat_map(|i| [i as f32, (i * i % 7) as f32, 0.5]).flat_map(f32::to_le_bytes).collect();
     let length = count * stride;
     let mut compression = json!({
-        "buffer": 0, "byteOffset": 0, "byteLength": packed.len(), "byteStride": stride, "count": count, "mode": mode,
+        "buffer": 0, "byteOffset": 0, "byteLength": packed.len(),
+        "byteStride": stride, "count": count, "mode": mode,
     });
     if filter != "NONE" {
         compression["filter"] = json!(filter);

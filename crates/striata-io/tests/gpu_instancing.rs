@@ -81,9 +81,10 @@ fn instances_without_places_are_counted_too() {
     assert_eq!(read(&only_ids).unwrap().instances().len(), 4);
     let none = forest(|_| json!({}));
     assert_eq!(read(&none).unwrap().instances().len(), 1);
-    let zeros = forest(
-        |scene| json!({ "TRANSLATION": scene.push("accessors", json!({ "componentType": 5126, "count": 7, "type": "VEC3" })) }),
-    );
+    let zeros = forest(|scene| {
+        let zeros = json!({ "componentType": 5126, "count": 7, "type": "VEC3" });
+        json!({ "TRANSLATION": scene.push("accessors", zeros) })
+    });
     let scene = read(&zeros).unwrap();
     assert_eq!(scene.instances().len(), 7);
     assert_eq!(scene.flattened().unwrap().triangle_count(), 7 * 80);

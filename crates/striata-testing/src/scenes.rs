@@ -40,8 +40,8 @@ impl TestScene {
         self.to_glb_with(&[])
     }
 
-    /// Encodes the document as a GLB file, after some of its strings have been replaced by JSON texts: arrays of
-    /// a million entries would take gigabytes as values.
+    /// Encodes the document as a GLB file, after some of its strings have been replaced by JSON texts: arrays
+    /// of a million entries would take gigabytes as values.
     pub fn to_glb_with(&self, texts: &[(&str, String)]) -> Vec<u8> {
         let mut document = self.document.clone();
         let mut buffer = self.buffer.clone();

@@ -5,7 +5,7 @@ use std::error::Error;
 use serde_json::Value;
 use striata::LodOptions;
 use striata::file::WriteOptions;
-use striata::mesh::shapes;
+use striata::mesh::{Random, shapes};
 use striata_fuzz::unpacked;
 use striata_io::{Format, QuantizeOptions, Scene, Source, read_scene_bytes, scene_to_bytes};
 use striata_scene::stream::{SceneStreamOptions, encode_scene};
@@ -31,6 +31,14 @@ pub fn inputs() -> Result<Vec<Input>, Box<dyn Error>> {
         let plain = [&[scenes::all().len() as u8, 0][..], &text, &[0], &parts.buffer].concat();
         inputs.push(("scene", format!("{name}.txt"), plain));
         inputs.push(("glb_stream", name.to_owned(), vec![number as u8]));
+        // Changes of every kind, because libFuzzer would take long to reach such a length.
+        let mut random = Random::new(number as u64);
+        let changes = std::iter::repeat_with(|| random.between(0.0, 256.0) as u8).take(48);
+        inputs.push((
+            "glb_stream",
+            format!("{name}.changed"),
+            [number as u8].into_iter().chain(changes).collect(),
+        ));
         let scene = read_scene_bytes(&glb, &Source::new("scene.glb"))?;
         let stream = encode_scene(&scene, &SceneStreamOptions::default())?;
         inputs.push((

@@ -43,8 +43,8 @@ fn attributes<'a>(node: &JsonNode<'a>) -> Option<JsonNode<'a>> {
 }
 
 impl GpuInstances {
-    /// Returns the transforms from the mesh to the node; a single [`None`] if the node has no instances of its
-    /// own.
+    /// Returns the transforms from the mesh to the node; a single [`None`] if the node has no instances of
+    /// its own.
     pub(super) fn of_node(
         &mut self,
         document: &Document<'_>,

@@ -15,8 +15,8 @@ pub struct SceneInstance {
     pub mesh: usize,
     /// Index of the skin, if the mesh is skinned.
     pub skin: Option<usize>,
-    /// Transform from the mesh to the node, a matrix in column order, if the node shows the mesh several times
-    /// (`EXT_mesh_gpu_instancing`).
+    /// Transform from the mesh to the node, a matrix in column order, if the node shows the mesh several
+    /// times (`EXT_mesh_gpu_instancing`).
     pub in_node: Option<Box<[f64; 16]>>,
     /// Transform from the mesh to the scene, a matrix in column order. For a skinned mesh, that of the joint
     /// that enlarges it most, in the pose of the nodes.
