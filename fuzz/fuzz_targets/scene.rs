@@ -1,5 +1,5 @@
-//! Documents with strange values must give an error, or a scene that survives writing, flattening, all levels,
-//! poses, streams and files.
+//! Documents with strange values must give an error, or a scene that survives writing, flattening, all
+//! levels, poses, streams and files.
 #![no_main]
 
 use std::sync::LazyLock;

@@ -1,5 +1,5 @@
-//! Builds small meshes and streams from bytes, so that a fuzzer's mutations become mutations of what the bytes
-//! stand for; `striata_testing::strange` does so for glTF documents.
+//! Builds small meshes and streams from bytes, so that a fuzzer's mutations become mutations of what the
+//! bytes stand for; `striata_testing::strange` does so for glTF documents.
 
 mod packets;
 
@@ -109,8 +109,8 @@ pub fn with_correct_checksums(bytes: &[u8]) -> Vec<u8> {
     out
 }
 
-/// Lets panics within the decoders of other crates pass, which striata turns into errors; libFuzzer would abort
-/// at any panic.
+/// Lets panics within the decoders of other crates pass, which striata turns into errors; libFuzzer would
+/// abort at any panic.
 pub fn allow_contained_panics() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

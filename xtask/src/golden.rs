@@ -52,7 +52,11 @@ pub(crate) fn run() -> Result<()> {
         }
     }
     scenes.sort();
-    ensure!(scenes.len() >= 3 + STRIPPED.len() + SCENE_OUTPUTS.len() + 1, "there are only {} GLB files", scenes.len());
+    ensure!(
+        scenes.len() >= 3 + STRIPPED.len() + SCENE_OUTPUTS.len() + 1,
+        "there are only {} GLB files",
+        scenes.len()
+    );
     let validator = workspace().join("xtask/gltf-validate");
     machine::npm_install(&validator)?;
     let mut arguments = vec![OsString::from("validate.mjs")];

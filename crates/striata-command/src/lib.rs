@@ -1,9 +1,9 @@
 //! Code shared by the commands of striata: flags, input and output of files, progress, tables, and failures.
 //!
 //! In reading order: [`args`] are the flags; [`failure`], [`output`] and [`clock`] report results, errors and
-//! times; [`input`], [`shapes`], [`scene`] and [`save`] read and write meshes and scenes; [`sequence`], [`texture_contrast`],
-//! [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] carry out what the flags ask
-//! for; [`page`] formats reports as HTML.
+//! times; [`input`], [`shapes`], [`scene`] and [`save`] read and write meshes and scenes; [`sequence`],
+//! [`texture_contrast`], [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] carry out
+//! what the flags ask for; [`page`] formats reports as HTML.
 //!
 //! Data goes to stdout; progress and messages go to stderr. Exit codes: 0 is success, 1 an error that the
 //! user can fix, 2 an internal error.

@@ -23,7 +23,8 @@ const ENCODINGS: [Encoding; 3] = [Encoding::Ascii, Encoding::Little, Encoding::B
 /// A face with its texture coordinates and texture number.
 type Face<'a> = (&'a [i32], &'a [f32], i32);
 
-/// Writes a file with `vertex_count` vertices, and faces with texture data; the positions are `[i, i * i, 0]`.
+/// Writes a file with `vertex_count` vertices, and faces with texture data; the positions are `[i, i * i,
+/// 0]`.
 fn ply(encoding: Encoding, comments: &str, vertex_count: usize, faces: &[Face<'_>]) -> Vec<u8> {
     let name = match encoding {
         Encoding::Ascii => "ascii",

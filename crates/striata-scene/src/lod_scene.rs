@@ -53,8 +53,8 @@ impl LodScene {
     /// Meshes with skins or morph targets are simplified for the poses of the scene's animations as well: see
     /// [`Deformation`](crate::Deformation). Their errors are at least the distances measured in these poses.
     /// The weight of displacements of [`AttributeWeights`](striata::simplify::AttributeWeights) applies to
-    /// poses too; 0 ignores them. A scene whose skins or animations cannot be read is simplified as it stands.
-    /// Guaranteed errors are guaranteed for the mesh as it is stored; in poses they are measured.
+    /// poses too; 0 ignores them. A scene whose skins or animations cannot be read is simplified as it
+    /// stands. Guaranteed errors are guaranteed for the mesh as it is stored; in poses they are measured.
     ///
     /// # Errors
     /// [`BuildError`] if a mesh is inconsistent or an option is out of range.

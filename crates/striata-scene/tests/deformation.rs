@@ -57,7 +57,8 @@ fn poses(poser: &Poser, instance: &SceneInstance, mesh: &IndexedMesh) -> Vec<(St
     poses
 }
 
-/// The largest distance of a vertex of the full mesh from a level, in a pose, divided by the instance's scale.
+/// The largest distance of a vertex of the full mesh from a level, in a pose, divided by the instance's
+/// scale.
 fn posed_distance(
     poser: &Poser,
     (pose, instance): (&Pose, &SceneInstance),

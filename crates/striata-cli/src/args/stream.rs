@@ -16,8 +16,9 @@ use striata_command::args::{FlatArgs, OptionalLevel, OutputArgs, StreamArgs, Tex
 pub(crate) struct EncodeArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// File to write, or - for stdout: a stream (.stri), a GLB file that other programs show at a coarse level
-    /// (.glb), or a .striata file that contains only the stream [default: the input with extension .stri]
+    /// File to write, or - for stdout: a stream (.stri), a GLB file that other programs show at a coarse
+    /// level (.glb), or a .striata file that contains only the stream [default: the input with extension
+    /// .stri]
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
     /// How the stream is encoded.

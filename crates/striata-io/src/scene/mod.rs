@@ -161,8 +161,8 @@ impl Scene {
         shown.map(IndexedMesh::triangle_count).sum()
     }
 
-    /// Bounding box of all instances, in units of the scene; skinned meshes count in their bind pose. [`None`]
-    /// if nothing is shown.
+    /// Bounding box of all instances, in units of the scene; skinned meshes count in their bind pose.
+    /// [`None`] if nothing is shown.
     pub fn bounds(&self) -> Option<Bounds> {
         instances::bounds_of(&self.meshes, &self.instances)
     }

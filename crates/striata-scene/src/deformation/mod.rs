@@ -4,9 +4,9 @@
 //! and far apart a moment later. Two things make levels hold in all poses:
 //!
 //! * Before simplification, [`Deformation::add_layers`] adds the displacements of some poses as morph target
-//!   layers. The simplifier counts them like distances, so a collapse that is cheap in the bind pose but tears
-//!   a pose is expensive. The poses are chosen one after another, each as different as possible from those
-//!   before it.
+//!   layers. The simplifier counts them like distances, so a collapse that is cheap in the bind pose but
+//!   tears a pose is expensive. The poses are chosen one after another, each as different as possible from
+//!   those before it.
 //! * Afterward, [`Deformation::finish`] removes these layers, measures levels in these and further poses, and
 //!   raises the errors of the levels to the largest distance found.
 //!

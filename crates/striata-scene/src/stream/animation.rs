@@ -1,9 +1,9 @@
 //! Precision of animations: outputs are rounded as far as the tolerance of the scene allows.
 //!
-//! Translations are rounded to the tolerance in the space of their node, and rotations, scales and weights of morph
-//! targets to the same share of one as the tolerance is of the scene's longest side. Steps are powers of two, so
-//! rounded floats are exact multiples and are stored as small integers (see `buffer.rs`). Times, cubic splines,
-//! integers, and accessors that anything else uses stay exact.
+//! Translations are rounded to the tolerance in the space of their node, and rotations, scales and weights of
+//! morph targets to the same share of one as the tolerance is of the scene's longest side. Steps are powers
+//! of two, so rounded floats are exact multiples and are stored as small integers (see `buffer.rs`). Times,
+//! cubic splines, integers, and accessors that anything else uses stay exact.
 
 use std::collections::BTreeMap;
 
@@ -14,8 +14,8 @@ use super::accessors::place_of;
 use super::json::{entries, index};
 use super::motion::node_stretch;
 
-/// Rounds the outputs of animations in a copy of the scene's buffer. `tolerance` and `side`, the longest side of the
-/// scene, are in its units.
+/// Rounds the outputs of animations in a copy of the scene's buffer. `tolerance` and `side`, the longest side
+/// of the scene, are in its units.
 ///
 /// Their minima and maxima, which are optional, are removed from the document.
 pub(super) fn round_animations(scene: &Scene, tolerance: f64, side: f64) -> (Value, Vec<u8>) {
@@ -37,8 +37,8 @@ pub(super) fn round_animations(scene: &Scene, tolerance: f64, side: f64) -> (Val
     (document, buffer)
 }
 
-/// Returns the multiple of a power of two that is nearest to a number; numbers for which floats are coarser than
-/// that stay as they are.
+/// Returns the multiple of a power of two that is nearest to a number; numbers for which floats are coarser
+/// than that stay as they are.
 fn rounded(number: f32, step: f32) -> f32 {
     let multiple = number / step;
     if multiple.abs() < (1 << 23) as f32 { (multiple.round() * step) + 0.0 } else { number }

@@ -1,8 +1,8 @@
 //! The scene's buffer in two parts, each compressed by accessor.
 //!
 //! Skins, points and lines are needed to draw the scene; animations can come later. Floats that change slowly
-//! compress better if each is replaced by the difference of its bits to the element before, and if bytes of equal
-//! significance are adjacent. For each accessor the writer tries both and keeps what is smallest.
+//! compress better if each is replaced by the difference of its bits to the element before, and if bytes of
+//! equal significance are adjacent. For each accessor the writer tries both and keeps what is smallest.
 
 use std::collections::BTreeSet;
 

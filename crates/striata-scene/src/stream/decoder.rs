@@ -37,8 +37,8 @@ pub struct MeshUpdate {
     pub update: StreamUpdate,
 }
 
-/// Decodes the stream of a scene. It accepts slices of bytes as they arrive; at any time, [`scene`](Self::scene)
-/// returns what has been received so far.
+/// Decodes the stream of a scene. It accepts slices of bytes as they arrive; at any time,
+/// [`scene`](Self::scene) returns what has been received so far.
 #[derive(Clone, Debug, Default)]
 pub struct SceneStreamDecoder {
     /// Bytes that have arrived but do not form a complete packet yet.
@@ -61,8 +61,8 @@ impl SceneStreamDecoder {
     /// Accepts the next bytes of the stream and decodes all packets that are complete.
     ///
     /// # Errors
-    /// [`SceneStreamError`] if the bytes are not a valid stream. Whatever was received before remains available,
-    /// but the decoder accepts no more bytes.
+    /// [`SceneStreamError`] if the bytes are not a valid stream. Whatever was received before remains
+    /// available, but the decoder accepts no more bytes.
     pub fn push(&mut self, bytes: &[u8]) -> Result<SceneStreamUpdate, SceneStreamError> {
         if self.is_over {
             return Err(SceneStreamError::Over);
@@ -154,12 +154,12 @@ impl SceneStreamDecoder {
         Ok(())
     }
 
-    /// Ends a stream that was cut: takes as much as possible of the last, incomplete packet, whose checksum cannot
-    /// be compared. No more bytes are accepted afterward.
+    /// Ends a stream that was cut: takes as much as possible of the last, incomplete packet, whose checksum
+    /// cannot be compared. No more bytes are accepted afterward.
     ///
     /// # Errors
-    /// [`SceneStreamError`] if the document is incomplete or the remaining bytes are invalid; the scene received
-    /// so far remains available.
+    /// [`SceneStreamError`] if the document is incomplete or the remaining bytes are invalid; the scene
+    /// received so far remains available.
     pub fn finish(&mut self) -> Result<SceneStreamUpdate, SceneStreamError> {
         if self.is_over {
             return Err(SceneStreamError::Over);
@@ -223,7 +223,8 @@ impl SceneStreamDecoder {
         received.document_end.checked_add(received.head.base_bytes)
     }
 
-    /// Length of the prefix that also has previews of all images, bytes; [`None`] before the document has arrived.
+    /// Length of the prefix that also has previews of all images, bytes; [`None`] before the document has
+    /// arrived.
     pub fn textured_at(&self) -> Option<u64> {
         let received = self.received.as_ref()?;
         received.document_end.checked_add(received.head.preview_bytes)
@@ -269,8 +270,8 @@ impl SceneStreamDecoder {
         Some(self.received_mesh(mesh)?.entry.scale)
     }
 
-    /// Largest error of any mesh received so far, in units of the scene; 0 once all are complete. [`None`] before
-    /// the scene is drawable.
+    /// Largest error of any mesh received so far, in units of the scene; 0 once all are complete. [`None`]
+    /// before the scene is drawable.
     pub fn error(&self) -> Option<f64> {
         let received = self.received.as_ref().filter(|_| self.is_drawable())?;
         let of = |mesh: &ReceivedMesh| f64::from(mesh.decoder.error().unwrap_or(0.0)) * mesh.entry.scale;
@@ -282,14 +283,15 @@ impl SceneStreamDecoder {
         self.received.as_ref().map_or(0, |received| received.images.len())
     }
 
-    /// What has been received of an image; [`None`] if there is no such image, or the document has not arrived.
+    /// What has been received of an image; [`None`] if there is no such image, or the document has not
+    /// arrived.
     pub fn image(&self, image: usize) -> Option<ReceivedImage<'_>> {
         let received = self.received.as_ref()?;
         (image < received.images.len()).then(|| received.image(image))
     }
 
-    /// The mesh received so far of each glTF mesh, with its collapse sequence; [`None`] for meshes without triangles
-    /// and those whose base has not arrived.
+    /// The mesh received so far of each glTF mesh, with its collapse sequence; [`None`] for meshes without
+    /// triangles and those whose base has not arrived.
     pub fn refinable_meshes(&self) -> Vec<Option<RefinableMesh>> {
         let meshes = self.received.as_ref().map_or(&[][..], |received| &received.meshes);
         meshes.iter().map(|mesh| mesh.as_ref()?.refinable_mesh()).collect()
@@ -304,8 +306,8 @@ impl SceneStreamDecoder {
     /// previews or single pixels of their average color. Animations appear once they have arrived.
     ///
     /// # Errors
-    /// [`SceneStreamError::NotDrawable`] before the document and the skins have arrived. Meshes whose base has
-    /// not arrived show nothing: see [`is_drawable`](Self::is_drawable).
+    /// [`SceneStreamError::NotDrawable`] before the document and the skins have arrived. Meshes whose base
+    /// has not arrived show nothing: see [`is_drawable`](Self::is_drawable).
     pub fn scene(&self) -> Result<Scene, SceneStreamError> {
         let missing = || SceneStreamError::NotDrawable { missing: "the document" };
         prefix_scene(self.received.as_ref().ok_or_else(missing)?, self.received())

@@ -19,7 +19,8 @@ fn at_level(bytes: &[u8], level: Compression) -> Vec<u8> {
     written.unwrap_or_default()
 }
 
-/// Unpacks bytes; [`None`] if they are malformed, unpack to more than `limit` bytes, or are followed by others.
+/// Unpacks bytes; [`None`] if they are malformed, unpack to more than `limit` bytes, or are followed by
+/// others.
 pub(super) fn inflate(packed: &[u8], limit: usize) -> Option<Vec<u8>> {
     let mut decoder = DeflateDecoder::new(packed);
     let mut bytes = Vec::new();

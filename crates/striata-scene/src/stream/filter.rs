@@ -9,8 +9,8 @@ pub(super) enum Filter {
     Planes,
     /// Differences of 32-bit integers to the element before, then planes.
     Differences,
-    /// Floats that are multiples of 2 to the power of `-exponent`: differences of the multiples to the element
-    /// before, with the sign in the lowest bit, then planes.
+    /// Floats that are multiples of 2 to the power of `-exponent`: differences of the multiples to the
+    /// element before, with the sign in the lowest bit, then planes.
     Multiples { exponent: i8 },
 }
 

@@ -8,8 +8,8 @@ use super::images::PreparedImage;
 use super::packet::{PacketKind, put_packet};
 use super::schedule::{ANIMATION_ERROR, Item, MeshCosts, WholeCosts, schedule};
 
-/// Largest packet of refinement that is made of several chunks, bytes: small packets can be used sooner, large
-/// ones have less overhead.
+/// Largest packet of refinement that is made of several chunks, bytes: small packets can be used sooner,
+/// large ones have less overhead.
 const JOINED_BYTES: usize = 8192;
 
 /// Largest piece of an image, bytes.

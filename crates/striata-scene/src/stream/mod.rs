@@ -1,9 +1,10 @@
 //! A whole scene as one progressive stream: every prefix after the base is a complete, drawable scene.
 //!
-//! A stream consists of packets: the document with a table of everything, the base of every mesh and what skins need,
-//! previews of the textures, and then refinement and whole images in the order in which they improve the picture
-//! most per byte. Each mesh is a stream of its own ([`striata_stream`]), whose bytes are distributed over packets.
-//! [`encode_scene`] writes a stream; [`SceneStreamDecoder`] reads it in pieces of any size.
+//! A stream consists of packets: the document with a table of everything, the base of every mesh and what
+//! skins need, previews of the textures, and then refinement and whole images in the order in which they
+//! improve the picture most per byte. Each mesh is a stream of its own ([`striata_stream`]), whose bytes are
+//! distributed over packets. [`encode_scene`] writes a stream; [`SceneStreamDecoder`] reads it in pieces of
+//! any size.
 //!
 //! | file | what it does |
 //! | --- | --- |
@@ -18,10 +19,10 @@
 //! | `decoder.rs`, `received.rs` | the reader |
 //! | `prefix.rs`, `weights.rs` | the scene that has been received so far |
 //!
-//! **Damage.** Every packet has a checksum; the stream of a mesh checks its chunks again. Damage gives an error, and
-//! what was received before it remains available. The document unpacks to at most 128 times the length of its packet
-//! (or 1 MiB), a part of the buffer to 1,100 times, and the streams of meshes are bounded as `striata_stream`
-//! describes.
+//! **Damage.** Every packet has a checksum; the stream of a mesh checks its chunks again. Damage gives an
+//! error, and what was received before it remains available. The document unpacks to at most 128 times the
+//! length of its packet (or 1 MiB), a part of the buffer to 1,100 times, and the streams of meshes are
+//! bounded as `striata_stream` describes.
 //!
 //! # Example
 //! ```

@@ -40,7 +40,8 @@ pub(super) fn node_growth(document: &Value, buffer: &[u8]) -> Vec<f64> {
     with_ancestors(nodes, &own).into_iter().map(|growth| growth.min(MAX_GROWTH)).collect()
 }
 
-/// Bound of the factor by which the ancestors of each node enlarge its translation, in the pose of the document.
+/// Bound of the factor by which the ancestors of each node enlarge its translation, in the pose of the
+/// document.
 pub(super) fn node_stretch(document: &Value) -> Vec<f64> {
     let nodes = entries(document, "nodes");
     let sum_of_squares =

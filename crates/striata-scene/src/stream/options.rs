@@ -7,16 +7,16 @@ use striata_stream::StreamOptions;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct SceneStreamOptions {
-    /// How meshes are encoded. Bits of the positions refer to the longest side of the scene's box, and a tolerance
-    /// is in units of the scene; each mesh gets the precision that this requires. Metadata are those of the
-    /// scene.
+    /// How meshes are encoded. Bits of the positions refer to the longest side of the scene's box, and a
+    /// tolerance is in units of the scene; each mesh gets the precision that this requires. Metadata are
+    /// those of the scene.
     pub stream: StreamOptions,
     /// How meshes are simplified, as by [`LodScene::build`](crate::LodScene::build): lengths of the sequence
     /// are in units of the scene, and poses count. `shape_step` is in units of each mesh; if it is none, it
     /// follows from the grid of each mesh.
     pub batches: BatchOptions,
-    /// Longest side of the previews of color images, pixels; default 128. Those of other maps, such as normals, are half
-    /// as long. With 0, images have no previews.
+    /// Longest side of the previews of color images, pixels; default 128. Those of other maps, such as
+    /// normals, are half as long. With 0, images have no previews.
     pub preview_side: u32,
 }
 

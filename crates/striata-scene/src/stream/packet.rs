@@ -96,8 +96,8 @@ fn checksum(fields: &[u8], payload: &[u8]) -> u32 {
 const MAX_HEAD_BYTES: usize = 1 + 5 + 5 + 4;
 
 impl PacketHead {
-    /// Reads the fields at the front of `bytes`, at a byte offset of the stream; [`None`] if there are too few
-    /// bytes.
+    /// Reads the fields at the front of `bytes`, at a byte offset of the stream; [`None`] if there are too
+    /// few bytes.
     pub(super) fn read(bytes: &[u8], offset: u64) -> Result<Option<Self>, SceneStreamError> {
         let fail = |reason: &str| Err(SceneStreamError::Packet { offset, reason: reason.to_owned() });
         let Some(&code) = bytes.first() else { return Ok(None) };

@@ -1,13 +1,13 @@
 //! Precision of each mesh, from one tolerance for the scene.
 //!
 //! Bits of [`Precision::Bits`] are those of the longest side of the scene's box, in units of the scene. The
-//! tolerance of a mesh is that of the scene divided by the largest factor by which an instance, a joint
-//! or an animated scale enlarges it. A vertex with several joints moves by a weighted average of what each joint
-//! would do, so it stays within the tolerance too. With morph targets, half of the tolerance is for the positions
-//! and half for the displacements, for the largest weights that occur.
+//! tolerance of a mesh is that of the scene divided by the largest factor by which an instance, a joint or an
+//! animated scale enlarges it. A vertex with several joints moves by a weighted average of what each joint
+//! would do, so it stays within the tolerance too. With morph targets, half of the tolerance is for the
+//! positions and half for the displacements, for the largest weights that occur.
 //!
-//! Weights of joints are rounded as [`LayerOptions::weight_bits`](striata_stream::LayerOptions) says; what this moves a
-//! vertex depends on how far its joints are apart, and is not part of the tolerance.
+//! Weights of joints are rounded as [`LayerOptions::weight_bits`](striata_stream::LayerOptions) says; what
+//! this moves a vertex depends on how far its joints are apart, and is not part of the tolerance.
 
 use striata::mesh::{IndexedMesh, Semantic};
 use striata_io::Scene;

@@ -80,8 +80,8 @@ impl Received {
         Some(())
     }
 
-    /// Takes a preview or the next bytes of an image, and returns whether the image has improved; [`None`] if it is
-    /// not expected.
+    /// Takes a preview or the next bytes of an image, and returns whether the image has improved; [`None`] if
+    /// it is not expected.
     pub(super) fn push_image(&mut self, kind: PacketKind, image: usize, payload: &[u8]) -> Option<bool> {
         let entry = self.head.images.get(image)?;
         let data = self.images.get_mut(image)?;

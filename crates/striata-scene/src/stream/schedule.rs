@@ -1,15 +1,16 @@
 //! The order in which meshes are refined and images follow: the largest improvement per byte first.
 //!
-//! **Geometry.** A chunk of a mesh reduces its error, measured in units of the scene. Errors fall in steps, so a
-//! chunk may gain nothing by itself; runs of chunks are therefore weighed together (the lower convex hull of
-//! error over bytes), and a mesh's runs improve less per byte from one to the next.
+//! **Geometry.** A chunk of a mesh reduces its error, measured in units of the scene. Errors fall in steps,
+//! so a chunk may gain nothing by itself; runs of chunks are therefore weighed together (the lower convex
+//! hull of error over bytes), and a mesh's runs improve less per byte from one to the next.
 //!
-//! **Images.** An image cannot be shown in part, so it is one item. What it adds is expressed as a geometric error:
-//! that which would change the picture as much. In a picture of the scene, an error `e` changes a strip of that
-//! width along outlines, which are about four diagonals long, by a contrast of a quarter: `e D` in all. A preview
-//! changes the area on which the image is seen (a quarter of the area of the surface, by Cauchy's formula) by the
-//! contrast it has lost, which was measured: `A c / 4`. So the image stands for an error of `A c / (4 D)`.
-//! Normals count half of it and other maps a quarter, because less of them shows in a picture.
+//! **Images.** An image cannot be shown in part, so it is one item. What it adds is expressed as a geometric
+//! error: that which would change the picture as much. In a picture of the scene, an error `e` changes a
+//! strip of that width along outlines, which are about four diagonals long, by a contrast of a quarter: `e D`
+//! in all. A preview changes the area on which the image is seen (a quarter of the area of the surface, by
+//! Cauchy's formula) by the contrast it has lost, which was measured: `A c / 4`. So the image stands for an
+//! error of `A c / (4 D)`. Normals count half of it and other maps a quarter, because less of them shows in a
+//! picture.
 //!
 //! **Animations** are one item that counts as an error of one percent of the diagonal: a moving scene of that
 //! accuracy is worth more than a finer one that stands still.

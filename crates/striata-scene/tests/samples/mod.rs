@@ -1,4 +1,5 @@
-//! A small scene with everything that a stream carries: instances, a skin, morph targets, animations, textures.
+//! A small scene with everything that a stream carries: instances, a skin, morph targets, animations,
+//! textures.
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 

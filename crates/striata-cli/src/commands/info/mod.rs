@@ -111,7 +111,8 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     output.data(&report, &report.to_text(&input.name))
 }
 
-/// Returns the parts of a scene and its full scene; `None` if the input is no scene, or the user wants one mesh.
+/// Returns the parts of a scene and its full scene; `None` if the input is no scene, or the user wants one
+/// mesh.
 fn scene_of(input: &Input, args: &InfoArgs, output: &Output) -> Result<Option<(SceneFacts, Scene)>, Failure> {
     if args.scene.flat { Ok(None) } else { SceneFacts::read(input, output) }
 }
@@ -240,8 +241,8 @@ impl Report {
         }
     }
 
-    /// Adds the parts of a scene, with the defects of each of its meshes: as one mesh, vertices without a skin
-    /// would count as defective next to others with one.
+    /// Adds the parts of a scene, with the defects of each of its meshes: as one mesh, vertices without a
+    /// skin would count as defective next to others with one.
     fn set_scene(&mut self, facts: SceneFacts, scene: &Scene) {
         self.scene = Some(facts);
         (self.defect_counts, self.defects) = (Map::new(), Vec::new());
