@@ -10,7 +10,6 @@ use striata_io::{
 use crate::args::{FormatArg, FormatArgs};
 use crate::failure::Failure;
 use crate::output::to_stdout;
-use crate::scene::flat_mesh;
 use crate::shapes::Shape;
 
 /// Whether the path is `-`, which stands for stdout (or stdin).
@@ -94,21 +93,13 @@ fn bytes_of(
     Ok(to_file_bytes(path, format, mesh, &options)?)
 }
 
-/// Returns the contents of the file that a scene is written to: glTF keeps it as it is, unless it should be
-/// flat; other formats get one mesh.
+/// Returns the contents of the file that a scene is written to: glTF keeps it as it is; other formats get one
+/// mesh.
 ///
 /// # Errors
 /// If the format cannot represent the scene.
-pub fn bytes_of_scene(
-    scene: &Scene,
-    is_flat: bool,
-    path: &Path,
-    args: &FormatArgs,
-) -> Result<Vec<u8>, Failure> {
+pub fn bytes_of_scene(scene: &Scene, path: &Path, args: &FormatArgs) -> Result<Vec<u8>, Failure> {
     let format = format_of(path, args)?;
-    if is_flat {
-        return bytes_of(&flat_mesh(scene, format)?, Primitives::Triangles, path, args);
-    }
     let options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
     Ok(scene_to_file_bytes(path, format, scene, &options)?)
 }
@@ -164,8 +155,8 @@ impl<'a> LevelFiles<'a> {
     ///
     /// # Errors
     /// If the format cannot represent the scene or writing fails.
-    pub fn write_scene(&mut self, scene: &Scene, is_flat: bool, path: &Path) -> Result<(), Failure> {
-        self.write_contents(&bytes_of_scene(scene, is_flat, path, self.format)?, path)
+    pub fn write_scene(&mut self, scene: &Scene, path: &Path) -> Result<(), Failure> {
+        self.write_contents(&bytes_of_scene(scene, path, self.format)?, path)
     }
 
     fn write_contents(&mut self, bytes: &[u8], path: &Path) -> Result<(), Failure> {

@@ -5,10 +5,10 @@ use striata::file::SCENE_STREAM_MAGIC;
 use striata::mesh::{Appearance, IndexedMesh, Material};
 use striata::simplify::Target;
 use striata::{Lod, LodOptions, ProgressFn};
-use striata_io::{Format, Scene, convert_colors, read_scene_bytes};
+use striata_io::{Format, Scene, mesh_data, read_scene_bytes};
 use striata_scene::file::{SceneFile, is_scene_file};
 use striata_scene::glb_stream::STREAM_EXTENSION;
-use striata_scene::stream::SceneStreamDecoder;
+use striata_scene::stream::{SceneStreamDecoder, SceneStreamInfo};
 use striata_scene::textures::{TextureOptions, TextureReport, recode_scene};
 use striata_scene::{BuildError, LodScene, read_glb_with_stream};
 
@@ -42,13 +42,34 @@ pub struct ReceivedScene {
     pub is_complete: bool,
     /// Error of the finest level that was received, scene units; 0 if the input is complete.
     pub error: f64,
+    /// Numbers of triangles and vertices of the full scene, even if the input is cut off.
+    pub full_counts: [usize; 2],
+}
+
+impl ReceivedScene {
+    /// Wraps all levels of a scene.
+    pub fn complete(lods: LodScene) -> Self {
+        let full_counts = [lods.levels().triangle_count(), lods.levels().vertex_count()];
+        Self { lods, is_complete: true, error: 0.0, full_counts }
+    }
+}
+
+/// Returns the numbers of triangles and vertices of the full scene of a stream, counted as in the levels.
+fn full_counts(info: &SceneStreamInfo, lods: &LodScene) -> [usize; 2] {
+    let meshes = info.meshes.iter().enumerate().filter_map(|(mesh, facts)| Some((mesh, facts.as_ref()?)));
+    meshes.fold([0, 0], |[triangles, vertices], (mesh, facts)| {
+        let instances = lods.levels().weight(mesh).map_or(1, |weight| weight.instance_count);
+        [triangles + instances * facts.triangle_count as usize, vertices + facts.vertex_count as usize]
+    })
 }
 
 impl Input {
     /// Returns how the input stores a scene; `None` for meshes, shapes, and the levels of one mesh.
     pub fn scene_kind(&self) -> Option<SceneKind> {
         match self.bytes()? {
-            (Format::Gltf | Format::Glb, bytes) if has_streams(bytes) => Some(SceneKind::GltfWithStreams),
+            (Format::Gltf | Format::Glb, bytes) if self.has_streams(bytes) => {
+                Some(SceneKind::GltfWithStreams)
+            }
             (Format::Gltf | Format::Glb, _) => Some(SceneKind::Gltf),
             (Format::Striata, bytes) if is_scene_file(bytes) => Some(SceneKind::File),
             (Format::Stream, bytes) if bytes.starts_with(&SCENE_STREAM_MAGIC) => Some(SceneKind::Stream),
@@ -70,7 +91,9 @@ impl Input {
     /// If the file is malformed; the message says where.
     pub fn scene(&self, output: &Output) -> Result<Scene, Failure> {
         if self.has_scene_levels() {
-            return Ok(self.received_scene(output)?.lods.full_scene());
+            let scene = self.received_scene(output)?.lods.full_scene();
+            self.warn_about(&scene, output);
+            return Ok(scene);
         }
         let scene = match self.bytes() {
             Some((Format::Striata | Format::Stream, _)) | None => {
@@ -81,10 +104,14 @@ impl Input {
                 read_scene_bytes(bytes, &self.source()).map_err(|error| self.unreadable_mesh(error))?
             }
         };
+        self.warn_about(&scene, output);
+        Ok(scene)
+    }
+
+    fn warn_about(&self, scene: &Scene, output: &Output) {
         for warning in scene.warnings() {
             output.say(&format!("warning: {warning}"));
         }
-        Ok(scene)
     }
 
     /// Returns the levels of the scene that the input contains, and warns the user if it is cut off; levels
@@ -93,13 +120,17 @@ impl Input {
     /// # Errors
     /// If the input has no levels, or is damaged.
     pub fn received_scene(&self, output: &Output) -> Result<ReceivedScene, Failure> {
-        let complete = |lods| ReceivedScene { lods, is_complete: true, error: 0.0 };
+        let complete = ReceivedScene::complete;
         let (Some(kind), Some((_, bytes))) = (self.scene_kind(), self.bytes()) else {
             let lod = Lod::from_file(&self.striata()?).map_err(|error| self.broken(&error))?;
             return Ok(complete(LodScene::from_lod(lod).map_err(|error| self.broken(&error))?));
         };
         match kind {
-            SceneKind::Gltf => Err(self.without_levels()),
+            SceneKind::Gltf => {
+                // A damaged file has another reason.
+                self.scene(&Output::quiet())?;
+                Err(self.without_levels())
+            }
             SceneKind::GltfWithStreams => {
                 let read = read_glb_with_stream(bytes, &self.source());
                 read.map_err(|error| self.broken(&error))?.map(complete).ok_or_else(|| self.without_levels())
@@ -119,6 +150,10 @@ impl Input {
         if !is_complete {
             decoder.finish().map_err(|error| self.broken(&error))?;
         }
+        if !decoder.is_drawable() {
+            let message = format!("{}: cut off before the first version of every mesh", self.name);
+            return Err(Failure::user(message).with_hint("copy the file again"));
+        }
         let scene = decoder.scene().map_err(|error| self.broken(&error))?;
         if !is_complete {
             let whole = decoder.stream_bytes().and_then(|bytes| usize::try_from(bytes).ok());
@@ -133,7 +168,17 @@ impl Input {
         // A mesh whose base is missing has no levels, but shows nothing either.
         let lods = LodScene::from_lods(scene.without_meshes(), decoder.lods());
         let error = decoder.error().unwrap_or(0.0);
-        Ok(ReceivedScene { lods: lods.map_err(|error| self.broken(&error))?, is_complete, error })
+        let received = ReceivedScene::complete(lods.map_err(|error| self.broken(&error))?);
+        let info = SceneStreamInfo::read(bytes).map_err(|error| self.broken(&error))?.unwrap_or_default();
+        let full_counts = full_counts(&info, &received.lods);
+        Ok(ReceivedScene { is_complete, error, full_counts, ..received })
+    }
+
+    /// Whether a mesh of a glTF file has a stream; also if the extension is malformed.
+    fn has_streams(&self, bytes: &[u8]) -> bool {
+        mentions_streams(bytes)
+            && mesh_data(bytes, &self.source(), STREAM_EXTENSION)
+                .map_or(true, |meshes| meshes.iter().any(Option::is_some))
     }
 
     fn without_levels(&self) -> Failure {
@@ -149,7 +194,7 @@ impl Input {
 }
 
 /// Whether the document of a glTF or GLB file mentions the extension for streams.
-fn has_streams(bytes: &[u8]) -> bool {
+fn mentions_streams(bytes: &[u8]) -> bool {
     let length = bytes.get(12..16).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
     let document = match length {
         Some(length) if bytes.starts_with(b"glTF") => bytes.get(20..).map(|rest| {
@@ -177,14 +222,11 @@ pub fn check_scene_flags(input: &Input, flags: &[(&str, bool)]) -> Result<(), Fa
 }
 
 /// Returns the sizes that percentages of targets refer to: triangles count once for each instance.
-pub fn full_scene_sizes(lods: &LodScene, needs_diagonal: bool) -> FullMesh {
+pub fn full_scene_sizes(received: &ReceivedScene, needs_diagonal: bool) -> FullMesh {
+    let [triangle_count, vertex_count] = received.full_counts;
     // The scene of a `LodScene` has no triangles of its own.
-    let diagonal = if needs_diagonal { lods.full_scene().diagonal() } else { 0.0 };
-    FullMesh {
-        diagonal,
-        vertex_count: lods.levels().vertex_count(),
-        triangle_count: lods.levels().triangle_count(),
-    }
+    let diagonal = if needs_diagonal { received.lods.full_scene().diagonal() } else { 0.0 };
+    FullMesh { diagonal, vertex_count, triangle_count }
 }
 
 /// Builds the levels of a scene, down to the limits.
@@ -290,10 +332,10 @@ pub fn with_mesh_textures(
     }
     let mut images = IndexedMesh::new(Vec::new(), Vec::new());
     images.appearance = std::mem::take(&mut mesh.appearance);
-    let materials = images.appearance.materials.clone();
+    let Appearance { materials, material_libraries, .. } = images.appearance.clone();
     let scene = Scene::from_mesh(images).map_err(|error| Failure::internal(error.to_string()))?;
     let scene = with_textures(scene, options, output)?;
-    mesh.appearance = Appearance { materials, ..appearance_of(&scene) };
+    mesh.appearance = Appearance { materials, material_libraries, ..appearance_of(&scene) };
     let used = entries(scene.document(), "extensionsUsed").iter().filter_map(Value::as_str);
     mesh.appearance.extensions_used = used.map(str::to_owned).collect();
     Ok(mesh)
@@ -316,12 +358,12 @@ fn say_textures(report: &TextureReport, output: &Output) {
     output.say(&format!("textures: {count} re-encoded, {before} -> {after}{unchanged}"));
 }
 
-/// Returns the one mesh that a scene shows, with vertex colors as the format has them.
+/// Returns a scene with one node that shows everything in the input as one mesh.
 ///
 /// # Errors
-/// If a mesh contains numbers that glTF cannot store.
-pub fn flat_mesh(scene: &Scene, format: Format) -> Result<IndexedMesh, Failure> {
-    let mut mesh = scene.flattened()?;
-    convert_colors(&mut mesh, Format::Glb, format);
-    Ok(mesh)
+/// If the input is malformed.
+pub fn flat_scene(input: &Input, output: &Output) -> Result<Scene, Failure> {
+    let mut mesh = input.mesh(output)?;
+    input.convert_colors(&mut mesh, Format::Glb);
+    Scene::from_mesh(mesh).map_err(|error| Failure::user(format!("{}: {error}", input.name)))
 }

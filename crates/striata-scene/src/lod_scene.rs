@@ -155,8 +155,16 @@ impl LodScene {
     /// Returns a scene with the triangles of a level, and only the vertices that they use. Split counts
     /// above the full mesh mean the full mesh.
     pub fn level_scene(&self, level: &SceneLevel) -> Scene {
+        let scene = self.scene().clone().with_meshes(self.level_meshes(level));
+        scene.expect("the groups of each mesh were checked, and every level has them all")
+    }
+
+    /// Returns the meshes of [`level_scene`](Self::level_scene) alone.
+    pub fn level_meshes(&self, level: &SceneLevel) -> Vec<Option<IndexedMesh>> {
         let split_count = |mesh: usize| level.split_counts.get(mesh).copied().unwrap_or(usize::MAX);
-        self.scene_of(|mesh, lod| lod.level(Target::SplitCount(split_count(mesh))).to_mesh())
+        let lods = self.lods().iter().enumerate();
+        let level_of = |mesh: usize, lod: &Lod| lod.level(Target::SplitCount(split_count(mesh))).to_mesh();
+        lods.map(|(mesh, lod)| Some(level_of(mesh, lod.as_ref()?))).collect()
     }
 
     /// Returns the scene with all of its triangles, and the vertices of each mesh in refinement order.

@@ -28,7 +28,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let format = format_of(path, &args.format)?;
     let input = Input::open(&args.input)?;
     let is_gltf = matches!(format, Format::Gltf | Format::Glb);
-    if is_gltf && input.scene_kind().is_some() {
+    if is_gltf && input.scene_kind().is_some() && !args.scene.flat {
         return scene::convert(args, &input, (path, format.extension()), output);
     }
     let mut mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;

@@ -18,6 +18,7 @@ use striata_command::output::{Output, Table, format_bytes, format_count, format_
 use striata_command::save::{
     DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
 };
+use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{SequencePlan, Steps};
 use striata_command::stream::{precision_name, stream_facts_json};
 
@@ -46,13 +47,10 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     }
     let mesh = input.mesh(output)?;
     if !mesh.appearance.images.is_empty() && format == Format::Stream && !args.scene.flat {
-        // Streams of one mesh have no textures.
+        // The stream of a scene sends previews of textures before the textures.
         return encode_scene(args, &input, (&path, format), output);
     }
-    if let Some(flag) = args.textures.first_given_flag() {
-        return Err(Failure::user(format!("{flag}: a stream of one mesh has no textures"))
-            .with_hint(format!("remove {flag}")));
-    }
+    let mesh = with_mesh_textures(mesh, args.textures.options().as_ref(), output)?;
     phases.enter("weld");
     let welded = weld(&mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     phases.enter("simplify");

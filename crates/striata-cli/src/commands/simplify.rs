@@ -77,7 +77,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    if (input.scene_kind().is_some() || args.levels.lod_chain) && !args.scene.flat {
+    if (input.scene_kind().is_some() && !args.scene.flat) || args.levels.lod_chain {
         drop(bar);
         return scene::simplify(args, &input, started, output);
     }

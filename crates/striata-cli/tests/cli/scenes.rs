@@ -71,8 +71,9 @@ fn targets_count_all_instances_in_units_of_the_scene() {
     let bench = bench_of(&scenes::hierarchy());
     let facts = bench.json("info a.glb")["scene"].clone();
     assert_eq!((facts["instance_count"].clone(), facts["node_count"].clone()), (json!(4), json!(7)));
-    // A mesh that only another scene shows counts once.
+    // A mesh that only another scene shows does not count.
     let full = bench.json("build a.glb -o a.striata")["triangle_count"].as_u64().unwrap();
+    assert_eq!(bench.json("info a.glb")["triangle_count"], full);
     for share in [50, 20, 5] {
         let report = bench.json(&format!("extract a.striata -o level.glb --triangles {share}%"));
         let count = report["triangle_count"].as_u64().unwrap();
@@ -156,8 +157,17 @@ fn every_prefix_of_a_stream_is_a_scene() {
         last = count;
     }
     assert_eq!(last, full);
-    bench.write("head.stri", &stream[..20]);
-    assert!(bench.refused("decode head.stri -o x.glb").contains("head.stri"));
+    bench.write("cut.stri", &stream[..drawable]);
+    let short = bench.json(&format!("decode cut.stri -o cut.glb --triangles {full}"));
+    assert_eq!(short["shortfall"], "the input ends before this level");
+    let by_error = bench.json("decode cut.stri -o cut.glb --error 1e-9");
+    assert_eq!(by_error["shortfall"], "the input ends before this level");
+    assert!(bench.refused("extract cut.stri -o x.glb --error 1e-9 --strict").contains("--strict"));
+    for length in [0, 20, drawable / 2, drawable - 1] {
+        bench.write("head.stri", &stream[..length]);
+        assert!(bench.refused("decode head.stri -o x.glb").contains("head.stri"), "{length} bytes");
+    }
+    assert!(!bench.names().contains(&"x.glb".to_owned()));
 }
 
 #[test]
@@ -174,6 +184,11 @@ fn a_glb_with_streams_opens_coarse_and_decodes_in_full() {
     assert_eq!(facts["triangle_count"], full);
     let level = bench.json("extract streams.glb -o level.glb --ratio 0.25");
     assert!(level["triangle_count"].as_u64().unwrap() * 4 <= full.as_u64().unwrap());
+    // The name of the extension may occur anywhere.
+    let mut named = scenes::skinned();
+    named.document["nodes"][0]["name"] = json!("STRIATA_lod");
+    bench.write("named.glb", named.to_glb());
+    assert_eq!(bench.json("convert named.glb x.glb")["triangle_count"], full);
     // A mesh without nodes becomes a scene, too.
     bench.json("encode shape:torus -o torus.glb");
     assert_eq!(
@@ -203,7 +218,16 @@ fn chains_contain_all_levels_in_one_file() {
     bench.json("extract a.striata -o extracted.glb --levels 50%,10% --lod-chain --meshopt");
     bench.json("build shape:torus -o torus.striata");
     bench.json("extract torus.striata -o torus.glb --levels 50%,10% --lod-chain");
-    for name in ["chain.glb", "extracted.glb", "torus.glb"] {
+    let flat = bench.json("simplify a.glb --flat -o flat.glb --levels 50%,10% --lod-chain");
+    assert_eq!(flat["levels"][1]["path"], "flat.glb");
+    let mut without_scenes = scenes::skinned();
+    without_scenes.document.as_object_mut().unwrap().remove("scenes");
+    without_scenes.document.as_object_mut().unwrap().remove("scene");
+    bench.write("b.glb", without_scenes.to_glb());
+    bench.json("simplify b.glb -o b-chain.glb --levels 50%,10% --lod-chain");
+    let shown = |name: &str| bench.json(&format!("info {name}"))["triangle_count"].clone();
+    assert_eq!(shown("b-chain.glb"), shown("b.glb"), "only the full mesh is shown");
+    for name in ["chain.glb", "extracted.glb", "torus.glb", "flat.glb", "b-chain.glb"] {
         let root = document(&bench, name);
         let used = root["extensionsUsed"].as_array().unwrap();
         assert!(used.iter().any(|extension| extension == "MSFT_lod"), "{name}");

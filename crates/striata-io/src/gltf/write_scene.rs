@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
-use striata::mesh::{IndexedMesh, Semantic};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use super::builder::Builder;
 use super::passes::GltfParts;
@@ -79,9 +79,15 @@ fn document(writer: &SceneWriter<'_>, options: &WriteOptions) -> Result<GltfPart
 fn put_meshes(builder: &mut Builder, root: &mut Value, writer: &SceneWriter<'_>) -> Result<(), Refusal> {
     let mut vertices: BTreeMap<usize, Attributes> = BTreeMap::new();
     for (index, (entry, mesh)) in entries(root, "meshes").zip(writer.scene.meshes()).enumerate() {
-        let (Some(mesh), Some(primitives)) = (mesh, primitives_of(entry)) else { continue };
+        let Some(primitives) = primitives_of(entry) else { continue };
+        let Some(mesh) = mesh else {
+            if !writer.shared.contains_key(&index) && primitives.iter().any(lacks_data) {
+                return Err(Refusal::BadMesh(format!("meshes[{index}] has no triangles")));
+            }
+            continue;
+        };
         if mesh.triangles.is_empty() {
-            put_nothing(builder, primitives)?;
+            put_nothing(builder, primitives, mesh)?;
             continue;
         }
         let found = attributes(builder, mesh)?;
@@ -104,7 +110,8 @@ fn put_meshes(builder: &mut Builder, root: &mut Value, writer: &SceneWriter<'_>)
             return Err(Refusal::BadMesh(format!("meshes[{}] shows nothing", shared.vertices_of)));
         };
         if shared.index_lists.iter().all(Vec::is_empty) {
-            put_nothing(builder, primitives)?;
+            let vertices = writer.scene.meshes()[shared.vertices_of].as_ref();
+            put_nothing(builder, primitives, vertices.unwrap_or(&IndexedMesh::default()))?;
             continue;
         }
         let indices = builder.push_indices(shared.index_lists.iter().map(Vec::as_slice), vertex_count);
@@ -161,17 +168,49 @@ fn set<'v>(members: &mut Map<String, Value>, accessor: impl Fn(&str) -> Option<&
     });
 }
 
+/// Whether a triangle primitive has an attribute without an accessor.
+fn lacks_data(primitive: &Value) -> bool {
+    let attributes = primitive.get("attributes").and_then(Value::as_object);
+    has_triangles(primitive) && attributes.into_iter().flat_map(Map::values).any(Value::is_null)
+}
+
+/// Returns a layer like another one for a single vertex, with a value that is valid for its meaning.
+fn layer_of_point(layer: &AttributeLayer) -> AttributeLayer {
+    let value: &[f32] = match layer.semantic {
+        Semantic::Normal => &[0.0, 0.0, 1.0],
+        Semantic::Tangent => &[1.0, 0.0, 0.0, 1.0],
+        Semantic::Weights(0) => &[1.0],
+        _ => &[],
+    };
+    let components = (0..usize::from(layer.component_count)).map(|i| value.get(i).copied().unwrap_or(0.0));
+    let data = match layer.data {
+        LayerData::F32(_) => LayerData::F32(components.collect()),
+        LayerData::U8(_) => LayerData::U8(components.map(|x| if x > 0.0 { u8::MAX } else { 0 }).collect()),
+        LayerData::U16(_) => LayerData::U16(components.map(|x| if x > 0.0 { u16::MAX } else { 0 }).collect()),
+        LayerData::U32(_) => LayerData::U32(components.map(|_| 0).collect()),
+    };
+    AttributeLayer { data, ..layer.clone() }
+}
+
 /// Makes the first triangle primitive show one point, and removes the others if it shows nothing at all.
-fn put_nothing(builder: &mut Builder, primitives: &mut Vec<Value>) -> Result<(), Refusal> {
+/// The point has the attributes and morph targets of the mesh, which skins and weights of nodes need.
+fn put_nothing(
+    builder: &mut Builder,
+    primitives: &mut Vec<Value>,
+    mesh: &IndexedMesh,
+) -> Result<(), Refusal> {
     let mut is_first = primitives.iter().all(has_triangles);
-    let point = attributes(builder, &IndexedMesh::new(vec![[0.0; 3]], vec![]))?.attributes;
+    let mut point = IndexedMesh::new(vec![[0.0; 3]], vec![]);
+    point.layers = mesh.layers.iter().map(layer_of_point).collect();
+    let point = attributes(builder, &point)?;
     let indices = builder.push_indices([&[0, 0, 0][..]], 1);
     primitives.retain_mut(|primitive| {
         if !has_triangles(primitive) {
             return true;
         }
         if std::mem::take(&mut is_first) {
-            *primitive = json!({ "attributes": point, "indices": indices[0] });
+            primitive["indices"] = json!(indices[0]);
+            refer(primitive, &point);
             return true;
         }
         false

@@ -1,5 +1,7 @@
 //! Scene of a single mesh, from a format without scenes.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value, json};
 use striata::mesh::{IndexedMesh, Material, Semantic, TriangleGroup};
 
@@ -41,9 +43,9 @@ impl Scene {
 fn group_by_material(mesh: &mut IndexedMesh) {
     let mut groups: Vec<TriangleGroup> = Vec::new();
     let mut triangles: Vec<Vec<[u32; 3]>> = Vec::new();
+    let mut group_of = BTreeMap::new();
     for group in mesh.groups_or_whole().iter() {
-        let known = groups.iter().position(|other| other.material == group.material);
-        let index = known.unwrap_or_else(|| {
+        let index = *group_of.entry(group.material).or_insert_with(|| {
             groups.push(TriangleGroup { material: group.material, ..TriangleGroup::default() });
             triangles.push(Vec::new());
             groups.len() - 1

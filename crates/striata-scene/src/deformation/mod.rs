@@ -66,6 +66,11 @@ impl<'s> Deformation<'s> {
         mesh: &IndexedMesh,
     ) -> Option<Self> {
         let poser = poses.poser();
+        let is_morphed = mesh.layers.iter().any(|layer| matches!(layer.semantic, Semantic::MorphPosition(_)));
+        let is_skinned = mesh.layers.iter().any(|layer| matches!(layer.semantic, Semantic::Joints(_)));
+        if !is_morphed && !is_skinned {
+            return None;
+        }
         let instances = scene.instances().iter().filter(|instance| instance.mesh == mesh_index);
         let poses = distinct_poses(poses, instances, mesh);
         (!poses.is_empty()).then_some(Self { poser, poses, layer_count: mesh.layers.len() })

@@ -9,6 +9,7 @@ use striata_io::{MeshData, Scene, Source, mesh_data, read_scene_bytes};
 use super::{GlbStreamReadError, STREAM_EXTENSION, STREAM_EXTENSION_VERSION};
 use crate::error::BuildError;
 use crate::lod_scene::{LodScene, check_groups};
+use crate::stream::normalize_weights;
 
 /// Reads a glTF or GLB file whose meshes have streams, and decodes them; [`None`] if no mesh has one.
 ///
@@ -56,5 +57,7 @@ fn decoded(scene: &Scene, mesh: usize, data: &MeshData) -> Result<Lod, GlbStream
         return Err(GlbStreamReadError::Truncated { mesh });
     }
     check_groups(scene, mesh, file.summary().group_count)?;
-    Lod::from_file(&file).map_err(in_stream)
+    let mut refinable = file.refinable_mesh().map_err(in_stream)?;
+    normalize_weights(&mut refinable.mesh);
+    Ok(Lod::from_refinable(refinable))
 }

@@ -189,7 +189,9 @@ impl SceneLevels {
     }
 
     fn error_of(&self, splits: &[usize]) -> f64 {
-        let errors = self.meshes.iter().zip(splits).filter_map(|(mesh, &s)| Some(mesh.as_ref()?.error_at(s)));
+        let shown = self.meshes.iter().zip(splits).filter_map(|(mesh, &s)| Some((mesh.as_ref()?, s)));
+        let shown = shown.filter(|(mesh, _)| mesh.weight.instance_count > 0);
+        let errors = shown.map(|(mesh, split_count)| mesh.error_at(split_count));
         errors.fold(0.0, f64::max)
     }
 

@@ -7,7 +7,8 @@ use striata_io::Scene;
 pub struct MeshWeight {
     /// Units of the scene per unit of the mesh: the largest scale among its instances.
     pub scale: f64,
-    /// Number of times that its triangles are counted.
+    /// Number of times that its triangles are counted; 0 if nothing shows the mesh, whose errors then do not
+    /// count either.
     pub instance_count: usize,
 }
 
@@ -20,8 +21,9 @@ impl Default for MeshWeight {
 impl MeshWeight {
     /// Returns the weights of all meshes, from their instances in the default scene.
     ///
-    /// A mesh without an instance counts like one with a single instance of scale 1. So does the scale of a
-    /// mesh all of whose instances are flattened to a point, because an animation may enlarge them.
+    /// A mesh without an instance is coarsened together with the others, as if its scale were 1, but counts in
+    /// no number; if nothing at all is shown, every mesh counts once. The scale of a mesh all of whose
+    /// instances are flattened to a point is 1, because an animation may enlarge them.
     pub fn of_scene(scene: &Scene) -> Vec<Self> {
         let mut weights = vec![Self { scale: 0.0, instance_count: 0 }; scene.meshes().len()];
         for instance in scene.instances() {
@@ -31,8 +33,11 @@ impl MeshWeight {
                 weight.scale = weight.scale.max(instance.scale);
             }
         }
+        let shows_nothing = scene.instances().is_empty();
         for weight in &mut weights {
-            weight.instance_count = weight.instance_count.max(1);
+            if shows_nothing {
+                weight.instance_count = 1;
+            }
             if weight.scale == 0.0 {
                 weight.scale = 1.0;
             }

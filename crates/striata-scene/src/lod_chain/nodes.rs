@@ -24,16 +24,35 @@ pub(super) fn level_name(name: &str, number: usize) -> String {
     format!("{name}_LOD{number}")
 }
 
-/// Adds a node for each mesh to a document without nodes.
+/// Adds a node for each mesh to a document without nodes, and a scene with the roots to one without scenes:
+/// nodes of levels have no parent either, but must not be shown.
 pub(super) fn show_bare_meshes(document: &mut Value) {
     let count = |key: &str| document.get(key).and_then(Value::as_array).map_or(0, Vec::len);
-    let mesh_count = count("meshes");
-    if count("nodes") > 0 || mesh_count == 0 {
+    let (mesh_count, scene_count) = (count("meshes"), count("scenes"));
+    if mesh_count == 0 {
         return;
     }
-    document["nodes"] = (0..mesh_count).map(|mesh| json!({ "mesh": mesh })).collect();
-    document["scenes"] = json!([{ "nodes": (0..mesh_count).collect::<Vec<_>>() }]);
-    document["scene"] = json!(0);
+    if count("nodes") == 0 {
+        document["nodes"] = (0..mesh_count).map(|mesh| json!({ "mesh": mesh })).collect();
+        if scene_count > 0 {
+            let shown = document.get("scene").and_then(Value::as_u64).unwrap_or(0);
+            if let Some(scene) = document.pointer_mut(&format!("/scenes/{shown}")) {
+                scene["nodes"] = (0..mesh_count).collect();
+            }
+        }
+    }
+    if scene_count == 0 {
+        document["scenes"] = json!([{ "nodes": roots(document) }]);
+        document["scene"] = json!(0);
+    }
+}
+
+/// Returns the nodes that have no parent.
+fn roots(document: &Value) -> Vec<usize> {
+    let nodes = document.get("nodes").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+    let children = nodes.iter().filter_map(|node| node.get("children")?.as_array()).flatten();
+    let children: BTreeSet<u64> = children.filter_map(Value::as_u64).collect();
+    (0..nodes.len()).filter(|&node| !children.contains(&(node as u64))).collect()
 }
 
 /// Adds chains to the nodes of a document.

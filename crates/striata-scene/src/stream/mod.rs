@@ -68,6 +68,8 @@ mod received;
 mod schedule;
 mod weights;
 
+pub(crate) use weights::normalize_weights;
+
 pub use decoder::{MeshUpdate, SceneStreamDecoder, SceneStreamUpdate};
 pub use encode::{EncodedScene, SceneStreamSizes, encode_scene, encode_scene_with_progress};
 pub use error::{SceneEncodeError, SceneStreamError};

@@ -9,7 +9,7 @@ const EXACT: f64 = 1e-6;
 const ROUNDED: f64 = 0.25;
 
 /// Divides the weights of each vertex, which were rounded one by one, by their sum.
-pub(super) fn normalize_weights(mesh: &mut IndexedMesh) {
+pub(crate) fn normalize_weights(mesh: &mut IndexedMesh) {
     let mut sums = vec![0.0f64; mesh.vertex_count()];
     for_each_weight(mesh, |vertex, weight| sums[vertex] += f64::from(*weight));
     for_each_weight(mesh, |vertex, weight| {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::Serialize;
 use striata::file::WriteOptions;
-use striata::simplify::Target;
+use striata::simplify::{StopReason, Target};
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -115,7 +115,10 @@ fn shortfall_of(lods: &LodScene, base: usize, args: &BuildArgs) -> Option<String
     let reached = ReachedLevel {
         vertex_count: level.vertex_count,
         triangle_count: level.triangle_count,
-        stop_reason: level.stop_reason,
+        stop_reason: match level.stop_reason {
+            StopReason::BaseReached if args.max_error.is_some() => StopReason::ErrorLimit,
+            reason => reason,
+        },
     };
     let limit = CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single));
     shortfall(Target::Triangles(base), reached, &limit)

@@ -30,7 +30,7 @@ pub(in crate::commands) fn convert(
     output: &Output,
 ) -> Result<(), Failure> {
     let scene = with_textures(input.scene(output)?, args.textures.options().as_ref(), output)?;
-    write_bytes(&bytes_of_scene(&scene, args.scene.flat, path, &args.format)?, path)?;
+    write_bytes(&bytes_of_scene(&scene, path, &args.format)?, path)?;
     let report = Report {
         vertex_count: scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum(),
         triangle_count: scene.triangle_count(),

@@ -18,7 +18,7 @@ const LISTED: usize = 12;
 pub(in crate::commands) struct SceneFacts {
     scene_count: usize,
     node_count: usize,
-    /// Number of nodes that show a mesh in the default scene.
+    /// Number of times that the default scene shows a mesh.
     instance_count: usize,
     meshes: Vec<MeshFacts>,
     material_count: usize,
@@ -119,7 +119,7 @@ impl SceneFacts {
     pub(in crate::commands) fn rows(&self) -> Vec<(&'static str, String)> {
         let mut rows = Vec::new();
         let nodes = format_noun_count(self.node_count, "node", "nodes");
-        let instances = format_noun_count(self.instance_count, "shows a mesh", "show a mesh");
+        let instances = format_noun_count(self.instance_count, "instance of a mesh", "instances of meshes");
         rows.push(("scene", format!("{nodes}, {instances}")));
         for mesh in self.meshes.iter().take(LISTED) {
             rows.push(("  mesh", mesh.to_text()));

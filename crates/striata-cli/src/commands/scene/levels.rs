@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::simplify::Target;
+use striata::simplify::{StopReason, Target};
 use striata_command::args::{FormatArgs, LevelArgs, LevelsArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -14,12 +14,15 @@ use striata_command::level::{
 };
 use striata_command::output::{Output, format_count, format_duration, format_length};
 use striata_command::save::{LevelFiles, display_name, format_of, write_bytes};
-use striata_command::scene::{build_scene, check_scene_flags, full_scene_sizes, with_textures};
+use striata_command::scene::{
+    ReceivedScene, build_scene, check_scene_flags, flat_scene, full_scene_sizes, with_textures,
+};
 use striata_command::sequence::{Limits, StepKind, limit_in_units};
 use striata_io::{Format, WriteOptions};
 use striata_scene::textures::TextureOptions;
 use striata_scene::{LodChainOptions, LodScene, SceneLevel, lod_chain};
 
+use super::super::extract::INPUT_ENDED_TEXT;
 use super::view::extract_view;
 use crate::args::{DecodeArgs, ExtractArgs, PlacementArg, SimplifyArgs, TriangleForm};
 
@@ -70,6 +73,8 @@ struct Destination<'a> {
     is_strict: bool,
     /// Why no coarser level exists than the coarsest one.
     limit: CoarseningLimit,
+    /// Whether the coarsest level is the last one within an error limit.
+    has_error_limit: bool,
 }
 
 /// Simplifies a scene, writes its levels, and reports.
@@ -85,7 +90,7 @@ pub(in crate::commands) fn simplify(
     check_scene_flags(input, &[("--placement optimal", args.placement == PlacementArg::Optimal)])?;
     let mut bar = output.bar();
     bar.phase("read");
-    let scene = input.scene(output)?;
+    let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
     let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
     let lods =
         build_scene(input, &scene, (&args.sequence, limits), output, &mut |progress| bar.show(progress))?;
@@ -98,8 +103,9 @@ pub(in crate::commands) fn simplify(
         textures: args.textures.options(),
         is_strict: args.strict,
         limit: CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single)),
+        has_error_limit: args.max_error.is_some(),
     };
-    write_levels(&lods, 0.0, &destination, started, output)
+    write_levels(&ReceivedScene::complete(lods), &destination, started, output)
 }
 
 /// Writes levels of a scene from a file, and reports.
@@ -134,8 +140,9 @@ pub(in crate::commands) fn extract(
         textures: args.textures.options(),
         is_strict: args.strict,
         limit: CoarseningLimit::File,
+        has_error_limit: false,
     };
-    write_levels(&received.lods, received.error, &destination, started, output)
+    write_levels(&received, &destination, started, output)
 }
 
 /// Decodes the stream of a scene, or a level of it, and reports.
@@ -157,22 +164,22 @@ pub(in crate::commands) fn decode(
         textures: None,
         is_strict: false,
         limit: CoarseningLimit::File,
+        has_error_limit: false,
     };
-    write_levels(&received.lods, received.error, &destination, started, output)
+    write_levels(&received, &destination, started, output)
 }
 
-/// Writes the requested levels, or the finest one if none is requested, and reports. `finest_error` is the
-/// error of the finest level, which is not 0 if a stream is cut off.
+/// Writes the requested levels, or the finest one if none is requested, and reports.
 fn write_levels(
-    lods: &LodScene,
-    finest_error: f64,
+    received: &ReceivedScene,
     destination: &Destination<'_>,
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
     let one = LevelsArgs { levels: None, lod_chain: false };
     let several = destination.levels.unwrap_or(&one);
-    let full = full_scene_sizes(lods, destination.level.error.is_some());
+    let lods = &received.lods;
+    let full = full_scene_sizes(received, destination.level.error.is_some());
     let requests = level_requests(destination.level, several, full, destination.output)?;
     let mut reports = Vec::new();
     let mut levels = Vec::new();
@@ -183,11 +190,20 @@ fn write_levels(
             CoarseningLimit::File => Target::Detail(1.0),
         });
         let mut level = lods.level(target);
-        level.error = level.error.max(finest_error);
-        let report = LevelReport::new(request, &level, &destination.limit);
+        level.error = level.error.max(received.error);
+        if destination.has_error_limit && level.stop_reason == StopReason::BaseReached {
+            level.stop_reason = StopReason::ErrorLimit;
+        }
+        let mut report = LevelReport::new(request, &level, &destination.limit);
+        if request.target.is_some_and(|target| ends_before(received, target)) {
+            report.shortfall = Some(INPUT_ENDED_TEXT.to_owned());
+        }
         check_strict(destination.is_strict, request.name.as_deref(), report.shortfall.as_deref())?;
         reports.push(report);
         levels.push(level);
+    }
+    if full.triangle_count == 0 {
+        output.say("note: the scene shows no triangles; points and lines stay as they are");
     }
     let mut bar = output.bar();
     bar.phase("write");
@@ -196,12 +212,11 @@ fn write_levels(
     } else {
         let mut files = LevelFiles::new(destination.format, several.levels.is_some());
         // Images are the same in all levels, and re-encoded once.
-        let frame = with_textures(lods.scene().clone(), destination.textures.as_ref(), output)?;
+        let mut scene = with_textures(lods.scene().clone(), destination.textures.as_ref(), output)?;
         for (level, request) in levels.iter().zip(&requests) {
-            let meshes = lods.level_scene(level).into_parts().meshes;
-            let scene = frame.clone().with_meshes(meshes);
-            let scene = scene.map_err(|error| Failure::internal(error.to_string()))?;
-            files.write_scene(&scene, false, &request.path)?;
+            let changed = scene.with_meshes(lods.level_meshes(level));
+            scene = changed.map_err(|error| Failure::internal(error.to_string()))?;
+            files.write_scene(&scene, &request.path)?;
         }
         files.commit()?;
     }
@@ -214,6 +229,19 @@ fn write_levels(
     let level = reports.pop().ok_or_else(|| Failure::internal("no level was given"))?;
     let report = Report { level, error_is_guaranteed, secs };
     output.summary(&report, &report.to_text(full.triangle_count))
+}
+
+/// Whether a stream that is cut off ends before the level for a target.
+fn ends_before(received: &ReceivedScene, target: Target) -> bool {
+    let levels = received.lods.levels();
+    !received.is_complete
+        && match target {
+            Target::Triangles(n) => n > levels.triangle_count(),
+            Target::Vertices(n) => n > levels.vertex_count(),
+            Target::Error(error) => error < received.error,
+            Target::SplitCount(n) => n > levels.step_count(),
+            _ => false,
+        }
 }
 
 /// Writes the full scene and all levels as one file, between which engines switch.
@@ -257,6 +285,14 @@ pub(in crate::commands) fn check_outputs(
     levels: &LevelsArgs,
     (output, format): (&Path, &FormatArgs),
 ) -> Result<(), Failure> {
+    if levels.lod_chain && levels.levels.is_none() {
+        return Err(Failure::user("--lod-chain was given without --levels")
+            .with_hint("name the coarser levels: --levels 50%,10% --lod-chain"));
+    }
+    if levels.lod_chain && output.to_string_lossy().contains("{}") {
+        let message = format!("{}: --lod-chain writes all levels to one file", output.display());
+        return Err(Failure::user(message).with_hint("remove {} from the name"));
+    }
     for path in check_paths(level, levels, output)? {
         format_of(&path, format)?;
     }

@@ -53,7 +53,7 @@ pub(super) fn extract_view(
         limit.and_then(|limit| shortfall(Target::Triangles(limit), reached, &CoarseningLimit::File));
     check_strict(args.strict, None, shortfall.as_deref())?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
-    write_bytes(&bytes_of_scene(&scene, false, path, &args.output.format)?, path)?;
+    write_bytes(&bytes_of_scene(&scene, path, &args.output.format)?, path)?;
     let level = LevelReport {
         level: None,
         path: display_name(path),
