@@ -53,7 +53,7 @@ pub(crate) fn run() -> Result<()> {
     }
     scenes.sort();
     ensure!(
-        scenes.len() >= 3 + STRIPPED.len() + SCENE_OUTPUTS.len() + 1,
+        scenes.len() > 3 + STRIPPED.len() + SCENE_OUTPUTS.len(),
         "there are only {} GLB files",
         scenes.len()
     );
