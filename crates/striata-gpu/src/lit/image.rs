@@ -20,8 +20,8 @@ pub struct LitImage {
 impl LitImage {
     /// Checks the size, and that there are as many bytes as pixels need.
     pub(crate) fn check(&self, image: usize) -> Result<(), GpuError> {
-        let expected_bytes = 4 * u64::from(self.width) * u64::from(self.height);
-        if expected_bytes == 0 || self.rgba.len() as u64 != expected_bytes {
+        let expected_bytes = 4 * u128::from(self.width) * u128::from(self.height);
+        if expected_bytes == 0 || self.rgba.len() as u128 != expected_bytes {
             let (width, height, found_bytes) = (self.width, self.height, self.rgba.len());
             return Err(GpuError::ImageSize { image, width, height, found_bytes });
         }

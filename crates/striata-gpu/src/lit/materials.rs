@@ -195,7 +195,7 @@ impl MaterialData {
             AlphaMode::Mask { cutoff } => (2, cutoff),
             AlphaMode::Blend => (3, 0.0),
         };
-        let [red, green, blue] = material.emissive;
+        let ([red, green, blue], textures) = (material.emissive, material.textures());
         let use_data = |used: Option<&TextureUse>| {
             let Some(used) = used else { return [[0.0; 4]; 2] };
             let [[a, b, c], [d, e, f]] = used.uv_transform;
@@ -209,9 +209,9 @@ impl MaterialData {
                 mode,
                 u32::from(material.is_double_sided),
                 u32::from(material.is_unlit),
-                u32::from(material.normal_texture.is_some()),
+                (0..5).filter(|&slot| textures[slot].is_some()).map(|slot| 1 << slot).sum(),
             ],
-            uses: material.textures().map(use_data),
+            uses: textures.map(use_data),
         }
     }
 }

@@ -62,8 +62,9 @@ pub(crate) fn create_sampler(gpu: &Gpu, sampler: TextureSampler, anisotropy: u16
             Some(TextureFilter::Linear) => MipmapFilterMode::Linear,
             Some(TextureFilter::Nearest) | None => MipmapFilterMode::Nearest,
         },
-        // Without mip levels only the full image is used.
-        lod_max_clamp: if sampler.mip_filter.is_some() { 32.0 } else { 0.0 },
+        // Without mip levels only the full image is used. A clamp of 0 would always choose the filter for
+        // magnified images.
+        lod_max_clamp: if sampler.mip_filter.is_some() { 32.0 } else { 0.25 },
         anisotropy_clamp: if sampler.is_linear() { anisotropy.clamp(1, 16) } else { 1 },
         ..Default::default()
     })

@@ -32,6 +32,9 @@ fn radiance(direction: vec3<f32>, roughness: f32) -> vec3<f32> {
     let up = channel_of_table(vec3(0.0, 1.0, 0.0), direction, row, 0);
     var sum = mix(frame.ground.rgb, frame.sky.rgb, up);
     for (var lobe = 0; lobe < 3; lobe++) {
+        if all(frame.lobe_colors[lobe].rgb == vec3(0.0)) {
+            continue;
+        }
         let strength = channel_of_table(frame.lobe_axes[lobe].xyz, direction, row, lobe + 1);
         sum += frame.lobe_colors[lobe].rgb * strength;
     }

@@ -53,47 +53,78 @@ fn roughness_of_shape(normal: vec3<f32>) -> f32 {
     return max(max(change.x, change.y), change.z);
 }
 
+// Color and opacity of the surface before any light.
+fn base_color(in: Surface) -> vec4<f32> {
+    let color = material.base_color * in.color;
+    if !has(HAS_BASE_COLOR) {
+        return color;
+    }
+    let uv = coordinates(material.base_color_use, in.uv);
+    return color * textureSample(base_color_texture, base_color_sampler, uv);
+}
+
+// Metallic and roughness.
+fn metallic_roughness(uv: vec4<f32>) -> vec2<f32> {
+    if !has(HAS_METALLIC_ROUGHNESS) {
+        return material.factors.xy;
+    }
+    let at = coordinates(material.metallic_roughness_use, uv);
+    return material.factors.xy * textureSample(metallic_roughness_texture, metallic_roughness_sampler, at).bg;
+}
+
+// Visible part of the surroundings.
+fn visible_part(uv: vec4<f32>) -> f32 {
+    if !has(HAS_OCCLUSION) {
+        return 1.0;
+    }
+    let at = coordinates(material.occlusion_use, uv);
+    return 1.0 + material.emissive.w * (textureSample(occlusion_texture, occlusion_sampler, at).r - 1.0);
+}
+
+fn emitted(uv: vec4<f32>) -> vec3<f32> {
+    if !has(HAS_EMISSIVE) {
+        return material.emissive.rgb;
+    }
+    let at = coordinates(material.emissive_use, uv);
+    return material.emissive.rgb * textureSample(emissive_texture, emissive_sampler, at).rgb;
+}
+
+// The normal of the surface without its map, toward the viewer if the material is double-sided.
+fn surface_normal(in: Surface, side: f32, to_eye: vec3<f32>) -> vec3<f32> {
+    let face = cross(dpdx(in.position), dpdy(in.position));
+    let toward_eye = select(face, -face, dot(face, to_eye) < 0.0);
+    let length = max(max(abs(face.x), abs(face.y)), abs(face.z));
+    let flat_normal = unit_or(toward_eye / max(length, 1e-37), to_eye);
+    return select(flat_normal, side * unit_or(in.normal, flat_normal), dot(in.normal, in.normal) > 0.0);
+}
+
 @fragment
 fn fragment(in: Surface, @builtin(front_facing) is_front: bool) -> @location(0) vec4<f32> {
-    // All samples and derivatives come first: they need the neighboring pixels.
-    var base = textureSample(base_color_texture, base_color_sampler, coordinates(material.base_color_use, in.uv));
-    let metallic_roughness = textureSample(
-        metallic_roughness_texture,
-        metallic_roughness_sampler,
-        coordinates(material.metallic_roughness_use, in.uv),
-    );
-    let occlusion =
-        textureSample(occlusion_texture, occlusion_sampler, coordinates(material.occlusion_use, in.uv)).r;
-    let emissive =
-        textureSample(emissive_texture, emissive_sampler, coordinates(material.emissive_use, in.uv)).rgb;
-    let face = cross(dpdx(in.position), dpdy(in.position));
-    let to_eye = unit_or(-in.position, vec3(0.0, 0.0, 1.0));
-    let toward_eye = select(face, -face, dot(face, to_eye) < 0.0);
-    let side = select(1.0, -1.0, material.flags.y == 1u && !is_front);
-    let flat_normal = normalize(toward_eye + vec3(0.0, 0.0, 1e-30));
-    let normal = select(flat_normal, side * unit_or(in.normal, flat_normal), dot(in.normal, in.normal) > 0.0);
-    let shape_roughness = roughness_of_shape(normal);
-    let map_normal = mapped_normal(in, normal, side, coordinates(material.normal_use, in.uv));
-
-    base *= material.base_color * in.color;
+    // All samples and derivatives come before anything that differs from pixel to pixel.
+    let base = base_color(in);
+    var r: Reflector;
+    var light = base.rgb;
+    if material.flags.z == 0u {
+        let side = select(1.0, -1.0, material.flags.y == 1u && !is_front);
+        r.to_eye = unit_or(-in.position, vec3(0.0, 0.0, 1.0));
+        r.normal = surface_normal(in, side, r.to_eye);
+        let shape_roughness = roughness_of_shape(r.normal);
+        if has(HAS_NORMAL) {
+            r.normal = mapped_normal(in, r.normal, side, coordinates(material.normal_use, in.uv));
+        }
+        let factors = metallic_roughness(in.uv);
+        r.base_color = base.rgb;
+        r.metallic = factors.x;
+        r.diffuse = base.rgb * (1.0 - factors.x);
+        // Below this roughness, highlights are smaller than a pixel.
+        r.roughness = min(max(factors.y, 0.045) + shape_roughness, 1.0);
+        r.visible = visible_part(in.uv);
+        let at = vec2(r.roughness, saturate(dot(r.normal, r.to_eye)));
+        r.reflectance = textureSampleLevel(reflectance_table, table_sampler, at, 0.0).xy;
+        light = surrounding(r) + punctual(r, in.position) + emitted(in.uv);
+    }
     if material.flags.x == MASKED && base.a < material.factors.w {
         discard;
     }
-    let opacity = select(1.0, saturate(base.a), material.flags.x == BLENDED);
-    if material.flags.z == 1u {
-        return output(base.rgb, opacity);
-    }
-    var r: Reflector;
-    r.normal = select(normal, map_normal, material.flags.w == 1u);
-    r.to_eye = to_eye;
-    r.base_color = base.rgb;
-    r.metallic = material.factors.x * metallic_roughness.b;
-    // Below this roughness, highlights are smaller than a pixel.
-    r.roughness = min(max(material.factors.y * metallic_roughness.g, 0.045) + shape_roughness, 1.0);
-    r.diffuse = base.rgb * (1.0 - r.metallic);
-    r.visible = 1.0 + material.emissive.w * (occlusion - 1.0);
-    let at = vec2(r.roughness, saturate(dot(r.normal, to_eye)));
-    r.reflectance = textureSampleLevel(reflectance_table, table_sampler, at, 0.0).xy;
-    let light = surrounding(r) + punctual(r, in.position) + material.emissive.rgb * emissive;
-    return output(light, opacity);
+    return output(light, select(1.0, saturate(base.a), material.flags.x == BLENDED));
 }
