@@ -17,6 +17,9 @@ const MAX_THREADS: usize = 8;
 /// Materials, images and lights of a scene.
 #[derive(Debug)]
 pub struct SceneLook {
+    /// Distinguishes looks, so that a GPU keeps the images of the last one.
+    #[cfg(feature = "gpu")]
+    id: u64,
     pub(super) materials: Vec<Material>,
     /// Images in the order of the scene; [`None`] for those that no material uses.
     pub(super) images: Vec<Option<RgbaImage>>,
@@ -37,13 +40,26 @@ impl SceneLook {
         }
         let decoded =
             decode_images(scene, &mut materials, limits, |count, decode| in_parallel(count, decode));
+        Self { warnings: decoded.warnings, ..Self::new(materials, decoded.images) }
+    }
+
+    /// Creates a look of materials whose images exist.
+    pub(super) fn new(materials: Vec<Material>, images: Vec<Option<RgbaImage>>) -> Self {
         Self {
+            #[cfg(feature = "gpu")]
+            id: next_id(),
             materials,
-            images: decoded.images,
+            images,
             lights: Vec::new(),
             textures: OnceLock::new(),
-            warnings: decoded.warnings,
+            warnings: Vec::new(),
         }
+    }
+
+    /// Number that no other look has.
+    #[cfg(feature = "gpu")]
+    pub(super) fn id(&self) -> u64 {
+        self.id
     }
 
     /// Reads the materials of a mesh from a format without scenes, which are visible from both sides, because
@@ -97,6 +113,12 @@ impl SceneLook {
             [of(false), of(true)]
         })
     }
+}
+
+#[cfg(feature = "gpu")]
+fn next_id() -> u64 {
+    static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(0);
+    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 /// Returns a mesh with a triangle for each group, which has all materials and images in use.
