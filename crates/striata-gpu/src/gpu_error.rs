@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use striata::mesh::MeshError;
+
 /// Why something could not be drawn.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -57,6 +59,60 @@ pub enum GpuError {
         height: u32,
         /// Longest side that the device supports, pixels.
         limit: u32,
+    },
+    /// A mesh is inconsistent.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// An image is empty, or its bytes do not match its size.
+    #[error(
+        "image {image}: {width} x {height} pixels with 4 bytes each must have 4 or more bytes, \
+         but {found_bytes} bytes were found"
+    )]
+    ImageSize {
+        /// Index of the image.
+        image: usize,
+        /// Width, pixels.
+        width: u32,
+        /// Height, pixels.
+        height: u32,
+        /// Number of bytes found.
+        found_bytes: usize,
+    },
+    /// A material uses an image that does not exist.
+    #[error("material {material:?} uses image {image}, but there are {image_count} images")]
+    NoSuchImage {
+        /// Name of the material.
+        material: String,
+        /// The image index it contains.
+        image: usize,
+        /// Number of images.
+        image_count: usize,
+    },
+    /// A part uses a material that does not exist.
+    #[error("a part uses material {material}, but there are {material_count} materials")]
+    NoSuchMaterial {
+        /// The material index it contains.
+        material: usize,
+        /// Number of materials.
+        material_count: usize,
+    },
+    /// A part uses indices beyond the end of their buffer.
+    #[error("a part uses the indices {start}..{end}, but the buffer has {index_count}")]
+    IndexRange {
+        /// First index of the part.
+        start: u32,
+        /// One past its last index.
+        end: u32,
+        /// Number of indices that fit into the buffer.
+        index_count: usize,
+    },
+    /// A scene has more lamps than a frame can show.
+    #[error("the scene has {count} lamps, but a frame shows at most {limit}")]
+    TooManyLights {
+        /// Number of lamps.
+        count: usize,
+        /// Largest number supported.
+        limit: usize,
     },
     /// The device was lost, or a result could not be read back.
     #[error("the graphics device failed: {0}")]

@@ -68,6 +68,7 @@ mod gpu_morph;
 mod gpu_options;
 mod indices;
 mod inspection;
+mod lit;
 mod look;
 mod painter;
 mod probe;
@@ -89,12 +90,18 @@ pub use gpu_morph::GpuMorph;
 pub use gpu_options::GpuOptions;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
+pub use lit::{
+    AlphaMode, Environment, EnvironmentLobe, LitCamera, LitFrame, LitImage, LitLight, LitLightKind,
+    LitMaterial, LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices, TextureFilter,
+    TextureSampler, TextureUse, TextureWrap,
+};
 pub use look::{Look, Shading, linear_to_srgb, palette_color};
 pub use painter::{DEPTH_FORMAT, Painter, Scene};
 pub use screen_copy::ScreenCopy;
 pub use vertices::GpuVertices;
 pub use viewpoint::Viewpoint;
 
+pub use glam;
 pub use wgpu;
 
 /// Compiles the readme's example with the documentation tests.

@@ -1,0 +1,40 @@
+//! Lit surfaces: materials with textures, skins and morph targets, under an environment and lamps.
+//!
+//! [`LitPainter`] holds the shader. Meshes ([`LitVertices`]) and materials ([`LitMaterials`]) are uploaded
+//! once. A [`LitScene`] says what to show: objects with the indices of any level, in any pose, and the camera.
+//! [`LitFrame`] turns it into draw calls and draws them.
+//!
+//! Vertices are posed in the vertex stage, after the level has been chosen. Matrices are computed relative to
+//! the eye in 64 bits. The shading is that of glTF's metallic-roughness materials; an [`Environment`] is a
+//! gradient with a few soft lamps, for which prefiltered light has a closed form.
+
+mod data_texture;
+mod environment;
+mod environment_table;
+mod frame;
+mod frame_data;
+mod image;
+mod instance_data;
+mod light;
+mod material;
+mod materials;
+mod mips;
+mod morph_targets;
+mod object;
+mod painter;
+mod pipelines;
+mod reflectance_table;
+mod texture_use;
+mod textures;
+mod vertices;
+
+pub use environment::{Environment, EnvironmentLobe};
+pub use frame::LitFrame;
+pub use image::LitImage;
+pub use light::{LitLight, LitLightKind};
+pub use material::{AlphaMode, LitMaterial};
+pub use materials::LitMaterials;
+pub use object::{LitCamera, LitObject, LitPart, LitScene};
+pub use painter::LitPainter;
+pub use texture_use::{TextureFilter, TextureSampler, TextureUse, TextureWrap};
+pub use vertices::LitVertices;
