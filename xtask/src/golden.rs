@@ -10,8 +10,17 @@ use crate::steps;
 use crate::{machine, workspace};
 
 /// Some of the files that the demo must write.
-const EXPECTED: [&str; 6] =
-    ["index.html", "viewer.html", "nefertiti.striata", "nefertiti.stri", "levels.png", "view.png"];
+const EXPECTED: [&str; 9] = [
+    "index.html",
+    "viewer.html",
+    "nefertiti.striata",
+    "nefertiti.stri",
+    "levels.png",
+    "view.png",
+    "amphora.html",
+    "amphora.stri",
+    "amphora.png",
+];
 
 /// Meshes that are also written as triangle strips; the second one has seams.
 const STRIPPED: [&str; 2] = ["crates/striata-cli/assets/nefertiti.ply.zst", "assets/spot.obj.zst"];

@@ -467,11 +467,13 @@ fn the_demo_writes_a_page_and_its_files() {
     let page = String::from_utf8(bench.read("show/index.html")).expect("text");
     assert!(!page.contains("{{"), "a placeholder is left");
     assert!(
-        page.contains("href=\"viewer.html\"") && page.matches("<img ").count() == 4,
+        page.contains("href=\"viewer.html\"") && page.matches("<img ").count() == 5,
         "viewer and pictures"
     );
     let viewer = String::from_utf8(bench.read("show/viewer.html")).expect("text");
     assert!(viewer.contains("data-name=\"nefertiti.stri\""), "the viewer contains no stream");
+    let scene = String::from_utf8(bench.read("show/amphora.html")).expect("text");
+    assert!(scene.contains("data-name=\"amphora.stri\"") && page.contains("href=\"amphora.html\""));
     assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page refers to the network");
     let triangles: Vec<u64> = report["levels"]
         .as_array()

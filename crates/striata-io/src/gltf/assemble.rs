@@ -14,6 +14,7 @@ use super::draco::{DracoKey, DracoLink};
 use super::layers::{LayerFormat, append, fill};
 use super::node_tree::{Transform, instances};
 use super::primitive::{Primitive, document_fault};
+use super::rest_pose::RestPose;
 use crate::error::Fault;
 use crate::normals;
 use crate::report::Warnings;
@@ -33,6 +34,7 @@ struct Block<'a> {
     /// Primitive that names the accessors.
     primitive: Primitive<'a>,
     transform: Option<Transform>,
+    pose: RestPose,
     first_vertex: usize,
     vertex_count: usize,
 }
@@ -59,8 +61,8 @@ struct Plan<'a> {
 }
 
 /// Identity of a block: the accessor of the positions, the other accessors, the compressed mesh with the
-/// identifiers of its attributes, and the transform.
-type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>);
+/// identifiers of its attributes, the transform and the pose.
+type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>, (Option<u64>, Vec<u32>));
 
 /// Builds the mesh of a document's scene.
 pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
@@ -71,7 +73,8 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
                 return Err(document_fault(format!("the scene shows more than {MAX_PRIMITIVES} primitives")));
             }
             if let Some(primitive) = Primitive::parse(document, at)? {
-                plan.add(document, primitive, instance.transform, instance.name)?;
+                let place = (instance.transform, instance.pose.clone());
+                plan.add(document, primitive, place, instance.name)?;
             }
         }
     }
@@ -79,6 +82,9 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
         IndexedMesh { appearance: appearance::appearance(document, warnings)?, ..IndexedMesh::default() };
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
+    for block in &plan.blocks {
+        block.pose.apply(&mut mesh, block.first_vertex..block.first_vertex + block.vertex_count);
+    }
     let block_of_group = plan.triangles_into(document, Grouping::FansJoined, &mut mesh)?;
     plan.compute_normals(&block_of_group, &mut mesh);
     Ok(mesh)
@@ -94,7 +100,7 @@ pub(super) fn mesh_of_primitives<'a>(
 ) -> Result<IndexedMesh, Fault> {
     let mut plan = Plan { other_bytes: *used_bytes, ..Plan::default() };
     for primitive in primitives {
-        plan.add(document, primitive, None, "")?;
+        plan.add(document, primitive, (None, RestPose::default()), "")?;
     }
     *used_bytes = plan.total_bytes();
     let mut mesh = IndexedMesh { positions: plan.positions(document)?, ..IndexedMesh::default() };
@@ -117,7 +123,7 @@ impl<'a> Plan<'a> {
         &mut self,
         document: &Document<'_>,
         primitive: Primitive<'a>,
-        transform: Option<Transform>,
+        (transform, pose): (Option<Transform>, RestPose),
         name: &'a str,
     ) -> Result<(), Fault> {
         // Each group has a copy.
@@ -127,11 +133,12 @@ impl<'a> Plan<'a> {
             primitive.attributes.clone(),
             primitive.draco.as_ref().map(DracoLink::key),
             transform.as_ref().map(Transform::key),
+            pose.key(),
         );
         let (block, primitive) = match self.block_of.get(&key) {
             Some(&block) => (block, Some(primitive)),
             None => {
-                self.add_block(document, primitive, transform)?;
+                self.add_block(document, primitive, (transform, pose))?;
                 self.block_of.insert(key, self.blocks.len() - 1);
                 (self.blocks.len() - 1, None)
             }
@@ -149,7 +156,7 @@ impl<'a> Plan<'a> {
         &mut self,
         document: &Document<'_>,
         primitive: Primitive<'a>,
-        transform: Option<Transform>,
+        (transform, pose): (Option<Transform>, RestPose),
     ) -> Result<(), Fault> {
         let positions = primitive.positions(document)?;
         if positions.component_count != 3 {
@@ -167,7 +174,7 @@ impl<'a> Plan<'a> {
         }
         let first_vertex = self.vertex_count;
         self.vertex_count += vertex_count;
-        self.blocks.push(Block { primitive, transform, first_vertex, vertex_count });
+        self.blocks.push(Block { primitive, transform, pose, first_vertex, vertex_count });
         Ok(())
     }
 

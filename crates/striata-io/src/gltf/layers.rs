@@ -154,7 +154,8 @@ fn widen<T: Copy + Default>(
     }
 }
 
-fn transform_values(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
+/// Transforms the numbers of some vertices of a layer like their instance.
+pub(super) fn transform_values(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
     match semantic {
         Semantic::Normal | Semantic::MorphNormal(_) => {
             let is_displacement = *semantic != Semantic::Normal;

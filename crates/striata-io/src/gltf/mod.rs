@@ -6,18 +6,19 @@
 //! scenes without nodes, reports no place for its errors, keeps only those parts of materials that it
 //! understands, and leaves the bounds of views to its caller. It serves as the oracle in the tests instead.
 //!
-//! Primitives that use the same accessors under the same transform share their vertices, and the writer
-//! gives all groups one vertex buffer, so files do not grow when they are read and written again. Skeletons
-//! and animations are dropped: joints and weights are kept as layers, but not the nodes, skins and channels
-//! that use them. Cost: one pass over each accessor of each block of vertices.
+//! Primitives that use the same accessors under the same transform share their vertices, and the writer gives
+//! all groups one vertex buffer, so files do not grow when they are read and written again. Skeletons and
+//! animations are dropped: the vertices have the pose of the nodes (`rest_pose`), and joints and weights are
+//! kept as layers, but not the nodes, skins and channels that use them. Cost: one pass over each accessor of
+//! each block of vertices.
 //!
 //! What the writer has finished, `passes` may quantize and compress.
 //!
 //! Compressed geometry is decoded at first use: buffer views of meshoptimizer in `meshopt` (feature
 //! `meshopt`), primitives of Draco in `draco` and `draco_mesh` (feature `draco`). `unpacked` keeps the
 //! result and limits its size. Quantized attributes need no special care: `accessor` reads every component
-//! type, and node transforms restore the scale. Skinned meshes are the exception: glTF ignores the
-//! transforms of their nodes, so a quantized one keeps the scale of its integers.
+//! type, and node transforms restore the scale, or the joints of skinned meshes, whose node transforms glTF
+//! ignores.
 
 mod accessor;
 mod appearance;
@@ -40,6 +41,7 @@ mod passes;
 mod primitive;
 mod read_scene;
 mod references;
+mod rest_pose;
 mod shown_meshes;
 mod unpacked;
 mod uri;

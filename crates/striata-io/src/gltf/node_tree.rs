@@ -5,6 +5,7 @@ use glam::{DMat3, DMat4, DVec3};
 use super::document::Document;
 use super::gpu_instancing::{GpuInstances, unit};
 use super::json::JsonNode;
+use super::rest_pose::{RestPose, RestPoses};
 use crate::error::Fault;
 
 /// One mesh as shown by one node.
@@ -14,6 +15,8 @@ pub(super) struct Instance<'a> {
     pub name: &'a str,
     /// [`None`] for the identity, and for skinned meshes, whose node transforms glTF ignores.
     pub transform: Option<Transform>,
+    /// What its morph targets and its skin do to it.
+    pub pose: RestPose,
 }
 
 /// Transform, prepared for points and for directions.
@@ -29,7 +32,8 @@ pub(super) struct Transform {
 }
 
 impl Transform {
-    fn new(matrix: DMat4) -> Option<Self> {
+    /// Returns [`None`] for the identity.
+    pub(super) fn new(matrix: DMat4) -> Option<Self> {
         if matrix == DMat4::IDENTITY {
             return None;
         }
@@ -95,19 +99,27 @@ fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
 pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>, Fault> {
     let root = &document.root;
     if root.values("nodes")?.is_empty() {
-        let bare = |mesh: JsonNode<'a>| Instance { name: mesh.text("name"), mesh, transform: None };
+        let bare = |mesh: JsonNode<'a>| Instance {
+            name: mesh.text("name"),
+            mesh,
+            transform: None,
+            pose: RestPose::default(),
+        };
         return Ok(root.entries("meshes")?.into_iter().map(bare).collect());
     }
     let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::default());
-    for PlacedNode { node, matrix, .. } in placed_nodes(root)? {
+    let nodes = placed_nodes(root)?;
+    let mut poses = RestPoses::new(&nodes);
+    for PlacedNode { node, matrix, .. } in nodes {
         if let Some(mesh) = node.get("mesh") {
             let mesh = root.item("meshes", mesh.as_unsigned()?, &mesh)?;
             let own_name = mesh.text("name");
             let name = if own_name.is_empty() { node.text("name") } else { own_name };
+            let pose = poses.of_node(document, &node, &mesh)?;
             for placement in gpu_instances.of_node(document, &node)? {
                 let matrix = placement.map_or(matrix, |placement| matrix * placement);
                 let transform = if node.get("skin").is_some() { None } else { Transform::new(matrix) };
-                found.push(Instance { mesh: mesh.clone(), name, transform });
+                found.push(Instance { mesh: mesh.clone(), name, transform, pose: pose.clone() });
             }
         }
     }

@@ -1,5 +1,7 @@
-//! `demo`: builds, extracts and draws levels of a built-in mesh, and writes a page that presents them.
+//! `demo`: builds, extracts and draws levels of a built-in mesh and of a built-in scene, and writes a page
+//! that presents them.
 
+mod amphora;
 mod folder;
 mod levels;
 mod page;
@@ -51,11 +53,13 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let file = striata_stream::open(&bytes)?;
     levels::write_meshes(&file, &built, &mut folder)?;
     bar.phase("pictures");
-    let pictures = pictures::draw_all(&built, &mut PictureRenderer::best(output))?;
+    let mut artist = PictureRenderer::best(output);
+    let mut pictures = pictures::draw_all(&built, &mut artist)?;
     for picture in &pictures {
         folder.write(picture.name, picture.what, &picture.png)?;
     }
     viewer::write(&mesh, &mut folder, &mut bar)?;
+    pictures.push(amphora::write(&mut folder, &mut artist, &mut bar)?);
     bar.phase("page");
     let page = render_page(&built, &levels, &folder, (&pictures, bytes.len()));
     folder.write("index.html", "the page to open", page.as_bytes())?;

@@ -4,7 +4,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
 
 use super::pictures::Picture;
-use super::viewer;
+use super::{amphora, viewer};
 use striata_command::page::{STYLE, fill, table};
 
 /// The template, with placeholders such as `{{TABLE}}`.
@@ -39,6 +39,7 @@ pub(super) fn render(content: &Content<'_>) -> String {
         "FILES" => table(&files, false),
         "PICTURES" => content.pictures.iter().map(figure).collect(),
         "VIEWER" => viewer::PAGE.to_owned(),
+        "SCENE" => amphora::PAGE.to_owned(),
         unknown => unreachable!("unknown placeholder {unknown}"),
     })
 }

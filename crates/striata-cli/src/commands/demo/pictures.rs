@@ -172,7 +172,11 @@ impl Studio<'_> {
     }
 }
 
-fn finish(sheet: &Sheet, panels: &[Panel]) -> Result<Vec<u8>, Failure> {
+/// Assembles the panels into a PNG file.
+///
+/// # Errors
+/// If the file cannot be encoded, which is an internal error.
+pub(super) fn finish(sheet: &Sheet, panels: &[Panel]) -> Result<Vec<u8>, Failure> {
     let canvas = sheet.assemble(panels, &Theme::DARK);
     canvas.to_png().map_err(|error| Failure::internal(format!("PNG: {error}")))
 }

@@ -1,12 +1,13 @@
 //! Renders a mesh from twelve directions with the software rasterizer, to compare levels with it.
 //!
-//! The directions are the corners of an icosahedron, so they are spread evenly. Pictures show shading by
-//! normals only: no textures or colors, and both sides of each triangle are lit.
+//! The directions are the corners of an icosahedron, so they are spread evenly. Plain pictures show shading
+//! by normals only: no textures or colors, and both sides of each triangle are lit. If the mesh has
+//! materials, a second series shows them.
 
 use striata::mesh::{IndexedMesh, Semantic};
 
 use striata_command::output::Output;
-use striata_viewer::picture::{Camera, Paint, PictureRenderer, Shot, Style, ViewAngles};
+use striata_viewer::picture::{Camera, Canvas, Paint, PictureRenderer, SceneLook, Shot, Style, ViewAngles};
 
 /// Width and height of a picture in pixels.
 const SIDE: usize = 256;
@@ -26,10 +27,15 @@ struct Pixel {
     cover: f32,
 }
 
+/// A pixel of a picture with materials: color, 0 to 255 over black, and coverage.
+type ColorPixel = ([f32; 3], f32);
+
 /// Pictures of the original, and their cameras.
 pub(super) struct Gallery {
     cameras: Vec<Camera>,
     pictures: Vec<Vec<Pixel>>,
+    /// The materials, and pictures with them.
+    lit: Option<(SceneLook, Vec<Vec<ColorPixel>>)>,
 }
 
 /// Differences between the pictures of a level and those of the original.
@@ -39,18 +45,24 @@ pub(super) struct PictureDifference {
     pub(super) gray_rms: f64,
     /// Covered area relative to the original's, over all pictures.
     pub(super) silhouette: f64,
+    /// Mean difference of colors (0 to 255) over the pixels that either mesh covers, with materials.
+    pub(super) color_mean: Option<f64>,
 }
 
 impl Gallery {
-    /// Renders the pictures of a mesh that has normals.
-    pub(super) fn of(original: &IndexedMesh) -> Self {
+    /// Renders the pictures of a mesh that has normals; also with materials, if there are any.
+    pub(super) fn of(original: &IndexedMesh, look: Option<SceneLook>) -> Self {
         let camera = |(turn, rise)| {
             let angles = ViewAngles { turn, rise, up: [0.0, 1.0, 0.0], fov: FOV };
             Camera::around(&original.positions, &angles, 1.0)
         };
         let cameras: Vec<Camera> = directions().into_iter().map(camera).collect();
         let pictures = take_pictures(original, &cameras);
-        Self { cameras, pictures }
+        let lit = look.map(|look| {
+            let pictures = take_lit_pictures(original, &look, &cameras);
+            (look, pictures)
+        });
+        Self { cameras, pictures, lit }
     }
 
     /// Compares a level that has normals with the original.
@@ -69,7 +81,22 @@ impl Gallery {
         PictureDifference {
             gray_rms: (squares / f64::max(seen, 1.0)).sqrt(),
             silhouette: if original_area > 0.0 { area / original_area } else { 1.0 },
+            color_mean: self.color_difference(level),
         }
+    }
+
+    /// Mean difference of the pictures with materials.
+    fn color_difference(&self, level: &IndexedMesh) -> Option<f64> {
+        let (look, pictures) = self.lit.as_ref()?;
+        let (mut sum, mut seen) = (0.0, 0.0);
+        for (theirs, ours) in take_lit_pictures(level, look, &self.cameras).iter().zip(pictures) {
+            for ((a, a_cover), (b, b_cover)) in theirs.iter().zip(ours) {
+                let difference: f32 = (0..3).map(|k| (a[k] - b[k]).abs()).sum();
+                sum += f64::from(difference) / 3.0;
+                seen += f64::from(a_cover.max(*b_cover));
+            }
+        }
+        Some(sum / f64::max(seen, 1.0))
     }
 }
 
@@ -89,23 +116,37 @@ fn take_pictures(mesh: &IndexedMesh, cameras: &[Camera]) -> Vec<Vec<Pixel>> {
         layers: mesh.layers.iter().filter(|layer| layer.semantic == Semantic::Normal).cloned().collect(),
         ..IndexedMesh::default()
     };
-    let mut artist = PictureRenderer::software(&Output::quiet());
     let shot = Shot::of(&plain, Paint::Surface, Style::SMOOTH);
-    let mut picture = |camera: &Camera| -> Vec<Pixel> {
-        artist.draw(&shot, camera, [SIDE; 2]).canvas.pixels().iter().map(pixel).collect()
-    };
-    cameras.iter().map(&mut picture).collect()
+    let canvases = draw(&shot, cameras);
+    canvases.iter().map(|canvas| canvas.pixels().iter().map(pixel).collect()).collect()
+}
+
+fn take_lit_pictures(mesh: &IndexedMesh, look: &SceneLook, cameras: &[Camera]) -> Vec<Vec<ColorPixel>> {
+    let shot = Shot { look: Some(look), ..Shot::of(mesh, Paint::Surface, Style::SMOOTH) };
+    let canvases = draw(&shot, cameras);
+    let pixel = |&[r, g, b, cover]: &[f32; 4]| ([r, g, b].map(encoded), cover);
+    canvases.iter().map(|canvas| canvas.pixels().iter().map(pixel).collect()).collect()
+}
+
+fn draw(shot: &Shot<'_>, cameras: &[Camera]) -> Vec<Canvas> {
+    let mut artist = PictureRenderer::software(&Output::quiet());
+    cameras.iter().map(|camera| artist.draw(shot, camera, [SIDE; 2]).canvas).collect()
 }
 
 fn pixel(&[r, g, b, cover]: &[f32; 4]) -> Pixel {
-    let light = (0.2126 * r + 0.7152 * g + 0.0722 * b).clamp(0.0, 1.0);
-    let encoded = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
-    Pixel { gray: 255.0 * encoded, cover }
+    Pixel { gray: encoded(0.2126 * r + 0.7152 * g + 0.0722 * b), cover }
+}
+
+/// Converts linear light to sRGB, 0 to 255.
+fn encoded(light: f32) -> f32 {
+    let light = light.clamp(0.0, 1.0);
+    255.0 * if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
 }
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::shapes;
+    use striata::mesh::{Material, TriangleGroup, shapes};
+    use striata_scene::drawn::ImageLimits;
 
     use super::*;
     use striata_viewer::picture::with_normals;
@@ -113,8 +154,8 @@ mod tests {
     #[test]
     fn mesh_does_not_differ_from_itself() {
         let ball = with_normals(shapes::icosphere(2, 1.0));
-        let same = Gallery::of(&ball).compare(&ball);
-        assert_eq!(same, PictureDifference { gray_rms: 0.0, silhouette: 1.0 });
+        let same = Gallery::of(&ball, None).compare(&ball);
+        assert_eq!(same, PictureDifference { gray_rms: 0.0, silhouette: 1.0, color_mean: None });
     }
 
     #[test]
@@ -122,7 +163,7 @@ mod tests {
         let ball = with_normals(shapes::icosphere(4, 1.0));
         let mut small = ball.clone();
         small.positions.iter_mut().for_each(|p| *p = p.map(|x| 0.8 * x));
-        let found = Gallery::of(&ball).compare(&small);
+        let found = Gallery::of(&ball, None).compare(&small);
         // Slightly less than 0.64, because the outline of a smaller ball is farther from a near camera.
         assert!((found.silhouette - 0.63).abs() < 0.01, "{found:?}");
         assert!(found.gray_rms > 20.0, "{found:?}");
@@ -133,8 +174,27 @@ mod tests {
         let sheet = with_normals(shapes::grid(9, 9));
         let mut turned = sheet.clone();
         turned.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-        let found = Gallery::of(&sheet).compare(&turned);
+        let found = Gallery::of(&sheet, None).compare(&turned);
         assert!((found.silhouette - 1.0).abs() < 1e-6 && found.gray_rms < 1.0, "{found:?}");
+    }
+
+    #[test]
+    fn materials_count_in_pictures_with_colors_only() {
+        let material = |json: &str| Material { gltf_json: json.to_owned(), ..Material::default() };
+        let mut ball = with_normals(shapes::icosphere(3, 1.0));
+        ball.appearance.materials = vec![
+            material(r#"{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}"#),
+            material(r#"{"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1]}}"#),
+        ];
+        let count = ball.triangles.len() as u32;
+        ball.groups = vec![TriangleGroup { material: Some(0), count, ..TriangleGroup::default() }];
+        let look = SceneLook::of_mesh(&ball, &ImageLimits::default());
+        let gallery = Gallery::of(&ball, look);
+        assert_eq!(gallery.compare(&ball).color_mean, Some(0.0));
+        ball.groups[0].material = Some(1);
+        let found = gallery.compare(&ball);
+        assert_eq!((found.gray_rms, found.silhouette), (0.0, 1.0));
+        assert!(found.color_mean.unwrap() > 30.0, "{found:?}");
     }
 
     #[test]

@@ -36,6 +36,8 @@ pub(super) struct LevelRow {
     pub(super) gray_rms: f64,
     /// Covered area relative to the original's.
     pub(super) silhouette: f64,
+    /// Mean difference of colors with materials, 0 to 255.
+    pub(super) color_mean: Option<f64>,
     /// The error that the contender reports.
     pub(super) error: Option<f64>,
     /// Ratio of the reported error to the measured maximum.
@@ -79,6 +81,7 @@ pub(super) fn measure_level(
         same_side_share: attributes.same_side_share,
         gray_rms: seen.gray_rms,
         silhouette: seen.silhouette,
+        color_mean: seen.color_mean,
         error: level.error.map(share),
         error_ratio: level.error.map(|error| error / distance.max).filter(|ratio| ratio.is_finite()),
         error_limit: level.error_limit,

@@ -1,5 +1,5 @@
 //! Compares levels of real assets with those of other simplifiers: distances, normals, texture
-//! coordinates, pictures and silhouettes.
+//! coordinates, pictures with and without materials, and silhouettes.
 //!
 //! All contenders get the same welded mesh with the attributes that all of them can weight: normals, one set
 //! of texture coordinates, one set of colors. Every level is measured with the same samples and cameras.

@@ -6,7 +6,8 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, weld};
 
 use super::gallery::Gallery;
 use striata_command::failure::Failure;
-use striata_viewer::picture::with_normals;
+use striata_scene::drawn::ImageLimits;
+use striata_viewer::picture::{SceneLook, with_normals};
 
 /// A mesh with the attributes that all contenders can weight.
 pub(super) struct Subject {
@@ -21,18 +22,19 @@ pub(super) struct Subject {
 }
 
 impl Subject {
-    /// Welds the mesh, leaves out other attributes, and takes its pictures.
+    /// Welds the mesh, leaves out other attributes, and takes its pictures, with the materials if it has any.
     ///
     /// # Errors
     /// If the mesh has no triangles or its parts do not fit together.
     pub(super) fn new(mesh: &IndexedMesh) -> Result<Self, Failure> {
+        let look = SceneLook::of_mesh(mesh, &ImageLimits::default());
         let mesh = weld(&with_common_layers(mesh))?.mesh;
         if mesh.triangles.is_empty() {
             return Err(Failure::user("there is no triangle to simplify"));
         }
         let reference = with_normals(mesh.clone());
         let smooth_normals = mesh.layer(&Semantic::Normal).is_none().then(|| normals_by_position(&reference));
-        let gallery = Gallery::of(&reference);
+        let gallery = Gallery::of(&reference, look);
         Ok(Self { mesh, reference, gallery, smooth_normals })
     }
 
@@ -47,7 +49,14 @@ impl Subject {
     }
 
     /// Adds normals to a level if needed: its own, or the original's smooth normals at the same positions.
+    /// Materials get the numbers that they have in the original, which their names contain.
     pub(super) fn lit(&self, mut level: IndexedMesh) -> IndexedMesh {
+        let numbers: Vec<Option<u32>> =
+            level.appearance.materials.iter().map(|material| number_in(&material.name)).collect();
+        for group in &mut level.groups {
+            group.material = group.material.and_then(|own| *numbers.get(own as usize)?);
+        }
+        level.appearance.materials.clone_from(&self.mesh.appearance.materials);
         let Some(normals) = &self.smooth_normals else { return level };
         let normal = |p: &[f32; 3]| normals.get(&key(p)).copied().unwrap_or_default();
         let data = level.positions.iter().flat_map(normal).collect();
@@ -60,6 +69,13 @@ impl Subject {
 /// The bits of a position, with -0 as 0.
 pub(super) fn key(position: &[f32; 3]) -> [u32; 3] {
     position.map(|x| (x + 0.0).to_bits())
+}
+
+/// Names of materials begin with this; their numbers follow.
+const MATERIAL: &str = "material ";
+
+fn number_in(name: &str) -> Option<u32> {
+    name.strip_prefix(MATERIAL)?.parse().ok()
 }
 
 /// Keeps positions, normals, and the first set of texture coordinates and of colors; materials become
@@ -78,7 +94,7 @@ fn with_common_layers(mesh: &IndexedMesh) -> IndexedMesh {
     let materials = std::mem::take(&mut common.appearance.materials);
     common.appearance = Default::default();
     common.appearance.materials = (0..materials.len())
-        .map(|index| striata::mesh::Material { name: format!("material {index}"), ..Default::default() })
+        .map(|index| striata::mesh::Material { name: format!("{MATERIAL}{index}"), ..Default::default() })
         .collect();
     common
 }

@@ -9,7 +9,7 @@ use super::report::AssetsReport;
 type Metric = (&'static str, fn(&LevelRow) -> Option<f64>);
 
 /// The metrics that are summarized.
-const METRICS: [Metric; 8] = [
+const METRICS: [Metric; 9] = [
     ("rms", |row| Some(row.rms)),
     ("max", |row| Some(row.max)),
     ("normal_mean", |row| row.normal_mean_degrees),
@@ -18,6 +18,7 @@ const METRICS: [Metric; 8] = [
     ("uv_p95", |row| row.uv_p95),
     ("gray_rms", |row| Some(row.gray_rms)),
     ("silhouette", |row| Some((row.silhouette - 1.0).abs())),
+    ("color_mean", |row| row.color_mean),
 ];
 
 /// Values below this count as 0 in ratios.
@@ -86,6 +87,7 @@ mod tests {
             same_side_share: 1.0,
             gray_rms: 0.0,
             silhouette: 1.0,
+            color_mean: None,
             error: None,
             error_ratio: None,
             error_limit: None,

@@ -11,8 +11,9 @@ use striata_command::output::{format_count, format_duration};
 
 /// Explanation of the table.
 const READING: &str = "RMS, max: 1e-5 of the diagonal, both ways. Normals: degrees. UV: units of UV \
-                       space. Gray: RMS of 255 levels over 12 pictures. Silhouette: covered area over \
-                       the original's. A star marks levels with more triangles than requested.";
+                       space. Gray: RMS of 255 levels over 12 pictures. Color: mean difference of 255 \
+                       levels over 12 pictures with materials. Silhouette: covered area over the \
+                       original's. A star marks levels with more triangles than requested.";
 
 /// The table with its notes, as text.
 pub(in super::super) fn to_text(
@@ -39,6 +40,7 @@ fn table(report: &AssetsReport) -> Vec<Vec<String>> {
         "UV mean",
         "UV 95 %",
         "gray",
+        "color",
         "silhouette",
         "error/max",
         "time",
@@ -63,6 +65,7 @@ fn cells(row: &LevelRow) -> Vec<String> {
         or_dash(row.uv_mean, 5),
         or_dash(row.uv_p95, 5),
         format!("{:.2}", row.gray_rms),
+        or_dash(row.color_mean, 2),
         format!("{:.4}", row.silhouette),
         or_dash(row.error_ratio, 2),
         format_duration(row.secs),
@@ -90,6 +93,10 @@ pub(in super::super) fn section(report: &AssetsReport) -> Result<Section, Failur
         &chart(report, "gray levels", |row| Some(row.gray_rms)),
         "Pictures by triangles",
     )?);
+    if report.levels.iter().any(|row| row.color_mean.is_some()) {
+        let chart = chart(report, "mean difference of colors", |row| row.color_mean);
+        blocks.push(Block::chart(&chart, "Pictures with materials by triangles")?);
+    }
     blocks.push(Block::WideTable(table(report)));
     Ok(Section {
         title: "Levels next to other simplifiers".to_owned(),

@@ -1,0 +1,210 @@
+//! The pose of the nodes, applied to the vertices of a mesh: weights of morph targets, then skins.
+//!
+//! A mesh without a scene has nothing else to be posed by, and the vertices of a skinned mesh may be in any
+//! units: quantization changes them and the inverse bind matrices together.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::rc::Rc;
+
+use glam::DMat4;
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+
+use super::accessor::accessor;
+use super::document::Document;
+use super::json::JsonNode;
+use super::layers::transform_values;
+use super::node_tree::{PlacedNode, Transform};
+use crate::error::Fault;
+
+/// Matrices of the joints of a skin, from the mesh to the scene.
+pub(super) struct SkinPose {
+    /// Index of the skin.
+    pub index: u64,
+    matrices: Vec<DMat4>,
+}
+
+/// Weights of the morph targets of a node and the pose of its skin.
+#[derive(Clone, Default)]
+pub(super) struct RestPose {
+    /// Weight of each morph target; none if all are 0.
+    pub morph_weights: Vec<f32>,
+    pub skin: Option<Rc<SkinPose>>,
+}
+
+/// Reads the poses of nodes; each skin is read once.
+pub(super) struct RestPoses {
+    /// Transform of each node of the scene.
+    matrix_of: BTreeMap<usize, DMat4>,
+    skins: BTreeMap<u64, Rc<SkinPose>>,
+}
+
+impl RestPoses {
+    pub(super) fn new(nodes: &[PlacedNode<'_>]) -> Self {
+        let matrix_of = nodes.iter().map(|node| (node.index, node.matrix)).collect();
+        Self { matrix_of, skins: BTreeMap::new() }
+    }
+
+    /// Returns the pose of a mesh that a node shows.
+    pub(super) fn of_node(
+        &mut self,
+        document: &Document<'_>,
+        node: &JsonNode<'_>,
+        mesh: &JsonNode<'_>,
+    ) -> Result<RestPose, Fault> {
+        let skin = node.get("skin").map(|at| self.skin(document, &at)).transpose()?;
+        let of_node = node.get("weights").is_some();
+        let weights = if of_node { node.values("weights")? } else { mesh.values("weights")? };
+        let mut morph_weights: Vec<f32> =
+            weights.iter().map(|weight| weight.as_f64().unwrap_or(0.0) as f32).collect();
+        if morph_weights.iter().all(|&weight| weight == 0.0) {
+            morph_weights.clear();
+        }
+        Ok(RestPose { morph_weights, skin })
+    }
+
+    fn skin(&mut self, document: &Document<'_>, from: &JsonNode<'_>) -> Result<Rc<SkinPose>, Fault> {
+        let index = from.as_unsigned()?;
+        if let Some(known) = self.skins.get(&index) {
+            return Ok(Rc::clone(known));
+        }
+        let at = document.item("skins", index, from)?;
+        let joints = at.entries("joints")?;
+        let mut inverse_binds = Vec::new();
+        if let Some(number) = at.unsigned("inverseBindMatrices")? {
+            let found = accessor(document, number, &at)?;
+            if found.component_count != 16 {
+                return Err(found.fault("inverse bind matrices must be MAT4"));
+            }
+            let numbers = found.floats();
+            let (matrices, _) = numbers.as_chunks::<16>();
+            inverse_binds.extend(matrices.iter().map(|m| DMat4::from_cols_array(&m.map(f64::from))));
+        }
+        let mut matrices = Vec::with_capacity(joints.len());
+        for (joint, node) in joints.iter().enumerate() {
+            let node = usize::try_from(node.as_unsigned()?).ok();
+            let placed = node.and_then(|node| self.matrix_of.get(&node)).copied().unwrap_or_default();
+            matrices.push(placed * inverse_binds.get(joint).copied().unwrap_or_default());
+        }
+        let pose = Rc::new(SkinPose { index, matrices });
+        self.skins.insert(index, Rc::clone(&pose));
+        Ok(pose)
+    }
+}
+
+impl RestPose {
+    /// Returns the bits that identify the pose: the skin and the weights.
+    pub(super) fn key(&self) -> (Option<u64>, Vec<u32>) {
+        let weights = self.morph_weights.iter().map(|weight| weight.to_bits()).collect();
+        (self.skin.as_ref().map(|skin| skin.index), weights)
+    }
+
+    /// Moves a range of vertices: first by the morph targets, then by the joints.
+    pub(super) fn apply(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
+        self.morph(mesh, range.clone());
+        if let Some(skin) = &self.skin {
+            skin.deform(mesh, range);
+        }
+    }
+
+    fn morph(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
+        for (target, &weight) in self.morph_weights.iter().enumerate().filter(|&(_, &w)| w != 0.0) {
+            let Ok(target) = u16::try_from(target) else { return };
+            let IndexedMesh { positions, layers, .. } = mesh;
+            if let Some(deltas) =
+                layers.iter().find(|layer| layer.semantic == Semantic::MorphPosition(target))
+            {
+                for vertex in range.clone() {
+                    for (axis, x) in positions[vertex].iter_mut().enumerate() {
+                        *x += weight * deltas.get(vertex, axis);
+                    }
+                }
+            }
+            add_directions(mesh, (&Semantic::Normal, &Semantic::MorphNormal(target)), weight, range.clone());
+            let tangents = (&Semantic::Tangent, &Semantic::MorphTangent(target));
+            add_directions(mesh, tangents, weight, range.clone());
+        }
+        if !self.morph_weights.is_empty() {
+            for semantic in [Semantic::Normal, Semantic::Tangent] {
+                normalize(mesh, &semantic, range.clone());
+            }
+        }
+    }
+}
+
+/// Adds displacements, in proportion to a weight, to the directions of a layer.
+fn add_directions(
+    mesh: &mut IndexedMesh,
+    (directions, deltas): (&Semantic, &Semantic),
+    weight: f32,
+    range: Range<usize>,
+) {
+    let Some(deltas) = mesh.layer(deltas).cloned() else { return };
+    let Some((data, width)) = floats_of(mesh, directions) else { return };
+    for vertex in range {
+        for axis in 0..3 {
+            data[vertex * width + axis] += weight * deltas.get(vertex, axis);
+        }
+    }
+}
+
+/// Makes the directions of a layer unit vectors again; those without a length stay.
+fn normalize(mesh: &mut IndexedMesh, semantic: &Semantic, range: Range<usize>) {
+    let Some((data, width)) = floats_of(mesh, semantic) else { return };
+    for direction in data[range.start * width..range.end * width].chunks_exact_mut(width) {
+        let (vector, _) = direction.split_at_mut(3);
+        let wide = [vector[0], vector[1], vector[2]].map(f64::from);
+        if let Some(unit) = crate::normals::unit(wide) {
+            vector.copy_from_slice(&unit);
+        }
+    }
+}
+
+/// Returns the numbers of a layer of directions, and how many there are for each vertex.
+fn floats_of<'m>(mesh: &'m mut IndexedMesh, semantic: &Semantic) -> Option<(&'m mut [f32], usize)> {
+    let layer = mesh.layers.iter_mut().find(|layer| layer.semantic == *semantic)?;
+    let width = layer.component_count as usize;
+    match &mut layer.data {
+        LayerData::F32(data) if width >= 3 => Some((data, width)),
+        _ => None,
+    }
+}
+
+impl SkinPose {
+    /// Moves vertices, their directions and the displacements of their morph targets with their joints;
+    /// vertices without weights stay.
+    fn deform(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
+        let sets: Vec<(AttributeLayer, AttributeLayer)> = (0..=u8::MAX)
+            .map_while(|set| {
+                mesh.layer(&Semantic::Joints(set)).cloned().zip(mesh.layer(&Semantic::Weights(set)).cloned())
+            })
+            .collect();
+        for vertex in range {
+            let Some(transform) = self.matrix(&sets, vertex).and_then(Transform::new) else { continue };
+            mesh.positions[vertex] = transform.point(mesh.positions[vertex]);
+            for layer in &mut mesh.layers {
+                let width = layer.component_count as usize;
+                if let LayerData::F32(data) = &mut layer.data {
+                    let own = &mut data[vertex * width..(vertex + 1) * width];
+                    transform_values(&layer.semantic, own, &transform);
+                }
+            }
+        }
+    }
+
+    /// Returns the mean of the matrices of the joints of a vertex; [`None`] if it has none.
+    fn matrix(&self, sets: &[(AttributeLayer, AttributeLayer)], vertex: usize) -> Option<DMat4> {
+        let (mut sum, mut total) = (DMat4::ZERO, 0.0);
+        for (joints, weights) in sets {
+            for slot in 0..joints.component_count.min(weights.component_count) as usize {
+                let weight = f64::from(weights.get(vertex, slot));
+                let joint = joints.get(vertex, slot) as usize;
+                if let Some(matrix) = self.matrices.get(joint).filter(|_| weight != 0.0) {
+                    sum += *matrix * weight;
+                    total += weight;
+                }
+            }
+        }
+        (total != 0.0).then(|| sum * (1.0 / total))
+    }
+}

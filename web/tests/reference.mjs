@@ -1,0 +1,65 @@
+// Takes three.js' own picture of a glTF file, with the light of `striata render`, in headless Chromium.
+//
+//   node tests/reference.mjs MODEL OUT.png '{ "eye": [x, y, z], "lookAt": [x, y, z], "fov": degrees, "width": 256, "height": 256 }'
+//
+// Optional: "up", "background" (a number, 0xrrggbb), "animation" and "time" (seconds).
+
+import { createReadStream, existsSync, statSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { basename, dirname, extname, join, normalize, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { browser } from './harness.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.png': 'image/png', '.jpg': 'image/jpeg', '.webp': 'image/webp' };
+
+/** Serves three.js, the page and the folder of a model on a free port. */
+function serveFolders(folders) {
+  const server = createServer((request, response) => {
+    const path = normalize(decodeURIComponent(new URL(request.url, 'http://x').pathname));
+    const [, first, ...rest] = path.split('/');
+    const file = folders[first] && join(folders[first], ...rest);
+    if (!file || path.includes('..') || !existsSync(file) || !statSync(file).isFile()) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' });
+    createReadStream(file).pipe(response);
+  });
+  return new Promise((done) => server.listen(0, '127.0.0.1', () => done(server)));
+}
+
+/** Returns three.js' pictures of a model as PNG files, one for each shot. */
+export async function referencePictures(context, model, shots) {
+  const folders = { three: join(here, '../node_modules/three'), page: join(here, 'reference'), model: dirname(resolve(model)) };
+  const server = await serveFolders(folders);
+  const page = await context.newPage();
+  try {
+    const origin = `http://127.0.0.1:${server.address().port}`;
+    await page.goto(`${origin}/page/page.html`);
+    await page.waitForFunction(() => window.isReady === true);
+    const pictures = [];
+    for (const shot of shots) {
+      const whole = { up: [0, 1, 0], background: 0, animation: 0, time: null, ...shot, url: `${origin}/model/${encodeURIComponent(basename(model))}` };
+      const address = await page.evaluate((what) => window.draw(what), whole);
+      pictures.push(Buffer.from(address.split(',')[1], 'base64'));
+    }
+    return pictures;
+  } finally {
+    await page.close();
+    server.close();
+    server.closeAllConnections();
+  }
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const [model, out, shot] = process.argv.slice(2);
+  if (!shot) throw new Error('usage: node tests/reference.mjs MODEL OUT.png SHOT');
+  const { context, close } = await browser();
+  try {
+    const [picture] = await referencePictures(context, model, [JSON.parse(shot)]);
+    writeFileSync(out, picture);
+  } finally {
+    await close();
+  }
+}
