@@ -6,6 +6,7 @@
 //! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh; `single_mesh` makes one from a `Lod` |
 //! | `deformation` | simplification that respects the poses of skins and morph targets; `mesh_simplifier` applies it to every mesh |
 //! | `pose` | where skins and morph targets put the vertices at a time of an animation |
+//! | [`drawn`] | what renderers need: materials, images, posed instances, lights and cameras |
 //! | [`mod@file`] | `.striata` files of scenes |
 //! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
 //! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
@@ -15,6 +16,7 @@
 
 mod deformation;
 mod document;
+pub mod drawn;
 mod error;
 pub mod file;
 pub mod glb_stream;

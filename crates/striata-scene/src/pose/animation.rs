@@ -45,6 +45,7 @@ pub(super) struct Channel {
 /// An animation; channels of unknown kinds are left out.
 #[derive(Clone, Debug)]
 pub(super) struct Animation {
+    pub name: String,
     pub channels: Vec<Channel>,
 }
 
@@ -73,7 +74,8 @@ impl Animation {
                 channels.extend(Channel::read(sampler, accessors, (node, property, target_count))?);
             }
         }
-        Ok(Self { channels })
+        let name = at.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
+        Ok(Self { name, channels })
     }
 
     /// Time of the last key, in seconds.

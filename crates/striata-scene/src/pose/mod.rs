@@ -19,6 +19,7 @@ use striata_io::{Scene, SceneError, SceneInstance};
 use self::animation::{Animation, Property};
 use self::numbers::AccessorNumbers;
 use self::skin::Skin;
+pub(crate) use self::skin::VertexJoints;
 
 /// Reads the poses of a scene.
 #[derive(Clone, Debug)]
@@ -91,6 +92,11 @@ impl Poser {
         self.animations.len()
     }
 
+    /// Name of an animation; empty if it has none.
+    pub fn animation_name(&self, animation: usize) -> &str {
+        self.animations.get(animation).map_or("", |animation| &animation.name)
+    }
+
     /// Time of the last key of an animation, in seconds.
     pub fn duration(&self, animation: usize) -> f32 {
         self.animations.get(animation).map_or(0.0, Animation::duration)
@@ -145,9 +151,7 @@ impl Poser {
     pub fn positions(&self, pose: &Pose, instance: &SceneInstance, mesh: &IndexedMesh) -> Vec<[f32; 3]> {
         let mut positions = self.deformed(pose, instance, mesh);
         if self.skin_of(instance).is_none() {
-            let node = instance.node.and_then(|node| pose.matrices.get(node)).copied();
-            let in_node = instance.in_node.as_ref().map(|columns| DMat4::from_cols_array(columns));
-            let matrix = node.unwrap_or(DMat4::IDENTITY) * in_node.unwrap_or(DMat4::IDENTITY);
+            let matrix = pose.matrix_of(instance);
             for position in &mut positions {
                 *position = transformed(&matrix, *position);
             }
@@ -164,7 +168,7 @@ impl Poser {
         mesh: &IndexedMesh,
     ) -> Vec<[f32; 3]> {
         let mut positions = mesh.positions.clone();
-        let weights = instance.node.map_or(&[][..], |node| pose.morph_weights_of(node));
+        let weights = pose.weights_of(instance);
         for (target, &weight) in weights.iter().enumerate().filter(|&(_, &w)| w != 0.0) {
             let semantic = u16::try_from(target).map(Semantic::MorphPosition);
             let Some(layer) = semantic.ok().and_then(|semantic| mesh.layer(&semantic)) else { continue };
@@ -178,6 +182,12 @@ impl Poser {
             skin.deform(&pose.matrices, mesh, &mut positions);
         }
         positions
+    }
+
+    /// Returns the matrix of each joint of an instance's skin, from the mesh to the scene; [`None`] without a
+    /// skin.
+    pub(crate) fn joint_matrices(&self, pose: &Pose, instance: &SceneInstance) -> Option<Vec<DMat4>> {
+        Some(self.skin_of(instance)?.joint_matrices(&pose.matrices))
     }
 
     fn skin_of(&self, instance: &SceneInstance) -> Option<&Skin> {
@@ -197,6 +207,23 @@ impl Pose {
     pub fn with_morph_weights(self, instance: &SceneInstance, weights: Vec<f32>) -> Option<Self> {
         let node = instance.node.filter(|&node| node < self.morph_weights.len())?;
         Some(Self { replaced: Some((node, weights)), ..self })
+    }
+
+    /// Returns the transform from a node to the scene; [`None`] if there is no such node.
+    pub(crate) fn node_matrix(&self, node: usize) -> Option<DMat4> {
+        self.matrices.get(node).copied()
+    }
+
+    /// Returns the transform from the mesh of an instance without a skin to the scene.
+    pub(crate) fn matrix_of(&self, instance: &SceneInstance) -> DMat4 {
+        let node = instance.node.and_then(|node| self.node_matrix(node));
+        let in_node = instance.in_node.as_ref().map(|columns| DMat4::from_cols_array(columns));
+        node.unwrap_or(DMat4::IDENTITY) * in_node.unwrap_or(DMat4::IDENTITY)
+    }
+
+    /// Returns the weights of the morph targets of an instance; those beyond the end of the list are 0.
+    pub(crate) fn weights_of(&self, instance: &SceneInstance) -> &[f32] {
+        instance.node.map_or(&[], |node| self.morph_weights_of(node))
     }
 
     /// Weights of the morph targets of a node; those beyond the end of the list are 0.

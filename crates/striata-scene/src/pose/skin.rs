@@ -31,32 +31,53 @@ impl Skin {
         Ok(Self { joints, inverse_binds })
     }
 
-    /// Moves positions with the joints that their vertices belong to; vertices without weights stay.
-    pub(super) fn deform(&self, matrices: &[DMat4], mesh: &IndexedMesh, positions: &mut [[f32; 3]]) {
+    /// Returns the matrix of each joint, from the mesh to the scene.
+    pub(super) fn joint_matrices(&self, matrices: &[DMat4]) -> Vec<DMat4> {
         let matrix = |(&joint, inverse_bind): (&usize, &DMat4)| {
             matrices.get(joint).copied().unwrap_or(DMat4::IDENTITY) * *inverse_bind
         };
-        let joint_matrices: Vec<DMat4> = self.joints.iter().zip(&self.inverse_binds).map(matrix).collect();
-        let sets: Vec<(&AttributeLayer, &AttributeLayer)> = (0..=u8::MAX)
-            .map_while(|set| mesh.layer(&Semantic::Joints(set)).zip(mesh.layer(&Semantic::Weights(set))))
-            .collect();
+        self.joints.iter().zip(&self.inverse_binds).map(matrix).collect()
+    }
+
+    /// Moves positions with the joints that their vertices belong to; vertices without weights stay.
+    pub(super) fn deform(&self, matrices: &[DMat4], mesh: &IndexedMesh, positions: &mut [[f32; 3]]) {
+        let joint_matrices = self.joint_matrices(matrices);
+        let joints = VertexJoints::of(mesh);
         for (vertex, position) in positions.iter_mut().enumerate() {
-            let (mut sum, mut total) = (DMat4::ZERO, 0.0);
-            for &(joints, weights) in &sets {
-                let width = joints.component_count.min(weights.component_count) as usize;
-                for slot in 0..width {
-                    let weight = f64::from(weights.get(vertex, slot));
-                    let joint = joint_of(joints, vertex, slot);
-                    if let Some(matrix) = joint_matrices.get(joint).filter(|_| weight != 0.0) {
-                        sum += *matrix * weight;
-                        total += weight;
-                    }
-                }
-            }
-            if total != 0.0 {
-                *position = transformed(&(sum * (1.0 / total)), *position);
+            if let Some(matrix) = joints.matrix(vertex, &joint_matrices) {
+                *position = transformed(&matrix, *position);
             }
         }
+    }
+}
+
+/// Joints and weights of the vertices of a mesh.
+pub(crate) struct VertexJoints<'m> {
+    sets: Vec<(&'m AttributeLayer, &'m AttributeLayer)>,
+}
+
+impl<'m> VertexJoints<'m> {
+    pub(crate) fn of(mesh: &'m IndexedMesh) -> Self {
+        let sets = (0..=u8::MAX)
+            .map_while(|set| mesh.layer(&Semantic::Joints(set)).zip(mesh.layer(&Semantic::Weights(set))));
+        Self { sets: sets.collect() }
+    }
+
+    /// Returns the mean of the matrices of a vertex' joints; [`None`] for a vertex without weights.
+    pub(crate) fn matrix(&self, vertex: usize, joint_matrices: &[DMat4]) -> Option<DMat4> {
+        let (mut sum, mut total) = (DMat4::ZERO, 0.0);
+        for &(joints, weights) in &self.sets {
+            let width = joints.component_count.min(weights.component_count) as usize;
+            for slot in 0..width {
+                let weight = f64::from(weights.get(vertex, slot));
+                let joint = joint_of(joints, vertex, slot);
+                if let Some(matrix) = joint_matrices.get(joint).filter(|_| weight != 0.0) {
+                    sum += *matrix * weight;
+                    total += weight;
+                }
+            }
+        }
+        (total != 0.0).then(|| sum * (1.0 / total))
     }
 }
 

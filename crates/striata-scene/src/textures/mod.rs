@@ -1,8 +1,8 @@
 //! Textures: what an image contains, previews, and re-encoding.
 //!
 //! Images are bytes that striata carries along. This module reads their headers ([`image_info`]), makes
-//! small previews and average colors for streams ([`preview`]), and resizes or re-encodes them
-//! ([`recode_scene`]). What a pixel means depends on the materials that use the image: see [`TextureRole`].
+//! small previews and average colors for streams ([`preview`]), resizes or re-encodes them
+//! ([`recode_scene`]), and decodes them for drawing ([`RgbaImage`]). What a pixel means depends on the materials that use the image: see [`TextureRole`].
 //!
 //! PNG, JPEG and WebP can be decoded. WebP is written without loss only, because the encoder in Rust has no
 //! other mode. KTX2 and DDS, whose blocks are compressed for GPUs, are carried unchanged.
@@ -29,6 +29,8 @@ mod recode;
 mod recode_scene;
 #[cfg(feature = "textures")]
 mod resample;
+#[cfg(feature = "textures")]
+mod rgba;
 mod role;
 mod sources;
 #[cfg(feature = "textures")]
@@ -45,6 +47,8 @@ pub use preview::{Preview, preview};
 pub use recode::{RecodedImage, TextureFormat, TextureOptions, recode};
 #[cfg(feature = "textures")]
 pub use recode_scene::{ImageChange, TextureReport, recode_scene};
+#[cfg(feature = "textures")]
+pub use rgba::RgbaImage;
 pub(crate) use role::images_of_material;
 pub use role::{AlphaUse, TextureRole, TextureTransfer, image_roles};
 pub(crate) use sources::without_sources;
