@@ -8,7 +8,6 @@
 //! whose error is allowed in every place where it is shown.
 
 mod budget;
-mod place;
 
 use std::ops::Range;
 
@@ -16,8 +15,8 @@ use striata::mesh::Semantic;
 use striata::view::{ScreenError, Sphere};
 use striata::{Level, Lod, Target, View};
 
-use self::place::Place;
 use crate::drawn::DrawnInstance;
+use crate::place::{self, Place, sphere_around};
 use crate::{LodScene, SceneLevel};
 
 /// Most instances with views of their own: each needs memory for its state and its indices.
@@ -188,10 +187,7 @@ impl SceneView {
 
 impl UniformMesh {
     fn new(lod: &Lod) -> Self {
-        let sphere = lod.mesh().bounds().map_or(Sphere::point([0.0; 3]), |bounds| {
-            let center = std::array::from_fn(|k| bounds.min[k] / 2.0 + bounds.max[k] / 2.0);
-            Sphere { center, radius: (bounds.diagonal() / 2.0) as f32 }
-        });
+        let sphere = sphere_around(lod.mesh());
         let is_morph = |semantic: &Semantic| matches!(semantic, Semantic::MorphPosition(_));
         let is_morphed = lod.mesh().layers.iter().any(|layer| is_morph(&layer.semantic));
         Self { level: lod.level(Target::SplitCount(0)), revision: 0, sphere, is_morphed }

@@ -221,6 +221,12 @@ impl SceneRenderer {
         Ok(is_resized)
     }
 
+    /// Reads back what was drawn last.
+    #[cfg(test)]
+    pub(super) fn read(&self, gpu: &Gpu) -> Result<striata_gpu::Picture, GpuError> {
+        self.target.as_ref().expect("something was drawn").canvas.read(gpu)
+    }
+
     /// The encoded picture, for a user interface that blends encoded colors.
     pub(super) fn picture(&self) -> Option<&wgpu::TextureView> {
         self.target.as_ref().map(|target| target.copy.view())
