@@ -17,16 +17,19 @@ const CAMERA: &str = "Camera";
 /// Help heading of the flags for how the picture looks.
 const APPEARANCE: &str = "Appearance";
 
+/// Help heading of the flags for animated scenes.
+const POSE: &str = "Pose (of an animated scene)";
+
 /// Arguments of `render`.
 #[derive(Debug, Args)]
 #[command(
     override_usage = "striata render [OPTIONS] <INPUT> -o <OUT.png> [LEVEL]",
     after_help = "Examples:\n  \
     striata render shape:torus -o levels.png --levels 100%,10%,1%\n  \
-    striata render torus.striata -o view.png --eye 0,2,3 --turn 70"
+    striata render robot.glb -o robot.png --time 0.5 --triangles 10%"
 )]
 pub(crate) struct RenderArgs {
-    /// Mesh, .striata file or stream to read, - for stdin, or a built-in shape: shape:torus
+    /// Scene, mesh, .striata file or stream to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
     /// PNG file to write, or - for stdout
     #[arg(short, long, value_name = "OUT.png")]
@@ -41,8 +44,8 @@ pub(crate) struct RenderArgs {
     /// of these in the file, else list]
     #[arg(long, value_name = "NAME", hide_possible_values = true)]
     pub(crate) model: Option<DrawnModel>,
-    /// Color by surface (vertex colors, or plain stone), strips, fans, triangles or groups; several get a row
-    /// each
+    /// Color by surface (materials, vertex colors, or plain stone), strips, fans, triangles or groups; several
+    /// get a row each
     #[arg(
         long,
         value_name = "NAME,...",
@@ -81,6 +84,26 @@ pub(crate) struct RenderArgs {
         help_heading = APPEARANCE,
     )]
     pub(crate) rows: Option<u16>,
+    /// Pose of the scene at this time of its animation, in seconds [default: the pose without animation]
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        allow_negative_numbers = true,
+        value_parser = parse_seconds,
+        help_heading = POSE,
+    )]
+    pub(crate) time: Option<f32>,
+    /// Animation to take the pose from: its number, beginning with 0, or its name [default: 0]
+    #[arg(long, value_name = "N|NAME", help_heading = POSE)]
+    pub(crate) animation: Option<String>,
+    /// Camera of the scene: its number, beginning with 0, or its name
+    #[arg(
+        long,
+        value_name = "N|NAME",
+        conflicts_with_all = ["from", "turn", "rise", "eye", "look_at", "up", "fov"],
+        help_heading = CAMERA,
+    )]
+    pub(crate) camera: Option<String>,
     /// Position of the camera; with --eye, shows the level of that view from here
     #[arg(
         long,
@@ -217,6 +240,13 @@ fn parse_degrees(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(angle) if angle.abs() <= 360.0 => Ok(angle),
         _ => Err("must be an angle from -360 to 360 degrees".to_owned()),
+    }
+}
+
+fn parse_seconds(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(time) if time >= 0.0 && time.is_finite() => Ok(time),
+        _ => Err("must be a time of at least 0 seconds".to_owned()),
     }
 }
 

@@ -9,8 +9,10 @@ mod levels;
 mod orders;
 mod outputs;
 mod patterns;
+mod png;
 mod refusals;
 mod render;
+mod render_scenes;
 mod scenes;
 mod seams;
 #[cfg(all(unix, feature = "serve"))]

@@ -5,6 +5,7 @@ use serde_json::Value;
 use striata_io::Scene;
 
 use super::json::{entries, index, number};
+use super::shown_nodes::shown_nodes;
 use crate::Pose;
 
 /// Projection of a camera.
@@ -37,11 +38,11 @@ pub struct DocumentCamera {
     pub up: [f32; 3],
 }
 
-/// Returns the cameras of the nodes in a pose, in the order of the nodes. Cameras without a valid projection
+/// Returns the cameras that the default scene shows in a pose, in the order of the nodes. Cameras without a valid projection
 /// or position are left out.
 pub fn cameras(scene: &Scene, pose: &Pose) -> Vec<DocumentCamera> {
     let known = entries(scene.document(), "cameras");
-    let nodes = entries(scene.document(), "nodes").iter().enumerate();
+    let nodes = shown_nodes(scene.document()).into_iter();
     let placed = nodes.filter_map(|(node, value)| {
         let camera = known.get(index(value, "camera")?)?;
         let matrix = pose.node_matrix(node)?;

@@ -5,6 +5,7 @@ use serde_json::Value;
 use striata_io::Scene;
 
 use super::json::{entries, extension, index, number, numbers};
+use super::shown_nodes::shown_nodes;
 use crate::Pose;
 
 /// Shape of a light.
@@ -41,12 +42,12 @@ pub struct Light {
 /// Most lights that are read: more would make pictures slow, and no scene looks different without them.
 const MAX_LIGHTS: usize = 64;
 
-/// Returns the lights of the nodes in a pose; at most 64.
+/// Returns the lights that the default scene shows in a pose; at most 64.
 pub fn lights(scene: &Scene, pose: &Pose) -> Vec<Light> {
     let document = scene.document();
     let Some(known) = extension(document, "KHR_lights_punctual") else { return Vec::new() };
     let known = entries(known, "lights");
-    let nodes = entries(document, "nodes").iter().enumerate();
+    let nodes = shown_nodes(document).into_iter();
     let placed = nodes.filter_map(|(node, value)| {
         let light = known.get(index(extension(value, "KHR_lights_punctual")?, "light")?)?;
         read(light, &pose.node_matrix(node)?)

@@ -25,6 +25,7 @@ mod json;
 mod light;
 mod material;
 mod posed_mesh;
+mod shown_nodes;
 mod specular_glossiness;
 mod texture_use;
 

@@ -1,5 +1,7 @@
 //! Pixels of an image, for drawing it.
 
+use std::sync::Arc;
+
 use super::TextureError;
 use super::decode::decode;
 use super::resample::{Pixels, reduce, reduced_size};
@@ -12,8 +14,8 @@ pub struct RgbaImage {
     pub width: u32,
     /// Height, pixels.
     pub height: u32,
-    /// Four bytes per pixel, row by row from the top.
-    pub rgba: Vec<u8>,
+    /// Four bytes per pixel, row by row from the top. Clones share them.
+    pub rgba: Arc<[u8]>,
 }
 
 impl RgbaImage {
@@ -28,7 +30,7 @@ impl RgbaImage {
         let size = reduced_size(pixels.width, pixels.height, max_side.max(1));
         let is_small = size == (pixels.width, pixels.height);
         let Pixels { width, height, rgba } = if is_small { pixels } else { reduce(&pixels, size, role) };
-        Ok(Self { width, height, rgba })
+        Ok(Self { width, height, rgba: rgba.into() })
     }
 }
 
@@ -40,7 +42,7 @@ mod tests {
     #[test]
     fn images_are_decoded_or_refused() {
         let one = RgbaImage::decode(&placeholder_png([9, 8, 7, 6]), TextureRole::default(), 0);
-        assert_eq!(one, Ok(RgbaImage { width: 1, height: 1, rgba: vec![9, 8, 7, 6] }));
+        assert_eq!(one, Ok(RgbaImage { width: 1, height: 1, rgba: vec![9, 8, 7, 6].into() }));
         for bytes in [&b""[..], b"\xabKTX 20\xbb\r\n\x1a\n", &placeholder_png([0; 4])[..30]] {
             assert!(RgbaImage::decode(bytes, TextureRole::default(), 64).is_err(), "{bytes:?}");
         }

@@ -117,7 +117,7 @@ fn to_bytes([r, g, b, a]: Rgba) -> [u8; 4] {
 }
 
 /// Encodes linear light as an sRGB byte.
-fn to_srgb(light: f32) -> u8 {
+pub(super) fn to_srgb(light: f32) -> u8 {
     let x = light.clamp(0.0, 1.0);
     let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
     (encoded * 255.0 + 0.5) as u8

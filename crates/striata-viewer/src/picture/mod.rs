@@ -17,16 +17,24 @@ mod distance_map;
 mod frustum;
 #[cfg(feature = "gpu")]
 mod gpu_renderer;
+mod lit_raster;
+mod lit_surface;
 mod normals;
 mod paint;
 mod picture_renderer;
 mod raster;
 mod rendered_picture;
+mod scene_look;
+mod shading;
 mod sheet;
 mod shot;
+mod split_sum;
+mod studio;
 mod text;
+mod texture;
 #[cfg(feature = "serve")]
 mod thumbnail;
+mod vector;
 
 pub use camera::{Camera, ViewAngles};
 pub use canvas::{Canvas, Rgba};
@@ -34,10 +42,11 @@ pub use distance_map::DistanceMap;
 pub use frustum::Frustum;
 #[cfg(feature = "gpu")]
 pub use gpu_renderer::GpuRenderer;
-pub use normals::with_normals;
+pub use normals::{with_all_normals, with_normals};
 pub use paint::{ColoredTriangles, fan_colors, group_colors, strip_colors, triangle_colors};
 pub use picture_renderer::PictureRenderer;
 pub use rendered_picture::Drawn;
+pub use scene_look::SceneLook;
 pub use sheet::{ColorBar, Panel, Sheet, Theme, significant};
 pub use shot::{Line, Paint, Shot, Style};
 #[cfg(feature = "serve")]

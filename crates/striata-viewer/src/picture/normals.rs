@@ -3,6 +3,8 @@
 //! They are computed once for the full mesh and serve every level, since vertices never move. Vertices that
 //! share a position share a normal, so attribute seams are not creases.
 
+use std::borrow::Cow;
+
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
 use super::camera::{cross, sub, to_f64, unit};
@@ -14,6 +16,28 @@ pub fn with_normals(mut mesh: IndexedMesh) -> IndexedMesh {
         mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals.into_flattened()));
     }
     mesh
+}
+
+/// Returns a mesh in which every vertex has a normal: the normals of the mesh, and computed ones instead of
+/// those that are zero.
+pub fn with_all_normals(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
+    let is_zero = |layer: &AttributeLayer, v: usize| {
+        (0..usize::from(layer.component_count)).all(|k| layer.get(v, k) == 0.0)
+    };
+    let Some(at) = mesh.layers.iter().position(|layer| layer.semantic == Semantic::Normal) else {
+        return Cow::Owned(with_normals(mesh.clone()));
+    };
+    let layer = &mesh.layers[at];
+    if layer.component_count != 3 || !(0..mesh.vertex_count()).any(|v| is_zero(layer, v)) {
+        return Cow::Borrowed(mesh);
+    }
+    let mut normals = vertex_normals(mesh);
+    for (v, normal) in normals.iter_mut().enumerate().filter(|(v, _)| !is_zero(layer, *v)) {
+        *normal = [0, 1, 2].map(|k| layer.get(v, k));
+    }
+    let mut mesh = mesh.clone();
+    mesh.layers[at] = AttributeLayer::from_f32(Semantic::Normal, 3, normals.into_flattened());
+    Cow::Owned(mesh)
 }
 
 fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
@@ -45,7 +69,7 @@ fn first_vertices(mesh: &IndexedMesh) -> Vec<u32> {
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::shapes;
+    use striata::mesh::{LayerData, shapes};
 
     use super::*;
 
@@ -59,5 +83,17 @@ mod tests {
             assert!(along > 0.97 * length, "vertex {v}: {along} of {length}");
         }
         assert_eq!(with_normals(mesh.clone()), mesh, "existing normals are kept");
+    }
+
+    #[test]
+    fn normals_that_are_zero_are_computed() {
+        let mesh = with_normals(shapes::icosphere(2, 1.0));
+        assert!(matches!(with_all_normals(&mesh), Cow::Borrowed(_)));
+        let mut partial = mesh.clone();
+        if let LayerData::F32(numbers) = &mut partial.layers[0].data {
+            numbers[..30].fill(0.0);
+        }
+        assert_ne!(partial, mesh);
+        assert_eq!(*with_all_normals(&partial), mesh);
     }
 }

@@ -164,7 +164,16 @@ mod tests {
             (Paint::Surface, true, true),
         ] {
             let (triangles, lines) = (Cow::Borrowed(&mesh.triangles[..]), vec![line]);
-            let shot = Shot { vertices: &mesh, triangles, strips: None, paint, has_edges, is_flat, lines };
+            let shot = Shot {
+                vertices: &mesh,
+                triangles,
+                strips: None,
+                paint,
+                has_edges,
+                is_flat,
+                look: None,
+                lines,
+            };
             both_draw_the_same(&shot, &camera, 4000);
         }
     }

@@ -12,12 +12,12 @@ use super::camera::{Camera, cross, dot, sub, to_f64, unit};
 use super::clip::{ClippedTriangle, Corner, clip, near_plane};
 use super::paint::Color;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
-use super::{Canvas, Rgba};
+use super::{Canvas, Rgba, lit_raster};
 
 type Vec3 = [f32; 3];
 
 /// Downsampling factor: each final pixel is the mean of a square of this many pixels per side.
-const DOWNSAMPLING: usize = 3;
+pub(super) const DOWNSAMPLING: usize = 3;
 
 /// Maximum number of pixels drawn at a time, before downsampling, 20 bytes each; larger pictures are
 /// drawn in bands.
@@ -26,6 +26,9 @@ const BAND_PIXELS: usize = 4 << 20;
 /// Draws a shot; uncovered pixels are transparent.
 pub(super) fn draw(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Canvas {
     let band_rows = (BAND_PIXELS / (DOWNSAMPLING * DOWNSAMPLING * width.max(1))).max(1);
+    if let Some(look) = shot.visible_look() {
+        return lit_raster::draw(shot, look, camera, ([width, height], band_rows));
+    }
     draw_in_bands(shot, camera, [width, height], band_rows)
 }
 
@@ -41,15 +44,8 @@ fn draw_in_bands(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2], 
             triangles.fill(index, &view, &mut band);
         }
         for (corners, &paint) in lines.triangles.iter().zip(&lines.colors) {
-            let color = color(paint);
-            let corners = corners.map(|v| Corner {
-                position: view.to_camera_space(lines.positions[v as usize]),
-                color,
-                normal: [0.0; 3],
-            });
-            let style = SurfaceStyle { has_normals: false, light: 0.0, edges: 0.0 };
-            // Lines were already clipped in front of the eye.
-            band.fill(&view, &ClippedTriangle { corners, is_edge: [false; 3] }, &style);
+            let corners = corners.map(|v| view.to_camera_space(lines.positions[v as usize]));
+            band.fill_line(&view, corners, paint);
         }
         canvas.blend(&band.canvas.downsampled(DOWNSAMPLING), 0, first);
     }
@@ -124,24 +120,24 @@ fn colors_of(mesh: &IndexedMesh) -> Option<Vec<Color>> {
 
 /// A point on the screen: pixel coordinates and inverse depth.
 #[derive(Clone, Copy, Debug)]
-struct ScreenPoint {
-    x: f32,
-    y: f32,
-    inverse_depth: f32,
+pub(super) struct ScreenPoint {
+    pub(super) x: f32,
+    pub(super) y: f32,
+    pub(super) inverse_depth: f32,
 }
 
 /// Camera as three axes and a scale.
-struct View {
-    axes: [[f64; 3]; 3],
+pub(super) struct View {
+    pub(super) axes: [[f64; 3]; 3],
     eye: [f64; 3],
-    scale: f64,
-    center: [f64; 2],
+    pub(super) scale: f64,
+    pub(super) center: [f64; 2],
     /// Distance of the near plane.
-    near: f32,
+    pub(super) near: f32,
 }
 
 impl View {
-    fn new(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Self {
+    pub(super) fn new(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Self {
         let scale = height as f64 / 2.0 / (f64::from(camera.fov) / 2.0).tan();
         let (middle, radius) = shot.vertices.bounds().map_or(([0.0; 3], 1.0), |bounds| {
             let middle = [0, 1, 2].map(|k| (f64::from(bounds.min[k]) + f64::from(bounds.max[k])) / 2.0);
@@ -157,13 +153,13 @@ impl View {
     }
 
     /// Transforms a point to camera space.
-    fn to_camera_space(&self, point: Vec3) -> Vec3 {
+    pub(super) fn to_camera_space(&self, point: Vec3) -> Vec3 {
         let p = sub(to_f64(point), self.eye);
         self.axes.map(|axis| dot(axis, p) as f32)
     }
 
     /// Projects a point in camera space to the screen.
-    fn project(&self, point: Vec3) -> ScreenPoint {
+    pub(super) fn project(&self, point: Vec3) -> ScreenPoint {
         let [x, y, z] = to_f64(point);
         ScreenPoint {
             x: (self.center[0] - self.scale * x / z) as f32,
@@ -188,16 +184,24 @@ struct SurfaceStyle {
 }
 
 /// A band of pixels with a depth buffer of inverse depths.
-struct Band {
-    canvas: Canvas,
-    nearest: Vec<f32>,
-    rows: Range<usize>,
+pub(super) struct Band {
+    pub(super) canvas: Canvas,
+    pub(super) nearest: Vec<f32>,
+    pub(super) rows: Range<usize>,
 }
 
 impl Band {
-    fn new(width: usize, rows: Range<usize>) -> Self {
+    pub(super) fn new(width: usize, rows: Range<usize>) -> Self {
         let canvas = Canvas::filled(width, rows.len(), [0.0; 4]);
         Self { canvas, nearest: vec![0.0; width * rows.len()], rows }
+    }
+
+    /// Draws a triangle of a line, in camera space and already clipped in front of the eye.
+    pub(super) fn fill_line(&mut self, view: &View, corners: [Vec3; 3], paint: Color) {
+        let color = color(paint);
+        let corners = corners.map(|position| Corner { position, color, normal: [0.0; 3] });
+        let style = SurfaceStyle { has_normals: false, light: 0.0, edges: 0.0 };
+        self.fill(view, &ClippedTriangle { corners, is_edge: [false; 3] }, &style);
     }
 
     /// Draws a triangle with depth test, at pixel centers.
@@ -295,7 +299,7 @@ fn lit(color: Vec3, normal: Vec3, to_eye: Vec3) -> Vec3 {
 }
 
 /// Range of rows or columns whose pixel centers may lie between three coordinates.
-fn covered(corners: [f32; 3], pixels: &Range<usize>) -> Range<usize> {
+pub(super) fn covered(corners: [f32; 3], pixels: &Range<usize>) -> Range<usize> {
     let [first, end] = [pixels.start, pixels.end].map(|pixel| pixel as f32);
     let min = corners.into_iter().fold(f32::INFINITY, f32::min).floor().clamp(first, end);
     let max = corners.into_iter().fold(f32::NEG_INFINITY, f32::max).ceil().clamp(first, end);
@@ -329,6 +333,7 @@ mod tests {
             paint: Paint::Triangles(colors.to_vec()),
             has_edges: false,
             is_flat: true,
+            look: None,
             lines: Vec::new(),
         };
         draw(&shot, &CAMERA, [21, 21])

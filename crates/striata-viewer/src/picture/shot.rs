@@ -7,6 +7,7 @@ use striata::strip::StripIndices;
 
 use super::camera::{Camera, cross, dot, sub, to_f64, unit};
 use super::paint::Color;
+use super::scene_look::SceneLook;
 
 /// The contents of one panel.
 #[derive(Clone, Debug)]
@@ -23,6 +24,10 @@ pub struct Shot<'a> {
     pub has_edges: bool,
     /// Whether shading is flat.
     pub is_flat: bool,
+    /// Materials that [`Paint::Surface`] shows, unless edges are drawn; without them, the surface has the
+    /// colors of its vertices or is stone. The triangles must be those of `vertices`, whose groups name the
+    /// materials.
+    pub look: Option<&'a SceneLook>,
     /// Additional lines.
     pub lines: Vec<Line>,
 }
@@ -30,7 +35,7 @@ pub struct Shot<'a> {
 /// Coloring of triangles, linear light as bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// Vertex colors of the mesh, or stone if it has none.
+    /// Materials, or vertex colors of the mesh, or stone if it has neither.
     Surface,
     /// One color per triangle.
     Triangles(Vec<Color>),
@@ -76,7 +81,13 @@ impl<'a> Shot<'a> {
     /// Creates a shot of a mesh with a paint and a style.
     pub fn of(mesh: &'a IndexedMesh, paint: Paint, Style { has_edges, is_flat }: Style) -> Self {
         let triangles = Cow::Borrowed(&mesh.triangles[..]);
-        Self { vertices: mesh, triangles, strips: None, paint, has_edges, is_flat, lines: Vec::new() }
+        let (strips, look, lines) = (None, None, Vec::new());
+        Self { vertices: mesh, triangles, strips, paint, has_edges, is_flat, look, lines }
+    }
+
+    /// Returns the materials if the shot shows them.
+    pub(super) fn visible_look(&self) -> Option<&'a SceneLook> {
+        self.look.filter(|_| self.paint == Paint::Surface && !self.has_edges)
     }
 
     /// Strength of the lighting.
@@ -212,6 +223,7 @@ mod tests {
             paint: Paint::Surface,
             has_edges: true,
             is_flat: false,
+            look: None,
             lines: Vec::new(),
         };
         let opacities = [40, 400, 4000].map(|height| shot.edge_opacity(&CAMERA, height));

@@ -13,7 +13,7 @@ use striata_command::failure::Failure;
 use striata_command::fan_cover::cover_with_fans;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_viewer::picture::{
-    Paint, Shot, Style, fan_colors, group_colors, strip_colors, triangle_colors, with_normals,
+    Paint, SceneLook, Shot, Style, fan_colors, group_colors, strip_colors, triangle_colors, with_normals,
 };
 
 /// A level to draw.
@@ -106,9 +106,14 @@ pub(super) struct ColoredLevel {
 
 impl ColoredLevel {
     /// Returns the shot that draws the level.
-    pub(super) fn shot<'s>(&'s self, mesh: &'s IndexedMesh, style: Style) -> Shot<'s> {
+    pub(super) fn shot<'s>(
+        &'s self,
+        mesh: &'s IndexedMesh,
+        look: Option<&'s SceneLook>,
+        style: Style,
+    ) -> Shot<'s> {
         let shot = Shot::of(mesh, self.paint.clone(), style);
         let triangles = self.triangles.as_ref().map_or(shot.triangles, |t| Cow::Borrowed(&t[..]));
-        Shot { triangles, strips: self.strips.as_ref(), ..shot }
+        Shot { triangles, strips: self.strips.as_ref(), look, ..shot }
     }
 }

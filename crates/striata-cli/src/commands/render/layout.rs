@@ -1,7 +1,5 @@
 //! The layout of a picture in panels, and drawing them.
 
-use striata::mesh::IndexedMesh;
-
 use super::figure::Figure;
 use super::source::Source;
 use super::viewpoint::Viewpoint;
@@ -11,13 +9,13 @@ use striata_command::failure::Failure;
 use striata_command::output::format_noun_count;
 use striata_viewer::picture::{
     Camera, Canvas, ColorBar, DistanceMap, Paint, Panel, PictureRenderer, Sheet, Shot, Style, Theme,
-    significant,
+    significant, with_all_normals,
 };
 
 /// A picture that is ready to be drawn.
 pub(super) struct Layout<'a> {
     args: &'a RenderArgs,
-    original: &'a IndexedMesh,
+    source: &'a Source<'a>,
     figures: &'a [Figure],
     viewpoint: &'a Viewpoint,
     /// Distances from the original to each level, if the picture shows them.
@@ -42,7 +40,7 @@ impl<'a> Layout<'a> {
     /// If a distance cannot be measured, which is an internal error.
     pub(super) fn new(
         args: &'a RenderArgs,
-        source: &'a Source<'_>,
+        source: &'a Source<'a>,
         (figures, viewpoint): (&'a [Figure], &'a Viewpoint),
     ) -> Result<Self, Failure> {
         let original = source.mesh();
@@ -63,7 +61,7 @@ impl<'a> Layout<'a> {
             if args.heat { sheet.with_bar(ColorBar::up_to(heat_top, largest)) } else { sheet }
         };
         let sheet = make(grid(args, figures.len(), viewpoint, &make));
-        Ok(Self { args, original, figures, viewpoint, heats, heat_top, diagonal, sheet })
+        Ok(Self { args, source, figures, viewpoint, heats, heat_top, diagonal, sheet })
     }
 
     /// Draws all panels and assembles the picture.
@@ -103,15 +101,16 @@ impl<'a> Layout<'a> {
             artist.draw(&shot, camera, size)
         };
         let style = Style { has_edges: self.args.wireframe, is_flat: self.args.flat };
-        match self.heats.get(number) {
-            Some(heat) => {
-                let paint = Paint::Vertices(heat.colors(self.heat_top));
-                Ok(draw(Shot::of(self.original, paint, style), artist))
-            }
-            None => {
-                let painted = figure.painted(coloring)?;
-                Ok(draw(painted.shot(&figure.mesh, style), artist))
-            }
+        if let Some(heat) = self.heats.get(number) {
+            let original = with_all_normals(self.source.mesh());
+            return Ok(draw(Shot::of(&original, Paint::Vertices(heat.colors(self.heat_top)), style), artist));
+        }
+        let painted = figure.painted(coloring)?;
+        let is_lit = coloring == Coloring::Surface && !self.args.wireframe;
+        match self.source.look().filter(|_| is_lit) {
+            // Materials show vertices without normals flat, as glTF prescribes.
+            Some(look) => Ok(draw(painted.shot(&figure.mesh, Some(look), style), artist)),
+            None => Ok(draw(painted.shot(&with_all_normals(&figure.mesh), None, style), artist)),
         }
     }
 

@@ -3,6 +3,7 @@
 mod figure;
 mod layout;
 mod report;
+mod scene_source;
 mod source;
 mod viewpoint;
 
@@ -35,6 +36,9 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let mut artist = artist(args, output)?;
     let source = Source::read(args, &input, output, &mut bar)?;
+    for warning in source.look().iter().flat_map(|look| look.warnings()) {
+        output.say(&format!("warning: {warning}"));
+    }
     let figures = figures(args, &source, &input)?;
     for figure in &figures {
         let name = (!figure.title.is_empty()).then_some(figure.title.as_str());

@@ -1,4 +1,5 @@
-//! Sources of levels: a mesh alone, a mesh that is simplified for the picture, or a file with levels.
+//! Sources of levels: a mesh alone, a mesh that is simplified for the picture, a file with levels, or a
+//! scene.
 
 use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
@@ -7,6 +8,7 @@ use striata::simplify::Target;
 use striata::strip::{StripSet, stripify};
 
 use super::figure::Figure;
+use super::scene_source::SceneSource;
 use crate::args::{DrawnModel, RenderArgs};
 use crate::commands::build::errors_are_guaranteed;
 use crate::commands::extract::{FilePatterns, level_of_view};
@@ -17,14 +19,18 @@ use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
 use striata_command::output::{Bar, Output, format_count};
 use striata_command::sequence::{SequencePlan, Steps};
-use striata_viewer::picture::with_normals;
+use striata_io::Format;
+use striata_scene::drawn::ImageLimits;
+use striata_viewer::picture::{SceneLook, with_normals};
 
 /// The source of the levels in a picture.
 pub(super) enum Source<'a> {
     /// A mesh that is drawn unchanged.
-    Mesh(Box<IndexedMesh>),
+    Mesh(Box<IndexedMesh>, Option<Box<SceneLook>>),
     /// A mesh with levels.
-    Levels(Box<Levels<'a>>),
+    Levels(Box<Levels<'a>>, Option<Box<SceneLook>>),
+    /// A scene in a pose, with or without levels.
+    Scene(Box<SceneSource>),
 }
 
 /// All levels of a mesh, and the model that provides their triangles.
@@ -55,28 +61,56 @@ impl<'a> Source<'a> {
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let in_file = |error: Failure| error.in_file(&input.name);
+        if let Some(scene) = SceneSource::read(args, input, output, bar)? {
+            return Ok(Self::Scene(Box::new(scene)));
+        }
         if input.has_levels() {
             let file = input.striata()?;
             input.remark_on(&file, output)?;
-            return Ok(Self::Levels(Box::new(Levels::of_file(args, file, input)?)));
+            let levels = Levels::of_file(args, file, input)?;
+            let look = look_of(args, levels.steps.mesh());
+            return Ok(Self::Levels(Box::new(levels), look));
         }
-        let mesh = input.mesh(output)?;
+        let mut mesh = input.mesh(output)?;
         mesh.check().map_err(|error| in_file(error.into()))?;
+        let look = look_of(args, &mesh);
+        if look.is_some() {
+            // Materials are factors of linear colors.
+            input.convert_colors(&mut mesh, Format::Glb);
+        }
         if !needs_levels(args) {
-            return Ok(Self::Mesh(Box::new(with_normals(mesh))));
+            return Ok(Self::Mesh(Box::new(with_normals(mesh)), look));
         }
         let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
         let sequenced = SequencePlan::default().run(welded, &mut |progress| bar.show(progress));
         let steps = with_level_normals(sequenced.map_err(|error| in_file(error.into()))?.steps);
         let model = Model::built(args.model.unwrap_or(default_model(args)), &steps)?;
-        Ok(Self::Levels(Box::new(Levels { steps, model, error_is_guaranteed: false, file: None })))
+        let levels = Levels { steps, model, error_is_guaranteed: false, file: None };
+        Ok(Self::Levels(Box::new(levels), look))
+    }
+
+    /// Returns the materials, if the picture shows them.
+    pub(super) fn look(&self) -> Option<&SceneLook> {
+        match self {
+            Self::Mesh(_, look) | Self::Levels(_, look) => look.as_deref(),
+            Self::Scene(scene) => scene.look(),
+        }
+    }
+
+    /// Returns the scene, if the source is one.
+    pub(super) fn scene(&self) -> Option<&SceneSource> {
+        match self {
+            Self::Scene(scene) => Some(scene),
+            _ => None,
+        }
     }
 
     /// Returns the full mesh, with normals.
     pub(super) fn mesh(&self) -> &IndexedMesh {
         match self {
-            Self::Mesh(mesh) => mesh,
-            Self::Levels(levels) => levels.steps.mesh(),
+            Self::Mesh(mesh, _) => mesh,
+            Self::Levels(levels, _) => levels.steps.mesh(),
+            Self::Scene(scene) => scene.mesh(),
         }
     }
 
@@ -89,12 +123,13 @@ impl<'a> Source<'a> {
     pub(super) fn full(&self) -> FullMesh {
         let diagonal = self.diagonal();
         match self {
-            Self::Mesh(mesh) => FullMesh {
+            Self::Mesh(mesh, _) => FullMesh {
                 diagonal,
                 vertex_count: mesh.vertex_count(),
                 triangle_count: mesh.triangle_count(),
             },
-            Self::Levels(levels) => FullMesh::of_levels(levels.steps.levels(), diagonal),
+            Self::Levels(levels, _) => FullMesh::of_levels(levels.steps.levels(), diagonal),
+            Self::Scene(scene) => scene.full(),
         }
     }
 
@@ -104,8 +139,9 @@ impl<'a> Source<'a> {
     /// If its strips cannot be made.
     pub(super) fn target(&self, target: Option<Target>) -> Result<Figure, Failure> {
         let levels = match self {
-            Self::Mesh(mesh) => return Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
-            Self::Levels(levels) => levels,
+            Self::Mesh(mesh, _) => return Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
+            Self::Scene(scene) => return scene.target(target),
+            Self::Levels(levels, _) => levels,
         };
         let known = levels.steps.levels();
         let Some(target) = target else { return levels.figure(known.step_count()) };
@@ -134,8 +170,10 @@ impl<'a> Source<'a> {
     /// # Errors
     /// If the camera is degenerate, or the file is damaged.
     pub(super) fn view(&self, args: &RenderArgs, eye: Point, input: &Input) -> Result<Figure, Failure> {
-        let Self::Levels(levels) = self else {
-            return Err(Failure::internal("a view needs a mesh with levels"));
+        let levels = match self {
+            Self::Levels(levels, _) => levels,
+            Self::Scene(scene) => return scene.view(args, eye),
+            Self::Mesh(..) => return Err(Failure::internal("a view needs a mesh with levels")),
         };
         let bounds = self.mesh().bounds();
         let center = bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
@@ -298,8 +336,19 @@ fn strips_at<M: StripModel>(model: &M, split_count: usize) -> StripSet {
     strips_of_level(model, &state)
 }
 
+/// Whether the picture shows the surface of the mesh.
+pub(super) fn shows_surface(args: &RenderArgs) -> bool {
+    args.colors.contains(&Coloring::Surface) && !args.heat && !args.wireframe
+}
+
+/// Returns the materials of a mesh, if the picture shows them.
+fn look_of(args: &RenderArgs, mesh: &IndexedMesh) -> Option<Box<SceneLook>> {
+    let look = || SceneLook::of_mesh(mesh, &ImageLimits::default());
+    shows_surface(args).then(look).flatten().map(Box::new)
+}
+
 /// Whether the picture needs levels, and not just the mesh.
-fn needs_levels(args: &RenderArgs) -> bool {
+pub(super) fn needs_levels(args: &RenderArgs) -> bool {
     let has_target = args.level.level.is_given() || args.level.eye.is_some();
     let has_model = args.model.is_some_and(|model| model != DrawnModel::List);
     has_target || has_model || args.levels.is_some()

@@ -36,7 +36,12 @@ impl Viewpoint {
         let mesh = source.mesh();
         let center = mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
         let is_outside = args.from.is_some() || args.turn.is_some() || args.rise.is_some();
-        let usual = ViewAngles::usual(mesh.bounds().as_ref());
+        if let (Some(name), Some(scene)) = (&args.camera, source.scene()) {
+            let placement = CameraPlacement::Fixed(scene.camera(name, center)?);
+            return Ok(Self { placement, zoom: args.zoom, frustum: None });
+        }
+        // In scenes, y is up, whatever their shape.
+        let usual = ViewAngles::usual(mesh.bounds().filter(|_| source.scene().is_none()).as_ref());
         let up = args.view.up().unwrap_or(usual.up);
         let fov = |usual: f32| args.view.fov().map_or(usual.to_radians(), |angle| angle as f32);
         let look_at = args.view.look_at().unwrap_or(center);

@@ -14,3 +14,4 @@ pub(super) use convert::convert;
 pub(super) use encode::encode;
 pub(super) use facts::SceneFacts;
 pub(super) use levels::{check_outputs, decode, extract, simplify};
+pub(super) use view::scene_of_view;

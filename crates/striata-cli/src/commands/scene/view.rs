@@ -3,11 +3,14 @@
 use std::time::Instant;
 
 use striata::simplify::{StopReason, Target};
+use striata::view::Camera;
+use striata_command::args::ViewArgs;
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, check_paths, check_strict, shortfall};
 use striata_command::output::Output;
 use striata_command::save::{bytes_of_scene, display_name, write_bytes};
 use striata_command::scene::with_textures;
+use striata_io::Scene;
 use striata_scene::LodScene;
 
 use super::levels::{LevelReport, Report};
@@ -15,6 +18,20 @@ use crate::args::ExtractArgs;
 
 /// Smallest pixel tolerance used with a triangle limit, so that tolerances can be multiplied.
 const LEAST_PIXELS: f64 = 1e-4;
+
+/// Returns the scene for a camera, within a triangle limit if there is one, and its tolerance in pixels.
+pub(in crate::commands) fn scene_of_view(
+    lods: &LodScene,
+    view: &ViewArgs,
+    camera: Camera,
+    limit: Option<usize>,
+) -> (Scene, f64) {
+    let Some(limit) = limit else {
+        return (lods.view_scene(&view.criterion(camera, 0.0)), view.pixels());
+    };
+    let (scene, factor) = lods.view_scene_within(&view.criterion(camera, LEAST_PIXELS), limit);
+    (scene, view.pixels().max(LEAST_PIXELS) * f64::from(factor))
+}
 
 /// Writes the scene for a viewer at a point, and reports.
 ///
@@ -37,13 +54,7 @@ pub(super) fn extract_view(
     let camera = camera
         .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
     let limit = args.level.triangle_count().map(|count| count.of_triangles(lods.triangle_count()));
-    let (scene, pixels) = match limit {
-        None => (lods.view_scene(&args.view.criterion(camera, 0.0)), args.view.pixels()),
-        Some(limit) => {
-            let (scene, factor) = lods.view_scene_within(&args.view.criterion(camera, LEAST_PIXELS), limit);
-            (scene, args.view.pixels().max(LEAST_PIXELS) * f64::from(factor))
-        }
-    };
+    let (scene, pixels) = scene_of_view(lods, &args.view, camera, limit);
     let triangle_count = scene.triangle_count();
     let vertex_count = scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum();
     let is_above = limit.is_some_and(|limit| triangle_count > limit);

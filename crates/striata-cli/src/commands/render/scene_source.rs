@@ -1,0 +1,270 @@
+//! A scene as the source of a picture: in a pose, with materials, with or without levels.
+
+use striata::mesh::{IndexedMesh, Semantic};
+use striata::simplify::{StopReason, Target};
+use striata::{LodOptions, ProgressFn};
+use striata_command::args::Point;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
+use striata_command::output::{Bar, Output};
+use striata_command::scene::{ReceivedScene, SceneKind};
+use striata_io::Scene;
+use striata_scene::drawn::{DocumentCamera, ImageLimits, Projection, cameras, lights, posed_mesh};
+use striata_scene::{LodScene, Pose, Poser};
+use striata_viewer::picture::{Camera, SceneLook};
+
+use super::figure::Figure;
+use super::source::{needs_levels, shows_surface};
+use crate::args::{DrawnModel, RenderArgs};
+use crate::commands::scene::scene_of_view;
+
+/// A scene in a pose.
+pub(super) struct SceneSource {
+    /// The full scene in the pose.
+    mesh: IndexedMesh,
+    look: Option<SceneLook>,
+    levels: Option<ReceivedScene>,
+    poser: Poser,
+    pose: Pose,
+    cameras: Vec<DocumentCamera>,
+    /// Whether levels were made for the picture.
+    is_built: bool,
+}
+
+impl SceneSource {
+    /// Reads the input as a scene; [`None`] if it is a mesh, or has to be drawn as one: a plain mesh in glTF
+    /// without materials, colors and animations, or any scene for a model other than the list.
+    ///
+    /// # Errors
+    /// If the input is malformed, or a flag needs a scene or an animation that is not there.
+    pub(super) fn read(
+        args: &RenderArgs,
+        input: &Input,
+        output: &Output,
+        bar: &mut Bar,
+    ) -> Result<Option<Self>, Failure> {
+        let needs_mesh = args.model.is_some_and(|model| model != DrawnModel::List);
+        let Some(kind) = input.scene_kind() else {
+            return refuse_scene_flags(args, &input.name, "is one mesh").map(|()| None);
+        };
+        if needs_mesh {
+            return refuse_scene_flags(args, &input.name, "is drawn as one mesh by --model").map(|()| None);
+        }
+        let in_file = |error: &dyn std::fmt::Display| Failure::user(format!("{}: {error}", input.name));
+        let (scene, levels) = if kind == SceneKind::Gltf {
+            (input.scene(output)?, None)
+        } else {
+            let received = input.received_scene(output)?;
+            (received.lods.full_scene(), Some(received))
+        };
+        let poser = Poser::new(&scene).map_err(|error| in_file(&error))?;
+        let has_look = has_look(&scene);
+        if levels.is_none() && !has_look && poser.animation_count() == 0 && args.camera.is_none() {
+            return refuse_scene_flags(args, &input.name, "has no animation").map(|()| None);
+        }
+        let pose = pose(args, &poser, input, output)?;
+        let mesh = posed_mesh(&scene, &poser, &pose).map_err(|error| in_file(&error))?;
+        let look = (has_look && shows_surface(args)).then(|| {
+            bar.phase("textures");
+            SceneLook::of(&scene, &ImageLimits::default()).with_lights(lights(&scene, &pose))
+        });
+        let is_built = levels.is_none() && needs_levels(args);
+        let cameras = cameras(&scene, &pose);
+        let levels = match levels {
+            None if is_built => Some(build(input, &scene, &mut |progress| bar.show(progress))?),
+            other => other,
+        };
+        Ok(Some(Self { mesh, look, levels, poser, pose, cameras, is_built }))
+    }
+
+    /// The full scene in its pose.
+    pub(super) fn mesh(&self) -> &IndexedMesh {
+        &self.mesh
+    }
+
+    /// The materials, if the picture shows them.
+    pub(super) fn look(&self) -> Option<&SceneLook> {
+        self.look.as_ref()
+    }
+
+    /// Returns the sizes that percentages of targets refer to.
+    pub(super) fn full(&self) -> FullMesh {
+        let diagonal = self.mesh.diagonal();
+        match &self.levels {
+            Some(ReceivedScene { full_counts: [triangle_count, vertex_count], .. }) => {
+                FullMesh { diagonal, vertex_count: *vertex_count, triangle_count: *triangle_count }
+            }
+            None => FullMesh {
+                diagonal,
+                vertex_count: self.mesh.vertex_count(),
+                triangle_count: self.mesh.triangle_count(),
+            },
+        }
+    }
+
+    /// Returns the level for a target, or the full scene if there is none.
+    ///
+    /// # Errors
+    /// Never for levels of a scene that was posed before.
+    pub(super) fn target(&self, target: Option<Target>) -> Result<Figure, Failure> {
+        let (Some(target), Some(received)) = (target, &self.levels) else {
+            let full = Figure::of_mesh(self.mesh.clone());
+            let error = self.levels.as_ref().map_or(0.0, |received| received.error as f32);
+            return Ok(Figure { error, error_is_guaranteed: error == 0.0, ..full });
+        };
+        let level = received.lods.level(target);
+        let mesh = self.posed(&received.lods.level_scene(&level))?;
+        let (vertex_count, triangle_count, stop_reason) =
+            (level.vertex_count, level.triangle_count, level.stop_reason);
+        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
+        Ok(Figure {
+            vertex_count,
+            error: level.error.max(received.error) as f32,
+            error_is_guaranteed: received.lods.has_guaranteed_errors(),
+            shortfall: shortfall(target, reached, &self.coarsening_limit()),
+            ..Figure::of_mesh(mesh)
+        })
+    }
+
+    /// Returns the level for a view.
+    ///
+    /// # Errors
+    /// If the camera is degenerate.
+    pub(super) fn view(&self, args: &RenderArgs, eye: Point) -> Result<Figure, Failure> {
+        let Some(ReceivedScene { lods, .. }) = &self.levels else {
+            return Err(Failure::internal("a view needs a scene with levels"));
+        };
+        let view = args.view.on_screen(args.size.0);
+        let camera = view
+            .camera(eye, center(&self.mesh))
+            .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
+        let limit = args.level.level.triangle_count();
+        let limit = limit.map(|count| count.of_triangles(self.full().triangle_count));
+        let (scene, pixels) = scene_of_view(lods, &view, camera, limit);
+        let mesh = self.posed(&scene)?;
+        let triangle_count = mesh.triangle_count();
+        let is_above = limit.is_some_and(|limit| triangle_count > limit);
+        let stop_reason = if is_above { StopReason::BaseReached } else { StopReason::TargetReached };
+        let reached = ReachedLevel { vertex_count: mesh.vertex_count(), triangle_count, stop_reason };
+        let target = limit.map(Target::Triangles);
+        Ok(Figure {
+            shortfall: target.and_then(|target| shortfall(target, reached, &self.coarsening_limit())),
+            error_is_guaranteed: false,
+            pixels: Some(pixels),
+            ..Figure::of_mesh(mesh)
+        })
+    }
+
+    /// Returns a camera of the document by its number or name. It looks at the height of `center`.
+    ///
+    /// # Errors
+    /// If there is no such camera, or it has no perspective.
+    pub(super) fn camera(&self, wanted: &str, center: [f32; 3]) -> Result<Camera, Failure> {
+        let names: Vec<&str> = self.cameras.iter().map(|camera| &camera.name[..]).collect();
+        let index = find(wanted, &names, "camera")?;
+        let DocumentCamera { projection, eye, forward, up, .. } = &self.cameras[index];
+        let Projection::Perspective { fov } = *projection else {
+            return Err(Failure::user(format!(
+                "camera {wanted} is orthographic; pictures are in perspective"
+            ))
+            .with_hint("place the camera with --from, --turn or --rise"));
+        };
+        // The farther the point, the less its rounding turns the camera.
+        let offset: f32 = (0..3).map(|k| (center[k] - eye[k]).powi(2)).sum::<f32>().sqrt();
+        let distance = if offset > 0.0 && offset.is_finite() { offset } else { 1.0 };
+        let look_at = [0, 1, 2].map(|k| eye[k] + distance * forward[k]);
+        Ok(Camera { eye: *eye, look_at, up: *up, fov })
+    }
+
+    fn posed(&self, scene: &Scene) -> Result<IndexedMesh, Failure> {
+        Ok(posed_mesh(scene, &self.poser, &self.pose)
+            .map_err(|error| Failure::internal(error.to_string()))?)
+    }
+
+    fn coarsening_limit(&self) -> CoarseningLimit {
+        if self.is_built {
+            CoarseningLimit::Simplification(
+                "no more edges can be collapsed without removing the last triangles".to_owned(),
+            )
+        } else {
+            CoarseningLimit::File
+        }
+    }
+}
+
+/// Builds the levels of a scene for a picture.
+fn build(input: &Input, scene: &Scene, progress: &mut ProgressFn<'_>) -> Result<ReceivedScene, Failure> {
+    let built = LodScene::build_with_progress(scene, &LodOptions::default(), progress);
+    let built = built.map_err(|error| Failure::user(format!("{}: {error}", input.name)))?;
+    Ok(ReceivedScene::complete(built))
+}
+
+/// Checks that no flag was given that needs a scene.
+fn refuse_scene_flags(args: &RenderArgs, name: &str, reason: &str) -> Result<(), Failure> {
+    let flags = [
+        ("--time", args.time.is_some()),
+        ("--animation", args.animation.is_some()),
+        ("--camera", args.camera.is_some()),
+    ];
+    match flags.into_iter().find(|&(_, is_given)| is_given) {
+        None => Ok(()),
+        Some((flag, _)) => Err(Failure::user(format!("{flag} is for scenes, but {name} {reason}"))
+            .with_hint(format!("remove {flag}"))),
+    }
+}
+
+/// Whether the scene says how it looks: a shown primitive has a material or vertex colors.
+fn has_look(scene: &Scene) -> bool {
+    scene.instances().iter().any(|instance| {
+        let mesh = scene.meshes()[instance.mesh].as_ref();
+        let has_colors = mesh.is_some_and(|mesh| mesh.layer(&Semantic::Color(0)).is_some());
+        has_colors || scene.primitive_materials(instance.mesh).iter().any(Option::is_some)
+    })
+}
+
+/// Returns the pose that the flags ask for.
+///
+/// # Errors
+/// If there is no such animation.
+fn pose(args: &RenderArgs, poser: &Poser, input: &Input, output: &Output) -> Result<Pose, Failure> {
+    if args.time.is_none() && args.animation.is_none() {
+        return Ok(poser.rest_pose());
+    }
+    let names: Vec<&str> = (0..poser.animation_count()).map(|at| poser.animation_name(at)).collect();
+    if names.is_empty() {
+        let flag = if args.time.is_some() { "--time" } else { "--animation" };
+        return Err(Failure::user(format!("{}: the scene has no animation", input.name))
+            .with_hint(format!("remove {flag}")));
+    }
+    let index = args.animation.as_deref().map_or(Ok(0), |wanted| find(wanted, &names, "animation"))?;
+    let (time, duration) = (args.time.unwrap_or(0.0), poser.duration(index));
+    if time > duration {
+        output.say(&format!("note: animation {index} ends after {duration} seconds; showing its end"));
+    }
+    Ok(poser.pose(index, time))
+}
+
+/// Finds an entry by its number or name.
+///
+/// # Errors
+/// If there is none.
+fn find(wanted: &str, names: &[&str], what: &str) -> Result<usize, Failure> {
+    let by_number = wanted.parse().ok().filter(|&index: &usize| index < names.len());
+    let found = by_number.or_else(|| names.iter().position(|&name| name == wanted));
+    found.ok_or_else(|| {
+        let failure = Failure::user(format!("the scene has no {what} {wanted:?}"));
+        const SHOWN: usize = 12;
+        let listed: Vec<String> =
+            names.iter().take(SHOWN).enumerate().map(|(index, name)| format!("{index} {name:?}")).collect();
+        let rest = if names.len() > SHOWN { ", ..." } else { "" };
+        match names.len() {
+            0 => failure.with_hint(format!("it has no {what}s")),
+            _ => failure.with_hint(format!("it has these: {}{rest}", listed.join(", "))),
+        }
+    })
+}
+
+fn center(mesh: &IndexedMesh) -> [f32; 3] {
+    mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| f32::midpoint(b.min[k], b.max[k])))
+}

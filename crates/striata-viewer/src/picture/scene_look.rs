@@ -1,0 +1,175 @@
+//! The materials of a scene with their images, ready to be drawn.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use serde_json::Value;
+use striata::mesh::{Appearance, IndexedMesh, TriangleGroup};
+use striata_io::Scene;
+use striata_scene::drawn::{ImageLimits, Light, Material, TextureUse, decode_images, materials};
+use striata_scene::textures::RgbaImage;
+
+use super::texture::Texture;
+
+/// Most threads that decode images or draw: more would need more memory than time they save.
+const MAX_THREADS: usize = 8;
+
+/// Materials, images and lights of a scene.
+#[derive(Debug)]
+pub struct SceneLook {
+    pub(super) materials: Vec<Material>,
+    /// Images in the order of the scene; [`None`] for those that no material uses.
+    pub(super) images: Vec<Option<RgbaImage>>,
+    pub(super) lights: Vec<Light>,
+    /// Images with mip maps, as colors and as numbers; made by the rasterizer when it needs them.
+    textures: OnceLock<Vec<[Option<Texture>; 2]>>,
+    warnings: Vec<String>,
+}
+
+impl SceneLook {
+    /// Reads the materials that the instances of a scene use, and decodes their images.
+    pub fn of(scene: &Scene, limits: &ImageLimits) -> Self {
+        let mut materials = materials(scene);
+        let used = used_materials(scene, materials.len());
+        // Unused materials stay in the list, so that indices stay valid, but need no images.
+        for (material, _) in materials.iter_mut().zip(&used).filter(|(_, is_used)| !**is_used) {
+            *material = Material::default();
+        }
+        let decoded =
+            decode_images(scene, &mut materials, limits, |count, decode| in_parallel(count, decode));
+        Self {
+            materials,
+            images: decoded.images,
+            lights: Vec::new(),
+            textures: OnceLock::new(),
+            warnings: decoded.warnings,
+        }
+    }
+
+    /// Reads the materials of a mesh from a format without scenes, which are visible from both sides, because
+    /// such formats do not say otherwise. [`None`] if the mesh has no materials, or only their names.
+    pub fn of_mesh(mesh: &IndexedMesh, limits: &ImageLimits) -> Option<Self> {
+        let materials = &mesh.appearance.materials;
+        let is_described = |group: &TriangleGroup| {
+            let material = materials.get(group.material? as usize)?;
+            let described: Value = serde_json::from_str(&material.gltf_json).ok()?;
+            described.as_object()?.keys().any(|key| key != "name").then_some(())
+        };
+        let groups = mesh.groups_or_whole();
+        groups.iter().find_map(is_described)?;
+        let scene = Scene::from_mesh(with_one_triangle_each(&groups, &mesh.appearance)).ok()?;
+        let mut look = Self::of(&scene, limits);
+        look.materials.iter_mut().for_each(|material| material.is_double_sided = true);
+        Some(look)
+    }
+
+    /// Sets the lights of the document; the light of the studio is always there.
+    #[must_use]
+    pub fn with_lights(self, lights: Vec<Light>) -> Self {
+        Self { lights, ..self }
+    }
+
+    /// Images that could not be decoded, with the reasons.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// Returns the image of a texture reference with its mip maps.
+    pub(super) fn texture(&self, texture: &TextureUse, is_color: bool) -> Option<&Texture> {
+        let textures = self.textures.get_or_init(|| self.make_textures());
+        textures.get(texture.image)?[usize::from(is_color)].as_ref()
+    }
+
+    fn make_textures(&self) -> Vec<[Option<Texture>; 2]> {
+        let mut needs = vec![[false; 2]; self.images.len()];
+        for material in &self.materials {
+            let colors = [&material.base_color_texture, &material.emissive_texture];
+            let numbers =
+                [&material.metallic_roughness_texture, &material.normal_texture, &material.occlusion_texture];
+            colors.into_iter().flatten().for_each(|texture| needs[texture.image][1] = true);
+            numbers.into_iter().flatten().for_each(|texture| needs[texture.image][0] = true);
+        }
+        in_parallel(self.images.len(), &|index| {
+            let of = |is_color: bool| {
+                let image = self.images[index].as_ref().filter(|_| needs[index][usize::from(is_color)])?;
+                Some(Texture::new(image, is_color))
+            };
+            [of(false), of(true)]
+        })
+    }
+}
+
+/// Returns a mesh with a triangle for each group, which has all materials and images in use.
+fn with_one_triangle_each(groups: &[TriangleGroup], appearance: &Appearance) -> IndexedMesh {
+    let groups = groups.iter().zip(0..);
+    let groups = groups.map(|(group, first)| TriangleGroup { first, count: 1, ..group.clone() });
+    let groups: Vec<TriangleGroup> = groups.collect();
+    let triangles = vec![[0, 1, 2]; groups.len()];
+    IndexedMesh {
+        groups,
+        appearance: appearance.clone(),
+        ..IndexedMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], triangles)
+    }
+}
+
+/// Whether each material is used by a primitive that the scene shows.
+fn used_materials(scene: &Scene, count: usize) -> Vec<bool> {
+    let mut is_used = vec![false; count];
+    let mut is_seen = vec![false; scene.meshes().len()];
+    for instance in scene.instances() {
+        if std::mem::replace(&mut is_seen[instance.mesh], true) {
+            continue;
+        }
+        for material in scene.primitive_materials(instance.mesh).into_iter().flatten() {
+            if let Some(is_used) = is_used.get_mut(material) {
+                *is_used = true;
+            }
+        }
+    }
+    is_used
+}
+
+/// Calls a function for each index on several threads, and returns the results in order.
+pub(super) fn in_parallel<T: Send>(count: usize, work: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
+    let available = std::thread::available_parallelism().map_or(1, usize::from);
+    let thread_count = available.min(MAX_THREADS).min(count);
+    if thread_count <= 1 {
+        return (0..count).map(work).collect();
+    }
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count {
+                return done;
+            }
+            done.push((index, work(index)));
+        }
+    };
+    let mut results = std::thread::scope(|scope| {
+        let threads: Vec<_> = (1..thread_count).map(|_| scope.spawn(worker)).collect();
+        let mut results = worker();
+        for thread in threads {
+            match thread.join() {
+                Ok(done) => results.extend(done),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+        results
+    });
+    results.sort_by_key(|(index, _)| *index);
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parallel_results_are_in_order() {
+        let squares = in_parallel(1000, &|index| index * index);
+        assert!(squares.iter().enumerate().all(|(index, &square)| square == index * index));
+        assert_eq!(in_parallel(0, &|index| index), Vec::<usize>::new());
+    }
+}
