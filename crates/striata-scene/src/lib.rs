@@ -10,7 +10,8 @@
 //! | [`mod@file`] | `.striata` files of scenes |
 //! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
 //! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
-//! | `view` | levels of a scene for a camera |
+//! | `view` | levels of a scene for a camera; `place` says how large errors of an instance appear |
+//! | `scene_view` | triangles for renderers, frame after frame |
 //! | [`stream`] | a scene as one progressive stream |
 //! | [`textures`] | previews and re-encoding of images |
 
@@ -24,7 +25,9 @@ mod levels;
 pub mod lod_chain;
 mod lod_scene;
 mod mesh_simplifier;
+mod place;
 mod pose;
+mod scene_view;
 mod single_mesh;
 pub mod stream;
 pub mod textures;
@@ -39,6 +42,7 @@ pub use levels::{MeshWeight, SceneLevel, SceneLevels};
 pub use lod_chain::{LodChainOptions, lod_chain};
 pub use lod_scene::LodScene;
 pub use pose::{Pose, Poser};
+pub use scene_view::{SceneView, ShownIndices};
 
 /// The README's example, compiled with the documentation tests.
 #[cfg(doctest)]

@@ -5,11 +5,12 @@
 //! place where they are shown: they get the coarsest level whose error is invisible in all of them.
 
 use striata::mesh::{IndexedMesh, Semantic, TriangleGroup};
-use striata::view::{Criterion, NormalCone, Part, ScreenError, Sphere};
+use striata::view::ScreenError;
 use striata::{Lod, Target};
 use striata_io::{Scene, SceneInstance};
 
 use crate::lod_scene::LodScene;
+use crate::place::{Place, sphere_around, split_count};
 
 /// Number of tolerances that are tried for a triangle limit, and the largest factor between them.
 const BUDGET_ROUNDS: usize = 32;
@@ -99,20 +100,11 @@ fn refined(lod: &Lod, error: ScreenError) -> IndexedMesh {
 
 /// Returns the split count of the coarsest level whose error is allowed in all instances.
 fn uniform_level(lod: &Lod, instances: &[&SceneInstance], error: &ScreenError) -> usize {
-    let Some(bounds) = lod.mesh().bounds() else { return 0 };
-    let center = [0, 1, 2].map(|i| f64::midpoint(bounds.min[i].into(), bounds.max[i].into()));
-    let radius = bounds.diagonal() / 2.0;
-    // With cone -1, the part may face any direction.
-    let cone = NormalCone { axis: [0.0; 3], cos: -1.0 };
-    let weight_of = |instance: &&SceneInstance, length: f64| {
+    let sphere = sphere_around(lod.mesh());
+    let place_of = |instance: &&SceneInstance| {
         let matrix = glam::DMat4::from_cols_array(&instance.transform);
-        let sphere = Sphere {
-            center: matrix.transform_point3(center.into()).as_vec3().into(),
-            radius: (radius * instance.scale) as f32,
-        };
-        error.weigh(&Part { sphere, cone, error: (length * instance.scale) as f32 }).weight
+        Place::new(&matrix, instance.scale, &sphere)
     };
-    let is_allowed = |length: f32| instances.iter().all(|instance| weight_of(instance, length.into()) <= 1.0);
-    // Errors fall as the split count grows.
-    lod.sequence().errors().partition_point(|&length| !is_allowed(length)).min(lod.step_count())
+    let places: Vec<Place> = instances.iter().map(place_of).collect();
+    split_count(lod, &places, error)
 }

@@ -6,6 +6,8 @@
 
 #[cfg(all(feature = "serve", not(feature = "window")))]
 mod browser_args;
+#[cfg(feature = "window")]
+mod lit;
 pub mod picture;
 #[cfg(feature = "serve")]
 pub mod serve;

@@ -5,6 +5,7 @@ mod gltf;
 mod length;
 mod level;
 mod output;
+mod pose;
 mod report;
 mod scene;
 mod sequence;
@@ -19,6 +20,7 @@ pub use self::level::{
     Count, EyeArgs, LEVEL, Level, LevelArgs, LevelChoice, LevelsArgs, OptionalLevel, parse_detail,
 };
 pub use self::output::{FormatArg, FormatArgs, OutputArgs};
+pub use self::pose::{PoseArgs, find_entry};
 #[cfg(feature = "gpu")]
 pub use self::report::DriverArgs;
 pub use self::report::ReportArgs;

@@ -116,7 +116,9 @@ impl App {
         if let Some(subject) = viewer.poll() {
             match window.renderer.load(&subject) {
                 Ok(()) => viewer.set_subject(subject),
-                Err(error) => viewer.report_failure(Failure::user(format!("{}: {error}", subject.name))),
+                Err(error) => {
+                    viewer.report_failure(Failure::user(format!("{}: {error}", subject.origin().name)))
+                }
             }
         }
         let raw = window.input.take_egui_input(&window.screen.window);
@@ -199,8 +201,9 @@ impl OpenWindow {
     }
 
     fn set_title(&mut self, viewer: &Viewer) {
-        let title =
-            viewer.subject().map_or("striata".to_owned(), |subject| format!("{} – striata", subject.name));
+        let title = viewer
+            .subject()
+            .map_or("striata".to_owned(), |subject| format!("{} – striata", subject.origin().name));
         if title != self.title {
             self.screen.window.set_title(&title);
             self.title = title;

@@ -5,16 +5,16 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use striata::model::ModelKind;
 
-use striata_command::args::{Coloring, Count, DriverArgs, Viewport, parse_detail};
+use striata_command::args::{Coloring, Count, DriverArgs, PoseArgs, Viewport, parse_detail};
 use striata_command::failure::Failure;
 
 /// Arguments of `view`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
-    striata view bunny.striata\n  \
+    striata view robot.glb --time 0.5\n  \
     striata view scan.ply --pixels 1 --colors fans --screenshot scan.png")]
 pub struct WindowArgs {
-    /// Meshes, .striata files or streams to open; drop more on the window
+    /// Scenes, meshes, .striata files or streams to open; drop more on the window
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Set the window size in pixels
@@ -42,7 +42,8 @@ pub struct WindowArgs {
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Initial settings")]
 pub struct FirstArgs {
-    /// Choose the model that produces the triangles; it is built if the file does not contain it
+    /// Show one mesh in this model; it is built if the file does not contain it [default: scenes as they
+    /// are, other meshes as lodstrips]
     #[arg(long, value_name = "NAME")]
     pub model: Option<ShownModel>,
     /// Set the detail from 0 (base mesh) to 1 (full mesh)
@@ -63,7 +64,10 @@ pub struct FirstArgs {
     /// Limit the triangle count, with detail optimized for the view
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
     pub budget: Option<Count>,
-    /// Color triangles by surface (vertex colors, or stone), strips, fans, triangles or groups
+    /// Pose of an animated scene.
+    #[command(flatten)]
+    pub pose: PoseArgs,
+    /// Color triangles by surface (materials, vertex colors, or stone), strips, fans, triangles or groups
     #[arg(
         long,
         value_name = "NAME",

@@ -23,6 +23,8 @@ pub(super) enum Command {
     Rotate(f32, f32),
     /// Multiply the distance to the target.
     Zoom(f32),
+    /// Play or pause the animation.
+    Play,
     /// Freeze or unfreeze the level of this view.
     Freeze,
     /// Reset the camera.
@@ -39,7 +41,7 @@ const fn shortcut(key: Key, name: &'static str, command: Command, description: &
 }
 
 /// All shortcuts; of consecutive ones with the same name, only the first is listed in the help.
-pub(super) const SHORTCUTS: [Shortcut; 22] = [
+pub(super) const SHORTCUTS: [Shortcut; 23] = [
     shortcut(Key::ArrowLeft, "arrows", Command::Rotate(-TURN, 0.0), ORBIT),
     shortcut(Key::ArrowRight, "arrows", Command::Rotate(TURN, 0.0), ORBIT),
     shortcut(Key::ArrowUp, "arrows", Command::Rotate(0.0, TURN), ORBIT),
@@ -49,6 +51,7 @@ pub(super) const SHORTCUTS: [Shortcut; 22] = [
     shortcut(Key::Minus, "+ -", Command::Zoom(1.25), "zoom in, zoom out"),
     shortcut(Key::OpenBracket, "[ ]", Command::Apply(Action::Coarser), "coarser, finer"),
     shortcut(Key::CloseBracket, "[ ]", Command::Apply(Action::Finer), "coarser, finer"),
+    shortcut(Key::Space, "Space", Command::Play, "play or pause the animation"),
     shortcut(Key::M, "M", Command::Apply(Action::NextModel), "next model"),
     shortcut(Key::W, "W", Command::Apply(Action::Wireframe), "wireframe"),
     shortcut(Key::S, "S", Command::Apply(Action::StripsOrFans), "color by strip or fan"),

@@ -7,11 +7,13 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use striata::mesh::weld;
+use striata::mesh::{IndexedMesh, weld};
 use striata::{Progress, ProgressFn};
 
 use super::args::ShownModel;
-use super::subject::{Origin, StoredModels, Subject};
+use super::mesh_subject::{MeshSubject, StoredModels};
+use super::open_scene::{SceneContent, has_materials};
+use super::subject::{Origin, Subject};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
@@ -23,14 +25,23 @@ pub(super) type Waker = Arc<dyn Fn() + Send + Sync>;
 /// A background job.
 #[derive(Clone, Debug)]
 pub(super) enum Task {
-    /// Opens a file and builds the model to show first.
-    Open(PathBuf, ShownModel),
-    /// Builds another model of the current subject.
-    Build(Arc<Subject>, ShownModel),
+    /// Opens a file, and builds the model to show first if it is not shown as a scene.
+    Open(PathBuf, OpenAs),
+    /// Builds another model of the current mesh.
+    Build(Arc<MeshSubject>, ShownModel),
+}
+
+/// How a file is opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct OpenAs {
+    /// Whether a scene is shown as it is, rather than as one mesh.
+    pub(super) scene: bool,
+    /// Model of everything that is shown as one mesh.
+    pub(super) model: ShownModel,
 }
 
 /// Result of a job: the subject with the model, or the failure to show.
-pub(super) type Outcome = Result<Arc<Subject>, Failure>;
+pub(super) type Outcome = Result<Subject, Failure>;
 
 /// A background job. Dropping it cancels the work and discards its result.
 #[derive(Debug)]
@@ -99,10 +110,10 @@ impl Drop for Job {
 
 fn work(task: &Task, output: &Output, mut reporter: Reporter, sender: &Sender<Outcome>) {
     let outcome = match task {
-        Task::Open(path, model) => open(path, *model, output, &mut reporter).map(Arc::new),
+        Task::Open(path, open_as) => open(path, *open_as, output, &mut reporter),
         Task::Build(subject, model) => {
             reporter.phase("models");
-            subject.build(*model).map(|()| Arc::clone(subject))
+            subject.build(*model).map(|()| Subject::Mesh(Arc::clone(subject)))
         }
     };
     // The receiver is gone if the job was dropped.
@@ -111,7 +122,7 @@ fn work(task: &Task, output: &Output, mut reporter: Reporter, sender: &Sender<Ou
 }
 
 /// Reports progress and checks for cancellation.
-struct Reporter {
+pub(super) struct Reporter {
     progress: Arc<Mutex<JobProgress>>,
     is_canceled: Arc<AtomicBool>,
     waker: Waker,
@@ -119,12 +130,12 @@ struct Reporter {
 }
 
 impl Reporter {
-    fn phase(&mut self, phase: &'static str) {
+    pub(super) fn phase(&mut self, phase: &'static str) {
         self.set(JobProgress { phase, share: None });
         (self.waker)();
     }
 
-    fn show(&mut self, progress: Progress) -> ControlFlow<()> {
+    pub(super) fn show(&mut self, progress: Progress) -> ControlFlow<()> {
         let share = (progress.total > 0).then(|| progress.done as f32 / progress.total as f32);
         self.set(JobProgress { phase: progress.phase, share });
         if self.last_wake.elapsed() > WAKE_INTERVAL {
@@ -143,30 +154,73 @@ impl Reporter {
     }
 }
 
-/// Reads a file with levels, or reads a mesh and simplifies it.
-fn open(
-    path: &Path,
-    model: ShownModel,
-    output: &Output,
-    reporter: &mut Reporter,
-) -> Result<Subject, Failure> {
+/// Reads a scene, or a mesh; simplifies what has no levels.
+fn open(path: &Path, open_as: OpenAs, output: &Output, reporter: &mut Reporter) -> Result<Subject, Failure> {
     reporter.phase("read");
     let input = Input::open(path)?;
-    let origin = Origin { name: input.file_name(), kind: input.kind(), file_bytes: input.file_bytes() };
+    let kind = input.scene_kind();
+    let origin = Origin {
+        name: input.file_name(),
+        kind: input.kind(),
+        file_bytes: input.file_bytes(),
+        has_scene: kind.is_some() && !open_as.scene,
+    };
+    if let Some(kind) = kind.filter(|_| open_as.scene)
+        && let Some(content) = SceneContent::read(&input, kind, output)?
+    {
+        return scene(content, origin, output, reporter);
+    }
     let subject = if input.has_levels() {
+        let file = input.striata()?;
+        let has_materials = file.mesh().is_ok_and(|mesh| has_materials(&mesh));
+        if has_materials && open_as.scene && file.has_collapses() {
+            let content = SceneContent::Levels(input.received_scene(output)?.lods);
+            return scene(content, origin, output, reporter);
+        }
+        let origin = Origin { has_scene: has_materials, ..origin };
         read_levels(&input, origin, output, reporter)?
     } else {
         let mesh = input.mesh(output)?;
-        let blame = |failure: Failure| failure.in_file(&input.name);
-        reporter.phase("weld");
-        let welded = weld(&mesh).map_err(|error| blame(error.into()))?;
-        let progress: &mut ProgressFn<'_> = &mut |progress| reporter.show(progress);
-        let sequenced = SequencePlan::default().run(welded, progress).map_err(|error| blame(error.into()))?;
-        Subject::new(origin, sequenced.steps, StoredModels::default())
+        let origin = Origin { has_scene: origin.has_scene || has_materials(&mesh), ..origin };
+        let mesh = if open_as.scene {
+            match SceneContent::of_mesh(&input, mesh)? {
+                Ok(content) => return scene(content, origin, output, reporter),
+                Err(mesh) => mesh,
+            }
+        } else {
+            mesh
+        };
+        simplified(&input, &mesh, origin, reporter)?
     };
     reporter.phase("models");
-    subject.build(if subject.has_collapses() { model } else { ShownModel::Patterns })?;
-    Ok(subject)
+    subject.build(if subject.has_collapses() { open_as.model } else { ShownModel::Patterns })?;
+    Ok(Subject::Mesh(Arc::new(subject)))
+}
+
+/// Prepares a scene.
+fn scene(
+    content: SceneContent,
+    origin: Origin,
+    output: &Output,
+    reporter: &mut Reporter,
+) -> Result<Subject, Failure> {
+    let origin = Origin { has_scene: true, ..origin };
+    Ok(Subject::Scene(Arc::new(content.into_subject(origin, output, reporter)?)))
+}
+
+/// Simplifies a mesh.
+fn simplified(
+    input: &Input,
+    mesh: &IndexedMesh,
+    origin: Origin,
+    reporter: &mut Reporter,
+) -> Result<MeshSubject, Failure> {
+    let blame = |failure: Failure| failure.in_file(&input.name);
+    reporter.phase("weld");
+    let welded = weld(mesh).map_err(|error| blame(error.into()))?;
+    let progress: &mut ProgressFn<'_> = &mut |progress| reporter.show(progress);
+    let sequenced = SequencePlan::default().run(welded, progress).map_err(|error| blame(error.into()))?;
+    Ok(MeshSubject::new(origin, sequenced.steps, StoredModels::default()))
 }
 
 /// Reads the mesh, the steps and the models of a file into memory of their own.
@@ -175,7 +229,7 @@ fn read_levels(
     origin: Origin,
     output: &Output,
     reporter: &mut Reporter,
-) -> Result<Subject, Failure> {
+) -> Result<MeshSubject, Failure> {
     let file = input.striata()?;
     let damaged = |error| input.damaged(&error);
     input.remark_on(&file, output)?;
@@ -192,5 +246,5 @@ fn read_levels(
         fans: file.fans().transpose().map_err(damaged)?,
         patterns: file.patterns().transpose().map_err(damaged)?,
     };
-    Ok(Subject::new(origin, steps, models))
+    Ok(MeshSubject::new(origin, steps, models))
 }

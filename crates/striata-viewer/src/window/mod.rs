@@ -1,5 +1,6 @@
-//! `view`: a window that shows a mesh at any level of detail, with any model, from any viewpoint.
+//! `view`: a window that shows a scene or a mesh at any level of detail, from any viewpoint.
 //!
+//! A scene is shown as it is, with its materials, lights and animations (`scene`); one mesh in any model.
 //! `viewer` is the application without its window: what is loaded, which level is requested, and when the
 //! picture must be redrawn. The triangles of a model come from `instance` and are uploaded and drawn by
 //! `scene_renderer`; `app` turns window events into frames. Nothing is drawn while nothing changes.
@@ -10,9 +11,12 @@ mod frustum;
 mod help;
 mod instance;
 mod loader;
+mod mesh_subject;
+mod open_scene;
 mod orbit;
 mod panel;
 mod plots;
+mod scene;
 mod scene_renderer;
 mod screen;
 mod screenshot;
@@ -58,6 +62,7 @@ pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
         let _ = proxy.send_event(Wake);
     });
     let mut viewer = Viewer::new(args.files.clone(), initial_state(&args.first), (*output, waker));
+    viewer.first_pose = Some(args.first.pose.clone());
     if args.first.z_up {
         viewer.orbit.set_up(Up::Z);
     }
@@ -101,6 +106,9 @@ fn initial_state(args: &FirstArgs) -> ViewerState {
         Coloring::Groups => Colors::Groups,
     };
     (state.wireframe, state.is_flat) = (args.wireframe, args.flat);
+    // These are for one mesh.
+    let is_of_mesh = args.model.is_some() || args.wireframe || args.flat || state.colors != Colors::Surface;
+    state.as_scene = !is_of_mesh;
     state
 }
 

@@ -61,6 +61,12 @@ impl Orbit {
         [self.turn, self.rise] = INITIAL_ANGLES;
     }
 
+    /// Shows all of a box from the direction in which the camera looks.
+    pub(super) fn frame(&mut self, bounds: &Bounds) {
+        self.target = std::array::from_fn(|k| f64::midpoint(bounds.min[k].into(), bounds.max[k].into()));
+        self.distance = (bounds.diagonal() / 2.0).max(1e-3 * self.radius) / f64::from(FOV / 2.0).sin();
+    }
+
     /// Rotates by a drag of the pointer, in points; dragging across the picture's `height` is half a turn.
     pub(super) fn drag(&mut self, [x, y]: [f32; 2], height: f32) {
         let scale = std::f32::consts::PI / height.max(1.0);

@@ -6,12 +6,20 @@ use egui::{Align, Color32, Grid, Layout, RichText, Slider, TextureId, ThemePrefe
 
 use super::args::ShownModel;
 use super::loader::Task;
+use super::mesh_subject::MeshSubject;
 use super::orbit::Up;
+use super::scene;
 use super::state::{Background, Colors, GoalKind};
 use super::subject::Subject;
 use super::viewer::{PictureArea, Viewer};
 use super::{frustum, help, plots};
 use striata_command::output::{format_bytes, format_count, format_length};
+
+/// Description of scenes among the models.
+const SCENE_NOTE: &str = "The scene as it is, with materials, lights and animations";
+
+/// Why a setting is disabled for scenes.
+const ONLY_MESHES: &str = "Only for one mesh: choose a model above to show the scene as one mesh";
 
 /// Default width of the panel, points.
 const WIDTH: f32 = 300.0;
@@ -52,7 +60,7 @@ fn middle(viewer: &mut Viewer, ui: &mut Ui, picture: Option<TextureId>) {
     }
     let is_dragged_over = ui.input(|input| !input.raw.hovered_files.is_empty());
     if is_dragged_over || (viewer.subject().is_none() && viewer.work().is_none()) {
-        let text = "Drop a mesh or a .striata file here";
+        let text = "Drop a scene, a mesh or a .striata file here";
         let (center, font) = (rect.center(), egui::FontId::proportional(20.0));
         ui.painter().text(center, egui::Align2::CENTER_CENTER, text, font, ui.visuals().weak_text_color());
     }
@@ -122,6 +130,7 @@ fn sections(viewer: &mut Viewer, ui: &mut Ui) {
         }
         chosen.into_iter().for_each(|index| viewer.choose(index));
     }
+    scene_sections(viewer, ui);
     section(ui, "Level");
     level(viewer, ui);
     section(ui, "Model");
@@ -148,6 +157,25 @@ fn sections(viewer: &mut Viewer, ui: &mut Ui) {
     ui.label(RichText::new(&viewer.adapter).small().weak());
 }
 
+/// Sections of a scene.
+fn scene_sections(viewer: &mut Viewer, ui: &mut Ui) {
+    let Some((subject, shown, playback)) = viewer.scene_mut() else { return };
+    if subject.poser.animation_count() > 0 {
+        section(ui, "Animation");
+        scene::animation_section(&subject, playback, ui);
+    }
+    section(ui, "Nodes");
+    let focused = scene::tree_section(&subject, shown, ui);
+    let bounds = focused.and_then(|row| shown.bounds_of(&subject, row));
+    if subject.has_materials() {
+        section(ui, "Materials");
+        scene::materials_section(&subject, ui);
+    }
+    if let Some(bounds) = bounds {
+        viewer.orbit.frame(&bounds);
+    }
+}
+
 fn section(ui: &mut Ui, title: &str) {
     ui.add_space(4.0);
     ui.separator();
@@ -161,7 +189,14 @@ fn facts(viewer: &Viewer, ui: &mut Ui) {
         ui.weak("No model loaded");
         return;
     };
-    ui.heading(&subject.name);
+    ui.heading(&subject.origin().name);
+    match subject {
+        Subject::Mesh(mesh) => mesh_facts(mesh, ui),
+        Subject::Scene(subject) => scene::facts(subject, ui),
+    }
+}
+
+fn mesh_facts(subject: &MeshSubject, ui: &mut Ui) {
     let (mesh, levels) = (subject.steps.mesh(), subject.steps.levels());
     Grid::new("facts").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
         let mut row = |name: &str, value: String| {
@@ -171,9 +206,9 @@ fn facts(viewer: &Viewer, ui: &mut Ui) {
         };
         row(
             "File",
-            match subject.file_bytes {
-                Some(bytes) => format!("{}, {}", subject.kind, format_bytes(bytes)),
-                None => subject.kind.to_owned(),
+            match subject.origin.file_bytes {
+                Some(bytes) => format!("{}, {}", subject.origin.kind, format_bytes(bytes)),
+                None => subject.origin.kind.to_owned(),
             },
         );
         row(
@@ -205,8 +240,7 @@ fn level(viewer: &mut Viewer, ui: &mut Ui) {
             }
         }
     });
-    let levels = subject.steps.levels();
-    let triangles = levels.triangle_count_at(0).max(1)..=subject.steps.mesh().triangle_count().max(2);
+    let triangles = subject.base_triangle_count().max(1)..=subject.triangle_count().max(2);
     ui.spacing_mut().slider_width = (ui.available_width() - 84.0).max(60.0);
     let state = &mut viewer.state;
     match state.goal {
@@ -219,22 +253,25 @@ fn level(viewer: &mut Viewer, ui: &mut Ui) {
         GoalKind::Pixels => ui
             .add(Slider::new(&mut state.pixels, 0.1..=100.0).logarithmic(true).suffix(" px").max_decimals(2)),
     };
-    let (error_px, instance) = (viewer.error_px(), viewer.instance());
-    let Some(achieved) = instance.map(|instance| *instance.achieved()) else { return };
+    let Some(achieved) = viewer.achieved().copied() else { return };
+    let error_px = viewer.error_px();
     Grid::new("achieved").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
         let mut row = |name: &str, value: String| {
             ui.weak(name);
             ui.label(RichText::new(value).monospace());
             ui.end_row();
         };
-        let share =
-            100.0 * achieved.triangle_count as f64 / subject.steps.mesh().triangle_count().max(1) as f64;
+        let share = 100.0 * achieved.triangle_count as f64 / subject.triangle_count().max(1) as f64;
         row("Triangles", format!("{} ({share:.1}%)", format_count(achieved.triangle_count)));
-        row(
-            "Splits",
-            format!("{} of {}", format_count(achieved.split_count), format_count(levels.step_count())),
-        );
-        row("Error", format_length(achieved.error.into()));
+        if let Some(mesh) = subject.mesh() {
+            let step_count = mesh.steps.levels().step_count();
+            let splits = format_count(achieved.split_count);
+            row("Splits", format!("{splits} of {}", format_count(step_count)));
+        }
+        // Instances of a scene have errors of their own, so a view has a screen error only.
+        if subject.mesh().is_some() || achieved.error_px.is_none() {
+            row("Error", format_length(achieved.error.into()));
+        }
         row(
             "Screen error",
             match error_px {
@@ -252,27 +289,41 @@ fn count_slider(ui: &mut Ui, count: &mut Option<usize>, range: RangeInclusive<us
     response
 }
 
-/// Choice of the model that produces the triangles.
+/// Choice between the scene as it is, and the models of one mesh.
 fn model(viewer: &mut Viewer, ui: &mut Ui) {
-    let has_collapses = viewer.subject().is_none_or(|subject| subject.has_collapses());
-    let stored = |subject: &std::sync::Arc<Subject>, kind| subject.stored.contains(&kind);
+    let Some(subject) = viewer.subject().cloned() else { return };
+    let is_scene = subject.scene().is_some();
+    let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
+        if subject.origin().has_scene {
+            let response = ui.selectable_label(is_scene, "Scene");
+            if response.on_hover_text(SCENE_NOTE).clicked() && !is_scene {
+                viewer.show_as_scene();
+            }
+        }
         for kind in ShownModel::ALL {
-            let is_usable = has_collapses || matches!(kind, ShownModel::List | ShownModel::Patterns);
-            let is_stored = viewer.subject().is_some_and(|subject| stored(subject, kind));
+            let is_usable =
+                subject.has_collapses() || matches!(kind, ShownModel::List | ShownModel::Patterns);
+            let is_stored = subject.mesh().is_some_and(|mesh| mesh.stored.contains(&kind));
             let origin = if is_stored { " (stored in the file)" } else { "" };
-            let label = egui::Button::selectable(viewer.state.model == kind, kind.title());
+            let origin = if is_scene { "; shows the scene as one mesh without materials" } else { origin };
+            let label = egui::Button::selectable(!is_scene && viewer.state.model == kind, kind.title());
             let response = ui.add_enabled(is_usable, label);
             if response.on_hover_text(format!("{}{origin}", kind.note())).clicked() {
-                viewer.state.model = kind;
+                chosen = Some(kind);
             }
         }
     });
-    ui.label(RichText::new(viewer.state.model.note()).small().weak());
-    let can_morph = viewer.state.model.can_morph();
-    ui.add_enabled(can_morph, egui::Checkbox::new(&mut viewer.state.morphs, "Geomorphs"))
-        .on_disabled_hover_text("Only available for fans")
-        .on_hover_text("Vertices move smoothly instead of jumping; not with wireframe or triangle colors");
+    match chosen {
+        Some(kind) if is_scene => viewer.show_as_mesh(kind),
+        Some(kind) => viewer.state.model = kind,
+        None => {}
+    }
+    let note = if is_scene { SCENE_NOTE } else { viewer.state.model.note() };
+    ui.label(RichText::new(note).small().weak());
+    if !is_scene {
+        morphs(viewer, ui);
+    }
     let mut is_frozen = viewer.state.frozen.is_some();
     let hover = "Keep the level of this view while the camera moves";
     if ui.checkbox(&mut is_frozen, "Freeze level").on_hover_text(hover).clicked() {
@@ -280,15 +331,26 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
     }
 }
 
+fn morphs(viewer: &mut Viewer, ui: &mut Ui) {
+    let can_morph = viewer.state.model.can_morph();
+    ui.add_enabled(can_morph, egui::Checkbox::new(&mut viewer.state.morphs, "Geomorphs"))
+        .on_disabled_hover_text("Only available for fans")
+        .on_hover_text("Vertices move smoothly instead of jumping; not with wireframe or triangle colors");
+}
+
 /// Appearance of the surface.
 fn look(viewer: &mut Viewer, ui: &mut Ui) {
+    let is_mesh = viewer.scene().is_none();
     let state = &mut viewer.state;
     let primitive_name = state.model.primitive_name();
     ui.horizontal_wrapped(|ui| {
-        let shown = state.effective_colors();
+        let shown = if is_mesh { state.effective_colors() } else { Colors::Surface };
         let mut choice = |ui: &mut Ui, colors, name: &str, is_enabled| {
             let button = egui::Button::selectable(shown == colors, name);
-            if ui.add_enabled(is_enabled, button).clicked() {
+            let is_enabled = is_enabled && (is_mesh || colors == Colors::Surface);
+            let response = ui.add_enabled(is_enabled, button);
+            let reason = if is_mesh { "The model has no such parts" } else { ONLY_MESHES };
+            if response.on_disabled_hover_text(reason).clicked() {
                 state.colors = colors;
             }
         };
@@ -298,11 +360,15 @@ fn look(viewer: &mut Viewer, ui: &mut Ui) {
         choice(ui, Colors::Groups, "Groups", true);
     });
     Grid::new("look").num_columns(2).spacing([16.0, 4.0]).show(ui, |ui| {
-        ui.checkbox(&mut state.wireframe, "Wireframe");
-        ui.checkbox(&mut state.is_flat, "Flat shading");
+        let mesh_only = |ui: &mut Ui, value: &mut bool, name: &str| {
+            let response = ui.add_enabled(is_mesh, egui::Checkbox::new(value, name));
+            response.on_disabled_hover_text(ONLY_MESHES);
+        };
+        mesh_only(ui, &mut state.wireframe, "Wireframe");
+        mesh_only(ui, &mut state.is_flat, "Flat shading");
         ui.end_row();
-        ui.checkbox(&mut state.hides_back, "Cull back faces");
-        ui.checkbox(&mut state.shows_vertex_colors, "Vertex colors");
+        mesh_only(ui, &mut state.hides_back, "Cull back faces");
+        mesh_only(ui, &mut state.shows_vertex_colors, "Vertex colors");
         ui.end_row();
         ui.checkbox(&mut state.auto_rotates, "Auto-rotate");
         let mut is_z_up = viewer.orbit.up() == Up::Z;

@@ -5,10 +5,12 @@ use std::ops::Range;
 use striata::model::FanInstance;
 use striata_gpu::{
     Canvas, Drawing, FanExtractor, Gpu, GpuError, GpuFanInstance, GpuFans, GpuIndices, GpuMorph, GpuVertices,
-    Inspection, Look, Painter, Scene, ScreenCopy, Viewpoint, palette_color, wgpu,
+    Inspection, LitPainter, Look, Painter, Scene, ScreenCopy, Viewpoint, palette_color, wgpu,
 };
 
 use super::instance::{Changes, ModelInstance};
+use super::mesh_subject::MeshSubject;
+use super::scene::{SceneResources, SceneSubject, ShownScene};
 use super::state::Colors;
 use super::subject::Subject;
 
@@ -24,9 +26,16 @@ pub(super) enum InspectionMode {
     By(Colors),
 }
 
-/// GPU resources of one subject.
+/// GPU resources of the subject.
 #[derive(Debug)]
-struct SubjectResources {
+enum Resources {
+    Mesh(Box<MeshResources>),
+    Scene(Box<SceneResources>),
+}
+
+/// GPU resources of one mesh.
+#[derive(Debug)]
+struct MeshResources {
     vertices: GpuVertices,
     indices: GpuIndices,
     groups: Vec<Range<u32>>,
@@ -65,7 +74,9 @@ pub(super) struct SceneRenderer {
     painter: Painter,
     extractor: Option<FanExtractor>,
     target: Option<RenderTarget>,
-    resources: Option<SubjectResources>,
+    /// Painter of scenes, made when the first one is loaded.
+    lit_painter: Option<LitPainter>,
+    resources: Option<Resources>,
     uploaded_bytes: u64,
 }
 
@@ -73,7 +84,15 @@ impl SceneRenderer {
     /// Creates a renderer without a model.
     pub(super) fn new(gpu: Gpu) -> Self {
         let painter = Painter::new(&gpu, Canvas::FORMAT, SAMPLES);
-        Self { gpu, painter, extractor: None, target: None, resources: None, uploaded_bytes: 0 }
+        Self {
+            gpu,
+            painter,
+            extractor: None,
+            target: None,
+            lit_painter: None,
+            resources: None,
+            uploaded_bytes: 0,
+        }
     }
 
     /// Bytes uploaded so far for indices, colors and moving vertices.
@@ -86,36 +105,46 @@ impl SceneRenderer {
     /// # Errors
     /// If they do not fit into GPU memory.
     pub(super) fn load(&mut self, subject: &Subject) -> Result<(), GpuError> {
-        let vertices = GpuVertices::upload(&self.gpu, subject.steps.mesh())?;
-        let indices = GpuIndices::new(&self.gpu, 0)?;
-        let placeholder =
-            Viewpoint { eye: [0.0, 0.0, 1.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 1.0 };
-        let scene = self.painter.scene(&self.gpu, &vertices, (&placeholder, [1, 1]), &Look::default())?;
-        self.resources = Some(SubjectResources {
-            vertices,
-            indices,
-            groups: Vec::new(),
-            is_strips: false,
-            inspection: None,
-            inspection_mode: InspectionMode::Off,
-            fans: None,
-            morph: None,
-            scene,
+        self.resources = Some(match subject {
+            Subject::Mesh(mesh) => {
+                Resources::Mesh(Box::new(MeshResources::load(&self.gpu, &self.painter, mesh)?))
+            }
+            Subject::Scene(scene) => {
+                let painter = self
+                    .lit_painter
+                    .get_or_insert_with(|| LitPainter::new(&self.gpu, Canvas::FORMAT, SAMPLES));
+                Resources::Scene(Box::new(SceneResources::load(&self.gpu, painter, scene)?))
+            }
         });
         Ok(())
     }
 
-    /// Uploads what has changed. `is_new` is true if the triangles differ from those of the last call.
+    /// Uploads the indices of a scene that have changed, and its pose.
+    ///
+    /// # Errors
+    /// If a buffer exceeds the device's limit.
+    pub(super) fn update_scene(
+        &mut self,
+        subject: &SceneSubject,
+        shown: &ShownScene,
+    ) -> Result<(), GpuError> {
+        if let Some(Resources::Scene(resources)) = &mut self.resources {
+            self.uploaded_bytes += resources.update(&self.gpu, subject, shown)?;
+        }
+        Ok(())
+    }
+
+    /// Uploads what has changed of one mesh. `is_new` is true if the triangles differ from those of the last call.
     ///
     /// # Errors
     /// If a buffer exceeds the device's limit.
     pub(super) fn update(
         &mut self,
-        subject: &Subject,
+        subject: &MeshSubject,
         instance: &mut ModelInstance,
         (inspection_mode, is_new): (InspectionMode, bool),
     ) -> Result<(), GpuError> {
-        let Some(resources) = &mut self.resources else { return Ok(()) };
+        let Some(Resources::Mesh(resources)) = &mut self.resources else { return Ok(()) };
         let uploaded_before = resources.uploaded_bytes();
         if let InspectionMode::By(colors) = inspection_mode {
             if is_new || resources.inspection_mode != inspection_mode || resources.inspection.is_none() {
@@ -170,31 +199,32 @@ impl SceneRenderer {
         }
         let Some(RenderTarget { canvas, copy, .. }) = &self.target else { return Ok(false) };
         let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
-        if let (Some(fans), Some(extractor)) =
-            (self.resources.as_mut().and_then(|resources| resources.fans.as_mut()), &self.extractor)
-            && fans.is_drawn
-            && fans.is_stale
-        {
-            extractor.extract(&mut encoder, &fans.instance);
-            fans.is_stale = false;
+        match (&mut self.resources, &self.lit_painter) {
+            (Some(Resources::Mesh(resources)), _) => {
+                resources.extract_fans(&mut encoder, self.extractor.as_ref());
+                resources.scene.update(&self.gpu, &resources.vertices, (viewpoint, size), look);
+            }
+            (Some(Resources::Scene(resources)), Some(painter)) => {
+                resources.aim(&self.gpu, painter, (viewpoint, size))?;
+            }
+            _ => {}
         }
         let mut pass = canvas.begin(&mut encoder, look.background);
-        if let Some(resources) = &mut self.resources {
-            resources.scene.update(&self.gpu, &resources.vertices, (viewpoint, size), look);
-            if let Some(inspection) = &resources.inspection {
-                self.painter.inspect(&mut pass, &resources.scene, inspection);
-            } else {
-                let drawing = resources.drawing();
-                match &resources.morph {
-                    Some(morph) => self.painter.draw_morphing(&mut pass, &resources.scene, morph, drawing),
-                    None => self.painter.draw(&mut pass, &resources.scene, &resources.vertices, drawing),
-                }
-            }
+        match &self.resources {
+            Some(Resources::Mesh(resources)) => resources.draw(&self.painter, &mut pass),
+            Some(Resources::Scene(resources)) => resources.draw(&mut pass),
+            None => {}
         }
         drop(pass);
         copy.update(&mut encoder);
         self.gpu.queue().submit([encoder.finish()]);
         Ok(is_resized)
+    }
+
+    /// Reads back what was drawn last.
+    #[cfg(test)]
+    pub(super) fn read(&self, gpu: &Gpu) -> Result<striata_gpu::Picture, GpuError> {
+        self.target.as_ref().expect("something was drawn").canvas.read(gpu)
     }
 
     /// The encoded picture, for a user interface that blends encoded colors.
@@ -203,7 +233,48 @@ impl SceneRenderer {
     }
 }
 
-impl SubjectResources {
+impl MeshResources {
+    fn load(gpu: &Gpu, painter: &Painter, subject: &MeshSubject) -> Result<Self, GpuError> {
+        let vertices = GpuVertices::upload(gpu, subject.steps.mesh())?;
+        let indices = GpuIndices::new(gpu, 0)?;
+        let placeholder =
+            Viewpoint { eye: [0.0, 0.0, 1.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 1.0 };
+        let scene = painter.scene(gpu, &vertices, (&placeholder, [1, 1]), &Look::default())?;
+        Ok(Self {
+            vertices,
+            indices,
+            groups: Vec::new(),
+            is_strips: false,
+            inspection: None,
+            inspection_mode: InspectionMode::Off,
+            fans: None,
+            morph: None,
+            scene,
+        })
+    }
+
+    /// Extracts the triangles of fans if they have changed.
+    fn extract_fans(&mut self, encoder: &mut wgpu::CommandEncoder, extractor: Option<&FanExtractor>) {
+        if let (Some(fans), Some(extractor)) = (&mut self.fans, extractor)
+            && fans.is_drawn
+            && fans.is_stale
+        {
+            extractor.extract(encoder, &fans.instance);
+            fans.is_stale = false;
+        }
+    }
+
+    fn draw(&self, painter: &Painter, pass: &mut wgpu::RenderPass<'_>) {
+        if let Some(inspection) = &self.inspection {
+            painter.inspect(pass, &self.scene, inspection);
+            return;
+        }
+        match &self.morph {
+            Some(morph) => painter.draw_morphing(pass, &self.scene, morph, self.drawing()),
+            None => painter.draw(pass, &self.scene, &self.vertices, self.drawing()),
+        }
+    }
+
     /// Bytes uploaded so far, except for inspections.
     fn uploaded_bytes(&self) -> u64 {
         let fans = self.fans.as_ref().map_or(0, |fans| fans.instance.uploaded_bytes());
@@ -232,7 +303,7 @@ impl SubjectResources {
         &mut self,
         gpu: &Gpu,
         extractor: &FanExtractor,
-        (subject, instance): (&Subject, &FanInstance),
+        (subject, instance): (&MeshSubject, &FanInstance),
     ) -> Result<(), GpuError> {
         if self.fans.is_none() {
             let Some((scene, _)) = subject.fan_scene() else { return Ok(()) };
@@ -252,7 +323,7 @@ impl SubjectResources {
         &mut self,
         gpu: &Gpu,
         painter: &Painter,
-        (subject, instance): (&Subject, &ModelInstance),
+        (subject, instance): (&MeshSubject, &ModelInstance),
     ) -> Result<(), GpuError> {
         let (Some(morphs), Some(refinable)) = (instance.morphs(), subject.refinable()) else {
             self.morph = None;

@@ -117,6 +117,8 @@ pub(super) struct Frozen {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ViewerState {
     pub(super) model: ShownModel,
+    /// Whether scenes are opened as they are, rather than as one mesh in a model.
+    pub(super) as_scene: bool,
     pub(super) goal: GoalKind,
     /// Detail from 0 to 1.
     pub(super) detail: f64,
@@ -145,6 +147,7 @@ impl Default for ViewerState {
     fn default() -> Self {
         Self {
             model: ShownModel::LodStrips,
+            as_scene: true,
             goal: GoalKind::Detail,
             detail: 1.0,
             triangles: None,

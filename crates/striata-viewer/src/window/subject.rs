@@ -1,228 +1,98 @@
-//! The loaded mesh with its steps, and the models that were stored with it or have been built since.
+//! What the window shows: one mesh with its models, or a scene.
 
-use std::sync::OnceLock;
+use std::sync::Arc;
 
-use striata::mesh::{Bounds, FragmentedMesh, RefinableMesh};
-use striata::model::{FanScene, Fans, LodStrips, Mts, PatternScene, Patterns};
-use striata::strip::{StripSet, stripify};
+use striata::mesh::Bounds;
 use striata::view::Sphere;
 
-use super::args::ShownModel;
-use striata_command::failure::Failure;
-use striata_command::sequence::Steps;
+use super::mesh_subject::MeshSubject;
+use super::scene::SceneSubject;
 
-/// A mesh and its models. Missing models are built on demand, once, on a background thread.
-#[derive(Debug)]
-pub(super) struct Subject {
+/// Origin of a subject.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Origin {
     /// File name.
     pub(super) name: String,
     /// Kind of file, in one word.
     pub(super) kind: &'static str,
     /// File size in bytes; none for generated shapes.
     pub(super) file_bytes: Option<usize>,
-    pub(super) steps: Steps,
-    /// Models that the file contained.
-    pub(super) stored: Vec<ShownModel>,
-    pub(super) bounds: Bounds,
-    /// Bounding sphere of all positions.
-    pub(super) sphere: Sphere,
-    strips: OnceLock<StripSet>,
-    lod_strips: OnceLock<LodStrips<'static>>,
-    mts: OnceLock<Mts<'static>>,
-    fans: OnceLock<Fans>,
-    patterns: OnceLock<Patterns>,
+    /// Whether the file contains a scene: nodes, materials or animations.
+    pub(super) has_scene: bool,
 }
 
-/// Models read from a file.
-#[derive(Debug, Default)]
-pub(super) struct StoredModels {
-    pub(super) strips: Option<StripSet>,
-    pub(super) lod_strips: Option<LodStrips<'static>>,
-    pub(super) mts: Option<Mts<'static>>,
-    pub(super) fans: Option<Fans>,
-    pub(super) patterns: Option<Patterns>,
-}
-
-/// Origin of a subject.
+/// An opened file. Clones share their data.
 #[derive(Clone, Debug)]
-pub(super) struct Origin {
-    pub(super) name: String,
-    pub(super) kind: &'static str,
-    pub(super) file_bytes: Option<usize>,
+pub(super) enum Subject {
+    /// One mesh, in any model.
+    Mesh(Arc<MeshSubject>),
+    /// A scene with its materials.
+    Scene(Arc<SceneSubject>),
 }
 
 impl Subject {
-    /// Creates a subject from a mesh and its models.
-    pub(super) fn new(origin: Origin, steps: Steps, models: StoredModels) -> Self {
-        let bounds = steps.mesh().bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
-        let sphere = sphere_around(&steps.mesh().positions, &bounds);
-        let is_stored = [
-            (ShownModel::LodStrips, models.lod_strips.is_some()),
-            (ShownModel::Mts, models.mts.is_some()),
-            (ShownModel::Fans, models.fans.is_some()),
-            (ShownModel::Patterns, models.patterns.is_some()),
-        ];
-        let stored =
-            is_stored.into_iter().filter(|&(_, is_stored)| is_stored).map(|(kind, _)| kind).collect();
-        let Origin { name, kind, file_bytes } = origin;
-        Self {
-            name,
-            kind,
-            file_bytes,
-            steps,
-            stored,
-            bounds,
-            sphere,
-            strips: once_lock(models.strips),
-            lod_strips: once_lock(models.lod_strips),
-            mts: once_lock(models.mts),
-            fans: once_lock(models.fans),
-            patterns: once_lock(models.patterns),
+    /// The mesh, if the subject is one mesh.
+    pub(super) fn mesh(&self) -> Option<&Arc<MeshSubject>> {
+        match self {
+            Self::Mesh(mesh) => Some(mesh),
+            Self::Scene(_) => None,
         }
     }
 
-    /// Whether the mesh has collapses, which all models except patterns and the list need.
+    /// The scene, if the subject is a scene.
+    pub(super) fn scene(&self) -> Option<&Arc<SceneSubject>> {
+        match self {
+            Self::Mesh(_) => None,
+            Self::Scene(scene) => Some(scene),
+        }
+    }
+
+    /// Where the subject comes from.
+    pub(super) fn origin(&self) -> &Origin {
+        match self {
+            Self::Mesh(mesh) => &mesh.origin,
+            Self::Scene(scene) => &scene.origin,
+        }
+    }
+
+    /// Number of triangles at full detail; those of a scene count once for each instance.
+    pub(super) fn triangle_count(&self) -> usize {
+        match self {
+            Self::Mesh(mesh) => mesh.steps.mesh().triangle_count(),
+            Self::Scene(scene) => scene.lods.triangle_count(),
+        }
+    }
+
+    /// Number of triangles of the coarsest level.
+    pub(super) fn base_triangle_count(&self) -> usize {
+        match self {
+            Self::Mesh(mesh) => mesh.steps.levels().triangle_count_at(0),
+            Self::Scene(scene) => scene.lods.levels().base_triangle_count(),
+        }
+    }
+
+    /// Whether a mesh has collapses, which all models except patterns and the list need.
     pub(super) fn has_collapses(&self) -> bool {
-        matches!(self.steps, Steps::Collapses(_))
+        self.mesh().is_none_or(|mesh| mesh.has_collapses())
     }
 
-    /// The mesh with its collapses, if it has any.
-    pub(super) fn refinable(&self) -> Option<&RefinableMesh> {
-        match &self.steps {
-            Steps::Collapses(refinable) => Some(refinable),
-            Steps::Fragments(_) => None,
+    /// Box around everything in its first pose.
+    pub(super) fn bounds(&self) -> Bounds {
+        match self {
+            Self::Mesh(mesh) => mesh.bounds,
+            Self::Scene(scene) => scene.bounds,
         }
     }
 
-    /// Whether a model is available.
-    pub(super) fn has(&self, kind: ShownModel) -> bool {
-        match kind {
-            ShownModel::List => true,
-            ShownModel::LodStrips => self.lod_strips.get().is_some(),
-            ShownModel::Mts => self.mts.get().is_some(),
-            ShownModel::Fans | ShownModel::FansGpu => self.fans.get().is_some(),
-            ShownModel::Patterns => self.patterns.get().is_some(),
-        }
-    }
-
-    /// The LodStrips model, if available.
-    pub(super) fn lod_strips(&self) -> Option<&LodStrips<'static>> {
-        self.lod_strips.get()
-    }
-
-    /// The MTS model, if available.
-    pub(super) fn mts(&self) -> Option<&Mts<'static>> {
-        self.mts.get()
-    }
-
-    /// The fans and the data to refine them for a view, if available.
-    pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
-        let (fans, refinable) = (self.fans.get()?, self.refinable()?);
-        Some((FanScene::new(fans, refinable), refinable))
-    }
-
-    /// The patterns and the data to refine them for a view, if available.
-    pub(super) fn pattern_scene(&self) -> Option<PatternScene<'_>> {
-        Some(PatternScene::new(self.patterns.get()?, &self.steps.mesh().positions))
-    }
-
-    /// Builds a model if it is missing. If two threads build the same model, one result is dropped.
-    ///
-    /// # Errors
-    /// If the model needs collapses and the mesh has none, or building fails.
-    pub(super) fn build(&self, kind: ShownModel) -> Result<(), Failure> {
-        if self.has(kind) {
-            return Ok(());
-        }
-        match (kind, &self.steps) {
-            (ShownModel::List, _) => {}
-            (ShownModel::LodStrips, Steps::Collapses(refinable)) => {
-                let model = LodStrips::build(refinable, self.strips(refinable)?)?;
-                let _ = self.lod_strips.set(model);
-            }
-            (ShownModel::Mts, Steps::Collapses(refinable)) => {
-                let model = Mts::build(refinable, self.strips(refinable)?)?;
-                let _ = self.mts.set(model);
-            }
-            (ShownModel::Fans | ShownModel::FansGpu, Steps::Collapses(refinable)) => {
-                let _ = self.fans.set(Fans::build(refinable));
-            }
-            (ShownModel::Patterns, Steps::Collapses(refinable)) => {
-                self.set_patterns(&FragmentedMesh::from_collapses(refinable))?;
-            }
-            (ShownModel::Patterns, Steps::Fragments(fragmented)) => self.set_patterns(fragmented)?,
-            (kind, Steps::Fragments(_)) => {
-                let message = format!(
-                    "{}: the model {} needs collapses, but this file has none",
-                    self.name,
-                    kind.title()
-                );
-                return Err(Failure::user(message).with_hint("choose Patterns or List"));
+    /// Sphere around everything in its first pose.
+    pub(super) fn sphere(&self) -> Sphere {
+        match self {
+            Self::Mesh(mesh) => mesh.sphere,
+            Self::Scene(scene) => {
+                let Bounds { min, max } = scene.bounds;
+                let center = std::array::from_fn(|k| f32::midpoint(min[k], max[k]));
+                Sphere { center, radius: (scene.bounds.diagonal() / 2.0) as f32 }
             }
         }
-        Ok(())
-    }
-
-    fn set_patterns(&self, fragmented: &FragmentedMesh) -> Result<(), Failure> {
-        let _ = self.patterns.set(Patterns::build(fragmented)?);
-        Ok(())
-    }
-
-    /// The strips of the file, or strips computed by the default stripifier.
-    fn strips(&self, refinable: &RefinableMesh) -> Result<&StripSet, Failure> {
-        if self.strips.get().is_none() {
-            let _ = self.strips.set(stripify(&refinable.mesh)?);
-        }
-        self.strips.get().ok_or_else(|| Failure::internal("the strips are missing after they were set"))
-    }
-}
-
-fn once_lock<T>(value: Option<T>) -> OnceLock<T> {
-    value.map_or_else(OnceLock::new, OnceLock::from)
-}
-
-fn sphere_around(positions: &[[f32; 3]], bounds: &Bounds) -> Sphere {
-    let center = std::array::from_fn(|k| bounds.min[k] / 2.0 + bounds.max[k] / 2.0);
-    positions.iter().fold(Sphere::point(center), |sphere, &position| sphere.with_point(position))
-}
-
-#[cfg(test)]
-pub(super) mod tests {
-    use super::*;
-    use striata::mesh::{IndexedMesh, shapes, weld};
-    use striata_command::sequence::SequencePlan;
-
-    pub(in super::super) fn subject_of(mesh: &IndexedMesh) -> Subject {
-        let welded = weld(mesh).expect("a sound mesh");
-        let sequenced =
-            SequencePlan::default().run(welded, &mut striata::ignore_progress).expect("sound options");
-        let origin = Origin { name: "a shape".to_owned(), kind: "shape", file_bytes: None };
-        Subject::new(origin, sequenced.steps, StoredModels::default())
-    }
-
-    #[test]
-    fn every_model_can_be_built_and_stays() {
-        let subject = subject_of(&shapes::torus(24, 12, 1.0, 0.4));
-        let available: Vec<ShownModel> =
-            ShownModel::ALL.into_iter().filter(|&kind| subject.has(kind)).collect();
-        assert_eq!(available, [ShownModel::List]);
-        for kind in ShownModel::ALL {
-            subject.build(kind).expect("all models can be built from collapses");
-            assert!(subject.has(kind));
-        }
-        assert!(subject.fan_scene().is_some() && subject.pattern_scene().is_some());
-        assert!(subject.sphere.radius as f64 <= subject.bounds.diagonal() / 2.0 + 1e-4);
-    }
-
-    #[test]
-    fn fragments_support_only_patterns() {
-        let refinable = subject_of(&shapes::icosphere(2, 1.0));
-        let refinable = refinable.refinable().expect("collapses");
-        let steps = Steps::Fragments(FragmentedMesh::from_collapses(refinable));
-        let origin = Origin { name: "a".to_owned(), kind: "striata", file_bytes: Some(7) };
-        let subject = Subject::new(origin, steps, StoredModels::default());
-        assert!(!subject.has_collapses());
-        assert!(subject.build(ShownModel::Fans).is_err() && subject.build(ShownModel::LodStrips).is_err());
-        subject.build(ShownModel::Patterns).expect("patterns can be built from fragments");
     }
 }

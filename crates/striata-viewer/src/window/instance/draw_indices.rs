@@ -5,7 +5,7 @@ use std::ops::Range;
 use striata::model::{PatternInstance, StripModel};
 use striata::strip::RESTART;
 
-use crate::window::subject::Subject;
+use crate::window::mesh_subject::MeshSubject;
 
 /// Indices that must be uploaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,7 +45,7 @@ pub(super) fn patterns_into(
 
 /// Writes the triangles of a level, computed by direct substitution.
 pub(super) fn list_into(
-    subject: &Subject,
+    subject: &MeshSubject,
     split_count: usize,
     (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
 ) {

@@ -7,8 +7,8 @@ use striata::view::ScreenError;
 
 use super::draw_indices::ranges_of_groups;
 use super::level_request::{AchievedLevel, LevelRequest};
+use crate::window::mesh_subject::MeshSubject;
 use crate::window::state::Goal;
-use crate::window::subject::Subject;
 
 /// Screen errors below this many pixels count as equal to a budget, which keeps its weights finite.
 const MIN_PIXELS: f32 = 1e-6;
@@ -41,7 +41,7 @@ impl ShownFans {
     /// Moves to the requested level; returns whether the picture changed, and the level reached.
     pub(super) fn follow(
         &mut self,
-        subject: &Subject,
+        subject: &MeshSubject,
         request: &LevelRequest,
         split_count: usize,
     ) -> (bool, AchievedLevel) {

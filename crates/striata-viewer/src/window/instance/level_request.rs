@@ -2,8 +2,8 @@
 
 use striata::view::Camera;
 
+use crate::window::mesh_subject::MeshSubject;
 use crate::window::state::Goal;
-use crate::window::subject::Subject;
 
 /// A request for a level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ pub(in crate::window) struct AchievedLevel {
 }
 
 /// Split count of the uniform level for a request.
-pub(super) fn split_count_for(subject: &Subject, request: &LevelRequest) -> usize {
+pub(super) fn split_count_for(subject: &MeshSubject, request: &LevelRequest) -> usize {
     let levels = subject.steps.levels();
     match request.goal {
         Goal::Detail(detail) => levels.split_count_for_detail(detail),
@@ -46,7 +46,7 @@ pub(super) fn split_count_for(subject: &Subject, request: &LevelRequest) -> usiz
 }
 
 /// Properties of a uniform level.
-pub(super) fn uniform(subject: &Subject, split_count: usize) -> AchievedLevel {
+pub(super) fn uniform(subject: &MeshSubject, split_count: usize) -> AchievedLevel {
     let levels = subject.steps.levels();
     AchievedLevel {
         split_count,

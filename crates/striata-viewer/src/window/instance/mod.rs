@@ -22,7 +22,7 @@ use self::fans::ShownFans;
 use self::level_request::{split_count_for, uniform};
 use self::patterns::follow_patterns;
 use super::args::ShownModel;
-use super::subject::Subject;
+use super::mesh_subject::MeshSubject;
 
 /// An instance of the chosen model at the shown level.
 #[derive(Debug)]
@@ -53,7 +53,7 @@ enum InstanceState {
 
 impl ModelInstance {
     /// Creates an instance; none if the subject does not contain the model yet.
-    pub(super) fn new(subject: &Subject, kind: ShownModel) -> Option<Self> {
+    pub(super) fn new(subject: &MeshSubject, kind: ShownModel) -> Option<Self> {
         let state = match kind {
             ShownModel::List => InstanceState::List(None),
             ShownModel::LodStrips => {
@@ -99,7 +99,7 @@ impl ModelInstance {
     }
 
     /// Moves to the requested level; returns whether the triangles have changed.
-    pub(super) fn follow(&mut self, subject: &Subject, request: &LevelRequest) -> bool {
+    pub(super) fn follow(&mut self, subject: &MeshSubject, request: &LevelRequest) -> bool {
         let started = Instant::now();
         let split_count = split_count_for(subject, request);
         let is_first = std::mem::replace(&mut self.is_first, false);
@@ -169,7 +169,7 @@ impl ModelInstance {
     }
 
     /// All triangles, with the number of the strip or fan of each, or of the group if the model has neither.
-    pub(super) fn by_primitive(&self, subject: &Subject) -> (Vec<[u32; 3]>, Vec<u32>) {
+    pub(super) fn by_primitive(&self, subject: &MeshSubject) -> (Vec<[u32; 3]>, Vec<u32>) {
         let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
         let mut push =
             |number: usize, triangles: &Vec<[u32; 3]>| numbers.resize(triangles.len(), number as u32);
@@ -202,7 +202,7 @@ impl ModelInstance {
     }
 
     /// All triangles, with the group of each.
-    pub(super) fn by_group(&self, subject: &Subject) -> (Vec<[u32; 3]>, Vec<u32>) {
+    pub(super) fn by_group(&self, subject: &MeshSubject) -> (Vec<[u32; 3]>, Vec<u32>) {
         let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
         if let (InstanceState::Fans(fans), Some((scene, _))) = (&self.state, subject.fan_scene()) {
             for group in 0..scene.fans().group_count() {
@@ -245,8 +245,8 @@ impl ModelInstance {
 
 #[cfg(test)]
 mod tests {
+    use super::super::mesh_subject::tests::subject_of;
     use super::super::state::Goal;
-    use super::super::subject::tests::subject_of;
     use super::fans::MORPH_FRAMES;
     use super::*;
     use striata::mesh::{canonical_triangles, shapes};
@@ -262,7 +262,7 @@ mod tests {
         LevelRequest { goal, camera: Some(camera(FAR)), morphs: false }
     }
 
-    fn subject_with_all() -> Subject {
+    fn subject_with_all() -> MeshSubject {
         let subject = subject_of(&shapes::two_material_sphere(24, 32));
         ShownModel::ALL.iter().for_each(|&kind| subject.build(kind).expect("collapses do"));
         subject

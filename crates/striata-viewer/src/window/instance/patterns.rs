@@ -4,13 +4,13 @@ use striata::model::{Overlap, PatternChange, PatternInstance};
 use striata::view::{Criterion, ScreenError};
 
 use super::level_request::{AchievedLevel, LevelRequest, uniform};
+use crate::window::mesh_subject::MeshSubject;
 use crate::window::state::Goal;
-use crate::window::subject::Subject;
 
 /// Moves to the requested level; returns whether anything changed, and the level reached.
 pub(super) fn follow_patterns(
     instance: &mut PatternInstance,
-    subject: &Subject,
+    subject: &MeshSubject,
     request: &LevelRequest,
     split_count: usize,
 ) -> (bool, AchievedLevel) {

@@ -4,6 +4,11 @@ use egui::Vec2;
 
 use super::Viewer;
 use crate::window::help::{Command, SHORTCUTS};
+use crate::window::state::Action;
+use crate::window::subject::Subject;
+
+/// Longest step of an animation between two frames, seconds.
+const MAX_STEP_SECS: f32 = 0.25;
 
 /// Speed of auto-rotation, radians per second.
 const AUTO_ROTATE_SPEED: f32 = 0.5;
@@ -12,13 +17,23 @@ impl Viewer {
     /// Executes a command.
     pub(in crate::window) fn command(&mut self, command: Command) {
         let (triangle_count, has_collapses) = match &self.subject {
-            Some(subject) => (subject.steps.mesh().triangle_count(), subject.has_collapses()),
+            Some(subject) => (subject.triangle_count(), subject.has_collapses()),
             None => (0, true),
         };
         match command {
+            Command::Apply(Action::NextModel) if self.scene().is_some() => {
+                self.show_as_mesh(self.state.model)
+            }
+            Command::Apply(Action::Wireframe | Action::StripsOrFans | Action::Flat | Action::Morphs)
+                if self.scene().is_some() => {}
             Command::Apply(action) => self.state.apply(action, triangle_count, has_collapses),
             Command::Rotate(turn, rise) => self.orbit.rotate(turn, rise),
             Command::Zoom(factor) => self.orbit.zoom(factor),
+            Command::Play => {
+                if let Some(Subject::Scene(scene)) = &self.subject {
+                    self.playback.toggle(&scene.poser);
+                }
+            }
             Command::Freeze => self.state.freeze(self.orbit.viewpoint(), self.area.size),
             Command::Reset => self.orbit.reset(),
             Command::Escape if self.state.shows_help => self.state.shows_help = false,
@@ -45,6 +60,9 @@ impl Viewer {
         if self.state.auto_rotates {
             let secs = ctx.input(|input| input.stable_dt).min(0.1);
             self.orbit.rotate(AUTO_ROTATE_SPEED * secs, 0.0);
+        }
+        if let Some(Subject::Scene(scene)) = &self.subject {
+            self.playback.advance(ctx.input(|input| input.stable_dt).min(MAX_STEP_SECS), &scene.poser);
         }
     }
 

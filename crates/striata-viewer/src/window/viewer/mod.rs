@@ -13,13 +13,17 @@ use egui::Rect;
 use striata::view::Camera;
 use striata_gpu::{GpuError, Look, Viewpoint};
 
-use super::instance::{LevelRequest, ModelInstance};
-use super::loader::{Job, JobProgress, Outcome, Task, Waker};
+use super::args::ShownModel;
+use super::instance::{AchievedLevel, LevelRequest, ModelInstance};
+use super::loader::{Job, JobProgress, OpenAs, Outcome, Task, Waker};
+use super::mesh_subject::MeshSubject;
 use super::orbit::Orbit;
 use super::plots::{History, Sample};
+use super::scene::{Playback, SceneRequest, SceneSubject, ShownScene};
 use super::scene_renderer::{InspectionMode, SceneRenderer};
 use super::state::{GoalKind, ViewerState};
 use super::subject::Subject;
+use striata_command::args::PoseArgs;
 use striata_command::failure::Failure;
 use striata_command::output::Output;
 
@@ -54,6 +58,12 @@ pub(super) struct Frame {
     pub(super) is_animated: bool,
 }
 
+/// What the picture shows, at the level and in the pose of the last request.
+enum Shown {
+    Mesh { instance: ModelInstance, request: Option<LevelRequest> },
+    Scene { scene: Box<ShownScene>, request: Option<SceneRequest> },
+}
+
 /// State of the viewer.
 pub(super) struct Viewer {
     pub(super) state: ViewerState,
@@ -69,10 +79,13 @@ pub(super) struct Viewer {
     pub(super) adapter: String,
     /// Whether the window should close.
     pub(super) quits: bool,
-    subject: Option<Arc<Subject>>,
-    instance: Option<ModelInstance>,
+    /// Animation of the scene, if the subject is one.
+    pub(super) playback: Playback,
+    /// Pose of the first subject, until it is loaded.
+    pub(super) first_pose: Option<PoseArgs>,
+    subject: Option<Subject>,
+    shown: Option<Shown>,
     job: Option<Job>,
-    last_request: Option<LevelRequest>,
     /// Whether the triangles differ from those in the picture.
     is_new: bool,
     last_inputs: Option<PictureInputs>,
@@ -94,10 +107,11 @@ impl Viewer {
             area,
             adapter: String::new(),
             quits: false,
+            playback: Playback::default(),
+            first_pose: None,
             subject: None,
-            instance: None,
+            shown: None,
             job: None,
-            last_request: None,
             is_new: false,
             last_inputs: None,
             output,
@@ -110,13 +124,42 @@ impl Viewer {
     }
 
     /// The loaded subject.
-    pub(super) fn subject(&self) -> Option<&Arc<Subject>> {
+    pub(super) fn subject(&self) -> Option<&Subject> {
         self.subject.as_ref()
     }
 
-    /// The instance of the shown model.
+    /// The instance of the shown model, if one mesh is shown.
     pub(super) fn instance(&self) -> Option<&ModelInstance> {
-        self.instance.as_ref()
+        match &self.shown {
+            Some(Shown::Mesh { instance, .. }) => Some(instance),
+            _ => None,
+        }
+    }
+
+    /// The scene and what is shown of it, if a scene is shown.
+    pub(super) fn scene(&self) -> Option<(&Arc<SceneSubject>, &ShownScene)> {
+        match (&self.subject, &self.shown) {
+            (Some(Subject::Scene(subject)), Some(Shown::Scene { scene, .. })) => Some((subject, scene)),
+            _ => None,
+        }
+    }
+
+    /// The scene and what is shown of it, for changes by the user.
+    pub(super) fn scene_mut(&mut self) -> Option<(Arc<SceneSubject>, &mut ShownScene, &mut Playback)> {
+        match (&self.subject, &mut self.shown) {
+            (Some(Subject::Scene(subject)), Some(Shown::Scene { scene, .. })) => {
+                Some((Arc::clone(subject), scene, &mut self.playback))
+            }
+            _ => None,
+        }
+    }
+
+    /// The level of what is shown.
+    pub(super) fn achieved(&self) -> Option<&AchievedLevel> {
+        match self.shown.as_ref()? {
+            Shown::Mesh { instance, .. } => Some(instance.achieved()),
+            Shown::Scene { scene, .. } => Some(scene.achieved()),
+        }
     }
 
     /// The background task and its progress, if there is one.
@@ -126,9 +169,11 @@ impl Viewer {
 
     /// Whether everything requested is on the screen or has failed.
     pub(super) fn is_idle(&self) -> bool {
-        let is_shown =
-            |instance: &ModelInstance| instance.kind() == self.state.model && !instance.is_moving();
-        let is_done = self.instance.as_ref().is_some_and(is_shown) || self.failure.is_some();
+        let is_shown = self.shown.as_ref().is_some_and(|shown| match shown {
+            Shown::Mesh { instance, .. } => instance.kind() == self.state.model && !instance.is_moving(),
+            Shown::Scene { .. } => !self.playback.is_playing,
+        });
+        let is_done = is_shown || self.failure.is_some();
         self.job.is_none() && (is_done || self.files.is_empty()) && !self.is_new
     }
 
@@ -137,7 +182,20 @@ impl Viewer {
         let Some(path) = self.files.get(file).cloned() else { return };
         self.file = Some(file);
         self.failure = None;
-        self.start(Task::Open(path, self.state.model));
+        let open_as = OpenAs { scene: self.state.as_scene, model: self.state.model };
+        self.start(Task::Open(path, open_as));
+    }
+
+    /// Opens the current file again as a scene.
+    pub(super) fn show_as_scene(&mut self) {
+        self.state.as_scene = true;
+        self.file.into_iter().for_each(|file| self.choose(file));
+    }
+
+    /// Opens the current file again as one mesh in a model.
+    pub(super) fn show_as_mesh(&mut self, model: ShownModel) {
+        (self.state.as_scene, self.state.model) = (false, model);
+        self.file.into_iter().for_each(|file| self.choose(file));
     }
 
     /// Opens another file and adds it to the list.
@@ -158,14 +216,14 @@ impl Viewer {
     /// Shows a failure; the model shown before stays.
     pub(super) fn report_failure(&mut self, failure: Failure) {
         self.failure = Some(failure);
-        if let Some(instance) = &self.instance {
+        if let Some(instance) = self.instance() {
             self.state.model = instance.kind();
         }
     }
 
     /// Takes the result of a finished job. A new subject must be uploaded before it is passed to
     /// [`set_subject`](Self::set_subject).
-    pub(super) fn poll(&mut self) -> Option<Arc<Subject>> {
+    pub(super) fn poll(&mut self) -> Option<Subject> {
         let outcome: Outcome = self.job.as_ref()?.poll()?;
         let job = self.job.take()?;
         match (outcome, job.task()) {
@@ -177,30 +235,60 @@ impl Viewer {
     }
 
     /// Switches to another subject.
-    pub(super) fn set_subject(&mut self, subject: Arc<Subject>) {
-        self.state.on_new_model(subject.steps.mesh().triangle_count(), subject.has_collapses());
-        self.orbit = Orbit::around(&subject.bounds, self.orbit.up());
-        (self.instance, self.last_request, self.last_inputs) = (None, None, None);
+    pub(super) fn set_subject(&mut self, subject: Subject) {
+        self.state.on_new_model(subject.triangle_count(), subject.has_collapses());
+        self.orbit = Orbit::around(&subject.bounds(), self.orbit.up());
+        (self.shown, self.last_inputs) = (None, None);
+        self.playback = Playback::default();
+        if let Some(pose) = self.first_pose.take() {
+            match first_playback(&pose, &subject) {
+                Ok(playback) => self.playback = playback,
+                Err(failure) => self.failure = Some(failure),
+            }
+        }
         self.history.clear();
         self.subject = Some(subject);
     }
 
     /// Moves to the requested level, and starts building the model if it is missing.
     pub(super) fn follow(&mut self) {
-        let Some(subject) = self.subject.clone() else { return };
+        match self.subject.clone() {
+            Some(Subject::Mesh(mesh)) => self.follow_mesh(&mesh),
+            Some(Subject::Scene(scene)) => self.follow_scene(&scene),
+            None => {}
+        }
+    }
+
+    fn follow_mesh(&mut self, subject: &Arc<MeshSubject>) {
         let kind = self.state.model;
-        if self.instance.as_ref().is_none_or(|instance| instance.kind() != kind) {
-            match ModelInstance::new(&subject, kind) {
-                Some(instance) => (self.instance, self.last_request) = (Some(instance), None),
-                None if self.job.is_none() => self.start(Task::Build(Arc::clone(&subject), kind)),
+        if self.instance().is_none_or(|instance| instance.kind() != kind) {
+            match ModelInstance::new(subject, kind) {
+                Some(instance) => self.shown = Some(Shown::Mesh { instance, request: None }),
+                None if self.job.is_none() => self.start(Task::Build(Arc::clone(subject), kind)),
                 None => {}
             }
         }
-        let request = self.level_request();
-        let Some(instance) = &mut self.instance else { return };
-        if instance.is_moving() || self.last_request != Some(request) {
-            self.is_new |= instance.follow(&subject, &request);
-            self.last_request = Some(request);
+        let wanted = self.level_request();
+        let Some(Shown::Mesh { instance, request }) = &mut self.shown else { return };
+        if instance.is_moving() || *request != Some(wanted) {
+            self.is_new |= instance.follow(subject, &wanted);
+            *request = Some(wanted);
+        }
+    }
+
+    fn follow_scene(&mut self, subject: &SceneSubject) {
+        if !matches!(self.shown, Some(Shown::Scene { .. })) {
+            let scene = Box::new(ShownScene::new(subject));
+            self.shown = Some(Shown::Scene { scene, request: None });
+        }
+        let LevelRequest { goal, camera, .. } = self.level_request();
+        let pose = (self.playback.animation, self.playback.time);
+        let Some(Shown::Scene { scene, request }) = &mut self.shown else { return };
+        let wanted = SceneRequest { goal, camera, pose, hiding: scene.hiding() };
+        if *request != Some(wanted) {
+            scene.follow(subject, &wanted);
+            *request = Some(wanted);
+            self.is_new = true;
         }
     }
 
@@ -223,9 +311,9 @@ impl Viewer {
 
     /// Screen error of the shown level at the nearest point of the model, pixels; none if it is unbounded.
     pub(super) fn error_px(&self) -> Option<f32> {
-        let (subject, achieved) = (self.subject.as_ref()?, self.instance.as_ref()?.achieved());
+        let (subject, achieved) = (self.subject.as_ref()?, self.achieved()?);
         let of_nearest =
-            || self.level_camera().map(|camera| camera.error_px(achieved.error, &subject.sphere));
+            || self.level_camera().map(|camera| camera.error_px(achieved.error, &subject.sphere()));
         achieved.error_px.or_else(of_nearest).filter(|pixels| pixels.is_finite())
     }
 
@@ -238,7 +326,7 @@ impl Viewer {
         if self.area.size.contains(&0) {
             return Ok(Frame::default());
         }
-        let inspection_mode = if self.state.needs_inspection() {
+        let inspection_mode = if self.state.needs_inspection() && self.instance().is_some() {
             InspectionMode::By(self.state.effective_colors())
         } else {
             InspectionMode::Off
@@ -249,25 +337,55 @@ impl Viewer {
             look: self.state.look(self.area.is_dark, self.area.pixels_per_point),
             inspection_mode,
         };
-        frame.is_animated |= self.instance.as_ref().is_some_and(ModelInstance::is_moving);
+        frame.is_animated |=
+            self.instance().is_some_and(ModelInstance::is_moving) || self.playback.is_playing;
         if !self.is_new && self.last_inputs.as_ref() == Some(&inputs) {
             return Ok(frame);
         }
         let bytes_before = renderer.uploaded_bytes();
-        if let (Some(subject), Some(instance)) = (&self.subject, &mut self.instance) {
-            renderer.update(subject, instance, (inspection_mode, self.is_new))?;
+        match (&self.subject, &mut self.shown) {
+            (Some(Subject::Mesh(subject)), Some(Shown::Mesh { instance, .. })) => {
+                renderer.update(subject, instance, (inspection_mode, self.is_new))?;
+            }
+            (Some(Subject::Scene(subject)), Some(Shown::Scene { scene, .. })) if self.is_new => {
+                renderer.update_scene(subject, scene)?;
+            }
+            _ => {}
         }
         frame.is_resized = renderer.draw(&inputs.viewpoint, inputs.size, &inputs.look)?;
         frame.is_drawn = true;
-        if let Some(instance) = &self.instance {
+        if let Some(&AchievedLevel { secs, triangle_count, .. }) = self.achieved() {
             self.history.push(Sample {
                 frame_secs: started.elapsed().as_secs_f64(),
-                level_secs: if self.is_new { instance.achieved().secs } else { 0.0 },
-                triangle_count: instance.achieved().triangle_count,
+                level_secs: if self.is_new { secs } else { 0.0 },
+                triangle_count,
                 uploaded_bytes: renderer.uploaded_bytes() - bytes_before,
             });
         }
         (self.is_new, self.last_inputs) = (false, Some(inputs));
         Ok(frame)
+    }
+}
+
+/// Returns the animation and time that the flags ask for.
+///
+/// # Errors
+/// If there is no such animation, or no scene.
+fn first_playback(pose: &PoseArgs, subject: &Subject) -> Result<Playback, Failure> {
+    let name = &subject.origin().name;
+    match (subject, pose.given()) {
+        (Subject::Scene(scene), _) => {
+            let chosen = pose.choose(&scene.poser, name)?;
+            Ok(chosen.map_or_else(Playback::default, |(animation, time)| Playback {
+                animation: Some(animation),
+                time: time.min(scene.poser.duration(animation)),
+                is_playing: false,
+            }))
+        }
+        (Subject::Mesh(_), None) => Ok(Playback::default()),
+        (Subject::Mesh(_), Some(flag)) => {
+            Err(Failure::user(format!("{flag} is for scenes, but {name} is shown as one mesh"))
+                .with_hint(format!("remove {flag}")))
+        }
     }
 }

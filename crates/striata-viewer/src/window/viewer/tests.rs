@@ -1,5 +1,7 @@
 //! Tests of the viewer without a window: keys, pointers and files change what it shows.
 
+mod scenes;
+
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
@@ -19,12 +21,16 @@ struct TestViewer {
 
 impl TestViewer {
     fn new(file: &str) -> Self {
+        Self::with(file, ViewerState::default())
+    }
+
+    fn with(file: impl Into<PathBuf>, state: ViewerState) -> Self {
         let (sender, woken) = channel();
         let sender = std::sync::Mutex::new(sender);
         let waker: Waker = Arc::new(move || {
             let _ = sender.lock().expect("no panic before").send(());
         });
-        let viewer = Viewer::new(vec![file.into()], ViewerState::default(), (Output::quiet(), waker));
+        let viewer = Viewer::new(vec![file.into()], state, (Output::quiet(), waker));
         let ctx = egui::Context::default();
         ctx.options_mut(|options| options.max_passes = std::num::NonZeroUsize::MIN);
         let mut test = Self { viewer, ctx, woken };
@@ -77,7 +83,14 @@ impl TestViewer {
     }
 
     fn triangle_count(&self) -> usize {
-        self.viewer.instance().expect("something is instance").achieved().triangle_count
+        self.viewer.achieved().expect("something is shown").triangle_count
+    }
+
+    fn instance_mut(&mut self) -> &mut ModelInstance {
+        match &mut self.viewer.shown {
+            Some(Shown::Mesh { instance, .. }) => instance,
+            _ => panic!("a model is shown"),
+        }
     }
 }
 
@@ -185,11 +198,11 @@ fn dropped_files_are_opened_and_failures_keep_the_old_model() {
 fn moving_the_camera_does_not_change_a_uniform_level() {
     let mut test = TestViewer::new("shape:torus");
     test.press(Key::OpenBracket);
-    let instance = test.viewer.instance.as_mut().expect("it is instance");
+    let instance = test.instance_mut();
     let _ = instance.take_changes();
     test.press(Key::ArrowLeft);
     test.press(Key::Plus);
-    let instance = test.viewer.instance.as_mut().expect("it is instance");
+    let instance = test.instance_mut();
     assert_eq!(instance.take_changes(), Changes::None);
     assert!(test.viewer.error_px().is_some_and(|pixels| pixels > 0.0));
 }
