@@ -1,7 +1,7 @@
 //! Builds the web assets: the wasm, the npm package and the viewer page.
 //!
 //! ```text
-//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (its script)
+//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/*.wasm, web/src/wasm (their scripts)
 //! web/src            --vite, tsc----------------------> web/dist
 //! web/viewer         --vite---------------------------> crates/striata-viewer/viewer (embedded)
 //! ```
@@ -112,11 +112,13 @@ fn missing_tool() -> Option<String> {
 /// Builds the wasm, then the types and bundles of the npm package.
 fn build_library() -> Result<()> {
     machine::npm_install(&folder())?;
-    let built = wasm::build()?;
+    let built = wasm::MODULES.map(wasm::build);
     let scripts = folder().join("src/wasm");
     machine::remove_folder(&dist())?;
     machine::remove_folder(&scripts)?;
-    wasm::write(&built, &dist(), &scripts)?;
+    for built in built {
+        wasm::write(&built?, &dist(), &scripts)?;
+    }
     machine::npm(&folder(), &["run", "--silent", "check"])?;
     machine::npm(&folder(), &["run", "--silent", "build:library"])?;
     stamp::write(&dist_stamp())
