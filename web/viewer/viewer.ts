@@ -7,6 +7,7 @@
 
 import type { Material } from 'three';
 import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
+import { decoderUrl } from './decoder.ts';
 import { DetailControls } from './detail-controls.ts';
 import { describeProgress, Stats } from './stats.ts';
 import { Framing } from './framing.ts';
@@ -43,7 +44,7 @@ export class Viewer {
   /** Called when no model could be opened and the stage is empty. */
   onEmpty: () => void = () => {};
 
-  readonly #loader = StriataLoader();
+  readonly #loader = StriataLoader({ wasm: decoderUrl() });
   readonly #stats: Stats;
   readonly #frozen: FrozenView;
   readonly #wireframe = new Wireframe();
