@@ -1,5 +1,6 @@
 // Builds the viewer page, web/viewer -> crates/striata-viewer/viewer, which the command embeds: one script, and names that contain a
 // hash of the contents, so that browsers may keep the files without asking again.
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
 /** `striata serve` recognizes names that end in a hyphen and 16 hexadecimal digits. */
@@ -10,6 +11,8 @@ export default defineConfig({
   base: './',
   publicDir: false,
   worker: { format: 'iife' },
+  // The page's wasm also encodes models, so it has its own script.
+  resolve: { alias: [{ find: /^\.\/wasm\/striata_web\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata_web.js', import.meta.url)) }] },
   server: { fs: { allow: ['..'] } },
   build: {
     // The check builds into another folder than the committed one.

@@ -20,6 +20,8 @@
 
 mod built_model;
 mod coloring;
+#[cfg(feature = "encode")]
+mod encoder;
 mod failure;
 mod limits;
 mod model;
@@ -32,6 +34,8 @@ mod streamed_model;
 mod vertices;
 mod view;
 
+#[cfg(feature = "encode")]
+pub use encoder::encode_file;
 pub use failure::Failure;
 pub use model::Model;
 pub use progress::Sink;

@@ -34,14 +34,16 @@ pub(super) struct BuiltFiles {
     types: String,
 }
 
-/// Builds the wasm and its script.
+/// Builds the wasm with these features of `striata-web`, and its script.
 ///
 /// # Errors
 /// If a tool fails.
-pub(super) fn build() -> Result<BuiltFiles> {
+pub(super) fn build(features: &str) -> Result<BuiltFiles> {
     let arguments =
         ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
-    steps::run(cargo(&arguments).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f")))?;
+    let mut command = cargo(&arguments);
+    command.args(["--features", features]).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f"));
+    steps::run(&mut command)?;
     let compiled = target_folder()?.join(WASM_TARGET).join("web/striata_web.wasm");
     let mut bindgen = Bindgen::new();
     bindgen.input_path(compiled).web(true)?.typescript(true);

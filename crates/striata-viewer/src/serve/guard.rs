@@ -99,8 +99,8 @@ fn cross_site() -> CorsLayer {
 }
 
 async fn check_host(State(hosts): State<Hosts>, request: Request, next: Next) -> Response {
-    let mut hosts = request.headers().get_all(HOST).iter();
-    let (host, others) = (hosts.next(), hosts.count());
+    let mut named = request.headers().get_all(HOST).iter();
+    let (host, others) = (named.next(), named.count());
     let Some(host) = host.and_then(|host| host.to_str().ok()).filter(|_| others == 0) else {
         return (
             StatusCode::BAD_REQUEST,
