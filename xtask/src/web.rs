@@ -2,7 +2,6 @@
 //!
 //! ```text
 //! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (its script)
-//! the same, with the encoder -------------------------> web/viewer/wasm
 //! web/src            --vite, tsc----------------------> web/dist
 //! web/viewer         --vite---------------------------> crates/striata-viewer/viewer (embedded)
 //! ```
@@ -31,9 +30,6 @@ use crate::workspace;
 use stamp::Stamp;
 
 pub(crate) use wasm::rustc_output;
-
-/// Features of the wasm of the viewer page, which also saves models. The package does without, to stay small.
-const PAGE_FEATURES: &str = "encode";
 
 /// Advice if the check fails.
 const ADVICE: &str = "run `cargo xtask web` and commit what it writes";
@@ -113,21 +109,20 @@ fn missing_tool() -> Option<String> {
     Some(format!("{missing} is not installed"))
 }
 
-/// Builds the wasm of the package and of the page, then the types and bundles of the package.
+/// Builds the wasm, then the types and bundles of the npm package.
 fn build_library() -> Result<()> {
     machine::npm_install(&folder())?;
+    let built = wasm::build()?;
     let scripts = folder().join("src/wasm");
-    for folder in [&dist(), &scripts, &page_wasm()] {
-        machine::remove_folder(folder)?;
-    }
-    wasm::write(&wasm::build("")?, &dist(), &scripts)?;
-    wasm::write(&wasm::build(PAGE_FEATURES)?, &page_wasm(), &page_wasm())?;
+    machine::remove_folder(&dist())?;
+    machine::remove_folder(&scripts)?;
+    wasm::write(&built, &dist(), &scripts)?;
     machine::npm(&folder(), &["run", "--silent", "check"])?;
     machine::npm(&folder(), &["run", "--silent", "build:library"])?;
     stamp::write(&dist_stamp())
 }
 
-/// Builds the viewer page.
+/// Builds the viewer page with the wasm in `dist`.
 fn build_viewer(into: &Path) -> Result<()> {
     let mut command = Command::new("npm");
     command.args(["run", "--silent", "build:viewer"]).current_dir(folder());
@@ -140,11 +135,6 @@ fn folder() -> PathBuf {
 
 fn dist() -> PathBuf {
     folder().join("dist")
-}
-
-/// Folder of the page's wasm and its script.
-fn page_wasm() -> PathBuf {
-    folder().join("viewer/wasm")
 }
 
 /// Path of the stamp of the npm package; not in `dist`, which is published completely.

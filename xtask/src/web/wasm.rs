@@ -34,16 +34,14 @@ pub(super) struct BuiltFiles {
     types: String,
 }
 
-/// Builds the wasm with these features of `striata-web`, and its script.
+/// Builds the wasm and its script.
 ///
 /// # Errors
 /// If a tool fails.
-pub(super) fn build(features: &str) -> Result<BuiltFiles> {
+pub(super) fn build() -> Result<BuiltFiles> {
     let arguments =
         ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
-    let mut command = cargo(&arguments);
-    command.args(["--features", features]).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f"));
-    steps::run(&mut command)?;
+    steps::run(cargo(&arguments).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f")))?;
     let compiled = target_folder()?.join(WASM_TARGET).join("web/striata_web.wasm");
     let mut bindgen = Bindgen::new();
     bindgen.input_path(compiled).web(true)?.typescript(true);

@@ -8,10 +8,7 @@ use super::guard::HostName;
 
 /// Arguments of `serve`.
 #[derive(Debug, Args)]
-#[command(
-    after_help = "Examples:\n  striata serve models\n  striata serve bunny.striata --port 0 --open\n  \
-    striata serve models --allow-host models.example.com"
-)]
+#[command(after_help = "Examples:\n  striata serve models\n  striata serve bunny.striata --port 0 --open")]
 pub struct ServeArgs {
     /// Serve this folder, including subfolders, or a single file
     #[arg(value_name = "DIR", default_value = ".")]
