@@ -94,3 +94,50 @@ fn scene_of_mesh(mesh: IndexedMesh) -> Result<Scene, Failure> {
 fn truncated() -> Failure {
     Failure::corrupt("the stream is truncated").with_hint("check that it was copied completely")
 }
+
+#[cfg(test)]
+mod tests {
+    use striata::ignore_progress;
+    use striata::mesh::shapes;
+    use striata_io::{WriteOptions, to_bytes};
+
+    use super::*;
+
+    fn encoded(bytes: &[u8], name: &str, format: &str) -> Result<Vec<u8>, Failure> {
+        encode(bytes.to_vec(), name, format, &mut ignore_progress)
+    }
+
+    fn triangle_count(bytes: &[u8], name: &str) -> usize {
+        scene_of(bytes, name).expect("a scene").triangle_count()
+    }
+
+    #[test]
+    fn every_format_is_encoded_as_every_other() {
+        let torus = shapes::torus(32, 16, 1.0, 0.4);
+        let count = torus.triangle_count();
+        let obj = to_bytes(Format::Obj, &torus, &WriteOptions::default()).expect("OBJ");
+        let stream = encoded(&obj, "torus.obj", "stri").expect("a stream");
+        let glb = encoded(&obj, "torus.obj", "glb").expect("a GLB file");
+        for (bytes, name) in [(&stream, "torus.stri"), (&glb, "torus.glb")] {
+            assert_eq!(triangle_count(bytes, name), count, "{name}");
+            for format in ["stri", "glb"] {
+                let again = encoded(bytes, name, format).expect(name);
+                assert_eq!(triangle_count(&again, &format!("a.{format}")), count, "{name} as {format}");
+            }
+        }
+    }
+
+    #[test]
+    fn damaged_files_and_other_formats_are_refused() {
+        let torus = shapes::torus(16, 8, 1.0, 0.4);
+        let obj = to_bytes(Format::Obj, &torus, &WriteOptions::default()).expect("OBJ");
+        assert_eq!(encoded(&obj, "a.obj", "ply").expect_err("not offered").code(), "unsupported");
+        assert_eq!(encoded(b"no model", "a.xyz", "stri").expect_err("unknown").code(), "format");
+        let stream = encoded(&obj, "a.obj", "stri").expect("a stream");
+        let cut = encoded(&stream[..stream.len() / 2], "a.stri", "glb").expect_err("cut off");
+        assert_eq!((cut.code().as_str(), cut.hint().is_some()), ("corrupt", true));
+        for length in 0..stream.len().min(200) {
+            assert!(encoded(&stream[..length], "a.stri", "glb").is_err(), "{length} bytes");
+        }
+    }
+}
