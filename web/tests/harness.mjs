@@ -131,7 +131,7 @@ export async function world() {
 }
 
 /** Opens a page that records uncaught and logged errors, except those that the test expects. */
-async function newPage(context, { expected = [], width = 900, height = 600, scheme = 'light', still = true } = {}) {
+export async function newPage(context, { expected = [], width = 900, height = 600, scheme = 'light', still = true } = {}) {
   const page = await context.newPage();
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ colorScheme: scheme, reducedMotion: still ? 'reduce' : 'no-preference' });

@@ -23,8 +23,10 @@ export class Playback {
     element('play').addEventListener('click', () => this.toggle());
     element('clip').addEventListener('change', () => this.#choose(Number(element<HTMLSelectElement>('clip').value)));
     input('time').addEventListener('input', () => {
+      // Pausing shows the current time.
+      const share = input('time').valueAsNumber / STEPS;
       this.pause();
-      this.seek((input('time').valueAsNumber / STEPS) * this.duration);
+      this.seek(share * this.duration);
     });
   }
 
