@@ -11,8 +11,8 @@ export default defineConfig({
   base: './',
   publicDir: false,
   worker: { format: 'iife' },
-  // The page's wasm also encodes models, so it has its own script.
-  resolve: { alias: [{ find: /^\.\/wasm\/striata_web\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata_web.js', import.meta.url)) }] },
+  // The page builds levels with the module that also saves models.
+  resolve: { alias: [{ find: /^\.\/wasm\/striata-builder\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata-encoder.js', import.meta.url)) }] },
   server: { fs: { allow: ['..'] } },
   build: {
     // The check builds into another folder than the committed one.

@@ -21,8 +21,16 @@ export interface OpenedSource {
 /** How much of a `.striata` file is requested first: more than its header, one or two network packets. */
 const HEAD_BYTES = 1 << 16;
 
-export async function open(source: Source, name: string | undefined, signal: AbortSignal): Promise<OpenedSource> {
-  if (typeof source === 'string' || source instanceof URL) return openUrl(source, name, signal);
+/** How a URL is requested. */
+export interface RequestOptions {
+  headers?: Record<string, string>;
+  credentials?: RequestCredentials;
+}
+
+export async function open(
+  source: Source, name: string | undefined, signal: AbortSignal, request: RequestOptions = {},
+): Promise<OpenedSource> {
+  if (typeof source === 'string' || source instanceof URL) return openUrl(source, name, signal, request);
   if (source instanceof Blob) {
     const part = (from: number, to: number) => chunks(source.slice(from, to).stream(), signal);
     return {
@@ -47,11 +55,16 @@ export async function open(source: Source, name: string | undefined, signal: Abo
   throw new StriataError('unsupported', 'the source must be a URL, File, Blob, ArrayBuffer or ReadableStream');
 }
 
-async function openUrl(source: string | URL, name: string | undefined, signal: AbortSignal): Promise<OpenedSource> {
+async function openUrl(
+  source: string | URL, name: string | undefined, signal: AbortSignal, request: RequestOptions,
+): Promise<OpenedSource> {
   const url = urlOf(source);
+  const get = (url: URL, headers: Record<string, string>, signal: AbortSignal) => (
+    fetchUrl(url, { ...request, headers: { ...request.headers, ...headers } }, signal)
+  );
   const isContainer = /\.striata$/i.test(url.pathname);
   // Usually only the stream at the end of a container is needed.
-  const headers: HeadersInit = isContainer ? { Range: `bytes=0-${HEAD_BYTES - 1}` } : {};
+  const headers: Record<string, string> = isContainer ? { Range: `bytes=0-${HEAD_BYTES - 1}` } : {};
   let response = await get(url, headers, signal);
   const total = /\/(\d+)$/.exec(response.headers.get('Content-Range') ?? '')?.[1];
   if (response.status === 206 && total === undefined) {
@@ -94,10 +107,10 @@ function fileName(url: URL): string {
   }
 }
 
-async function get(url: URL, headers: HeadersInit, signal: AbortSignal): Promise<Response> {
+async function fetchUrl(url: URL, request: RequestOptions, signal: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url, { headers, signal });
+    response = await fetch(url, { ...request, signal });
   } catch (error) {
     if (signal.aborted) throw error;
     throw new StriataError('network', `cannot fetch ${url.href}: ${error instanceof Error ? error.message : String(error)}`,

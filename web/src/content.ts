@@ -1,11 +1,13 @@
 /** Detects from its first bytes whether a source is a stream, which can be shown as it loads, or a file that must be complete. */
 
 import { concat, prepend, skipBytes, takeBytes, type ByteChunks, type OpenedSource } from './bytes.ts';
-import { StreamPlace } from './wasm/striata_web.js';
+import { isContainer, isGlb, isSceneStream, isStream, MAGIC_BYTES } from './magic.ts';
+import { StreamPlace } from './wasm/striata.js';
 
 /** The bytes of a stream, or of a whole file. */
 export interface Content {
-  isStream: boolean;
+  /** Whether it is the stream of a mesh or a scene, a glTF file, or another file. */
+  kind: 'stream' | 'scene' | 'gltf' | 'file';
   /** Whether the stream is part of a `.striata` file. */
   isInContainer: boolean;
   chunks: ByteChunks;
@@ -13,24 +15,22 @@ export interface Content {
   byteCount: number | null;
 }
 
-const STREAM_MAGIC = [0x89, 0x53, 0x54, 0x52];
-const CONTAINER_MAGIC = [...'STRIATA\0'].map((character) => character.charCodeAt(0));
-
 /** Gaps up to this many bytes are read and dropped rather than skipped by another request. */
 const MAX_SKIPPED_BYTES = 1 << 16;
 
 /** Detects the content of a source; the wasm module must be initialized. */
 export async function contentOf(opened: OpenedSource): Promise<Content> {
   const head = new Head(opened.chunks);
-  await head.grow(CONTAINER_MAGIC.length);
-  if (head.startsWith(STREAM_MAGIC)) {
-    return { isStream: true, isInContainer: false, chunks: head.all(), byteCount: opened.length };
-  }
-  if (head.startsWith(CONTAINER_MAGIC)) {
+  await head.grow(MAGIC_BYTES);
+  const whole = (kind: Content['kind']): Content => ({ kind, isInContainer: false, chunks: head.all(), byteCount: opened.length });
+  if (isStream(head.bytes)) return whole('stream');
+  if (isSceneStream(head.bytes)) return whole('scene');
+  if (isGlb(head.bytes) || /\.gltf$/i.test(opened.name)) return whole('gltf');
+  if (isContainer(head.bytes)) {
     const streamRange = await findStream(head);
     if (streamRange) return contentOfStream(opened, head, streamRange);
   }
-  return { isStream: false, isInContainer: false, chunks: head.all(), byteCount: opened.length };
+  return whole('file');
 }
 
 async function contentOfStream(opened: OpenedSource, head: Head, { offset, length }: ByteRange): Promise<Content> {
@@ -38,9 +38,9 @@ async function contentOfStream(opened: OpenedSource, head: Head, { offset, lengt
   if (available < offset && opened.range && offset - available > MAX_SKIPPED_BYTES) {
     await head.drop();
     const chunks = await opened.range(offset, offset + length);
-    return { isStream: true, isInContainer: true, chunks, byteCount: length };
+    return { kind: 'stream', isInContainer: true, chunks, byteCount: length };
   }
-  return { isStream: true, isInContainer: true, chunks: takeBytes(skipBytes(head.all(), offset), length), byteCount: length };
+  return { kind: 'stream', isInContainer: true, chunks: takeBytes(skipBytes(head.all(), offset), length), byteCount: length };
 }
 
 interface ByteRange {
@@ -79,10 +79,6 @@ class Head {
       this.bytes = concat([this.bytes, chunk.value]);
     }
     return true;
-  }
-
-  startsWith(magic: number[]): boolean {
-    return magic.every((byte, at) => this.bytes[at] === byte);
   }
 
   all(): ByteChunks {

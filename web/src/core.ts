@@ -5,14 +5,30 @@
  */
 
 export { StriataError, asStriataError } from './error.ts';
-export { Engine } from './engine.ts';
+export { SceneEngine } from './scene/scene-engine.ts';
+export type { MeshShare, MeshUpdate, NewLayer, SceneDocument, SceneOrder, SceneReport, SceneState, SceneTarget } from './scene/protocol.ts';
 export type { LevelRequest, NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
 export type { Coloring, ErrorCode, Kind, Phase } from './types.ts';
-export { Failure, Model, StreamPlace, Vertices, View } from './wasm/striata_web.js';
-import { start, wasmModule } from './wasm.ts';
+export { Failure, Model, SceneModel, StreamPlace, VertexLayer, Vertices, View } from './wasm/striata.js';
+import { Engine as MeshEngine } from './engine.ts';
+import type { Report } from './protocol.ts';
+import { builderModule, start, wasmModule } from './wasm.ts';
 import type { LoaderOptions } from './types.ts';
 
-/** Initializes the wasm module; must be called before anything else in this module is used. */
-export async function initialize(wasm?: LoaderOptions['wasm']): Promise<void> {
+let options: Pick<LoaderOptions, 'wasm' | 'builder'> = {};
+
+/**
+ * Initializes the wasm module; must be called before anything else in this module is used. `builder` is the location of
+ * striata-builder.wasm, which an engine fetches for files without a stream.
+ */
+export async function initialize(wasm?: LoaderOptions['wasm'], builder?: LoaderOptions['builder']): Promise<void> {
+  options = { ...(wasm === undefined ? {} : { wasm }), ...(builder === undefined ? {} : { builder }) };
   start(await wasmModule(wasm));
+}
+
+/** Decodes and builds one model: pass orders to `take`; reports are delivered to the callback. */
+export class Engine extends MeshEngine {
+  constructor(report: (report: Report) => void, sliceMs: number) {
+    super(report, sliceMs, () => builderModule(options));
+  }
 }

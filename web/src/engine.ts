@@ -5,11 +5,14 @@
  * reported in intervals that grow with the time a report takes.
  */
 
-import { Failure, Model, View } from './wasm/striata_web.js';
+import { Failure, Model, StreamPlace, View } from './wasm/striata.js';
+import { initSync as startBuilder, Failure as BuilderFailure, Model as BuiltModel, View as BuilderView } from './wasm/striata-builder.js';
+import { isContainer, isStream } from './magic.ts';
 import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
 import { requestOf, type LevelRequest, type NewVertices, type Order, type Report, type State, type Update } from './protocol.ts';
 import type { Coloring, Kind, Phase } from './types.ts';
 import { decompressed } from './unpack.ts';
+import { yieldToEventLoop } from './event-loop.ts';
 
 /** Bytes decoded between two checks of the clock. */
 const CHUNK_BYTES = 1 << 13;
@@ -19,16 +22,33 @@ const MIN_UPDATE_INTERVAL_MS = 60;
 /** Minimum time between two updates, as a multiple of the time the last one took. */
 const UPDATE_INTERVAL_FACTOR = 4;
 
-/** Yields to the event loop. */
-function yieldToEventLoop(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
+let isBuilderStarted = false;
+
+function noBuilder(): Promise<WebAssembly.Module> {
+  return Promise.reject(new StriataError('unsupported', 'files without a stream need striata-builder.wasm'));
+}
+
+/** The stream that a file is or contains; undefined if it has none. */
+function streamIn(bytes: Uint8Array): Uint8Array | undefined {
+  if (isStream(bytes)) return bytes;
+  if (!isContainer(bytes)) return undefined;
+  const place = StreamPlace.find(bytes);
+  const { offset, length } = place;
+  place.free();
+  return length > 0 ? bytes.subarray(offset, offset + length) : undefined;
+}
+
+function wholeStream(bytes: Uint8Array): Model {
+  const model = new Model();
+  try {
+    model.push(bytes);
+    if (!model.is_complete) throw new StriataError('corrupt', 'the stream is incomplete', 'check that the whole file was copied');
+    model.reveal();
+    return model;
+  } catch (thrown) {
+    model.free();
+    throw thrown;
+  }
 }
 
 /** Decodes one model. Pass orders to `take`; reports are delivered to the callback. */
@@ -36,7 +56,8 @@ export class Engine {
   readonly #report: (report: Report) => void;
   /** Longest uninterrupted decoding, milliseconds. */
   readonly #sliceMs: number;
-  #model = new Model();
+  readonly #loadBuilder: () => Promise<WebAssembly.Module>;
+  #model: Model | BuiltModel = new Model();
   #queue: Uint8Array[] = [];
   #end: { error?: PlainError } | undefined;
   #isPumping = false;
@@ -58,9 +79,11 @@ export class Engine {
   #nextUpdate = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(report: (report: Report) => void, sliceMs: number) {
+  /** `loadBuilder` is called for files without a stream whose order brings no module. */
+  constructor(report: (report: Report) => void, sliceMs: number, loadBuilder: () => Promise<WebAssembly.Module> = noBuilder) {
     this.#report = report;
     this.#sliceMs = sliceMs;
+    this.#loadBuilder = loadBuilder;
   }
 
   /** Executes an order. */
@@ -78,7 +101,7 @@ export class Engine {
         void this.#pump();
         break;
       case 'file':
-        void this.#read(order.bytes, order.name);
+        void this.#read(order.bytes, order.name, order.builder);
         break;
       case 'show':
         this.#request = requestOf(order);
@@ -179,21 +202,21 @@ export class Engine {
   }
 
   /** Reads a whole file and builds its model. */
-  async #read(bytes: Uint8Array, name: string): Promise<void> {
+  async #read(bytes: Uint8Array, name: string, builder: WebAssembly.Module | undefined): Promise<void> {
     this.#phase = 'build';
     const start = performance.now();
-    const sink = { report: (_: string, share: number) => this.#report({ type: 'building', share }) };
-    let file: { bytes: Uint8Array; name: string } | undefined;
+    let model: Model | BuiltModel | undefined;
     let failure: unknown;
     try {
-      file = await decompressed(bytes, name);
+      const file = await decompressed(bytes, name);
+      const stream = streamIn(file.bytes);
+      model = stream ? wholeStream(stream) : this.#build(await this.#builder(builder), file);
     } catch (thrown) {
       failure = thrown;
     }
-    if (this.#isClosed) return;
+    if (this.#isClosed) return model?.free();
     this.#reportErrors(() => {
-      if (!file) throw failure;
-      const model = Model.from_file(file.bytes, file.name, sink);
+      if (!model) throw failure;
       this.#model.free();
       this.#model = model;
       this.#buildMs = performance.now() - start;
@@ -201,6 +224,17 @@ export class Engine {
       this.#postUpdate(0);
       this.#report({ type: 'finished' });
     });
+  }
+
+  async #builder(module: WebAssembly.Module | undefined): Promise<typeof BuiltModel> {
+    if (!isBuilderStarted) startBuilder({ module: module ?? (await this.#loadBuilder()) });
+    isBuilderStarted = true;
+    return BuiltModel;
+  }
+
+  #build(builder: typeof BuiltModel, { bytes, name }: { bytes: Uint8Array; name: string }): BuiltModel {
+    const sink = { report: (_: string, share: number) => this.#report({ type: 'building', share }) };
+    return builder.from_file(bytes, name, sink);
   }
 
   /** Runs `work` and reports an error if it throws; the engine then accepts no more orders. */
@@ -255,11 +289,13 @@ export class Engine {
 
   /** Refines for a camera. A camera that sees nothing changes nothing. */
   #showView(camera: number[], pixels: number, limit: number): boolean {
-    const view = new View(Float64Array.from(camera), pixels, limit);
+    const numbers = Float64Array.from(camera);
+    const model = this.#model;
+    const view = model instanceof Model ? new View(numbers, pixels, limit) : new BuilderView(numbers, pixels, limit);
     try {
-      return this.#model.show_view(view);
+      return model instanceof Model ? model.show_view(view as View) : model.show_view(view as BuilderView);
     } catch (thrown) {
-      if (!(thrown instanceof Failure)) throw thrown;
+      if (!(thrown instanceof Failure || thrown instanceof BuilderFailure)) throw thrown;
       thrown.free();
       return true;
     } finally {

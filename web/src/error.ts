@@ -1,6 +1,7 @@
 /** Errors with a code for programs, a message for people, and a hint if a remedy is known. */
 
-import { Failure } from './wasm/striata_web.js';
+import { Failure } from './wasm/striata.js';
+import { Failure as BuilderFailure } from './wasm/striata-builder.js';
 import type { ErrorCode } from './types.ts';
 
 /** The error that `load` and `finished` reject with. */
@@ -28,7 +29,7 @@ export interface PlainError {
 /** Converts anything that was thrown to a `StriataError`. */
 export function asStriataError(thrown: unknown): StriataError {
   if (thrown instanceof StriataError) return thrown;
-  if (thrown instanceof Failure) {
+  if (thrown instanceof Failure || thrown instanceof BuilderFailure) {
     const error = new StriataError(thrown.code as ErrorCode, thrown.message, thrown.hint);
     thrown.free();
     return error;

@@ -1,183 +1,153 @@
-/** Loads models: passes bytes to the engine as they arrive, and creates a mesh as soon as there is something to draw. */
+/** The loader for three.js: scenes, single meshes, and files without levels. */
 
-import { concat, iterable, open } from './bytes.ts';
+import { Loader as ThreeLoader, LoaderUtils, LoadingManager } from 'three';
+import { open as openSource } from './bytes.ts';
 import { contentOf } from './content.ts';
-import { aborted, asPlain, asStriataError, fromPlain, StriataError } from './error.ts';
-import { connectEngine, type EngineConnection } from './connection.ts';
-import { StriataMesh, type LoaderHandle } from './mesh.ts';
-import type { Report } from './protocol.ts';
-import type { Loader, LoaderOptions, LoadOptions, Source } from './types.ts';
+import { aborted, asStriataError } from './error.ts';
+import type { StriataMesh } from './mesh.ts';
+import { MeshTask } from './mesh-task.ts';
+import { openGltf } from './register.ts';
+import { sceneOfMesh } from './scene/mesh-scene.ts';
+import { SceneTask } from './scene/scene-task.ts';
+import type { StriataScene } from './scene/scene.ts';
+import type { LoaderOptions, LoadOptions, OpenOptions, Source } from './types.ts';
 import { start, wasmModule } from './wasm.ts';
 
-/** Creates a loader, with or without `new`: `await StriataLoader().load(url)`. */
+/** Creates a loader, with or without `new`. */
 export interface StriataLoaderConstructor {
+  /** @deprecated Use `new`. */
   (options?: LoaderOptions): StriataLoaderInstance;
-  new (options?: LoaderOptions): StriataLoaderInstance;
+  new (manager?: LoadingManager | LoaderOptions, options?: LoaderOptions): StriataLoaderInstance;
+  readonly prototype: StriataLoaderInstance;
 }
 
-/** A loader that creates `StriataMesh` objects. */
-export interface StriataLoaderInstance extends Loader {
+/** A loader that creates `StriataScene` objects. */
+export interface StriataLoaderInstance extends ThreeLoader<StriataScene> {
+  /** Screen error of every scene, in pixels, until it is set otherwise; `null` shows everything that has loaded. */
+  pixelError: number | null;
+  /**
+     * Loads a model. `onLoad` is called as soon as all of it can be drawn, textured by previews, with its animations; everything else
+     * streams in.
+     */
+  load(
+    url: string, onLoad: ((scene: StriataScene) => void) | undefined, onProgress?: (event: ProgressEvent) => void, onError?: (error: unknown) => void,
+  ): void;
+  /** @deprecated Loads a single mesh. Use `loadAsync` or `open`. */
   load(source: Source, options?: LoadOptions): Promise<StriataMesh>;
+  loadAsync(url: string, onProgress?: (event: ProgressEvent) => void): Promise<StriataScene>;
+  parse(data: ArrayBuffer, onLoad: (scene: StriataScene) => void, onError?: (error: unknown) => void): void;
+  parseAsync(data: ArrayBuffer, name?: string): Promise<StriataScene>;
+  /** Loads a model from any source. Resolves as soon as all of it can be drawn; animations may follow. */
+  open(source: Source, options?: OpenOptions): Promise<StriataScene>;
 }
 
-function createLoader(options: LoaderOptions = {}): StriataLoaderInstance {
-  return {
-    load: (source, loadOptions = {}) => new LoadTask(options, loadOptions).run(source),
-  };
-}
+class SceneLoader extends ThreeLoader<StriataScene> {
+  pixelError: number | null;
+  readonly #options: LoaderOptions;
 
-// A plain function can be called with or without `new`; a class cannot.
-export const StriataLoader = function (options?: LoaderOptions) {
-  return createLoader(options);
-} as unknown as StriataLoaderConstructor;
-
-/** Loads one model. */
-class LoadTask {
-  readonly #loader: LoaderOptions;
-  readonly #options: LoadOptions;
-  /** Cancels loading altogether. */
-  readonly #stop = new AbortController();
-  /** Cancels only the download. */
-  readonly #download = new AbortController();
-  #engine: EngineConnection | undefined;
-  #mesh: StriataMesh | undefined;
-  /** Whether the engine receives only the stream inside a larger file. */
-  #isInContainer = false;
-  #received = 0;
-  #total: number | null = null;
-  #resolve!: (mesh: StriataMesh) => void;
-  #reject!: (error: StriataError) => void;
-
-  constructor(loader: LoaderOptions, options: LoadOptions) {
-    this.#loader = loader;
-    this.#options = options;
+  constructor(manager?: LoadingManager | LoaderOptions, options?: LoaderOptions) {
+    const isManager = manager !== undefined && 'itemStart' in manager;
+    super(isManager ? manager : undefined);
+    this.#options = (isManager ? options : (manager as LoaderOptions | undefined)) ?? options ?? {};
+    this.pixelError = this.#options.pixelError === undefined ? 1 : this.#options.pixelError;
   }
 
-  run(source: Source): Promise<StriataMesh> {
-    const { signal } = this.#options;
-    if (signal?.aborted) return Promise.reject(aborted());
-    const loaded = new Promise<StriataMesh>((resolve, reject) => {
-      this.#resolve = resolve;
-      this.#reject = reject;
-    });
-    const abort = () => this.#fail(aborted());
+  override load(...words: unknown[]): void;
+  override load(...words: unknown[]): unknown {
+    const [source, second, onProgress, onError] = words;
+    const isCallback = (word: unknown) => word === undefined || word === null || typeof word === 'function';
+    if (words.length < 2 || !isCallback(second)) return new MeshTask(this.#options, (second ?? {}) as LoadOptions).run(source as Source);
+    const onLoad = second as ((scene: StriataScene) => void) | undefined;
+    this.#loadUrl(source as string, onProgress as ((event: ProgressEvent) => void) | undefined).then(
+      (scene) => onLoad?.(scene),
+      (error: unknown) => {
+        if (typeof onError === 'function') onError(error);
+        else console.error(error);
+      },
+    );
+    return undefined;
+  }
+
+  override loadAsync(url: string, onProgress?: (event: ProgressEvent) => void): Promise<StriataScene> {
+    return this.#loadUrl(url, onProgress);
+  }
+
+  parse(data: ArrayBuffer, onLoad: (scene: StriataScene) => void, onError?: (error: unknown) => void): void {
+    this.parseAsync(data).then(onLoad, onError ?? ((error: unknown) => console.error(error)));
+  }
+
+  async parseAsync(data: ArrayBuffer, name?: string): Promise<StriataScene> {
+    return withAnimations(await this.open(data, name === undefined ? {} : { name }));
+  }
+
+  async open(source: Source, options: OpenOptions = {}): Promise<StriataScene> {
+    const { signal } = options;
+    if (signal?.aborted) throw aborted();
+    const download = new AbortController();
+    const abort = () => download.abort(aborted());
     signal?.addEventListener('abort', abort, { once: true });
-    // Aborting the signal after loading has finished has no effect.
-    this.#download.signal.addEventListener('abort', () => signal?.removeEventListener('abort', abort));
-    this.#fetch(source).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
-    return loaded;
+    try {
+      return await this.#open(source, options, download);
+    } catch (thrown) {
+      throw signal?.aborted ? aborted() : asStriataError(thrown);
+    } finally {
+      signal?.removeEventListener('abort', abort);
+    }
   }
 
-  async #fetch(source: Source): Promise<void> {
+  async #open(source: Source, options: OpenOptions, download: AbortController): Promise<StriataScene> {
+    const address = this.#address(source);
+    const credentials = this.withCredentials ? 'include' : 'same-origin';
     const [module, opened] = await Promise.all([
-      wasmModule(this.#loader.wasm),
-      open(source, this.#options.name, this.#download.signal),
+      wasmModule(this.#options.wasm),
+      openSource(address, options.name, download.signal, { headers: this.requestHeader as Record<string, string>, credentials }),
     ]);
-    if (this.#stop.signal.aborted) return;
     // The page itself parses the headers of containers.
     start(module);
-    this.#total = opened.length;
     const content = await contentOf(opened);
-    if (this.#stop.signal.aborted) return;
-    this.#total = content.byteCount;
-    this.#isInContainer = content.isInContainer;
-    this.#engine = connectEngine(module, this.#loader.worker ?? true, (report) => this.#onMessage(report));
-    const parts: Uint8Array[] = [];
-    for await (const bytes of iterable(content.chunks)) {
-      if (this.#download.signal.aborted) return;
-      this.#received += bytes.length;
-      if (content.isStream) this.#engine.send({ type: 'bytes', bytes });
-      else parts.push(bytes);
-      this.#progress();
-    }
-    if (this.#download.signal.aborted) return;
-    this.#total = this.#received;
-    if (content.isStream) this.#engine.send({ type: 'end' });
-    else this.#engine.send({ type: 'file', bytes: concat(parts), name: opened.name || 'file' });
-    this.#progress();
+    const loader = { ...this.#options, pixelError: this.pixelError };
+    const path = this.resourcePath || (typeof address === 'string' ? LoaderUtils.extractUrlBase(address) : '');
+    const context = { module, loader, options, path, manager: this.manager, download };
+    if (content.kind === 'scene') return new SceneTask({ ...context, kind: 'stream' }, content.byteCount).run(content.chunks);
+    if (content.kind === 'gltf') return openGltf({ ...context, kind: 'gltf' }, content);
+    const mesh = await new MeshTask(loader, options).runContent(module, opened, content, download);
+    return sceneOfMesh(mesh, loader);
   }
 
-  /** The source failed; the part that has arrived may still be usable. */
-  #onSourceError(error: StriataError): void {
-    if (this.#download.signal.aborted) return;
-    if (this.#engine && error.code !== 'aborted') this.#engine.send({ type: 'end', error: asPlain(error) });
-    else this.#fail(error);
+  /** The URL that a source is requested from; other sources stay as they are. */
+  #address(source: Source): Source {
+    if (typeof source !== 'string' && !(source instanceof URL)) return source;
+    return this.manager.resolveURL(LoaderUtils.resolveURL(String(source), this.path));
   }
 
-  #onMessage(report: Report): void {
-    if (this.#stop.signal.aborted) return;
-    switch (report.type) {
-      case 'update':
-        if (this.#isInContainer) report.state.kind = 'striata';
-        if (this.#mesh) {
-          this.#mesh.update(report);
-        } else if (report.indices.length > 0 || report.state.complete) {
-          this.#mesh = new StriataMesh(report, this.#options.material, this.#handle());
-          this.#mesh.name = this.#options.name ?? '';
-          this.#resolve(this.#mesh);
-        }
-        this.#progress();
-        break;
-      case 'building':
-        this.#progress('build');
-        break;
-      case 'failed':
-        this.#fail(fromPlain(report.error));
-        break;
-      case 'finished':
-        this.#download.abort(aborted());
-        this.#mesh?.end();
-        this.#progress();
-        break;
-    }
-  }
-
-  /** The interface through which the mesh controls loading. */
-  #handle(): LoaderHandle {
-    return {
-      send: (order) => this.#engine?.send(order),
-      bytes: () => ({ received: this.#received, total: this.#total }),
-      dispose: () => this.#close(),
-    };
-  }
-
-  #progress(phase?: 'build'): void {
-    const state = this.#mesh?.state;
-    const progress = {
-      bytesReceived: this.#received,
-      bytesTotal: this.#total ?? (state?.streamBytes || null),
-      triangleCount: state?.triangleCount ?? 0,
-      vertexCount: state?.vertexCount ?? 0,
-      complete: state?.complete ?? false,
-      phase: phase ?? state?.phase ?? 'download',
+  async #loadUrl(url: string, onProgress?: (event: ProgressEvent) => void): Promise<StriataScene> {
+    const { manager } = this;
+    manager.itemStart(url);
+    const report = ({ bytesReceived, bytesTotal }: { bytesReceived: number; bytesTotal: number | null }) => {
+      const init = { lengthComputable: bytesTotal !== null, loaded: bytesReceived, total: bytesTotal ?? 0 };
+      onProgress?.(typeof ProgressEvent === 'undefined' ? (init as ProgressEvent) : new ProgressEvent('progress', init));
     };
     try {
-      this.#options.onProgress?.(progress);
-    } catch (thrown) {
-      // An error in the caller's callback is reported as uncaught; loading continues.
-      queueMicrotask(() => {
-        throw thrown;
-      });
+      return await withAnimations(await this.open(url, { onProgress: report }));
+    } catch (error) {
+      manager.itemError(url);
+      throw error;
+    } finally {
+      manager.itemEnd(url);
     }
-    this.#mesh?.dispatchEvent({ type: 'progress', progress });
-  }
-
-  /** Ends loading with an error. If there is a mesh, it keeps what has loaded. */
-  #fail(error: StriataError): void {
-    if (this.#stop.signal.aborted) return;
-    if (this.#mesh && error.code !== 'aborted') {
-      this.#download.abort(aborted());
-      this.#mesh.end(error);
-      return;
-    }
-    this.#mesh?.end(error);
-    this.#close();
-    this.#reject(error);
-  }
-
-  #close(): void {
-    this.#stop.abort(aborted());
-    this.#download.abort(aborted());
-    this.#engine?.dispose();
   }
 }
+
+/** Waits for the animations of a scene, which callers expect to be there. */
+async function withAnimations(scene: StriataScene): Promise<StriataScene> {
+  await scene.animated;
+  return scene;
+}
+
+// A class can be called only with `new`; today's calls without it continue to work.
+export const StriataLoader = new Proxy(SceneLoader, {
+  apply: (_target, _this, words: [LoaderOptions?]) => new SceneLoader(...words),
+}) as unknown as StriataLoaderConstructor;
+// Frameworks compare the two to recognize a class.
+SceneLoader.prototype.constructor = StriataLoader as unknown as typeof SceneLoader;
+

@@ -52,6 +52,9 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   #viewRequest: LevelRequest | undefined;
   #isSettled = true;
   #isDisposed = false;
+  /** Requests for indices of other levels; each is answered in turn, and then the shown level is requested again. */
+  readonly #pendingIndices: { request: LevelRequest; resolve: (lists: Uint32Array[]) => void }[] = [];
+  #awaitedIndices: ((lists: Uint32Array[]) => void) | undefined;
   #resolve!: () => void;
   #reject!: (error: StriataError) => void;
 
@@ -227,6 +230,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   /** Shows another level; called by the loader. */
   update(update: Update): void {
     if (this.#isDisposed) return;
+    if (update.ticket === this.#ticket && this.#awaitedIndices) return this.#answerIndices(update);
     this.state = update.state;
     this.#last = update;
     this.#surface.apply(update);
@@ -237,6 +241,14 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     }
     if (this.#hasChanged) this.#send();
     this.dispatchEvent({ type: 'change' });
+  }
+
+  /** Returns the indices of a level, one list for each group; the shown level stays. */
+  indicesOf(request: LevelRequest): Promise<Uint32Array[]> {
+    return new Promise((resolve) => {
+      this.#pendingIndices.push({ request, resolve });
+      this.#send();
+    });
   }
 
   /** Ends loading; called by the loader. */
@@ -280,8 +292,15 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
 
   #send(): void {
     if (this.#isWaiting || this.#isDisposed) return;
-    this.#hasChanged = false;
     this.#isWaiting = true;
+    const next = this.#pendingIndices.shift();
+    if (next) {
+      this.#awaitedIndices = next.resolve;
+      this.#hasChanged = true;
+      this.#loader.send({ type: 'show', request: next.request, coloring: 'surface', ticket: ++this.#ticket });
+      return;
+    }
+    this.#hasChanged = false;
     this.#sent = this.#levelRequest();
     this.#loader.send({ type: 'show', request: this.#sent, coloring: this.#coloring, ticket: ++this.#ticket });
   }
@@ -293,6 +312,15 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     if (this.#maxError !== null) return { by: 'error', value: this.#maxError, limit };
     if (this.#triangleBudget !== null) return { by: 'triangles', value: limit, limit };
     return { by: 'detail', value: this.#detail ?? 1, limit: 0 };
+  }
+
+  /** Passes the indices of a level on that is not shown. */
+  #answerIndices({ indices, groupCounts }: Update): void {
+    let start = 0;
+    this.#awaitedIndices?.([...groupCounts].map((count) => indices.slice(start, (start += 3 * count))));
+    this.#awaitedIndices = undefined;
+    this.#isWaiting = false;
+    this.#send();
   }
 
   /** Triangle budget for the engine; 0 means none. */

@@ -22,8 +22,8 @@ export type Order =
   | { type: 'bytes'; bytes: Uint8Array }
   /** The end of the bytes; with an error if some are missing. */
   | { type: 'end'; error?: PlainError }
-  /** A complete file. */
-  | { type: 'file'; bytes: Uint8Array; name: string }
+  /** A complete file; files without a stream need the second wasm module. */
+  | { type: 'file'; bytes: Uint8Array; name: string; builder?: WebAssembly.Module }
   /** A request to show a level. `wish` is the deprecated name of `request`. */
   | { type: 'show'; request: LevelRequest; coloring: Coloring; ticket: number }
   | { type: 'show'; wish: LevelRequest; coloring: Coloring; ticket: number };

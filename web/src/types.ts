@@ -1,12 +1,13 @@
 /** Public types: options, progress, errors, and the mesh. */
 
-import type { BufferGeometry, Material, Mesh, Object3DEventMap } from 'three';
+import type { AnimationClip, BufferGeometry, Camera, Group, Material, Mesh, Object3DEventMap } from 'three';
+import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 /** A source of a model's bytes; a string is a URL. */
 export type Source = string | URL | File | Blob | ArrayBuffer | ReadableStream<Uint8Array>;
 
-/** What was loaded: a bare stream, a `.striata` file, or a plain mesh that was simplified in the browser. */
-export type Kind = 'stream' | 'striata' | 'mesh';
+/** What was loaded: a stream, a `.striata` file, a glTF file, or a plain mesh that was simplified in the browser. */
+export type Kind = 'stream' | 'striata' | 'gltf' | 'mesh';
 
 /** How triangles are colored: by the material, or by the strip, fan or triangle they belong to. */
 export type Coloring = 'surface' | 'strips' | 'fans' | 'triangles';
@@ -51,6 +52,12 @@ export interface LoaderOptions {
      * if present, else the file next to this script.
      */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
+  /** Location of striata-builder.wasm, which is fetched only for files without a stream. Default: next to striata.wasm. */
+  builder?: string | URL | BufferSource | WebAssembly.Module;
+  /** Screen error of every scene, in pixels, until it is set otherwise; `null` shows everything that has loaded. Default: 1. */
+  pixelError?: number | null;
+  /** Called with the `GLTFLoader` that makes the materials of a scene: to set a `KTX2Loader`, or to register plugins. */
+  configure?: (loader: GLTFLoader) => void;
 }
 
 /** Loads models; see `StriataLoader`. */
@@ -81,6 +88,88 @@ export interface StriataEvents extends Object3DEventMap {
   progress: { progress: Progress };
   /** The rest of the model could not be loaded; the mesh keeps the part that has been loaded. */
   error: { error: Error & { code: ErrorCode; hint?: string | undefined } };
+}
+
+/** A level to select; the first of these that is given counts. */
+export interface LevelTarget {
+  /** Coarsest level whose error is at most this, mesh units. */
+  error?: number;
+  /** Finest level with at most this many triangles. */
+  triangles?: number;
+  /** 0 (base mesh) to 1 (full mesh). */
+  detail?: number;
+}
+
+/**
+ * Levels of one glTF mesh, shared by its nodes. A level that is set here takes precedence over that of the scene, until it is set to
+ * `null`.
+ */
+export interface StriataLod {
+  /** Level of detail from 0 (base mesh) to 1 (full mesh). */
+  detail: number;
+  /** Shows the finest level with at most this many triangles. */
+  triangles: number | null;
+  /** Shows the coarsest level whose error is at most this, mesh units. */
+  error: number | null;
+  /** Refines until the estimated error at the nearest instance is at most this, in pixels. */
+  pixelError: number | null;
+  /** Number of triangles shown. */
+  readonly triangleCount: number;
+  readonly fullTriangleCount: number;
+  /** Error of the shown level relative to the full mesh, mesh units. */
+  readonly shownError: number;
+  /** The meshes that show these levels. */
+  readonly meshes: readonly Mesh[];
+  /**
+     * Returns the indices of a level, one list for each primitive, over the attributes of its geometry, which all levels share: for
+     * `BatchedMesh`, `InstancedMesh`, `THREE.LOD`.
+     */
+  indices(target: LevelTarget): Promise<Uint32Array[]>;
+  /** Makes a copy of one of the meshes count, too: its size on the screen, and its triangles in a budget. */
+  attach(mesh: Mesh): void;
+}
+
+/** Options of a single call of `open`. */
+export type OpenOptions = Omit<LoadOptions, 'material'>;
+
+/** A scene: what it adds to a group. `StriataScene` implements it. Setting a mode turns off the others, as for a mesh. */
+export interface StriataSceneLike extends Group<StriataEvents> {
+  readonly isStriataScene: true;
+  readonly animations: AnimationClip[];
+  readonly cameras: Camera[];
+  readonly scenes: Group[];
+  /** Levels of each glTF mesh that has triangles. */
+  readonly lods: readonly StriataLod[];
+  /** Share of the steps of all meshes, 0 to 1. */
+  detail: number;
+  /** Maximum number of triangles of the scene; `null` means no limit. */
+  triangleBudget: number | null;
+  /** Each mesh shows the coarsest level whose error is at most this, units of the scene. `null` turns this mode off. */
+  maxError: number | null;
+  /** Each mesh is refined until the estimated error at its nearest instance is at most this, in pixels. `null` turns this mode off. */
+  pixelError: number | null;
+  /** Keeps the levels of the last view. */
+  frozen: boolean;
+  coloring: Coloring;
+  wireframe: boolean;
+  /** Number of triangles shown; those of a mesh count once for each instance. */
+  readonly triangleCount: number;
+  readonly fullTriangleCount: number;
+  /** Number of vertices loaded so far. */
+  readonly vertexCount: number;
+  /** Largest error of the shown levels, units of the scene. */
+  readonly error: number;
+  readonly complete: boolean;
+  readonly bytesReceived: number;
+  readonly bytesTotal: number | null;
+  /** Diagonal of the bounding box, units of the scene. */
+  readonly diagonal: number;
+  readonly kind: Kind;
+  readonly timings: Readonly<Timings>;
+  /** Resolves when everything has arrived. Rejects with a `StriataError` if the rest could not be loaded. */
+  readonly finished: Promise<void>;
+  /** Terminates the worker and frees geometries, materials and textures. */
+  dispose(): void;
 }
 
 /** The mesh of a model: what it adds to a three.js mesh. `StriataMesh` implements it. */

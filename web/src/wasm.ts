@@ -2,7 +2,7 @@
 
 import { StriataError } from './error.ts';
 import type { LoaderOptions } from './types.ts';
-import { initSync } from './wasm/striata_web.js';
+import { initSync } from './wasm/striata.js';
 
 type WasmSource = NonNullable<LoaderOptions['wasm']>;
 
@@ -10,12 +10,27 @@ type WasmSource = NonNullable<LoaderOptions['wasm']>;
 const modules = new Map<unknown, Promise<WebAssembly.Module>>();
 let isStarted = false;
 
-/** Returns the compiled module: from the options, embedded in the page, or next to this script. */
+type ModuleName = 'striata' | 'striata-builder';
+
+/** Returns the compiled module that decodes streams: from the options, embedded in the page, or next to this script. */
 export function wasmModule(source: WasmSource | undefined): Promise<WebAssembly.Module> {
-  const key = source instanceof URL ? source.href : source;
+  return moduleOf('striata', source);
+}
+
+/** Returns the compiled module that builds levels of other files. */
+export function builderModule({ wasm, builder }: Pick<LoaderOptions, 'wasm' | 'builder'> = {}): Promise<WebAssembly.Module> {
+  if (builder === undefined && (typeof wasm === 'string' || wasm instanceof URL)) {
+    const base = typeof document === 'undefined' ? undefined : document.baseURI;
+    return moduleOf('striata-builder', new URL('striata-builder.wasm', new URL(wasm, base)));
+  }
+  return moduleOf('striata-builder', builder);
+}
+
+function moduleOf(name: ModuleName, source: WasmSource | undefined): Promise<WebAssembly.Module> {
+  const key = source instanceof URL ? source.href : (source ?? name);
   let module = modules.get(key);
   if (!module) {
-    module = compile(source);
+    module = compile(name, source);
     // A later attempt may succeed.
     module.catch(() => modules.delete(key));
     modules.set(key, module);
@@ -29,30 +44,46 @@ export function start(module: WebAssembly.Module): void {
   isStarted = true;
 }
 
-async function compile(source: WasmSource | undefined): Promise<WebAssembly.Module> {
+async function compile(name: ModuleName, source: WasmSource | undefined): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
   if (source !== undefined && typeof source !== 'string' && !(source instanceof URL)) {
     return WebAssembly.compile(source);
   }
-  const embedded = source === undefined ? embeddedBytes() : undefined;
+  const embedded = source === undefined ? embeddedBytes(name) : undefined;
   if (embedded) return WebAssembly.compile(embedded);
-  const url = source ?? new URL(/* @vite-ignore */ 'striata.wasm', import.meta.url);
+  return WebAssembly.compile(await fetchModule(name, source ?? nextToScript(name)));
+}
+
+/** Bundlers recognize this form with a literal name, and copy the file. */
+function nextToScript(name: ModuleName): URL {
+  if (name === 'striata') return new URL(/* @vite-ignore */ 'striata.wasm', import.meta.url);
+  return new URL(/* @vite-ignore */ 'striata-builder.wasm', import.meta.url);
+}
+
+async function fetchModule(name: ModuleName, url: string | URL): Promise<ArrayBuffer> {
+  if (url instanceof URL && url.protocol === 'file:' && typeof process !== 'undefined') {
+    // Node.js does not fetch files.
+    const files = 'node:fs/promises';
+    const { readFile } = (await import(/* @vite-ignore */ files)) as typeof import('node:fs/promises');
+    const bytes = await readFile(url);
+    return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
+  }
   const response = await fetch(url).catch((error: unknown) => {
-    throw new StriataError('network', `cannot fetch striata.wasm: ${String(error)}`);
+    throw new StriataError('network', `cannot fetch ${name}.wasm: ${String(error)}`);
   });
   if (!response.ok) {
     throw new StriataError(
       response.status === 404 ? 'not-found' : 'network',
-      `cannot fetch striata.wasm from ${String(url)}: the server responded with ${response.status}`,
-      'the file is next to striata.js in the package; if you moved it, set the option `wasm`',
+      `cannot fetch ${name}.wasm from ${String(url)}: the server responded with ${response.status}`,
+      `the file is next to striata.js in the package; if you moved it, set the option \`${name === 'striata' ? 'wasm' : 'builder'}\``,
     );
   }
   // Streaming compilation requires the MIME type application/wasm, which some servers do not send.
-  return WebAssembly.compile(await response.arrayBuffer());
+  return response.arrayBuffer();
 }
 
-function embeddedBytes(): Uint8Array<ArrayBuffer> | undefined {
+function embeddedBytes(name: ModuleName): Uint8Array<ArrayBuffer> | undefined {
   if (typeof document === 'undefined') return undefined;
-  const text = document.getElementById('striata-wasm')?.textContent?.trim();
+  const text = document.getElementById(`${name}-wasm`)?.textContent?.trim();
   return text ? Uint8Array.from(atob(text), (character) => character.charCodeAt(0)) : undefined;
 }

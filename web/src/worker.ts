@@ -1,26 +1,35 @@
-/** Runs the engine in a worker: the first message contains the wasm module, all others are orders. */
+/** Runs an engine in a worker: the first message contains the wasm module and the kind of engine, all others are orders. */
 
 import { Engine } from './engine.ts';
 import { transferable, type Order } from './protocol.ts';
-import { initSync } from './wasm/striata_web.js';
+import { sceneTransfer, type SceneOrder } from './scene/protocol.ts';
+import { SceneEngine } from './scene/scene-engine.ts';
+import { initSync } from './wasm/striata.js';
 
 /** Longest uninterrupted decoding: a worker may decode longer than a page, but requests should be answered quickly. */
 const SLICE_MS = 30;
 
+/** The first message. */
+interface Start {
+  type: 'start';
+  module: WebAssembly.Module;
+  engine: 'mesh' | 'scene';
+}
+
 /** The part of a worker's global scope that is used here; TypeScript's DOM types describe only pages. */
 interface WorkerScope {
-  onmessage: ((event: MessageEvent<WebAssembly.Module | Order>) => void) | null;
+  onmessage: ((event: MessageEvent<Start | Order | SceneOrder>) => void) | null;
   postMessage(message: unknown, transfer: Transferable[]): void;
 }
 
 const scope = self as unknown as WorkerScope;
-let engine: Engine | undefined;
+let take: (order: never) => void = () => undefined;
 
 scope.onmessage = ({ data }) => {
-  if (data instanceof WebAssembly.Module) {
-    initSync({ module: data });
-    engine = new Engine((report) => scope.postMessage(report, transferable(report)), SLICE_MS);
-  } else {
-    engine?.take(data);
-  }
+  if (data.type !== 'start') return take(data as never);
+  initSync({ module: data.module });
+  const engine = data.engine === 'mesh'
+    ? new Engine((report) => scope.postMessage(report, transferable(report)), SLICE_MS)
+    : new SceneEngine((report) => scope.postMessage(report, sceneTransfer(report)), SLICE_MS);
+  take = (order) => engine.take(order);
 };

@@ -2,7 +2,7 @@
 
 import { asPlain, asStriataError, type PlainError } from '../src/error.ts';
 import { decompressed } from '../src/unpack.ts';
-import { encode_file, initSync } from './wasm/striata_web.js';
+import { encode_file, initSync } from './wasm/striata-encoder.js';
 
 export type SavedFormat = 'stri' | 'glb';
 

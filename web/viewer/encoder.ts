@@ -1,11 +1,11 @@
 /** Encodes the file of a model as a stream or as a GLB file with streams, in a worker. */
 
 import { fromPlain, StriataError } from '../src/error.ts';
-import { wasmModule } from '../src/wasm.ts';
-import { wasmUrl } from './decoder.ts';
+import { builderModule } from '../src/wasm.ts';
 import type { EncodeOrder, EncodeReport, SavedFormat } from './encode-worker.ts';
 import EncodeWorker from './encode-worker.ts?worker&inline';
 import type { ModelSource } from './sources.ts';
+import { wasmUrls } from './wasm-urls.ts';
 
 /** How far encoding is: the fraction of a phase, 0 to 1. */
 export type OnEncodeProgress = (phase: string, share: number) => void;
@@ -15,7 +15,7 @@ export async function encodeModel(
   source: ModelSource, format: SavedFormat, signal: AbortSignal, onProgress: OnEncodeProgress,
 ): Promise<Blob> {
   onProgress('read', 0);
-  const [module, bytes] = await Promise.all([wasmModule(wasmUrl()), bytesOf(source, signal)]);
+  const [module, bytes] = await Promise.all([builderModule(wasmUrls()), bytesOf(source, signal)]);
   if (signal.aborted) throw aborted();
   const worker = new EncodeWorker();
   try {

@@ -6,10 +6,10 @@
  */
 
 import type { Object3D, Sphere } from 'three';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataScene } from '../src/index.ts';
 import { Bounds, boundsOf } from './bounds.ts';
 import { Comparison } from './comparison.ts';
-import { wasmUrl } from './decoder.ts';
 import { DetailControls } from './detail-controls.ts';
 import { describeProgress, Stats } from './stats.ts';
 import { Framing } from './framing.ts';
@@ -24,6 +24,7 @@ import { isCrossOrigin, type ModelSource } from './sources.ts';
 import type { Stage } from './stage.ts';
 import { isBare, materialsOf, paintClay, shadeFlat } from './surface.ts';
 import { themeColor } from './theme.ts';
+import { wasmUrls } from './wasm-urls.ts';
 
 /** Poses of an animation that are measured to frame the model. */
 const MEASURED_POSES = 8;
@@ -51,7 +52,7 @@ export class Viewer {
   /** Called when comparing two levels starts or ends. */
   onComparisonChanged: (isOn: boolean) => void = () => {};
 
-  readonly #loader = new StriataLoader({ wasm: wasmUrl() });
+  readonly #loader = new StriataLoader({ ...wasmUrls(), pixelError: null, configure: (loader) => void loader.setMeshoptDecoder(MeshoptDecoder) });
   readonly #stats: Stats;
   readonly #frozen: FrozenView;
   readonly #tree: ModelTree;
@@ -162,6 +163,10 @@ export class Viewer {
     this.#listen(model, source);
     this.applyLook();
     this.playback.setScene(model);
+    // Animations may follow after everything else that the first picture needs.
+    void model.animated.then(() => {
+      if (this.model === model && !this.playback.isAvailable) this.playback.setScene(model);
+    });
     this.comparison.setScene(model);
     this.#tree.setScene(model);
     this.#saving.setSource(source);

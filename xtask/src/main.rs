@@ -41,7 +41,11 @@ enum Task {
     /// Run only the browser tests: the viewer page in Chromium, served by `striata serve`
     Browser,
     /// Build the wasm, the npm package and the viewer page (which is committed)
-    Web,
+    Web {
+        /// Build only the wasm and the npm package
+        #[arg(long)]
+        package: bool,
+    },
     /// Run only the web checks: build and test the npm package, check that the viewer is up to date
     WebCheck,
     /// Run only the package check: pack the published crates, check that no file is missing
@@ -60,7 +64,8 @@ fn main() -> ExitCode {
         Task::Bare => bare::run(),
         Task::Golden => golden::run(),
         Task::Browser => browser::run(),
-        Task::Web => web::build(),
+        Task::Web { package: true } => web::prepare_library(),
+        Task::Web { package: false } => web::build(),
         Task::WebCheck => web::check(),
         Task::Packages => packages::run(),
         Task::Licenses => licenses::check(),

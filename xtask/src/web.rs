@@ -1,7 +1,8 @@
 //! Builds the web assets: the wasm, the npm package and the viewer page.
 //!
 //! ```text
-//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (its script)
+//! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/*.wasm, web/src/wasm (their scripts)
+//! the same, with the encoder -------------------------> web/viewer/wasm
 //! web/src            --vite, tsc----------------------> web/dist
 //! web/viewer         --vite---------------------------> crates/striata-viewer/viewer (embedded)
 //! ```
@@ -112,11 +113,17 @@ fn missing_tool() -> Option<String> {
 /// Builds the wasm, then the types and bundles of the npm package.
 fn build_library() -> Result<()> {
     machine::npm_install(&folder())?;
-    let built = wasm::build()?;
+    let built = wasm::MODULES.map(wasm::build);
+    let encoder = wasm::build(wasm::ENCODER)?;
     let scripts = folder().join("src/wasm");
-    machine::remove_folder(&dist())?;
-    machine::remove_folder(&scripts)?;
-    wasm::write(&built, &dist(), &scripts)?;
+    let page = folder().join("viewer/wasm");
+    for folder in [&dist(), &scripts, &page] {
+        machine::remove_folder(folder)?;
+    }
+    for built in built {
+        wasm::write(&built?, &dist(), &scripts)?;
+    }
+    wasm::write(&encoder, &page, &page)?;
     machine::npm(&folder(), &["run", "--silent", "check"])?;
     machine::npm(&folder(), &["run", "--silent", "build:library"])?;
     stamp::write(&dist_stamp())

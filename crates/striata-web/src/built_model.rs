@@ -7,10 +7,11 @@ use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use striata::view::{ScreenError, Sphere};
 use striata_io::{Source, read_bytes};
 
+use crate::leveled::Leveled;
 use crate::shown_level::{LevelRequest, ShownLevel};
 use crate::vertices::Vertices;
 use crate::view::View;
-use crate::{Failure, coloring, limits};
+use crate::{Failure, coloring, limits, normals};
 
 /// Kind of the level shown last, to emit its triangles again in another form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,61 +59,19 @@ impl BuiltModel {
         Self::simplify(mesh, progress)
     }
 
-    fn simplify(mesh: IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
+    /// Simplifies a mesh.
+    ///
+    /// # Errors
+    /// If the mesh is inconsistent, empty or too large for a page.
+    pub(crate) fn simplify(mesh: IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
         limits::check_to_build(mesh.vertex_count(), mesh.triangle_count())?;
         if mesh.triangles.is_empty() {
             return Err(Failure::unsupported("the file has no triangles")
-                .with_hint("point clouds and curves cannot be simplify"));
+                .with_hint("point clouds and curves cannot be simplified"));
         }
         let built = build_sequence_with_progress(&mesh, &SequenceOptions::default(), progress)?;
         drop(mesh);
         Ok(Self::new(built.refinable))
-    }
-
-    pub(crate) fn refinable(&self) -> &RefinableMesh {
-        &self.refinable
-    }
-
-    pub(crate) fn box_bounds(&self) -> Option<Bounds> {
-        self.refinable.mesh.bounds()
-    }
-
-    pub(crate) fn group_count(&self) -> usize {
-        self.fans.group_count()
-    }
-
-    pub(crate) fn vertices(&self, first: usize) -> Vertices {
-        let mesh = &self.refinable.mesh;
-        let first = first.min(mesh.vertex_count());
-        Vertices::new(&mesh.positions[first..], &mesh.layers, first)
-    }
-
-    /// Shows the requested level.
-    pub(crate) fn show(&mut self, request: LevelRequest) -> ShownLevel {
-        let sequence = &self.refinable.sequence;
-        let split_count = match request {
-            LevelRequest::Detail(detail) => sequence.split_count_for_detail(detail),
-            LevelRequest::Triangles(limit) => sequence.split_count_for_triangles(limit),
-            LevelRequest::Error(limit) => sequence.split_count_for_error(limit),
-        };
-        self.last = LastShown::Uniform(split_count);
-        self.shown()
-    }
-
-    /// Refines for a camera; also returns whether repeating the request would give the same result.
-    ///
-    /// # Errors
-    /// If such a camera sees nothing.
-    pub(crate) fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
-        let criterion = view.criterion()?.with_model_bounds(self.sphere);
-        let scene = FanScene::new(&self.fans, &self.refinable);
-        let front = self.front.get_or_insert_with(|| FanFront::new(&scene));
-        let update = match view.triangle_limit {
-            0 => front.update(&scene, &criterion, usize::MAX),
-            limit => front.update_to_budget(&scene, &criterion, limit as usize),
-        };
-        self.last = LastShown::View;
-        Ok((self.shown(), update.is_complete))
     }
 
     /// Emits the triangles of the level shown last.
@@ -138,12 +97,6 @@ impl BuiltModel {
         }
     }
 
-    /// Reorders the shown triangles by fan and returns the fan number of each.
-    pub(crate) fn color_fans(&mut self, shown: &mut ShownLevel) -> Vec<u32> {
-        self.emit(FanForm::Fans);
-        coloring::by_fans(shown, &self.indices)
-    }
-
     fn emit(&mut self, form: FanForm) {
         match (self.last, &self.front) {
             (LastShown::View, Some(front)) => front.instance().emit_into(&self.fans, form, &mut self.indices),
@@ -154,5 +107,86 @@ impl BuiltModel {
             }
             (LastShown::View, None) => {}
         }
+    }
+}
+
+impl Leveled for BuiltModel {
+    fn is_complete(&self) -> bool {
+        true
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.refinable.mesh.vertex_count()
+    }
+
+    fn triangle_count(&self) -> usize {
+        self.refinable.mesh.triangle_count()
+    }
+
+    fn full_counts(&self) -> (usize, usize) {
+        (self.vertex_count(), self.triangle_count())
+    }
+
+    fn step_count(&self) -> usize {
+        self.refinable.sequence.step_count()
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        self.refinable.mesh.bounds()
+    }
+
+    fn smooth_normals(&self) -> Vec<[f32; 3]> {
+        let RefinableMesh { mesh, sequence } = &self.refinable;
+        normals::of_vertices(&mesh.positions, &mesh.triangles, sequence.positions().first_vertices())
+    }
+
+    fn split_count_for(&self, request: LevelRequest) -> usize {
+        let sequence = &self.refinable.sequence;
+        match request {
+            LevelRequest::Detail(detail) => sequence.split_count_for_detail(detail),
+            LevelRequest::Triangles(limit) => sequence.split_count_for_triangles(limit),
+            LevelRequest::Error(limit) => sequence.split_count_for_error(limit),
+        }
+    }
+
+    fn triangle_count_at(&self, split_count: usize) -> usize {
+        self.refinable.sequence.triangle_count_at(split_count.min(self.step_count()))
+    }
+
+    fn error_at(&self, split_count: usize) -> f32 {
+        self.refinable.sequence.error_at(split_count.min(self.step_count()))
+    }
+
+    fn vertices(&self, first: usize) -> Vertices {
+        let mesh = &self.refinable.mesh;
+        let first = first.min(mesh.vertex_count());
+        Vertices::new(&mesh.positions[first..], &mesh.layers, first)
+    }
+
+    fn show(&mut self, request: LevelRequest) -> ShownLevel {
+        let split_count = self.split_count_for(request);
+        self.last = LastShown::Uniform(split_count);
+        self.shown()
+    }
+
+    fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
+        let criterion = view.criterion()?.with_model_bounds(self.sphere);
+        let scene = FanScene::new(&self.fans, &self.refinable);
+        let front = self.front.get_or_insert_with(|| FanFront::new(&scene));
+        let update = match view.triangle_limit {
+            0 => front.update(&scene, &criterion, usize::MAX),
+            limit => front.update_to_budget(&scene, &criterion, limit as usize),
+        };
+        self.last = LastShown::View;
+        Ok((self.shown(), update.is_complete))
+    }
+
+    fn group_count(&self) -> usize {
+        self.fans.group_count()
+    }
+
+    fn color_fans(&mut self, shown: &mut ShownLevel) -> Vec<u32> {
+        self.emit(FanForm::Fans);
+        coloring::by_fans(shown, &self.indices)
     }
 }

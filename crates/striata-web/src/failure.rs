@@ -1,8 +1,12 @@
 //! The error type of this crate: a code for programs, a message for people, and a hint if a remedy is known.
 
 use striata::file::DecodeError;
+#[cfg(feature = "build")]
 use striata::simplify::SimplifyError;
+#[cfg(feature = "build")]
 use striata_io::ReadError;
+#[cfg(feature = "stream")]
+use striata_scene::stream::SceneStreamError;
 use striata_stream::StreamDefect;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -93,6 +97,20 @@ impl From<StreamDefect> for Failure {
     }
 }
 
+#[cfg(feature = "stream")]
+impl From<SceneStreamError> for Failure {
+    fn from(error: SceneStreamError) -> Self {
+        match &error {
+            SceneStreamError::Magic { .. } => Self::format(error),
+            SceneStreamError::Version { .. } => {
+                Self::unsupported(error).with_hint("a newer version of the viewer may read it")
+            }
+            _ => Self::corrupt(error),
+        }
+    }
+}
+
+#[cfg(feature = "build")]
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match &error {
@@ -110,6 +128,7 @@ impl From<ReadError> for Failure {
     }
 }
 
+#[cfg(feature = "build")]
 impl From<SimplifyError> for Failure {
     fn from(error: SimplifyError) -> Self {
         Self::corrupt(error)

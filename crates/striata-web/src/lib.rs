@@ -18,18 +18,29 @@
 //! Bytes are untrusted: for any input, a method succeeds or fails with a [`Failure`]. Inputs that would not
 //! fit into a page's memory are rejected before they are decoded.
 
+#[cfg(feature = "build")]
 mod built_model;
 mod coloring;
 #[cfg(feature = "encode")]
 mod encoder;
 mod failure;
+mod leveled;
 mod limits;
+#[cfg(feature = "build")]
+mod mesh_builder;
 mod model;
 mod normals;
+#[cfg(feature = "build")]
 mod progress;
+#[cfg(feature = "stream")]
+mod scene_model;
 mod shown_level;
+#[cfg(feature = "build")]
 mod stored_model;
 mod stream_place;
+#[cfg(feature = "stream")]
+mod stream_source;
+#[cfg(feature = "stream")]
 mod streamed_model;
 mod vertices;
 mod view;
@@ -37,10 +48,15 @@ mod view;
 #[cfg(feature = "encode")]
 pub use encoder::encode_file;
 pub use failure::Failure;
+#[cfg(feature = "build")]
+pub use mesh_builder::MeshBuilder;
 pub use model::Model;
+#[cfg(feature = "build")]
 pub use progress::Sink;
+#[cfg(feature = "stream")]
+pub use scene_model::{SceneDocument, SceneImage, SceneModel};
 pub use stream_place::StreamPlace;
-pub use vertices::Vertices;
+pub use vertices::{VertexLayer, Vertices};
 pub use view::View;
 
 /// Compiles the readme's example with the documentation tests.

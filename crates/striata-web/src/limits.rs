@@ -4,6 +4,9 @@
 //! stream states its final size, so a stream that cannot fit is rejected as soon as its header has arrived.
 //! The decoder itself never allocates more than the bytes received so far justify.
 
+#[cfg(feature = "stream")]
+use striata_scene::stream::SceneStreamInfo;
+#[cfg(feature = "stream")]
 use striata_stream::StreamInfo;
 
 use crate::Failure;
@@ -15,6 +18,7 @@ const MAX_VERTICES: usize = 8_000_000;
 const MAX_TRIANGLES: usize = 16_000_000;
 
 /// Maximum number of triangles of a mesh to simplify, which takes several times as much memory.
+#[cfg(feature = "build")]
 const MAX_BUILT_TRIANGLES: usize = 6_000_000;
 
 /// Maximum size of a file that is read as a whole, bytes.
@@ -24,8 +28,24 @@ pub(crate) const MAX_FILE_BYTES: usize = 1 << 30;
 ///
 /// # Errors
 /// If the complete stream would not fit.
+#[cfg(feature = "stream")]
 pub(crate) fn check_stream(facts: &StreamInfo) -> Result<(), Failure> {
     check_counts(facts.vertex_count, facts.triangle_count)
+}
+
+/// Checks that the meshes, the buffer and the images of a scene will fit into a page.
+///
+/// # Errors
+/// If the complete scene would not fit.
+#[cfg(feature = "stream")]
+pub(crate) fn check_scene(info: &SceneStreamInfo) -> Result<(), Failure> {
+    let meshes = || info.meshes.iter().flatten();
+    let count = |counts: u64| usize::try_from(counts).unwrap_or(usize::MAX);
+    let vertices = meshes().map(|mesh| u64::from(mesh.vertex_count)).sum();
+    let triangles = meshes().map(|mesh| u64::from(mesh.triangle_count)).sum();
+    check_counts(count(vertices), count(triangles))?;
+    let images = info.images.iter().fold(0u64, |sum, image| sum.saturating_add(image.bytes));
+    check_file(count(images.saturating_add(info.buffer_bytes)))
 }
 
 /// Checks that a complete model will fit into the memory of a page.
@@ -41,6 +61,7 @@ pub(crate) fn check_counts(vertex_count: usize, triangle_count: usize) -> Result
 ///
 /// # Errors
 /// If simplifying it would take too much memory.
+#[cfg(feature = "build")]
 pub(crate) fn check_to_build(vertex_count: usize, triangle_count: usize) -> Result<(), Failure> {
     let hint = "convert it to a stream with `striata encode`, which needs less memory and time";
     let limit = MAX_BUILT_TRIANGLES;

@@ -8,10 +8,12 @@
 use striata::mesh::Bounds;
 use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamInfo};
 
+use crate::leveled::Leveled;
 use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::stream_source::StreamSource;
 use crate::vertices::Vertices;
 use crate::view::View;
-use crate::{Failure, limits, normals};
+use crate::{Failure, coloring, limits, normals};
 
 /// Number of bytes passed to the decoder per call.
 const CHUNK_BYTES: usize = 1 << 16;
@@ -22,7 +24,7 @@ const MAX_HEAD_BYTES: usize = 1 << 24;
 /// A stream decoder, the facts from the stream's header, and the hierarchy for views.
 #[derive(Debug, Default)]
 pub(crate) struct StreamedModel {
-    decoder: StreamDecoder,
+    source: StreamSource,
     facts: Option<StreamInfo>,
     /// Bytes received so far, until the header is complete.
     head: Vec<u8>,
@@ -45,27 +47,9 @@ struct Revealed {
 }
 
 impl StreamedModel {
-    /// Appends bytes of the stream and decodes all complete chunks.
-    ///
-    /// # Errors
-    /// If the bytes are not a valid stream, or the model is too large for a page. The part decoded before
-    /// stays.
-    pub(crate) fn push(&mut self, bytes: &[u8]) -> Result<(), Failure> {
-        if self.facts.is_none() {
-            return self.push_head(bytes);
-        }
-        let result = bytes.chunks(CHUNK_BYTES).try_for_each(|chunk| {
-            let update = self.decoder.push(chunk)?;
-            self.changed.extend(update.changed_triangles);
-            Ok::<(), Failure>(())
-        });
-        if result.is_err() {
-            // A failed push keeps what it decoded before the damage, but does not report which triangles
-            // that changed.
-            self.hierarchy = GrowingHierarchy::new();
-        }
-        self.grow_bounds();
-        result
+    /// Shows a mesh that something else decodes.
+    pub(crate) fn of_source(source: StreamSource) -> Self {
+        Self { source, ..Self::default() }
     }
 
     /// Buffers bytes until the header states the final size: nothing is decoded of a stream that is too
@@ -84,15 +68,61 @@ impl StreamedModel {
         self.push(&bytes)
     }
 
-    /// Ends the stream: decodes what an incomplete last chunk contains.
-    ///
-    /// # Errors
-    /// If the base mesh is incomplete.
-    pub(crate) fn finish(&mut self) -> Result<(), Failure> {
-        if self.decoder.is_complete() {
+    fn grow_bounds(&mut self) {
+        let first = self.bounded_count;
+        let read = self.source.read(|decoder| {
+            let positions = decoder.positions();
+            Some((Bounds::of(&positions[first..])?, positions.len()))
+        });
+        let Some((new, count)) = read else { return };
+        self.bounded_count = count;
+        let old = self.bounds.unwrap_or(new);
+        self.bounds = Some(Bounds {
+            min: [0, 1, 2].map(|i| old.min[i].min(new.min[i])),
+            max: [0, 1, 2].map(|i| old.max[i].max(new.max[i])),
+        });
+    }
+
+    /// Properties of the whole stream, once its header has arrived.
+    fn facts(&self) -> Option<StreamInfo> {
+        self.facts.clone().or_else(|| self.source.read(|decoder| decoder.info()))
+    }
+
+    /// Sorts triangles by group; the error is that of the level that lacks the step `coarsest`.
+    fn shown(&self, numbered: &[(u32, [u32; 3])], split_count: usize, coarsest: usize) -> ShownLevel {
+        let group_count = self.group_count();
+        let ((triangles, group_counts), error) = self.source.read(|decoder| {
+            let error = decoder.error_at(coarsest).unwrap_or(0.0);
+            (by_group(numbered, decoder.triangle_groups(), group_count), error)
+        });
+        ShownLevel { triangles, group_counts, split_count, error }
+    }
+}
+
+impl Leveled for StreamedModel {
+    fn push(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        if self.facts.is_none() {
+            return self.push_head(bytes);
+        }
+        let result = bytes.chunks(CHUNK_BYTES).try_for_each(|chunk| {
+            let update = self.source.own()?.push(chunk)?;
+            self.changed.extend(update.changed_triangles);
+            Ok::<(), Failure>(())
+        });
+        if result.is_err() {
+            // A failed push keeps what it decoded before the damage, but does not report which triangles
+            // that changed.
+            self.hierarchy = GrowingHierarchy::new();
+        }
+        self.grow_bounds();
+        result
+    }
+
+    fn finish(&mut self) -> Result<(), Failure> {
+        if self.is_complete() {
             return Ok(());
         }
-        let result = self.decoder.finish();
+        let result = self.source.own()?.finish();
         self.grow_bounds();
         let update =
             result.map_err(|error| Failure::from(error).with_hint("the stream was truncated very early"))?;
@@ -100,17 +130,22 @@ impl StreamedModel {
         Ok(())
     }
 
-    /// Extends the hierarchy by all steps that have arrived.
-    pub(crate) fn grow(&mut self) {
+    fn grow(&mut self) {
+        if let Some(changed) = self.source.take_changed_triangles() {
+            self.changed.extend(changed);
+            self.grow_bounds();
+        }
         self.changed.sort_unstable();
         self.changed.dedup();
-        let error = |step| self.decoder.error_at(step).unwrap_or(0.0);
-        self.hierarchy.grow(&self.decoder.prefix(), &self.changed, error);
+        let Self { source, hierarchy, changed, .. } = self;
+        source.read(|decoder| {
+            let error = |step| decoder.error_at(step).unwrap_or(0.0);
+            hierarchy.grow(&decoder.prefix(), changed, error);
+        });
         self.changed.clear();
     }
 
-    /// Makes everything that has arrived available to levels and views.
-    pub(crate) fn reveal(&mut self) {
+    fn reveal(&mut self) {
         self.grow();
         self.revealed = Revealed {
             step_count: self.hierarchy.step_count(),
@@ -120,111 +155,110 @@ impl StreamedModel {
         self.cut.limit_steps(self.revealed.step_count);
     }
 
-    fn grow_bounds(&mut self) {
-        let positions = self.decoder.positions();
-        let Some(new) = Bounds::of(&positions[self.bounded_count..]) else { return };
-        self.bounded_count = positions.len();
-        let old = self.bounds.unwrap_or(new);
-        self.bounds = Some(Bounds {
-            min: [0, 1, 2].map(|i| old.min[i].min(new.min[i])),
-            max: [0, 1, 2].map(|i| old.max[i].max(new.max[i])),
-        });
+    fn is_complete(&self) -> bool {
+        self.source.read(|decoder| decoder.is_complete())
     }
 
-    pub(crate) fn decoder(&self) -> &StreamDecoder {
-        &self.decoder
-    }
-
-    pub(crate) fn facts(&self) -> Option<&StreamInfo> {
-        self.facts.as_ref()
-    }
-
-    pub(crate) fn bounds(&self) -> Option<Bounds> {
-        self.bounds
-    }
-
-    pub(crate) fn group_count(&self) -> usize {
-        self.facts.as_ref().map_or(1, |facts| facts.group_count.max(1))
-    }
-
-    /// Number of revealed vertices.
-    pub(crate) fn vertex_count(&self) -> usize {
+    fn vertex_count(&self) -> usize {
         self.revealed.vertex_count
     }
 
-    /// Triangle count of the finest revealed level.
-    pub(crate) fn triangle_count(&self) -> usize {
+    fn triangle_count(&self) -> usize {
         self.revealed.triangle_count
     }
 
-    pub(crate) fn vertices(&self, first: usize) -> Vertices {
-        let count = self.vertex_count();
-        let first = first.min(count);
-        Vertices::new(&self.decoder.positions()[first..count], &self.decoder.layers_of(first..count), 0)
+    fn step_count(&self) -> usize {
+        self.source.read(|decoder| decoder.step_count()).unwrap_or(0)
     }
 
-    pub(crate) fn smooth_normals(&self) -> Vec<[f32; 3]> {
-        let decoder = &self.decoder;
-        let mut normals =
-            normals::of_vertices(decoder.positions(), decoder.triangles(), decoder.first_vertices());
+    fn group_count(&self) -> usize {
+        self.facts().map_or(1, |facts| facts.group_count.max(1))
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        self.bounds
+    }
+
+    fn vertices(&self, first: usize) -> Vertices {
+        let count = self.vertex_count();
+        let first = first.min(count);
+        self.source.read(|decoder| {
+            Vertices::new(&decoder.positions()[first..count], &decoder.layers_of(first..count), 0)
+        })
+    }
+
+    fn full_counts(&self) -> (usize, usize) {
+        self.facts().map_or((0, 0), |facts| (facts.vertex_count, facts.triangle_count))
+    }
+
+    fn stream_bytes(&self) -> u64 {
+        self.facts().map_or(0, |facts| facts.stream_bytes)
+    }
+
+    fn smooth_normals(&self) -> Vec<[f32; 3]> {
+        let mut normals = self.source.read(|decoder| {
+            normals::of_vertices(decoder.positions(), decoder.triangles(), decoder.first_vertices())
+        });
         normals.truncate(self.vertex_count());
         normals
     }
 
-    /// Returns the requested level, as far as it has arrived.
-    pub(crate) fn show(&self, request: LevelRequest) -> ShownLevel {
+    fn split_count_for(&self, request: LevelRequest) -> usize {
+        let available = self.revealed.step_count;
+        self.source.read(|decoder| split_count_for(decoder, request, available))
+    }
+
+    fn triangle_count_at(&self, split_count: usize) -> usize {
+        let split_count = split_count.min(self.revealed.step_count);
+        self.source.read(|decoder| decoder.prefix().triangle_count_at(split_count))
+    }
+
+    fn error_at(&self, split_count: usize) -> f32 {
+        self.source.read(|decoder| decoder.error_at(split_count).unwrap_or(0.0))
+    }
+
+    fn show(&mut self, request: LevelRequest) -> ShownLevel {
         let split_count = self.split_count_for(request);
         let mut triangles = Vec::new();
-        self.decoder.prefix().triangles_at_into(split_count, &mut triangles);
+        self.source.read(|decoder| decoder.prefix().triangles_at_into(split_count, &mut triangles));
         self.shown(&triangles, split_count, split_count)
     }
 
-    /// Refines what has been revealed for a camera.
-    ///
-    /// # Errors
-    /// If such a camera sees nothing.
-    pub(crate) fn show_view(&mut self, view: &View) -> Result<ShownLevel, Failure> {
+    fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
         let criterion = view.criterion()?;
-        let mesh = self.decoder.prefix();
         let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
         self.cut.refine(&self.hierarchy, &criterion, limit);
         let mut triangles = Vec::new();
-        self.cut.triangles_into(&self.hierarchy, &mesh, &mut triangles);
+        let (cut, hierarchy) = (&self.cut, &self.hierarchy);
+        self.source.read(|decoder| cut.triangles_into(hierarchy, &decoder.prefix(), &mut triangles));
         let coarsest = self.cut.first_coarse_step(&self.hierarchy);
-        Ok(self.shown(&triangles, self.cut.split_count(), coarsest))
+        Ok((self.shown(&triangles, self.cut.split_count(), coarsest), true))
     }
 
-    /// Sorts triangles by group; the error is that of the level that lacks the step `coarsest`.
-    fn shown(&self, numbered: &[(u32, [u32; 3])], split_count: usize, coarsest: usize) -> ShownLevel {
-        let (triangles, group_counts) =
-            by_group(numbered, self.decoder.triangle_groups(), self.group_count());
-        let error = self.decoder.error_at(coarsest).unwrap_or(0.0);
-        ShownLevel { triangles, group_counts, split_count, error }
+    fn color_fans(&mut self, shown: &mut ShownLevel) -> Vec<u32> {
+        coloring::by_pivots(shown)
     }
+}
 
-    fn split_count_for(&self, request: LevelRequest) -> usize {
-        let available = self.revealed.step_count;
-        match request {
-            LevelRequest::Detail(detail) => {
-                let step_count = self.decoder.step_count().unwrap_or(0);
-                let exact = detail.clamp(0.0, 1.0) * step_count as f64;
-                // The small term keeps `k / step_count` from rounding down to k - 1.
-                ((exact + 1e-9 * exact.max(1.0)) as usize).min(available)
+/// Number of vertex splits of the level that a request selects among those that are available.
+fn split_count_for(decoder: &StreamDecoder, request: LevelRequest, available: usize) -> usize {
+    match request {
+        LevelRequest::Detail(detail) => {
+            let step_count = decoder.step_count().unwrap_or(0);
+            let exact = detail.clamp(0.0, 1.0) * step_count as f64;
+            // The small term keeps `k / step_count` from rounding down to k - 1.
+            ((exact + 1e-9 * exact.max(1.0)) as usize).min(available)
+        }
+        LevelRequest::Triangles(limit) => decoder.prefix().split_count_for_triangles(limit).min(available),
+        LevelRequest::Error(limit) => {
+            let is_farther = |s: usize| decoder.error_at(s).is_some_and(|e| f64::from(e) > limit);
+            // Errors never rise with the split count, so a binary search finds the first small enough one.
+            let (mut low, mut high) = (0, available);
+            while low < high {
+                let middle = low.midpoint(high);
+                if is_farther(middle) { low = middle + 1 } else { high = middle }
             }
-            LevelRequest::Triangles(limit) => {
-                self.decoder.prefix().split_count_for_triangles(limit).min(available)
-            }
-            LevelRequest::Error(limit) => {
-                let is_farther = |s: usize| self.decoder.error_at(s).is_some_and(|e| f64::from(e) > limit);
-                // Errors never rise with the split count, so a binary search finds the first small enough
-                // one.
-                let (mut low, mut high) = (0, available);
-                while low < high {
-                    let middle = low.midpoint(high);
-                    if is_farther(middle) { low = middle + 1 } else { high = middle }
-                }
-                low
-            }
+            low
         }
     }
 }

@@ -27,29 +27,54 @@ const WASM_OPT_FEATURES: [&str; 7] = [
     "--enable-multivalue",
 ];
 
+/// A wasm module that is built from `crates/striata-web`.
+#[derive(Clone, Copy)]
+pub(super) struct Module {
+    /// Name of the wasm file and its script.
+    name: &'static str,
+    /// Cargo feature that it contains.
+    feature: &'static str,
+    profile: &'static str,
+    /// Optimization by wasm-opt.
+    optimization: &'static str,
+}
+
+/// What every page loads, and what only pages load that read files without a stream.
+pub(super) const MODULES: [Module; 2] = [
+    Module { name: "striata", feature: "stream", profile: "web", optimization: "-O2" },
+    Module { name: "striata-builder", feature: "build", profile: "web-builder", optimization: "-Oz" },
+];
+
+/// What the viewer page loads in place of the builder: it also saves models.
+pub(super) const ENCODER: Module =
+    Module { name: "striata-encoder", feature: "encode", profile: "web-builder", optimization: "-Oz" };
+
 /// Files built from `crates/striata-web`.
 pub(super) struct BuiltFiles {
+    name: &'static str,
     wasm: Vec<u8>,
     script: String,
     types: String,
 }
 
-/// Builds the wasm and its script.
+/// Builds a module and its script.
 ///
 /// # Errors
 /// If a tool fails.
-pub(super) fn build() -> Result<BuiltFiles> {
-    let arguments =
-        ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
-    steps::run(cargo(&arguments).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f")))?;
-    let compiled = target_folder()?.join(WASM_TARGET).join("web/striata_web.wasm");
+pub(super) fn build(module: Module) -> Result<BuiltFiles> {
+    let Module { name, feature, profile, optimization } = module;
+    let arguments = ["build", "--locked", "-p", "striata-web", "--lib", "--target", WASM_TARGET];
+    let options = ["--no-default-features", "--features", feature, "--profile", profile];
+    let mut command = cargo(&[&arguments[..], &options].concat());
+    steps::run(command.env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f")))?;
+    let compiled = target_folder()?.join(WASM_TARGET).join(profile).join("striata_web.wasm");
     let mut bindgen = Bindgen::new();
     bindgen.input_path(compiled).web(true)?.typescript(true);
     bindgen.omit_default_module_path(true).remove_producers_section(true);
     let mut output = bindgen.generate_output().context("wasm-bindgen failed")?;
-    let wasm = optimized(&output.wasm_mut().emit_wasm())?;
+    let wasm = optimized(&output.wasm_mut().emit_wasm(), optimization)?;
     let (script, types) = (output.js().to_owned(), output.ts().unwrap_or_default().to_owned());
-    Ok(BuiltFiles { wasm, script, types })
+    Ok(BuiltFiles { name, wasm, script, types })
 }
 
 /// Writes the built files.
@@ -57,10 +82,11 @@ pub(super) fn build() -> Result<BuiltFiles> {
 /// # Errors
 /// If a file cannot be written.
 pub(super) fn write(built: &BuiltFiles, dist: &Path, scripts: &Path) -> Result<()> {
+    let BuiltFiles { name, .. } = built;
     let files = [
-        (dist.join("striata.wasm"), &built.wasm[..]),
-        (scripts.join("striata_web.js"), built.script.as_bytes()),
-        (scripts.join("striata_web.d.ts"), built.types.as_bytes()),
+        (dist.join(format!("{name}.wasm")), &built.wasm[..]),
+        (scripts.join(format!("{name}.js")), built.script.as_bytes()),
+        (scripts.join(format!("{name}.d.ts")), built.types.as_bytes()),
     ];
     for (path, bytes) in files {
         std::fs::create_dir_all(path.parent().unwrap_or(&path))?;
@@ -106,13 +132,16 @@ fn target_folder() -> Result<PathBuf> {
 }
 
 /// Optimizes the wasm with wasm-opt.
-fn optimized(wasm: &[u8]) -> Result<Vec<u8>> {
+fn optimized(wasm: &[u8], optimization: &str) -> Result<Vec<u8>> {
     let scratch = std::env::temp_dir().join(format!("striata-wasm-{}", std::process::id()));
     std::fs::create_dir_all(&scratch)?;
     let (input, output) = (scratch.join("in.wasm"), scratch.join("out.wasm"));
     std::fs::write(&input, wasm)?;
     let mut command = Command::new("node");
-    command.arg(folder().join("node_modules/binaryen/bin/wasm-opt")).arg("-O2").args(WASM_OPT_FEATURES);
+    command
+        .arg(folder().join("node_modules/binaryen/bin/wasm-opt"))
+        .arg(optimization)
+        .args(WASM_OPT_FEATURES);
     steps::run(command.arg(&input).arg("-o").arg(&output))?;
     let bytes = std::fs::read(&output)?;
     std::fs::remove_dir_all(&scratch)?;

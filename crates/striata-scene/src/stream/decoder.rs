@@ -10,7 +10,7 @@ use super::SceneStreamError;
 use super::head::SceneHead;
 use super::images::ReceivedImage;
 use super::packet::{HEADER_BYTES, PacketHead, PacketKind, read_header};
-use super::prefix::{check_head, prefix_scene};
+use super::prefix::{ReceivedDocument, check_head, prefix_document, prefix_scene};
 use super::received::{Received, ReceivedMesh};
 
 /// What one call to the decoder brought.
@@ -309,7 +309,18 @@ impl SceneStreamDecoder {
     /// [`SceneStreamError::NotDrawable`] before the document and the skins have arrived. Meshes whose base
     /// has not arrived show nothing: see [`is_drawable`](Self::is_drawable).
     pub fn scene(&self) -> Result<Scene, SceneStreamError> {
-        let missing = || SceneStreamError::NotDrawable { missing: "the document" };
-        prefix_scene(self.received.as_ref().ok_or_else(missing)?, self.received())
+        prefix_scene(self.received_parts()?, self.received())
+    }
+
+    /// The scene received so far, without its geometry.
+    ///
+    /// # Errors
+    /// [`SceneStreamError::NotDrawable`] before the document and the skins have arrived.
+    pub fn received_document(&self) -> Result<ReceivedDocument, SceneStreamError> {
+        prefix_document(self.received_parts()?, self.received())
+    }
+
+    fn received_parts(&self) -> Result<&Received, SceneStreamError> {
+        self.received.as_deref().ok_or(SceneStreamError::NotDrawable { missing: "the document" })
     }
 }

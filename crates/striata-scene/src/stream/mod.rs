@@ -76,3 +76,4 @@ pub use error::{SceneEncodeError, SceneStreamError};
 pub use images::{ImageState, ReceivedImage};
 pub use info::{SceneStreamInfo, StreamedImage, StreamedMesh};
 pub use options::SceneStreamOptions;
+pub use prefix::ReceivedDocument;

@@ -42,11 +42,33 @@ pub(super) fn check_head(head: &SceneHead) -> Result<(), SceneStreamError> {
     Ok(())
 }
 
-/// Builds the scene of everything that has been received, given the number of bytes received.
-pub(super) fn prefix_scene(received: &Received, bytes: u64) -> Result<Scene, SceneStreamError> {
+/// Everything of a scene but its geometry, as far as it has been received.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ReceivedDocument {
+    /// The glTF document. Attributes of triangle primitives are `null`, images have neither `uri` nor
+    /// `bufferView`, and there are no `buffers`. It has no animations until their data has arrived.
+    pub document: Value,
+    /// The buffer that the document's buffer views refer to.
+    pub buffer: Vec<u8>,
+    /// The images; previews or single pixels of the average color instead of those that have not arrived.
+    pub images: Vec<Image>,
+    /// Whether the data of animations has arrived, or there is none.
+    pub has_animations: bool,
+}
+
+/// Puts the document together, given the number of bytes received.
+pub(super) fn prefix_document(received: &Received, bytes: u64) -> Result<ReceivedDocument, SceneStreamError> {
     let mut document = received.head.document.clone();
+    let has_animations = received.parts[1].is_some() || received.head.buffer[1].is_empty();
     let buffer = buffer_of(received, bytes, &mut document)?;
     let images = images_of(received, &mut document);
+    Ok(ReceivedDocument { document, buffer, images, has_animations })
+}
+
+/// Builds the scene of everything that has been received, given the number of bytes received.
+pub(super) fn prefix_scene(received: &Received, bytes: u64) -> Result<Scene, SceneStreamError> {
+    let ReceivedDocument { document, buffer, images, .. } = prefix_document(received, bytes)?;
     let meshes = received.meshes.iter().map(|mesh| {
         let mesh = mesh.as_ref()?;
         let refinable = mesh.refinable_mesh().map(|refinable| refinable.mesh);

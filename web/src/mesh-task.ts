@@ -1,0 +1,186 @@
+/** Loads a single mesh: passes bytes to the engine as they arrive, and creates a mesh as soon as there is something to draw. */
+
+import { concat, iterable, open, type OpenedSource } from './bytes.ts';
+import { contentOf, type Content } from './content.ts';
+import { aborted, asPlain, asStriataError, fromPlain, StriataError } from './error.ts';
+import { connectEngine, type EngineConnection } from './connection.ts';
+import { StriataMesh, type LoaderHandle } from './mesh.ts';
+import type { Order, Report } from './protocol.ts';
+import type { LoaderOptions, LoadOptions, Source } from './types.ts';
+import { builderModule, start, wasmModule } from './wasm.ts';
+
+/** Loads one model. */
+export class MeshTask {
+  readonly #loader: LoaderOptions;
+  readonly #options: LoadOptions;
+  /** Cancels loading altogether. */
+  readonly #stop = new AbortController();
+  /** Cancels only the download. */
+  readonly #download = new AbortController();
+  #engine: EngineConnection<Order> | undefined;
+  #mesh: StriataMesh | undefined;
+  /** Whether the engine receives only the stream inside a larger file. */
+  #isInContainer = false;
+  #received = 0;
+  #total: number | null = null;
+  #resolve!: (mesh: StriataMesh) => void;
+  #reject!: (error: StriataError) => void;
+
+  constructor(loader: LoaderOptions, options: LoadOptions) {
+    this.#loader = loader;
+    this.#options = options;
+  }
+
+  run(source: Source): Promise<StriataMesh> {
+    const { signal } = this.#options;
+    if (signal?.aborted) return Promise.reject(aborted());
+    const loaded = this.#begin();
+    this.#fetch(source).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
+    return loaded;
+  }
+
+  #begin(): Promise<StriataMesh> {
+    const { signal } = this.#options;
+    const abort = () => this.#fail(aborted());
+    signal?.addEventListener('abort', abort, { once: true });
+    // Aborting the signal after loading has finished has no effect.
+    this.#download.signal.addEventListener('abort', () => signal?.removeEventListener('abort', abort));
+    return new Promise<StriataMesh>((resolve, reject) => {
+      this.#resolve = resolve;
+      this.#reject = reject;
+    });
+  }
+
+  async #fetch(source: Source): Promise<void> {
+    const [module, opened] = await Promise.all([
+      wasmModule(this.#loader.wasm),
+      open(source, this.#options.name, this.#download.signal),
+    ]);
+    if (this.#stop.signal.aborted) return;
+    // The page itself parses the headers of containers.
+    start(module);
+    this.#total = opened.length;
+    const content = await contentOf(opened);
+    if (this.#stop.signal.aborted) return;
+    if (content.kind === 'scene') {
+      throw new StriataError('unsupported', 'this is a scene, not a single mesh', 'use `loader.loadAsync(url)`');
+    }
+    await this.#receive(module, opened, content);
+  }
+
+  /** Loads a source that has been opened. */
+  runContent(module: WebAssembly.Module, opened: OpenedSource, content: Content, download: AbortController): Promise<StriataMesh> {
+    download.signal.addEventListener('abort', () => this.#download.abort());
+    const loaded = this.#begin();
+    this.#receive(module, opened, content).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
+    return loaded;
+  }
+
+  async #receive(module: WebAssembly.Module, opened: OpenedSource, content: Content): Promise<void> {
+    this.#total = content.byteCount;
+    this.#isInContainer = content.isInContainer;
+    this.#engine = connectEngine(module, this.#loader.worker ?? true, (report) => this.#onMessage(report));
+    const parts: Uint8Array[] = [];
+    for await (const bytes of iterable(content.chunks)) {
+      if (this.#download.signal.aborted) return;
+      this.#received += bytes.length;
+      if (content.kind === 'stream') this.#engine.send({ type: 'bytes', bytes });
+      else parts.push(bytes);
+      this.#progress();
+    }
+    if (this.#download.signal.aborted) return;
+    this.#total = this.#received;
+    if (content.kind === 'stream') {
+      this.#engine.send({ type: 'end' });
+    } else {
+      const builder = await builderModule(this.#loader);
+      if (this.#stop.signal.aborted) return;
+      this.#engine.send({ type: 'file', bytes: concat(parts), name: opened.name || 'file', builder });
+    }
+    this.#progress();
+  }
+
+  /** The source failed; the part that has arrived may still be usable. */
+  #onSourceError(error: StriataError): void {
+    if (this.#download.signal.aborted) return;
+    if (this.#engine && error.code !== 'aborted') this.#engine.send({ type: 'end', error: asPlain(error) });
+    else this.#fail(error);
+  }
+
+  #onMessage(report: Report): void {
+    if (this.#stop.signal.aborted) return;
+    switch (report.type) {
+      case 'update':
+        if (this.#isInContainer) report.state.kind = 'striata';
+        if (this.#mesh) {
+          this.#mesh.update(report);
+        } else if (report.indices.length > 0 || report.state.complete) {
+          this.#mesh = new StriataMesh(report, this.#options.material, this.#handle());
+          this.#mesh.name = this.#options.name ?? '';
+          this.#resolve(this.#mesh);
+        }
+        this.#progress();
+        break;
+      case 'building':
+        this.#progress('build');
+        break;
+      case 'failed':
+        this.#fail(fromPlain(report.error));
+        break;
+      case 'finished':
+        this.#download.abort(aborted());
+        this.#mesh?.end();
+        this.#progress();
+        break;
+    }
+  }
+
+  /** The interface through which the mesh controls loading. */
+  #handle(): LoaderHandle {
+    return {
+      send: (order) => this.#engine?.send(order),
+      bytes: () => ({ received: this.#received, total: this.#total }),
+      dispose: () => this.#close(),
+    };
+  }
+
+  #progress(phase?: 'build'): void {
+    const state = this.#mesh?.state;
+    const progress = {
+      bytesReceived: this.#received,
+      bytesTotal: this.#total ?? (state?.streamBytes || null),
+      triangleCount: state?.triangleCount ?? 0,
+      vertexCount: state?.vertexCount ?? 0,
+      complete: state?.complete ?? false,
+      phase: phase ?? state?.phase ?? 'download',
+    };
+    try {
+      this.#options.onProgress?.(progress);
+    } catch (thrown) {
+      // An error in the caller's callback is reported as uncaught; loading continues.
+      queueMicrotask(() => {
+        throw thrown;
+      });
+    }
+    this.#mesh?.dispatchEvent({ type: 'progress', progress });
+  }
+
+  /** Ends loading with an error. If there is a mesh, it keeps what has loaded. */
+  #fail(error: StriataError): void {
+    if (this.#stop.signal.aborted) return;
+    if (this.#mesh && error.code !== 'aborted') {
+      this.#download.abort(aborted());
+      this.#mesh.end(error);
+      return;
+    }
+    this.#mesh?.end(error);
+    this.#close();
+    this.#reject(error);
+  }
+
+  #close(): void {
+    this.#stop.abort(aborted());
+    this.#download.abort(aborted());
+    this.#engine?.dispose();
+  }
+}
