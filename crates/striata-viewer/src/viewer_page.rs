@@ -16,6 +16,10 @@ use striata_command::page::escaped;
 #[folder = "viewer/"]
 pub struct ViewerFiles;
 
+/// Names of the wasm modules, up to their hash, and the ids under which a page looks for them.
+const MODULES: [(&str, &str); 2] =
+    [("striata-", "striata-wasm"), ("striata-encoder-", "striata-builder-wasm")];
+
 /// Returns the viewer as a single page, with a model (file name and bytes) embedded if given.
 ///
 /// # Errors
@@ -41,9 +45,10 @@ impl Files<'_> {
         let name = self.name("viewer-", ".js").ok_or_else(|| lacks("viewer-*.js"))?;
         let tag = tag_naming(&page, "script", name).ok_or_else(|| not_loaded(name))?;
         let mut inlined = String::new();
-        if let Some(wasm) = self.name("striata-", ".wasm") {
-            let wasm = BASE64.encode(self.bytes(wasm)?);
-            inlined += &format!("<script type=\"text/plain\" id=\"striata-wasm\">{wasm}</script>\n");
+        for (start, id) in MODULES {
+            let name = self.name(start, ".wasm").ok_or_else(|| lacks(start))?;
+            let wasm = BASE64.encode(self.bytes(name)?);
+            inlined += &format!("<script type=\"text/plain\" id=\"{id}\">{wasm}</script>\n");
         }
         if let Some((name, bytes)) = model {
             let (name, bytes) = (escaped(name), BASE64.encode(bytes));
@@ -58,7 +63,9 @@ impl Files<'_> {
 
     /// The file whose name starts and ends like this, with a hash in between.
     fn name(&self, start: &str, end: &str) -> Option<&str> {
-        self.names.iter().map(String::as_str).find(|name| name.starts_with(start) && name.ends_with(end))
+        let is_hash = |text: &str| text.bytes().all(|byte| byte.is_ascii_hexdigit());
+        let hash = |name: &str| Some(is_hash(name.strip_prefix(start)?.strip_suffix(end)?));
+        self.names.iter().map(String::as_str).find(|&name| hash(name) == Some(true))
     }
 
     fn bytes(&self, name: &str) -> Result<Vec<u8>, Failure> {
@@ -104,7 +111,8 @@ fn escape_end_tags(code: &str, element: &str) -> String {
 mod tests {
     use super::*;
 
-    const NAMES: [&str; 4] = ["index.html", "viewer-12ab.css", "viewer-34cd.js", "striata-56ef.wasm"];
+    const NAMES: [&str; 5] =
+        ["index.html", "viewer-12ab.css", "viewer-34cd.js", "striata-encoder-78.wasm", "striata-56ef.wasm"];
 
     fn fixture(name: &str) -> Option<Vec<u8>> {
         let text = match name {
@@ -115,6 +123,7 @@ mod tests {
             "viewer-34cd.js" => "const end = '</script>', note = '<!--';",
             "viewer-12ab.css" => "p { color: red }",
             "striata-56ef.wasm" => "\0asm",
+            "striata-encoder-78.wasm" => "\0asm2",
             _ => return None,
         };
         Some(text.as_bytes().to_vec())
@@ -130,6 +139,7 @@ mod tests {
         let page = files("", &fixture).assemble(Some(("a\"b<c>.stri", b"foobar"))).expect("all parts");
         let expected = "<head><link rel=\"icon\" href=\"data:,\"><style>p { color: red }</style>\
              <script type=\"text/plain\" id=\"striata-wasm\">AGFzbQ==</script>\n\
+             <script type=\"text/plain\" id=\"striata-builder-wasm\">AGFzbTI=</script>\n\
              <script type=\"text/plain\" id=\"striata-model\" data-name=\"a&quot;b&lt;c&gt;.stri\">Zm9vYmFy</script>\n\
              <script type=\"module\">const end = '<\\/script>', note = '<\\!--';</script></head>";
         assert_eq!(page, expected);

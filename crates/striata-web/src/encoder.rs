@@ -29,7 +29,12 @@ pub fn encode_file(bytes: Vec<u8>, name: &str, format: &str, sink: &Sink) -> Res
     encode(bytes, name, format, &mut progress)
 }
 
-fn encode(bytes: Vec<u8>, name: &str, format: &str, progress: &mut ProgressFn<'_>) -> Result<Vec<u8>, Failure> {
+fn encode(
+    bytes: Vec<u8>,
+    name: &str,
+    format: &str,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Vec<u8>, Failure> {
     limits::check_file(bytes.len())?;
     let scene = scene_of(&bytes, name)?;
     drop(bytes);
@@ -53,7 +58,9 @@ fn encode(bytes: Vec<u8>, name: &str, format: &str, progress: &mut ProgressFn<'_
 fn scene_of(bytes: &[u8], name: &str) -> Result<Scene, Failure> {
     let source = Source::new(name);
     match Format::detect(bytes, name) {
-        Some(Format::Stream) if bytes.starts_with(&striata::file::SCENE_STREAM_MAGIC) => streamed_scene(bytes),
+        Some(Format::Stream) if bytes.starts_with(&striata::file::SCENE_STREAM_MAGIC) => {
+            streamed_scene(bytes)
+        }
         Some(Format::Stream) => {
             let stream = striata_stream::open_stream(bytes)?;
             if stream.is_truncated() {
