@@ -1,33 +1,19 @@
-// Builds the viewer page, web/viewer -> crates/striata-viewer/viewer, which the command embeds: one script with plain file names.
-import { readFileSync } from 'node:fs';
+// Builds the viewer page, web/viewer -> crates/striata-viewer/viewer, which the command embeds: one script, and names that contain a
+// hash of the contents, so that browsers may keep the files without asking again.
 import { fileURLToPath } from 'node:url';
-import { defineConfig, type Plugin } from 'vite';
+import { defineConfig } from 'vite';
 
-const wasm = fileURLToPath(new URL('dist/striata.wasm', import.meta.url));
-
-/** Serves striata.wasm next to the script during development, and copies it there for the build. */
-function wasmNextToScript(): Plugin {
-  return {
-    name: 'wasm-next-to-script',
-    configureServer(server) {
-      server.middlewares.use((request, response, next) => {
-        if (!request.url?.split('?')[0]?.endsWith('/striata.wasm')) return next();
-        response.setHeader('Content-Type', 'application/wasm');
-        response.end(readFileSync(wasm));
-      });
-    },
-    generateBundle() {
-      this.emitFile({ type: 'asset', fileName: 'striata.wasm', source: readFileSync(wasm) });
-    },
-  };
-}
+/** `striata serve` recognizes names that end in a hyphen and 16 hexadecimal digits. */
+const HASHED = '[name]-[hash:16]';
 
 export default defineConfig({
   root: 'viewer',
   base: './',
   publicDir: false,
-  plugins: [wasmNextToScript()],
   worker: { format: 'iife' },
+  // The page builds levels with the module that also saves models.
+  resolve: { alias: [{ find: /^\.\/wasm\/striata-builder\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata-encoder.js', import.meta.url)) }] },
+  server: { fs: { allow: ['..'] } },
   build: {
     // The check builds into another folder than the committed one.
     outDir: process.env['STRIATA_WEB_VIEWER'] ?? '../../crates/striata-viewer/viewer',
@@ -41,8 +27,9 @@ export default defineConfig({
     rollupOptions: {
       output: {
         inlineDynamicImports: true,
-        entryFileNames: 'viewer.js',
-        assetFileNames: (asset) => (asset.names[0]?.endsWith('.css') ? 'viewer.css' : '[name][extname]'),
+        hashCharacters: 'hex',
+        entryFileNames: `viewer-[hash:16].js`,
+        assetFileNames: (asset) => (asset.names[0]?.endsWith('.css') ? 'viewer-[hash:16].css' : `${HASHED}[extname]`),
       },
     },
   },

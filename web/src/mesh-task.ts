@@ -122,7 +122,7 @@ export class MeshTask {
         this.#progress();
         break;
       case 'building':
-        this.#progress('build');
+        this.#progress('build', report.share);
         break;
       case 'failed':
         this.#fail(fromPlain(report.error));
@@ -144,7 +144,7 @@ export class MeshTask {
     };
   }
 
-  #progress(phase?: 'build'): void {
+  #progress(phase?: 'build', share?: number): void {
     const state = this.#mesh?.state;
     const progress = {
       bytesReceived: this.#received,
@@ -153,6 +153,7 @@ export class MeshTask {
       vertexCount: state?.vertexCount ?? 0,
       complete: state?.complete ?? false,
       phase: phase ?? state?.phase ?? 'download',
+      ...(share === undefined ? {} : { share }),
     };
     try {
       this.#options.onProgress?.(progress);

@@ -26,6 +26,8 @@ export interface Progress {
   /** Whether the whole mesh has loaded. */
   complete: boolean;
   phase: Phase;
+  /** While levels are being built: the completed fraction, 0 to 1. */
+  share?: number;
 }
 
 /** Why a model could not be loaded. */

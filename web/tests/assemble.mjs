@@ -2,23 +2,25 @@
 //
 // Usage: `node tests/assemble.mjs MODEL OUT.html`.
 
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { viewerFolder } from './harness.mjs';
 
 /** Returns the page with script, style, wasm and model inlined. */
 export function assemble(model, name) {
+  const names = readdirSync(viewerFolder);
+  const named = (start, end) => names.find((name) => new RegExp(`^${start}-[0-9a-f]+\\.${end}$`).test(name));
+  const [scriptName, styleName] = [named('viewer', 'js'), named('viewer', 'css')];
   const read = (file) => readFileSync(join(viewerFolder, file), 'utf8');
-  const wasm = readFileSync(join(viewerFolder, 'striata.wasm')).toString('base64');
+  const wasm = (start) => readFileSync(join(viewerFolder, named(start, 'wasm'))).toString('base64');
   // The code must not contain the end tag of its own element.
-  const script = read('viewer.js').replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
-  const style = existsSync(join(viewerFolder, 'viewer.css')) ? read('viewer.css') : '';
+  const script = read(scriptName).replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
   const data = (id, attributes, text) => `<script type="text/plain" id="${id}"${attributes}>${text}</script>`;
   return read('index.html')
-    .replace(/<script type="module"[^>]*src="[^"]*viewer\.js"[^>]*><\/script>/, () => `<script type="module">${script}</script>`)
-    .replace(/<link rel="stylesheet"[^>]*href="[^"]*viewer\.css"[^>]*>/, () => `<style>${style}</style>`)
-    .replace('</body>', () => `${data('striata-wasm', '', wasm)}${data('striata-model', ` data-name="${name}"`, model.toString('base64'))}</body>`);
+    .replace(new RegExp(`<script type="module"[^>]*src="[^"]*${scriptName}"[^>]*></script>`), () => `<script type="module">${script}</script>`)
+    .replace(new RegExp(`<link rel="stylesheet"[^>]*href="[^"]*${styleName}"[^>]*>`), () => `<style>${read(styleName)}</style>`)
+    .replace('</body>', () => `${data('striata-wasm', '', wasm('striata'))}${data('striata-builder-wasm', '', wasm('striata-encoder'))}${data('striata-model', ` data-name="${name}"`, model.toString('base64'))}</body>`);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

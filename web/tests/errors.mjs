@@ -24,7 +24,7 @@ export default function errors(world) {
     assert.doesNotMatch(text, /undefined|\[object|unreachable|RuntimeError|panicked/);
     await shot(page, 'damaged');
     await drop(page, 'icosphere.stri', readFileSync(join(world.folder, 'icosphere.stri')));
-    await page.waitForFunction(() => window.striataViewer.mesh?.complete);
+    await page.waitForFunction(() => window.striataViewer.model?.complete);
     await untilWhole(page);
     assert.equal((await state(page)).triangleCount, 20_480);
     assert.equal(await page.locator('.notice').count(), 0, 'the notice is gone');
@@ -45,7 +45,7 @@ export default function errors(world) {
     }
     assert.ok((await drawnPixels(page)) > 10_000);
     await slide(page, 'detail', 0);
-    await page.waitForFunction(() => window.striataViewer.mesh.triangleCount < 100);
+    await page.waitForFunction(() => window.striataViewer.model.triangleCount < 100);
   });
 
   pageTest(world, 'models of very different sizes fill the view equally', {}, async (page) => {
@@ -54,7 +54,7 @@ export default function errors(world) {
     await page.goto(world.url);
     for (const [name, size] of [['large.obj', 1e6], ['small.obj', 1], ['again.obj', 1e6]]) {
       await drop(page, name, triangle(size));
-      await page.waitForFunction((name) => window.striataViewer.mesh && window.striataViewer.name === name, name);
+      await page.waitForFunction((name) => window.striataViewer.model && window.striataViewer.name === name, name);
       await untilWhole(page);
       pixels.push(await drawnPixels(page));
     }

@@ -7,6 +7,7 @@ import { dirname, join, resolve } from 'node:path';
 import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { front } from './front.mjs';
 
 const workspace = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata');
@@ -14,8 +15,8 @@ const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata
 /** Timeout that allows for machines under heavy load. */
 export const PATIENCE_MS = 600_000;
 
-/** The viewer that is embedded in the command. */
-export const viewerFolder = join(workspace, 'crates/striata-viewer/viewer');
+/** The viewer to test: the one that is embedded in the command, or one that STRIATA_VIEWER names and that is not embedded yet. */
+export const viewerFolder = process.env.STRIATA_VIEWER ?? join(workspace, 'crates/striata-viewer/viewer');
 
 /** Flags that render WebGL 2 without a graphics card. */
 const CHROMIUM_FLAGS = [
@@ -40,6 +41,10 @@ export function makeModels(folder) {
   run('encode', '-q', 'shape:icosphere', '-o', at('icosphere.stri'));
   run('encode', '-q', 'shape:terrain', '-o', at('sub', 'terrain.stri'));
   run('build', '-q', join(workspace, 'assets/spot.obj.zst'), '-o', at('spot.striata'));
+  const arm = join(workspace, 'assets/arm.glb');
+  run('encode', '-q', arm, '-o', at('arm.stri'));
+  // Without compression, as most exporters write it.
+  run('convert', '-q', arm, at('arm.glb'));
   run('convert', '-q', 'shape:torus', at('torus.obj'));
   run('convert', '-q', 'shape:tetrahedron', at('tetrahedron.obj'));
   const whole = readFileSync(at('icosphere.stri'));
@@ -67,7 +72,13 @@ export async function serve(folder) {
   const lines = createInterface({ input: child.stdout });
   const first = new Promise((resolve) => lines.once('line', resolve));
   const { url } = JSON.parse(await Promise.race([first, ended]));
-  return { url: url.endsWith('/') ? url : `${url}/`, stop: () => stop(child) };
+  if (!process.env.STRIATA_VIEWER) return { url: url.endsWith('/') ? url : `${url}/`, stop: () => stop(child) };
+  const page = await front(viewerFolder, url);
+  const stopBoth = () => {
+    page.stop();
+    return stop(child);
+  };
+  return { url: page.url, stop: stopBoth };
 }
 
 async function stop(child) {
@@ -120,7 +131,7 @@ export async function world() {
 }
 
 /** Opens a page that records uncaught and logged errors, except those that the test expects. */
-async function newPage(context, { expected = [], width = 900, height = 600, scheme = 'light', still = true } = {}) {
+export async function newPage(context, { expected = [], width = 900, height = 600, scheme = 'light', still = true } = {}) {
   const page = await context.newPage();
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ colorScheme: scheme, reducedMotion: still ? 'reduce' : 'no-preference' });
@@ -171,39 +182,52 @@ export async function shot(page, name) {
 
 /** Waits until the shown model has loaded completely. */
 export async function untilWhole(page) {
-  await page.waitForFunction(() => window.striataViewer?.mesh?.complete === true);
-  await page.evaluate(() => window.striataViewer.mesh.finished);
+  await page.waitForFunction(() => window.striataViewer?.model?.complete === true);
+  await page.evaluate(() => window.striataViewer.model.finished);
 }
 
 /** Waits until the worker has answered all requests, and neither the triangles nor the camera change between frames. */
 export async function settled(page) {
   await page.evaluate(async (patience) => {
     const frame = () => new Promise((resolve) => requestAnimationFrame(() => resolve()));
-    const { stage, mesh } = window.striataViewer;
+    const { stage, model } = window.striataViewer;
     const started = performance.now();
     let frames = 0;
     const note = () => (frames = 0);
-    mesh.addEventListener('change', note);
+    model.addEventListener('change', note);
     let last = '';
     while (frames < 12 || window.pendingRequests() > 0) {
       stage.invalidate();
       await frame();
       frames += 1;
-      const now = `${mesh.triangleCount} ${stage.camera.position.toArray()}`;
+      const now = `${model.triangleCount} ${stage.camera.position.toArray()}`;
       if (now !== last) note();
       last = now;
       if (performance.now() - started > patience) throw new Error('the model keeps changing');
     }
-    mesh.removeEventListener('change', note);
+    model.removeEventListener('change', note);
   }, PATIENCE_MS);
 }
 
-/** Returns the properties of the mesh. */
+/** Returns the properties of the model. */
 export function state(page) {
   return page.evaluate(() => {
-    const { mesh } = window.striataViewer;
-    const { triangleCount, fullTriangleCount, vertexCount, splitCount, stepCount, error, bytesReceived, bytesTotal, complete, detail, pixelError, triangleBudget, diagonal, frozen, kind } = mesh;
-    return { triangleCount, fullTriangleCount, vertexCount, splitCount, stepCount, error, bytesReceived, bytesTotal, complete, detail, pixelError, triangleBudget, diagonal, frozen, kind, timings: { ...mesh.timings } };
+    const { model } = window.striataViewer;
+    const { triangleCount, fullTriangleCount, vertexCount, error, bytesReceived, bytesTotal, complete, detail, pixelError, triangleBudget, diagonal, frozen, kind } = model;
+    return { triangleCount, fullTriangleCount, vertexCount, error, bytesReceived, bytesTotal, complete, detail, pixelError, triangleBudget, diagonal, frozen, kind, timings: { ...model.timings } };
+  });
+}
+
+/** Returns the number of triangles that the meshes of the model draw, from their index buffers. */
+export function drawnTriangles(page) {
+  return page.evaluate(() => {
+    let count = 0;
+    window.striataViewer.model.traverseVisible((object) => {
+      if (!object.isMesh) return;
+      const { drawRange, index, attributes } = object.geometry;
+      count += Math.min(drawRange.count, (index ?? attributes.position).count - drawRange.start) / 3;
+    });
+    return count;
   });
 }
 
@@ -212,7 +236,7 @@ export function drawnPixels(page) {
   return page.evaluate(() => {
     const { stage } = window.striataViewer;
     const gl = stage.renderer.getContext();
-    stage.renderer.render(stage.scene, stage.camera);
+    stage.render();
     const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
     const pixels = new Uint32Array(width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));

@@ -1,4 +1,4 @@
-// Tests of appearance and handling: gallery, themes, phones and touch, colors, images.
+// Tests of appearance and handling: gallery, themes, colors, images, names and keys.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -7,30 +7,6 @@ import { openModel, pageTest } from './pages.mjs';
 
 const DESKTOP = { width: 1200, height: 760 };
 
-/** A narrow phone. */
-const PHONE = { width: 360, height: 720 };
-
-/** Asserts that the page does not scroll sideways. */
-async function assertNoSideScroll(page) {
-  const [wide, room] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
-  assert.ok(wide <= room, `the page is ${wide} px wide, but the window only ${room} px`);
-}
-
-/** Moves fingers from one set of points to another. */
-async function touch(page, from, to) {
-  const wire = await page.context().newCDPSession(page);
-  const points = (positions) => positions.map(([x, y], id) => ({ x, y, id }));
-  await wire.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 2 });
-  await wire.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(from) });
-  for (let step = 1; step <= 5; step += 1) {
-    const positions = from.map(([x, y], at) => [x + ((to[at][0] - x) * step) / 5, y + ((to[at][1] - y) * step) / 5]);
-    await wire.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(positions) });
-  }
-  await wire.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-  await wire.detach();
-}
-
-const eyeOf = (page) => page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
 const colorOf = (page) => page.evaluate(() => getComputedStyle(document.body).color);
 
 export default function looks(world) {
@@ -55,7 +31,7 @@ export default function looks(world) {
     await untilWhole(page);
     await page.locator('#to-gallery').click();
     await page.locator('#gallery').waitFor();
-    assert.equal(await page.evaluate(() => window.striataViewer.mesh), null);
+    assert.equal(await page.evaluate(() => window.striataViewer.model), null);
   });
 
   pageTest(world, 'the theme follows the system until it is switched', { scheme: 'dark', ...DESKTOP }, async (page) => {
@@ -83,49 +59,16 @@ export default function looks(world) {
     for (const coloring of ['surface', 'strips', 'fans', 'triangles']) {
       await page.locator(`input[name="coloring"][value="${coloring}"]`).check({ force: true });
       await settled(page);
-      const { coloring: now } = await page.evaluate(() => ({ coloring: window.striataViewer.mesh.coloring }));
+      const { coloring: now } = await page.evaluate(() => ({ coloring: window.striataViewer.model.coloring }));
       assert.equal(now, coloring);
       pictures.add(await page.evaluate(() => {
         const { stage } = window.striataViewer;
-        stage.renderer.render(stage.scene, stage.camera);
+        stage.render();
         return stage.renderer.domElement.toDataURL();
       }));
       await shot(page, `colors-${coloring}`);
     }
     assert.equal(pictures.size, 4, 'every coloring looks different');
-  });
-
-  pageTest(world, 'on a phone the sheet folds, the page fits, and touch rotates and zooms', PHONE, async (page) => {
-    await openModel(world, page, 'nefertiti.stri');
-    await assertNoSideScroll(page);
-    await shot(page, 'phone-folded');
-    assert.equal(await page.locator('#controls').isVisible(), false, 'the controls are hidden at first');
-    await page.locator('#handle').click();
-    await page.locator('#controls').waitFor();
-    await settled(page);
-    await assertNoSideScroll(page);
-    const stage = await page.locator('#stage').boundingBox();
-    const panel = await page.locator('#panel').boundingBox();
-    assert.ok(stage.y + stage.height <= panel.y + 1, 'the sheet does not cover the model');
-    assert.ok(stage.height > 250 && (await drawnPixels(page)) > 2000, 'the model is visible next to the sheet');
-    await shot(page, 'phone');
-    const [x, y] = [stage.x + stage.width / 2, stage.y + stage.height / 2];
-    const before = await eyeOf(page);
-    await touch(page, [[x - 60, y]], [[x + 60, y]]);
-    await settled(page);
-    const turned = await eyeOf(page);
-    assert.ok(Math.hypot(...turned.map((value, axis) => value - before[axis])) > 1e-3 * Math.hypot(...before), 'one finger rotates');
-    const distanceToTarget = () => page.evaluate(() => window.striataViewer.stage.camera.position.distanceTo(window.striataViewer.stage.controls.target));
-    const far = await distanceToTarget();
-    await touch(page, [[x - 20, y], [x + 20, y]], [[x - 90, y], [x + 90, y]]);
-    await settled(page);
-    assert.ok((await distanceToTarget()) < 0.8 * far, 'two fingers zoom');
-    await page.locator('#handle').click();
-    assert.equal(await page.locator('#controls').isVisible(), false);
-    await page.goto(world.url);
-    await page.locator('#cards a').first().waitFor();
-    await assertNoSideScroll(page);
-    await shot(page, 'phone-gallery');
   });
 
   pageTest(world, 'an image can be saved, and z can be up', { width: 900, height: 600 }, async (page) => {
@@ -156,11 +99,11 @@ export default function looks(world) {
     });
     assert.deepEqual(nameless, []);
     const reached = new Set();
-    for (let press = 0; press < 60; press += 1) {
+    for (let press = 0; press < 80; press += 1) {
       await page.keyboard.press('Tab');
       reached.add(await page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name') || ''));
     }
-    for (const id of ['view', 'open', 'theme', 'show-help', 'fold', 'mode', 'detail', 'coloring', 'wireframe', 'flat', 'background', 'turn', 'z-up', 'reset', 'picture', 'download', 'to-gallery']) {
+    for (const id of ['view', 'open', 'theme', 'show-help', 'fold', 'mode', 'detail', 'coloring', 'wireframe', 'flat', 'background', 'turn', 'z-up', 'reset', 'picture', 'compare', 'save-stri', 'save-glb', 'download', 'to-gallery']) {
       assert.ok(reached.has(id), `${id} is reached by Tab: ${[...reached]}`);
     }
   });

@@ -15,11 +15,11 @@ function watch(page) {
   return page.evaluate(() => {
     const seen = (window.seen = []);
     const look = () => {
-      const { mesh, stage } = window.striataViewer;
+      const { model, stage } = window.striataViewer;
       requestAnimationFrame(look);
-      if (!mesh || seen.at(-1)?.triangles === mesh.triangleCount) return;
+      if (!model || seen.at(-1)?.triangles === model.triangleCount) return;
       const gl = stage.renderer.getContext();
-      stage.renderer.render(stage.scene, stage.camera);
+      stage.render();
       const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
       const pixels = new Uint32Array(width * height);
       gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));
@@ -27,7 +27,7 @@ function watch(page) {
       for (const pixel of pixels) if (pixel !== pixels[0]) drawn += 1;
       if (drawn === 0) return;
       const hasProgressBar = !document.getElementById('progress').hidden;
-      seen.push({ triangles: mesh.triangleCount, bytes: mesh.bytesReceived, drawn, hasProgressBar });
+      seen.push({ triangles: model.triangleCount, bytes: model.bytesReceived, drawn, hasProgressBar });
     };
     look();
   });
@@ -62,7 +62,7 @@ export default function streaming(world) {
     assert.equal((await state(page)).complete, false);
     gate.allow(total);
     await untilWhole(page);
-    await page.waitForFunction(() => window.seen.at(-1)?.triangles === window.striataViewer.mesh.triangleCount);
+    await page.waitForFunction(() => window.seen.at(-1)?.triangles === window.striataViewer.model.triangleCount);
     const seen = await page.evaluate(() => window.seen);
     assert.ok(seen[0].bytes < total / 10, `the first picture was drawn at byte ${seen[0].bytes} of ${total}`);
     assert.ok(seen.slice(0, -2).every(({ hasProgressBar }) => hasProgressBar), 'a progress bar is shown while loading');
@@ -108,7 +108,7 @@ export default function streaming(world) {
     await shot(page, 'broken-line');
     gate.allow(3 * total);
     await notice.locator('.retry').click();
-    await page.waitForFunction(() => window.striataViewer.mesh.complete);
+    await page.waitForFunction(() => window.striataViewer.model.complete);
     await untilWhole(page);
     assert.equal((await state(page)).triangleCount, cut.fullTriangleCount, 'the retry loads everything');
     assert.equal(await notice.count(), 0);

@@ -6,6 +6,9 @@ import errors from './errors.mjs';
 import files from './files.mjs';
 import { world } from './harness.mjs';
 import looks from './looks.mjs';
+import phone from './phone.mjs';
+import saving from './saving.mjs';
+import scenes from './scenes.mjs';
 import speed from './speed.mjs';
 import streaming from './streaming.mjs';
 import views from './views.mjs';
@@ -14,5 +17,5 @@ describe('viewer', { concurrency: 1 }, () => {
   const shared = {};
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
-  for (const group of [streaming, detail, views, files, errors, looks, speed]) group(shared);
+  for (const group of [streaming, detail, views, files, scenes, saving, errors, looks, phone, speed]) group(shared);
 });

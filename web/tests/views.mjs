@@ -14,13 +14,15 @@ const TOLERANCE_FACTOR = 1.01;
 /** Positions and triangles drawn now, in world space. */
 async function drawn(page) {
   const { positions, triangles } = await page.evaluate(() => {
-    const { mesh } = window.striataViewer;
+    const { model } = window.striataViewer;
+    // These models have a single mesh.
+    const [mesh] = model.lods[0].meshes;
     const { geometry } = mesh;
     mesh.updateWorldMatrix(true, false);
     const points = geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
     const { start, count } = geometry.drawRange;
     const indices = geometry.index.array.slice(start, Math.min(start + count, geometry.index.count));
-    return { positions: Array.from(points.array.slice(0, 3 * mesh.vertexCount)), triangles: Array.from(indices) };
+    return { positions: Array.from(points.array.slice(0, 3 * model.vertexCount)), triangles: Array.from(indices) };
   });
   return { positions: Float32Array.from(positions), triangles };
 }

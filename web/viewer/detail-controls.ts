@@ -1,10 +1,10 @@
 /**
  * The panel's first group of controls: how detail is chosen (level, screen error, triangle budget), and how much of it.
  *
- * The inputs are the state. `apply` passes it to the mesh, including a mesh that is opened later.
+ * The inputs are the state. `apply` passes it to the model, including a model that is opened later.
  */
 
-import type { StriataMesh } from '../src/index.ts';
+import type { StriataScene } from '../src/index.ts';
 import { formatCount, formatNumber, formatPercent } from './format.ts';
 import { element, input } from './dom.ts';
 import { budgetAt, detailAt, pixelsAt, positionOfBudget, positionOfDetail } from './scales.ts';
@@ -16,12 +16,12 @@ const KEY_STEP = 25;
 
 export class DetailControls {
   readonly #onChange: () => void;
-  #mesh: StriataMesh | null = null;
+  #model: StriataScene | null = null;
   /** Whether view-dependent refinement is available, which is once the model has loaded completely. */
   #isViewAvailable = false;
   #budget: number | null = null;
 
-  /** `onChange` is called after new settings were passed to the mesh. */
+  /** `onChange` is called after new settings were passed to the model. */
   constructor(onChange: () => void) {
     this.#onChange = onChange;
     for (const radio of this.#radios()) radio.addEventListener('change', () => this.apply());
@@ -68,9 +68,9 @@ export class DetailControls {
     slider.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
-  /** Switches to another mesh and applies the current settings to it. */
-  setMesh(mesh: StriataMesh | null): void {
-    this.#mesh = mesh;
+  /** Switches to another model and applies the current settings to it. */
+  setModel(model: StriataScene | null): void {
+    this.#model = model;
     this.#isViewAvailable = false;
     input('freeze').checked = false;
     if (this.mode === 'pixels') this.#select('level');
@@ -84,23 +84,23 @@ export class DetailControls {
     this.#refresh();
   }
 
-  /** Passes the state of the inputs to the mesh. */
+  /** Passes the state of the inputs to the model. */
   apply(): void {
-    const mesh = this.#mesh;
+    const model = this.#model;
     if (this.mode !== 'pixels') input('freeze').checked = false;
-    if (mesh) {
+    if (model) {
       if (this.mode === 'level') {
-        mesh.frozen = false;
-        mesh.triangleBudget = null;
-        mesh.detail = detailAt(input('detail').valueAsNumber);
+        model.frozen = false;
+        model.triangleBudget = null;
+        model.detail = detailAt(input('detail').valueAsNumber);
       } else if (this.mode === 'pixels') {
-        mesh.triangleBudget = null;
-        mesh.pixelError = pixelsAt(input('pixels').valueAsNumber);
-        mesh.frozen = input('freeze').checked;
+        model.triangleBudget = null;
+        model.pixelError = pixelsAt(input('pixels').valueAsNumber);
+        model.frozen = input('freeze').checked;
       } else {
-        mesh.frozen = false;
-        mesh.detail = 1;
-        mesh.triangleBudget = this.#budget ?? mesh.fullTriangleCount;
+        model.frozen = false;
+        model.detail = 1;
+        model.triangleBudget = this.#budget ?? model.fullTriangleCount;
       }
     }
     this.#refresh();
@@ -112,7 +112,7 @@ export class DetailControls {
     const { mode } = this;
     for (const row of document.querySelectorAll<HTMLElement>('#detail-set [data-mode]')) row.hidden = row.dataset.mode !== mode;
     element('freeze-row').hidden = mode !== 'pixels';
-    const isWaiting = this.#mesh !== null && !this.#isViewAvailable;
+    const isWaiting = this.#model !== null && !this.#isViewAvailable;
     for (const radio of this.#radios()) if (radio.value === 'pixels') radio.disabled = !this.#isViewAvailable;
     const note = element('mode-note');
     note.hidden = !isWaiting;
@@ -125,20 +125,20 @@ export class DetailControls {
 
   #refreshBudget(): void {
     const typed = input('budget-typed');
-    const full = this.#mesh?.fullTriangleCount ?? 0;
+    const full = this.#model?.fullTriangleCount ?? 0;
     if (document.activeElement !== typed) typed.value = String(this.#budget ?? full);
     input('budget').setAttribute('aria-valuetext', `${formatCount(this.#budget ?? full)} triangles`);
   }
 
   #onBudgetSlider(): void {
-    this.#budget = budgetAt(input('budget').valueAsNumber, this.#mesh?.fullTriangleCount ?? 0);
+    this.#budget = budgetAt(input('budget').valueAsNumber, this.#model?.fullTriangleCount ?? 0);
     input('budget-typed').value = String(this.#budget);
     this.apply();
   }
 
   #onBudgetTyped(): void {
     const typed = input('budget-typed');
-    const full = this.#mesh?.fullTriangleCount ?? 0;
+    const full = this.#model?.fullTriangleCount ?? 0;
     // An empty or invalid number means no limit.
     const requested = Number.isFinite(typed.valueAsNumber) && typed.valueAsNumber >= 1 ? Math.floor(typed.valueAsNumber) : full;
     this.#budget = Math.min(requested, full);

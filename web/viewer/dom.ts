@@ -26,3 +26,8 @@ export function createNode<K extends keyof HTMLElementTagNameMap>(tag: K, classN
 export function prefersReducedMotion(): boolean {
   return matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
+
+/** Shows or hides the element with this id. */
+export function setVisible(id: string, isVisible: boolean): void {
+  element(id).hidden = !isVisible;
+}

@@ -3,7 +3,7 @@
  * the picture, smoothly, and never after the user has moved the camera.
  */
 
-import { Box3, type BufferGeometry, MathUtils, type Mesh, Sphere, Spherical, Vector3 } from 'three';
+import { MathUtils, Sphere, Spherical, Vector3 } from 'three';
 import { prefersReducedMotion } from './dom.ts';
 import { FIELD_OF_VIEW, type Stage } from './stage.ts';
 
@@ -50,10 +50,10 @@ export class Framing {
     if (!keepsCamera) this.#framed.radius = 0;
   }
 
-  /** Follows the bounds of a loading model once it has grown enough to matter. */
-  follow(mesh: Mesh<BufferGeometry>, vertexCount: number, isComplete: boolean): void {
+  /** Follows the bounds of a loading model, in world space, once it has grown enough to matter. */
+  follow(measure: () => Sphere | null, vertexCount: number, isComplete: boolean): void {
     if (vertexCount < 1.5 * this.#measuredVertexCount && !(isComplete && vertexCount > this.#measuredVertexCount)) return;
-    const sphere = boundsOf(mesh, vertexCount);
+    const sphere = measure();
     if (!sphere) return;
     this.#measuredVertexCount = vertexCount;
     this.#stage.content.copy(sphere);
@@ -76,10 +76,18 @@ export class Framing {
   }
 
   /** Frames the model again after the pivot was tilted. */
-  onTilted(mesh: Mesh<BufferGeometry>, vertexCount: number): void {
+  onTilted(measure: () => Sphere | null, vertexCount: number): void {
     this.#measuredVertexCount = 0;
     this.#framed.radius = 0;
-    this.follow(mesh, vertexCount, true);
+    this.follow(measure, vertexCount, true);
+  }
+
+  /** Moves the camera to a part of the model, and keeps its direction. */
+  focus(part: Sphere): void {
+    this.takeControl();
+    const { controls } = this.#stage;
+    controls.minDistance = Math.min(controls.minDistance, 0.02 * part.radius);
+    this.glideTo(poseFor(part, this.#direction()));
   }
 
   /** Current camera pose. */
@@ -135,9 +143,7 @@ export class Framing {
   }
 
   #wholeModelPose(direction: Vector3): CameraPose {
-    const distance = (MARGIN * this.#framed.radius) / Math.sin(MathUtils.degToRad(FIELD_OF_VIEW / 2));
-    const target = this.#framed.center.clone();
-    return { eye: direction.clone().setLength(distance).add(target), target };
+    return poseFor(this.#framed, direction);
   }
 
   #direction(): Vector3 {
@@ -175,21 +181,8 @@ function hasOutgrown(sphere: Sphere, framed: Sphere): boolean {
   return sphere.radius + sphere.center.distanceTo(framed.center) > GROWTH_THRESHOLD * framed.radius;
 }
 
-/** Bounding sphere, in world space, of the first `vertexCount` vertices. */
-function boundsOf(mesh: Mesh<BufferGeometry>, vertexCount: number): Sphere | null {
-  const positions = mesh.geometry.getAttribute('position');
-  if (!positions) return null;
-  const last = Math.min(vertexCount, positions.count);
-  mesh.updateWorldMatrix(true, false);
-  const point = new Vector3();
-  const box = new Box3();
-  const world = (index: number): Vector3 => point.fromBufferAttribute(positions, index).applyMatrix4(mesh.matrixWorld);
-  for (let index = 0; index < last; index += 1) box.expandByPoint(world(index));
-  if (box.isEmpty()) return null;
-  const sphere = new Sphere(box.getCenter(new Vector3()), 0);
-  for (let index = 0; index < last; index += 1) {
-    sphere.radius = Math.max(sphere.radius, sphere.center.distanceToSquared(world(index)));
-  }
-  sphere.radius = Math.max(Math.sqrt(sphere.radius), 1e-6);
-  return sphere;
+/** Pose that shows a sphere from a direction. */
+function poseFor({ center, radius }: Sphere, direction: Vector3): CameraPose {
+  const distance = (MARGIN * radius) / Math.sin(MathUtils.degToRad(FIELD_OF_VIEW / 2));
+  return { eye: direction.clone().setLength(distance).add(center), target: center.clone() };
 }

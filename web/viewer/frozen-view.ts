@@ -2,7 +2,7 @@
 
 import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments, type PerspectiveCamera, Spherical, Vector3 } from 'three';
 import type { CameraPose, Framing } from './framing.ts';
-import type { Stage } from './stage.ts';
+import { HELPER_LAYER, type Stage } from './stage.ts';
 
 /** Where the camera goes: a factor on its distance, a minimum distance in model radii, and angles sideways and up in radians. */
 const OUTSIDE = { distanceFactor: 2.3, minRadii: 4.4, sideways: 0.95, up: 0.22 };
@@ -28,6 +28,7 @@ export class FrozenView {
     const { content, camera, controls } = this.#stage;
     const material = new LineBasicMaterial({ color });
     this.#lines = new LineSegments(frustumLines(camera, content.center, content.radius), material);
+    this.#lines.layers.set(HELPER_LAYER);
     this.#stage.scene.add(this.#lines);
     const pose = this.#framing.pose();
     this.#before = { pose, radius: content.radius };

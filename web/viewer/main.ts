@@ -44,6 +44,7 @@ class Page {
       this.#panel.onModelShown();
       this.#setTitle(this.#viewer.name);
     };
+    this.#viewer.onComparisonChanged = (isOn) => this.#panel.onComparisonChanged(isOn);
     this.#viewer.onEmpty = () => this.#showStart();
     followTheme(() => this.#panel.paintBackground());
     acceptFiles((file) => this.#openFile(file));
@@ -72,7 +73,7 @@ class Page {
   }
 
   #open(source: ModelSource): void {
-    if (!this.#viewer.mesh) this.#setTitle(source.name);
+    if (!this.#viewer.model) this.#setTitle(source.name);
     element('welcome').hidden = true;
     this.#showGallery(false);
     void this.#viewer.open(source);
@@ -132,7 +133,7 @@ class Page {
   }
 
   #installShortcuts(): void {
-    const { framing, detail } = this.#viewer;
+    const { framing, detail, playback } = this.#viewer;
     const panel = this.#panel;
     installShortcuts([
       { keys: Object.keys(ARROWS), shown: '← → ↑ ↓', description: 'Rotate (with Shift: pan)', run: (event) => this.#move(event), onlyOnStage: true },
@@ -142,6 +143,8 @@ class Page {
       { keys: ['['], shown: '[', description: 'Less detail', run: () => detail.step(-1) },
       { keys: ['v'], shown: 'V', description: 'Detail by screen error', run: () => this.#toggleView() },
       { keys: ['f'], shown: 'F', description: 'Freeze view', run: () => this.#toggleFreeze() },
+      { keys: ['b'], shown: 'B', description: 'Compare two levels', run: () => this.#toggleComparison() },
+      { keys: [' '], shown: 'Space', description: 'Play or pause', run: () => playback.toggle(), onlyOnStage: true },
       { keys: ['w'], shown: 'W', description: 'Wireframe', run: () => panel.toggle('wireframe', 'Wireframe') },
       { keys: ['s'], shown: 'S', description: 'Color by strip', run: () => panel.toggleStrips() },
       { keys: ['c'], shown: 'C', description: 'Next coloring', run: () => panel.nextColoring() },
@@ -168,6 +171,12 @@ class Page {
     const { detail } = this.#viewer;
     const isAvailable = detail.choose(detail.mode === 'pixels' ? 'level' : 'pixels');
     announce(isAvailable ? `Detail by ${MODE_NAMES[detail.mode]}` : 'Screen error is available once the model has loaded');
+  }
+
+  #toggleComparison(): void {
+    const { comparison } = this.#viewer;
+    const isAvailable = comparison.toggle();
+    announce(isAvailable ? `Comparing ${comparison.isOn ? 'two levels' : 'ended'}` : 'Levels can be compared once the model has loaded');
   }
 
   #toggleFreeze(): void {

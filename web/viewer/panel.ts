@@ -2,6 +2,7 @@
 
 import type { Coloring } from '../src/index.ts';
 import { announce, element, input, prefersReducedMotion } from './dom.ts';
+import { download } from './saving.ts';
 import { themeColor } from './theme.ts';
 import type { Viewer } from './viewer.ts';
 
@@ -43,6 +44,7 @@ export class Panel {
   /** Selects a coloring. */
   setColoring(coloring: Coloring): void {
     const radio = this.#colorings().find((radio) => radio.value === coloring);
+    if (radio?.disabled) return announce('Two levels are compared by their surface');
     radio?.click();
     announce(`Color by ${coloring === 'triangles' ? 'triangle' : coloring.replace(/s$/, '')}`);
   }
@@ -55,6 +57,7 @@ export class Panel {
   /** Selects the next coloring. */
   nextColoring(): void {
     const radios = this.#colorings();
+    if (radios.some((radio) => radio.disabled)) return announce('Two levels are compared by their surface');
     const next = radios[(radios.findIndex((radio) => radio.checked) + 1) % radios.length];
     if (next) this.setColoring(next.value as Coloring);
   }
@@ -77,19 +80,20 @@ export class Panel {
 
   /** Saves the stage as an image file. */
   async saveImage(): Promise<void> {
-    const blob = await this.#viewer.stage.toPng();
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = `${this.#viewer.name.replace(/\.\w+$/, '')}.png`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    download(await this.#viewer.stage.toPng(), `${this.#viewer.name.replace(/\.\w+$/, '')}.png`);
   }
 
   /** Updates the panel for the model that is shown. */
   onModelShown(): void {
-    const download = element<HTMLAnchorElement>('download');
-    download.hidden = this.#viewer.url === null;
-    if (this.#viewer.url) download.href = this.#viewer.url;
+    const link = element<HTMLAnchorElement>('download');
+    link.hidden = this.#viewer.url === null;
+    if (this.#viewer.url) link.href = this.#viewer.url;
+  }
+
+  /** Colorings belong to one level, so two levels are compared by their surface. */
+  onComparisonChanged(isOn: boolean): void {
+    if (isOn) this.#colorings().find((radio) => radio.value === 'surface')?.click();
+    for (const radio of this.#colorings()) radio.disabled = isOn && radio.value !== 'surface';
   }
 
   #onLookChanged(): void {

@@ -1,15 +1,16 @@
 /**
- * The 3D stage: renderer, lights, camera and render loop.
+ * The 3D stage: renderer, camera and render loop.
  *
- * A frame is drawn only if something has changed: code that changes the picture calls `invalidate`. The lights are attached to
- * the camera, so a model is well lit from every side. Model coordinates are y-up; for z-up models the pivot is tilted.
+ * A frame is drawn only if something has changed: code that changes the picture calls `invalidate`. Model coordinates are y-up; for
+ * z-up models the pivot is tilted. A picture can be split in two: the second half is drawn after `split.showSecond`.
  */
 
 import {
-  Color, DirectionalLight, Group, HemisphereLight, MathUtils, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector3, WebGLRenderer,
+  Color, Group, MathUtils, MeshBasicMaterial, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { prefersReducedMotion } from './dom.ts';
+import { Lighting } from './lighting.ts';
 
 /** Higher pixel ratios are hardly visible but cost fill rate. */
 const MAX_PIXEL_RATIO = 2;
@@ -20,18 +21,37 @@ export const FIELD_OF_VIEW = 35;
 /** Window over which frames are counted. */
 const FRAME_COUNT_WINDOW_MS = 1000;
 
+/** Layer of objects that are not part of the model, such as the lines of a frozen view. */
+export const HELPER_LAYER = 1;
+
+/** Lines of the wireframe are drawn this much closer, as a fraction of the depth range, so that they win against their surface. */
+const LINE_DEPTH_OFFSET = 6e-5;
+
+/** A picture whose left and right parts show the scene differently. */
+export interface Split {
+  /** Where the right part begins, as a fraction of the width. */
+  readonly fraction: number;
+  /** Calls `draw` while the scene is as the right part shows it. */
+  showSecond(draw: () => void): void;
+}
+
 export class Stage {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   readonly controls: OrbitControls;
+  readonly lighting: Lighting;
   /** Parent of the model; tilted if z is up. */
   readonly pivot = new Group();
   /** Bounding sphere, in world space, that the near and far planes must enclose. */
   readonly content = new Sphere(new Vector3(), 1);
   /** Callbacks run before each frame with the seconds since the last one; returning true requests another frame. */
   readonly beforeFrame = new Set<(seconds: number) => boolean>();
+  /** Whether edges are drawn over the surface; hidden edges stay hidden. */
+  showsWireframe = false;
+  split: Split | null = null;
 
+  readonly #lines = new MeshBasicMaterial({ color: 0x17130f, wireframe: true, transparent: true, opacity: 0.28, depthWrite: false });
   #frameRequest = 0;
   #lastFrameTime = 0;
   #frameTimes: number[] = [];
@@ -41,7 +61,8 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.scene.add(this.camera, this.pivot);
-    this.#light();
+    this.camera.layers.enable(HELPER_LAYER);
+    this.lighting = new Lighting(this.renderer, this.scene, this.camera);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = !prefersReducedMotion();
     this.controls.dampingFactor = 0.12;
@@ -69,10 +90,24 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Draws the picture now. */
+  render(): void {
+    const { renderer, split } = this;
+    if (!split) return this.#renderPart();
+    const { x: width, y: height } = renderer.getSize(new Vector2());
+    const border = Math.round(width * split.fraction);
+    renderer.setScissorTest(true);
+    renderer.setScissor(0, 0, border, height);
+    if (border > 0) this.#renderPart();
+    renderer.setScissor(border, 0, width - border, height);
+    if (border < width) split.showSecond(() => this.#renderPart());
+    renderer.setScissorTest(false);
+  }
+
   /** Renders the stage to a PNG image. */
   async toPng(): Promise<Blob> {
     this.#fitPlanes();
-    this.renderer.render(this.scene, this.camera);
+    this.render();
     const blob = await new Promise<Blob | null>((resolve) => this.renderer.domElement.toBlob(resolve, 'image/png'));
     if (!blob) throw new Error('the browser could not encode the image');
     return blob;
@@ -86,9 +121,32 @@ export class Stage {
     for (const step of this.beforeFrame) again = step(seconds) || again;
     this.controls.update(seconds);
     this.#fitPlanes();
-    this.renderer.render(this.scene, this.camera);
+    this.render();
     this.#frameTimes.push(performance.now());
     if (again) this.invalidate();
+  }
+
+  #renderPart(): void {
+    this.renderer.render(this.scene, this.camera);
+    if (this.showsWireframe) this.#renderLines();
+  }
+
+  /** Draws the edges of the model over its surface. */
+  #renderLines(): void {
+    const { renderer, scene, camera } = this;
+    const { background } = scene;
+    const gl = renderer.getContext();
+    scene.background = null;
+    scene.overrideMaterial = this.#lines;
+    renderer.autoClear = false;
+    camera.layers.disable(HELPER_LAYER);
+    gl.depthRange(0, 1 - LINE_DEPTH_OFFSET);
+    renderer.render(scene, camera);
+    gl.depthRange(0, 1);
+    camera.layers.enable(HELPER_LAYER);
+    renderer.autoClear = true;
+    scene.overrideMaterial = null;
+    scene.background = background;
   }
 
   /** Fits the near and far planes tightly around the content, to make best use of the depth buffer. */
@@ -109,15 +167,6 @@ export class Stage {
     this.camera.fov = verticalAngle(this.camera.aspect);
     this.camera.updateProjectionMatrix();
     this.invalidate();
-  }
-
-  #light(): void {
-    const key = new DirectionalLight(0xfff4e6, 2.1);
-    key.position.set(-0.7, 0.9, 0.9);
-    const rim = new DirectionalLight(0xbfd4ff, 0.7);
-    rim.position.set(1, -0.2, -0.35);
-    this.camera.add(key, key.target, rim, rim.target);
-    this.scene.add(new HemisphereLight(0xf4f0ff, 0x9c8a78, 1.3));
   }
 }
 

@@ -1,6 +1,6 @@
 /** The statistics over the stage, and the progress bar for loading. */
 
-import type { Progress, StriataMesh } from '../src/index.ts';
+import type { Progress, StriataScene } from '../src/index.ts';
 import { formatBytes, formatCount, formatNumber, formatPercent, formatReceived } from './format.ts';
 import { element } from './dom.ts';
 
@@ -17,19 +17,19 @@ export class Stats {
     }, FRAME_RATE_INTERVAL_MS);
   }
 
-  /** Shows the statistics of a mesh. */
-  show(mesh: StriataMesh): void {
+  /** Shows the statistics of a model. */
+  show(model: StriataScene): void {
     element('figures').hidden = false;
-    const full = Math.max(mesh.fullTriangleCount, mesh.triangleCount);
-    setText('triangles', mesh.triangleCount === full ? formatCount(full) : `${formatCount(mesh.triangleCount)} of ${formatCount(full)}`);
-    setText('received', formatReceived(mesh.bytesReceived, mesh.complete ? mesh.bytesReceived : mesh.bytesTotal));
-    const fraction = mesh.diagonal > 0 ? ` (${formatPercent(mesh.error / mesh.diagonal)})` : '';
-    setText('error', mesh.error > 0 ? `${formatNumber(mesh.error)}${fraction}` : 'none');
-    setText('change', `${mesh.timings.updateMs.toFixed(1)} ms`);
+    const full = Math.max(model.fullTriangleCount, model.triangleCount);
+    setText('triangles', model.triangleCount === full ? formatCount(full) : `${formatCount(model.triangleCount)} of ${formatCount(full)}`);
+    setText('received', formatReceived(model.bytesReceived, model.complete ? model.bytesReceived : model.bytesTotal));
+    const fraction = model.diagonal > 0 ? ` (${formatPercent(model.error / model.diagonal)})` : '';
+    setText('error', model.error > 0 ? `${formatNumber(model.error)}${fraction}` : 'none');
+    setText('change', `${model.timings.updateMs.toFixed(1)} ms`);
     // Parts outside the view are as coarse as possible, so this is the largest error anywhere.
-    setText('error-name', mesh.pixelError === null ? 'Error' : 'Max error');
-    element('pixels-row').hidden = mesh.pixelError === null;
-    if (mesh.pixelError !== null) setText('pixels-shown', `≤ ${formatNumber(mesh.pixelError)} px`);
+    setText('error-name', model.pixelError === null ? 'Error' : 'Max error');
+    element('pixels-row').hidden = model.pixelError === null;
+    if (model.pixelError !== null) setText('pixels-shown', `≤ ${formatNumber(model.pixelError)} px`);
   }
 
   hide(): void {
@@ -52,15 +52,18 @@ export class Stats {
 
 /** Completed fraction of the phase, or `null` if it is unknown. */
 function fractionOf(progress: Progress): number | null {
-  if (progress.phase === 'build' || progress.bytesTotal === null || progress.bytesTotal === 0) return null;
+  if (progress.phase === 'build') return progress.share ?? null;
+  if (progress.bytesTotal === null || progress.bytesTotal === 0) return null;
   return Math.min(progress.bytesReceived / progress.bytesTotal, 1);
 }
 
 /** Describes the phase in a few words. */
 export function describeProgress(progress: Progress): string {
-  if (progress.phase === 'build') return 'building levels of detail';
+  const fraction = fractionOf(progress);
+  const percent = fraction === null ? '' : `, ${Math.floor(100 * fraction)}%`;
+  if (progress.phase === 'build') return `building levels of detail${percent}`;
   const total = progress.bytesTotal === null ? '' : ` of ${formatBytes(progress.bytesTotal)}`;
-  return `${formatBytes(progress.bytesReceived)}${total}`;
+  return `${formatBytes(progress.bytesReceived)}${total}${percent}`;
 }
 
 function setText(id: string, text: string): void {

@@ -5,24 +5,29 @@
  * The previous download is canceled only when the new model replaces it, because the new one may fail.
  */
 
-import type { Material } from 'three';
-import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
+import type { Object3D, Sphere } from 'three';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
+import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataScene } from '../src/index.ts';
+import { Bounds, boundsOf } from './bounds.ts';
+import { Comparison } from './comparison.ts';
 import { DetailControls } from './detail-controls.ts';
 import { describeProgress, Stats } from './stats.ts';
 import { Framing } from './framing.ts';
 import { FrozenView } from './frozen-view.ts';
+import { ModelTree } from './model-tree.ts';
 import { dismissAll, notify } from './notices.ts';
 import { formatCount } from './format.ts';
 import { announce, element } from './dom.ts';
+import { Playback } from './playback.ts';
+import { Saving } from './saving.ts';
 import { isCrossOrigin, type ModelSource } from './sources.ts';
 import type { Stage } from './stage.ts';
+import { isBare, materialsOf, paintClay, shadeFlat } from './surface.ts';
 import { themeColor } from './theme.ts';
-import { Wireframe } from './wireframe.ts';
+import { wasmUrls } from './wasm-urls.ts';
 
-/** Color of models without colors of their own. */
-const CLAY = 0xcfc4b4;
-
-type SurfaceMaterial = Material & { flatShading?: boolean; color?: unknown };
+/** Poses of an animation that are measured to frame the model. */
+const MEASURED_POSES = 8;
 
 /** Appearance of the model. */
 export interface Look {
@@ -36,24 +41,27 @@ export class Viewer {
   readonly stage: Stage;
   readonly framing: Framing;
   readonly detail: DetailControls;
+  readonly playback: Playback;
+  readonly comparison: Comparison;
   readonly look: Look = { coloring: 'surface', wireframe: false, flat: false, zUp: false };
-  mesh: StriataMesh | null = null;
+  model: StriataScene | null = null;
   /** Called when a model has appeared on the stage. */
   onShown: () => void = () => {};
   /** Called when no model could be opened and the stage is empty. */
   onEmpty: () => void = () => {};
+  /** Called when comparing two levels starts or ends. */
+  onComparisonChanged: (isOn: boolean) => void = () => {};
 
-  readonly #loader = StriataLoader();
+  readonly #loader = new StriataLoader({ ...wasmUrls(), pixelError: null, configure: (loader) => void loader.setMeshoptDecoder(MeshoptDecoder) });
   readonly #stats: Stats;
   readonly #frozen: FrozenView;
-  readonly #wireframe = new Wireframe();
+  readonly #tree: ModelTree;
+  readonly #saving = new Saving();
   #source: ModelSource | null = null;
   #abort = new AbortController();
   #isOpening = false;
   /** Whether loading the rest of the model has failed. */
   #isIncomplete = false;
-  /** Materials of the surface; other colorings have their own. */
-  #materials: SurfaceMaterial[] = [];
 
   constructor(stage: Stage) {
     this.stage = stage;
@@ -61,6 +69,12 @@ export class Viewer {
     this.#frozen = new FrozenView(stage, this.framing);
     this.#stats = new Stats(() => stage.framesPerSecond);
     this.detail = new DetailControls(() => this.#onDetailChanged());
+    this.playback = new Playback(stage);
+    this.comparison = new Comparison(stage, () => this.onComparisonChanged(this.comparison.isOn));
+    this.#tree = new ModelTree({
+      focus: (object) => this.#focus(object),
+      onVisibility: () => stage.invalidate(),
+    });
   }
 
   /** Opens a model; `keepsCamera` if it is the same model again. */
@@ -74,13 +88,13 @@ export class Viewer {
     this.#stats.progress({ bytesReceived: 0, bytesTotal: null, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download' });
     announce(`Opening ${source.name}`);
     try {
-      const mesh = await this.#loader.load(source.data, {
+      const model = await this.#loader.open(source.data, {
         name: source.name,
         signal: abort.signal,
         onProgress: (progress) => this.#onProgress(abort, progress, source),
       });
-      if (abort.signal.aborted) return mesh.dispose();
-      this.#show(mesh, source, keepsCamera);
+      if (abort.signal.aborted) return model.dispose();
+      this.#show(model, source, keepsCamera);
     } catch (error) {
       if (abort.signal.aborted) return;
       this.#isOpening = false;
@@ -88,23 +102,18 @@ export class Viewer {
       this.#abort = before;
       this.#stats.progress(null);
       notify(noticeOf(error, `Cannot open ${source.name}`, source, () => void this.open(source, keepsCamera)));
-      if (this.mesh) this.#update(this.mesh);
+      if (this.model) this.#update(this.model);
       else this.onEmpty();
     }
   }
 
-  /** Applies the chosen appearance to the mesh. */
+  /** Applies the chosen appearance to the model. */
   applyLook(): void {
-    const { mesh, look } = this;
-    if (!mesh) return;
-    mesh.coloring = look.coloring;
-    this.#wireframe.show(mesh, look.wireframe);
-    for (const material of this.#materials) {
-      if ('flatShading' in material && material.flatShading !== look.flat) {
-        material.flatShading = look.flat;
-        material.needsUpdate = true;
-      }
-    }
+    const { model, look } = this;
+    if (!model) return;
+    model.coloring = look.coloring;
+    shadeFlat(materialsOf(model), look.flat);
+    this.stage.showsWireframe = look.wireframe;
     this.stage.invalidate();
   }
 
@@ -112,7 +121,8 @@ export class Viewer {
   setZUp(zUp: boolean): void {
     this.look.zUp = zUp;
     this.stage.pivot.rotation.x = zUp ? -Math.PI / 2 : 0;
-    if (this.mesh) this.framing.onTilted(this.mesh, this.mesh.vertexCount);
+    const { model } = this;
+    if (model) this.framing.onTilted(() => this.#measure(model), model.vertexCount);
     this.stage.invalidate();
   }
 
@@ -123,13 +133,13 @@ export class Viewer {
     this.#stats.progress(null);
     this.#stats.hide();
     this.#remove();
-    this.detail.setMesh(null);
+    this.detail.setModel(null);
     this.stage.invalidate();
   }
 
   /** Whether a model is shown or being opened. */
   get isBusy(): boolean {
-    return this.mesh !== null || this.#isOpening;
+    return this.model !== null || this.#isOpening;
   }
 
   /** URL of the model, if it has one. */
@@ -141,68 +151,76 @@ export class Viewer {
     return this.#source?.name ?? 'model';
   }
 
-  #show(mesh: StriataMesh, source: ModelSource, keepsCamera: boolean): void {
+  #show(model: StriataScene, source: ModelSource, keepsCamera: boolean): void {
     this.#isOpening = false;
     this.#isIncomplete = false;
     this.#remove();
-    this.mesh = mesh;
+    this.model = model;
     this.#source = source;
-    this.#materials = materialsOf(mesh);
-    for (const material of this.#materials) {
-      if ('color' in material && !material.vertexColors) (material.color as { setHex(hex: number): void }).setHex(CLAY);
-    }
-    this.stage.pivot.add(mesh);
+    this.stage.lighting.use('lamps');
+    this.stage.pivot.add(model);
     this.framing.restart(keepsCamera);
-    this.#listen(mesh, source);
+    this.#listen(model, source);
     this.applyLook();
-    this.detail.setMesh(mesh);
-    this.#update(mesh);
+    this.playback.setScene(model);
+    // Animations may follow after everything else that the first picture needs.
+    void model.animated.then(() => {
+      if (this.model === model && !this.playback.isAvailable) this.playback.setScene(model);
+    });
+    this.comparison.setScene(model);
+    this.#tree.setScene(model);
+    this.#saving.setSource(source);
+    this.detail.setModel(model);
+    this.#update(model);
     this.onShown();
   }
 
-  #listen(mesh: StriataMesh, source: ModelSource): void {
-    const update = (): void => this.#update(mesh);
-    mesh.addEventListener('change', update);
-    mesh.addEventListener('progress', update);
-    mesh.finished.then(
+  #listen(model: StriataScene, source: ModelSource): void {
+    const update = (): void => this.#update(model);
+    model.addEventListener('change', update);
+    model.addEventListener('progress', update);
+    model.finished.then(
       () => {
-        if (this.mesh !== mesh) return;
+        if (this.model !== model) return;
         update();
         if (!this.#isOpening) this.#stats.progress(null);
         this.detail.enableViews();
-        announce(`Loaded ${source.name}: ${formatCount(mesh.fullTriangleCount)} triangles`);
+        this.comparison.enable();
+        announce(`Loaded ${source.name}: ${formatCount(model.fullTriangleCount)} triangles`);
       },
       (error: unknown) => {
-        if (this.mesh !== mesh || (error instanceof StriataError && error.code === 'aborted')) return;
+        if (this.model !== model || (error instanceof StriataError && error.code === 'aborted')) return;
         this.#isIncomplete = true;
         update();
         if (!this.#isOpening) this.#stats.progress(null);
-        this.#reportIncomplete(mesh, source, error);
+        this.#reportIncomplete(model, source, error);
       },
     );
   }
 
   /** Reports that the rest of the model could not be loaded; the loaded part stays. */
-  #reportIncomplete(mesh: StriataMesh, source: ModelSource, error: unknown): void {
+  #reportIncomplete(model: StriataScene, source: ModelSource, error: unknown): void {
     const notice = noticeOf(error, `Could not load all of ${source.name}`, source, () => void this.open(source, true));
-    notice.reason += ` The loaded part is still shown: ${formatCount(mesh.triangleCount)} of ${formatCount(mesh.fullTriangleCount)} triangles.`;
+    notice.reason += ` The loaded part is still shown: ${formatCount(model.triangleCount)} of ${formatCount(model.fullTriangleCount)} triangles.`;
     notify(notice);
   }
 
   #onProgress(abort: AbortController, progress: Progress, source: ModelSource): void {
     if (abort !== this.#abort) return;
     this.#stats.progress(progress);
-    const isShown = this.mesh !== null && this.#source === source;
+    const isShown = this.model !== null && this.#source === source;
     if (!isShown) element('subtitle').textContent = `Opening ${source.name}: ${describeProgress(progress)}`;
   }
 
-  #update(mesh: StriataMesh): void {
-    if (this.mesh !== mesh) return;
-    if (!this.#frozen.isFrozen) this.framing.follow(mesh, mesh.vertexCount, mesh.complete);
-    this.#wireframe.show(mesh, this.look.wireframe);
-    this.#stats.show(mesh);
-    const kind = mesh.complete ? kindOf(mesh) : this.#isIncomplete ? 'incomplete' : 'loading';
-    element('subtitle').textContent = `${formatCount(mesh.fullTriangleCount)} triangles, ${kind}`;
+  #update(model: StriataScene): void {
+    if (this.model !== model) return;
+    if (!this.#frozen.isFrozen) this.framing.follow(() => this.#measure(model), model.vertexCount, model.complete);
+    this.#light(model);
+    this.#stats.show(model);
+    this.#tree.update();
+    this.comparison.update();
+    const kind = model.complete ? kindOf(model) : this.#isIncomplete ? 'incomplete' : 'loading';
+    element('subtitle').textContent = `${formatCount(model.fullTriangleCount)} triangles, ${kind}`;
     this.stage.invalidate();
   }
 
@@ -211,17 +229,44 @@ export class Viewer {
     element('frozen-note').hidden = !isFrozen;
     if (isFrozen) this.#frozen.freeze(themeColor('--accent'));
     else this.#frozen.unfreeze();
-    if (this.mesh) this.#stats.show(this.mesh);
+    if (this.model) this.#stats.show(this.model);
     this.stage.invalidate();
+  }
+
+  /** Shows a bare scan as clay under lamps, and a scene with materials in the studio; textures may arrive late. */
+  #light(model: StriataScene): void {
+    const { lighting } = this.stage;
+    if (lighting.name === 'studio') return;
+    const materials = materialsOf(model);
+    const bare = isBare(materials);
+    paintClay(materials, bare);
+    if (!bare) lighting.use('studio');
+  }
+
+  /** Bounds of the model, in all poses of its animation. */
+  #measure(model: StriataScene): Sphere | null {
+    const bounds = new Bounds();
+    if (this.playback.isAvailable) this.playback.samplePoses(MEASURED_POSES, () => bounds.add(model));
+    else bounds.add(model);
+    return bounds.sphere();
+  }
+
+  #focus(part: Object3D): void {
+    const sphere = boundsOf(part);
+    if (sphere) this.framing.focus(sphere);
   }
 
   #remove(): void {
     this.#frozen.unfreeze(false);
-    const { mesh } = this;
-    if (!mesh) return;
-    this.mesh = null;
-    mesh.removeFromParent();
-    mesh.dispose();
+    const { model } = this;
+    if (!model) return;
+    this.playback.setScene(null);
+    this.comparison.setScene(null);
+    this.#tree.setScene(null);
+    this.#saving.setSource(null);
+    this.model = null;
+    model.removeFromParent();
+    model.dispose();
   }
 }
 
@@ -252,11 +297,7 @@ function noticeOf(error: unknown, title: string, source: ModelSource, retry: () 
   return { title, reason, hint: hint && sentence(hint), retry: isNetwork || known?.code === 'not-found' ? retry : undefined };
 }
 
-function materialsOf(mesh: StriataMesh): SurfaceMaterial[] {
-  return Array.isArray(mesh.material) ? mesh.material : [mesh.material];
-}
-
-function kindOf(mesh: StriataMesh): string {
-  if (mesh.kind === 'mesh') return 'simplified in the browser';
-  return mesh.kind === 'stream' ? 'stream' : '.striata file';
+function kindOf(model: StriataScene): string {
+  if (model.kind === 'mesh') return 'simplified in the browser';
+  return model.kind === 'stream' ? 'stream' : '.striata file';
 }

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/*.wasm, web/src/wasm (their scripts)
+//! the same, with the encoder -------------------------> web/viewer/wasm
 //! web/src            --vite, tsc----------------------> web/dist
 //! web/viewer         --vite---------------------------> crates/striata-viewer/viewer (embedded)
 //! ```
@@ -113,12 +114,16 @@ fn missing_tool() -> Option<String> {
 fn build_library() -> Result<()> {
     machine::npm_install(&folder())?;
     let built = wasm::MODULES.map(wasm::build);
+    let encoder = wasm::build(wasm::ENCODER)?;
     let scripts = folder().join("src/wasm");
-    machine::remove_folder(&dist())?;
-    machine::remove_folder(&scripts)?;
+    let page = folder().join("viewer/wasm");
+    for folder in [&dist(), &scripts, &page] {
+        machine::remove_folder(folder)?;
+    }
     for built in built {
         wasm::write(&built?, &dist(), &scripts)?;
     }
+    wasm::write(&encoder, &page, &page)?;
     machine::npm(&folder(), &["run", "--silent", "check"])?;
     machine::npm(&folder(), &["run", "--silent", "build:library"])?;
     stamp::write(&dist_stamp())

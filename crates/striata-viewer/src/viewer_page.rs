@@ -10,54 +10,80 @@ use rust_embed::RustEmbed;
 use striata_command::failure::Failure;
 use striata_command::page::escaped;
 
-/// Files of the viewer, as built from `web/`.
+/// Files of the viewer, as built from `web/`: the page `index.html`, and files whose names contain a hash of
+/// their contents.
 #[derive(RustEmbed)]
 #[folder = "viewer/"]
 pub struct ViewerFiles;
+
+/// Names of the wasm modules, up to their hash, and the ids under which a page looks for them.
+const MODULES: [(&str, &str); 2] =
+    [("striata-", "striata-wasm"), ("striata-encoder-", "striata-builder-wasm")];
 
 /// Returns the viewer as a single page, with a model (file name and bytes) embedded if given.
 ///
 /// # Errors
 /// If the embedded viewer is incomplete.
 pub fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
-    let file = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
-    assemble(&file, model)
+    let names: Vec<String> = ViewerFiles::iter().map(|name| name.into_owned()).collect();
+    let read = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
+    Files { names, read: &read }.assemble(model)
 }
 
-fn assemble(
-    file: &impl Fn(&str) -> Option<Vec<u8>>,
-    model: Option<(&str, &[u8])>,
-) -> Result<String, Failure> {
-    let text = |name: &str| {
-        let bytes =
-            file(name).ok_or_else(|| Failure::internal(format!("the embedded viewer has no {name}")))?;
-        String::from_utf8(bytes)
+/// Files of a page, whose names contain hashes.
+struct Files<'a> {
+    names: Vec<String>,
+    read: &'a dyn Fn(&str) -> Option<Vec<u8>>,
+}
+
+impl Files<'_> {
+    fn assemble(&self, model: Option<(&str, &[u8])>) -> Result<String, Failure> {
+        let mut page = self.text("index.html")?;
+        let name = self.name("viewer-", ".css").ok_or_else(|| lacks("viewer-*.css"))?;
+        let tag = tag_naming(&page, "link", name).ok_or_else(|| not_loaded(name))?;
+        page.replace_range(tag, &format!("<style>{}</style>", escape_end_tags(&self.text(name)?, "style")));
+        let name = self.name("viewer-", ".js").ok_or_else(|| lacks("viewer-*.js"))?;
+        let tag = tag_naming(&page, "script", name).ok_or_else(|| not_loaded(name))?;
+        let mut inlined = String::new();
+        for (start, id) in MODULES {
+            let name = self.name(start, ".wasm").ok_or_else(|| lacks(start))?;
+            let wasm = BASE64.encode(self.bytes(name)?);
+            inlined += &format!("<script type=\"text/plain\" id=\"{id}\">{wasm}</script>\n");
+        }
+        if let Some((name, bytes)) = model {
+            let (name, bytes) = (escaped(name), BASE64.encode(bytes));
+            inlined += "<script type=\"text/plain\" id=\"striata-model\" ";
+            inlined += &format!("data-name=\"{name}\">{bytes}</script>\n");
+        }
+        let code = escape_end_tags(&self.text(name)?, "script");
+        inlined += &format!("<script type=\"module\">{code}</script>");
+        page.replace_range(tag, &inlined);
+        Ok(page)
+    }
+
+    /// The file whose name starts and ends like this, with a hash in between.
+    fn name(&self, start: &str, end: &str) -> Option<&str> {
+        let is_hash = |text: &str| text.bytes().all(|byte| byte.is_ascii_hexdigit());
+        let hash = |name: &str| Some(is_hash(name.strip_prefix(start)?.strip_suffix(end)?));
+        self.names.iter().map(String::as_str).find(|&name| hash(name) == Some(true))
+    }
+
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, Failure> {
+        (self.read)(name).ok_or_else(|| lacks(name))
+    }
+
+    fn text(&self, name: &str) -> Result<String, Failure> {
+        String::from_utf8(self.bytes(name)?)
             .map_err(|_| Failure::internal(format!("{name} of the embedded viewer is not valid UTF-8")))
-    };
-    let mut page = text("index.html")?;
-    if let Some(tag) = tag_naming(&page, "link", "viewer.css") {
-        page.replace_range(
-            tag,
-            &format!("<style>{}</style>", escape_end_tags(&text("viewer.css")?, "style")),
-        );
     }
-    let script = tag_naming(&page, "script", "viewer.js");
-    let script =
-        script.ok_or_else(|| Failure::internal("the page of the embedded viewer does not load viewer.js"))?;
-    let mut inlined = String::new();
-    if let Some(wasm) = file("striata.wasm") {
-        let wasm = BASE64.encode(wasm);
-        inlined += &format!("<script type=\"text/plain\" id=\"striata-wasm\">{wasm}</script>\n");
-    }
-    if let Some((name, bytes)) = model {
-        let (name, bytes) = (escaped(name), BASE64.encode(bytes));
-        inlined += "<script type=\"text/plain\" id=\"striata-model\" ";
-        inlined += &format!("data-name=\"{name}\">{bytes}</script>\n");
-    }
-    let code = escape_end_tags(&text("viewer.js")?, "script");
-    inlined += &format!("<script type=\"module\">{code}</script>");
-    page.replace_range(script, &inlined);
-    Ok(page)
+}
+
+fn lacks(name: &str) -> Failure {
+    Failure::internal(format!("the embedded viewer has no {name}"))
+}
+
+fn not_loaded(name: &str) -> Failure {
+    Failure::internal(format!("the page of the embedded viewer does not load {name}"))
 }
 
 /// Byte range of the element whose start tag names a file, including the end tag if it follows immediately.
@@ -85,25 +111,35 @@ fn escape_end_tags(code: &str, element: &str) -> String {
 mod tests {
     use super::*;
 
+    const NAMES: [&str; 5] =
+        ["index.html", "viewer-12ab.css", "viewer-34cd.js", "striata-encoder-78.wasm", "striata-56ef.wasm"];
+
     fn fixture(name: &str) -> Option<Vec<u8>> {
         let text = match name {
             "index.html" => {
-                "<head><link rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" href=\"./viewer.css\">\
-                 <script type=\"module\" crossorigin src=\"./viewer.js\"></script></head>"
+                "<head><link rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" href=\"./viewer-12ab.css\">\
+                 <script type=\"module\" crossorigin src=\"./viewer-34cd.js\"></script></head>"
             }
-            "viewer.js" => "const end = '</script>', note = '<!--';",
-            "viewer.css" => "p { color: red }",
-            "striata.wasm" => "\0asm",
+            "viewer-34cd.js" => "const end = '</script>', note = '<!--';",
+            "viewer-12ab.css" => "p { color: red }",
+            "striata-56ef.wasm" => "\0asm",
+            "striata-encoder-78.wasm" => "\0asm2",
             _ => return None,
         };
         Some(text.as_bytes().to_vec())
     }
 
+    fn files<'a>(missing: &str, read: &'a dyn Fn(&str) -> Option<Vec<u8>>) -> Files<'a> {
+        let names = NAMES.into_iter().filter(|name| *name != missing).map(str::to_owned).collect();
+        Files { names, read }
+    }
+
     #[test]
     fn scripts_styles_decoder_and_model_move_into_the_page() {
-        let page = assemble(&fixture, Some(("a\"b<c>.stri", b"foobar"))).expect("all parts");
+        let page = files("", &fixture).assemble(Some(("a\"b<c>.stri", b"foobar"))).expect("all parts");
         let expected = "<head><link rel=\"icon\" href=\"data:,\"><style>p { color: red }</style>\
              <script type=\"text/plain\" id=\"striata-wasm\">AGFzbQ==</script>\n\
+             <script type=\"text/plain\" id=\"striata-builder-wasm\">AGFzbTI=</script>\n\
              <script type=\"text/plain\" id=\"striata-model\" data-name=\"a&quot;b&lt;c&gt;.stri\">Zm9vYmFy</script>\n\
              <script type=\"module\">const end = '<\\/script>', note = '<\\!--';</script></head>";
         assert_eq!(page, expected);
@@ -111,17 +147,23 @@ mod tests {
 
     #[test]
     fn missing_parts_are_reported() {
-        let without = |missing: &'static str| move |name: &str| fixture(name).filter(|_| name != missing);
-        for missing in ["index.html", "viewer.js", "viewer.css"] {
-            assert!(assemble(&without(missing), None).is_err(), "{missing} is not reported");
+        for missing in ["index.html", "viewer-34cd.js", "viewer-12ab.css"] {
+            let read = |name: &str| fixture(name).filter(|_| name != missing);
+            assert!(files("", &read).assemble(None).is_err(), "{missing} is not reported");
         }
-        assert!(assemble(&|name: &str| fixture(name).map(|_| b"<p>".to_vec()), None).is_err());
+        for missing in ["viewer-34cd.js", "viewer-12ab.css"] {
+            assert!(files(missing, &fixture).assemble(None).is_err(), "{missing} is not listed");
+        }
+        let empty = |name: &str| fixture(name).map(|_| b"<p>".to_vec());
+        assert!(files("", &empty).assemble(None).is_err(), "a page without tags");
     }
 
     #[test]
     fn the_embedded_viewer_assembles() {
         let page = self_contained(Some(("ball.stri", b"1234"))).expect("all parts");
         assert!(page.contains("data-name=\"ball.stri\">MTIzNA==</script>"));
-        assert_eq!(tag_naming(&page, "script", "viewer.js"), None, "everything is inlined");
+        for name in ViewerFiles::iter().filter(|name| name.ends_with(".js") || name.ends_with(".css")) {
+            assert!(!page.contains(&format!("\"./{name}\"")), "{name} is inlined");
+        }
     }
 }

@@ -21,6 +21,8 @@
 #[cfg(feature = "build")]
 mod built_model;
 mod coloring;
+#[cfg(feature = "encode")]
+mod encoder;
 mod failure;
 mod leveled;
 mod limits;
@@ -43,6 +45,8 @@ mod streamed_model;
 mod vertices;
 mod view;
 
+#[cfg(feature = "encode")]
+pub use encoder::encode_file;
 pub use failure::Failure;
 #[cfg(feature = "build")]
 pub use mesh_builder::MeshBuilder;

@@ -10,10 +10,11 @@ use super::wasm;
 use crate::workspace;
 
 /// Sources by name. Folders include all of their contents; missing paths are ignored.
-const SOURCES: [(&str, &[&str]); 8] = [
+const SOURCES: [(&str, &[&str]); 9] = [
     ("library", &["crates/striata/src", "crates/striata/Cargo.toml"]),
     ("streams", &["crates/striata-stream/src", "crates/striata-stream/Cargo.toml"]),
     ("io", &["crates/striata-io/src", "crates/striata-io/Cargo.toml"]),
+    ("scenes", &["crates/striata-scene/src", "crates/striata-scene/Cargo.toml"]),
     ("web-crate", &["crates/striata-web/src", "crates/striata-web/Cargo.toml"]),
     ("rust-packages", &["Cargo.toml", "Cargo.lock"]),
     ("recipe", &["xtask/src/web.rs", "xtask/src/web"]),
@@ -32,7 +33,7 @@ const SOURCES: [(&str, &[&str]); 8] = [
 ];
 
 /// Excluded folders: built files and tests.
-const EXCLUDED: [&str; 2] = ["web/src/wasm", "web/src/tests"];
+const EXCLUDED: [&str; 3] = ["web/src/wasm", "web/viewer/wasm", "web/src/tests"];
 
 /// The stamp of an asset: lines of a name and a value.
 pub(super) struct Stamp {

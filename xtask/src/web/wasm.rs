@@ -45,6 +45,10 @@ pub(super) const MODULES: [Module; 2] = [
     Module { name: "striata-builder", feature: "build", profile: "web-builder", optimization: "-Oz" },
 ];
 
+/// What the viewer page loads in place of the builder: it also saves models.
+pub(super) const ENCODER: Module =
+    Module { name: "striata-encoder", feature: "encode", profile: "web-builder", optimization: "-Oz" };
+
 /// Files built from `crates/striata-web`.
 pub(super) struct BuiltFiles {
     name: &'static str,

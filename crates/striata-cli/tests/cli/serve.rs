@@ -51,6 +51,14 @@ fn get(server: &Server, path: &str, headers: &str) -> Answer {
     connect(server).get(path, headers).expect("an answer")
 }
 
+/// Path of the viewer's script, which the page names.
+fn script(server: &Server) -> String {
+    let page = String::from_utf8(get(server, "/", "").body).expect("UTF-8");
+    let (_, rest) = page.split_once("src=\"./viewer-").expect("the page loads a script");
+    let (hash, _) = rest.split_once('"').expect("the attribute ends");
+    format!("/viewer-{hash}")
+}
+
 #[test]
 fn the_list_contains_all_visible_models_and_nothing_else() {
     let bench = folder();
@@ -107,8 +115,8 @@ fn no_path_leads_out_of_the_folder_or_to_hidden_files() {
         assert!(answer.status == 200 || !answer.body.starts_with(b"ply"), "{path}");
         answer.status
     };
-    for there in ["/models/inside.stri", "/models/buffer.bin", "/models/%C3%A4%20%231.obj", "/", "/viewer.js"]
-    {
+    let script = script(&server);
+    for there in ["/models/inside.stri", "/models/buffer.bin", "/models/%C3%A4%20%231.obj", "/", &script] {
         assert_eq!(status(there), 200, "{there}");
     }
     let models = [
@@ -140,8 +148,9 @@ fn no_path_leads_out_of_the_folder_or_to_hidden_files() {
         assert_eq!(status(&format!("/models/{path}")), 404, "{path}");
         assert_eq!(status(&format!("/pictures/{path}.png")), 404, "{path}");
     }
+    let in_script = format!("{script}/");
     let paths =
-        ["/../../etc/passwd", "/%2e%2e/Cargo.toml", "/viewer.js/", "/models", "/pictures/", "//etc/passwd"];
+        ["/../../etc/passwd", "/%2e%2e/Cargo.toml", &in_script, "/models", "/pictures/", "//etc/passwd"];
     for path in paths {
         assert_eq!(status(path), 404, "{path}");
     }
@@ -260,11 +269,12 @@ fn the_viewer_is_compressed_once_and_has_a_content_security_policy() {
     }
     assert!(page.header("content-security-policy").contains("'wasm-unsafe-eval'"));
     assert_eq!(page.header("access-control-allow-origin"), "");
-    let plain = get(&server, "/viewer.js", "");
+    let script = script(&server);
+    let plain = get(&server, &script, "");
     let packed = |coding: &str| {
         let until = Instant::now() + PATIENCE;
         loop {
-            let answer = get(&server, "/viewer.js", &format!("accept-encoding: {coding}\r\n"));
+            let answer = get(&server, &script, &format!("accept-encoding: {coding}\r\n"));
             if answer.header("content-encoding") == coding {
                 return answer;
             }
@@ -279,8 +289,37 @@ fn the_viewer_is_compressed_once_and_has_a_content_security_policy() {
     assert_eq!(unpacked, plain.body);
     let tags = [&plain, &gzip, &brotli].map(|answer| answer.header("etag").to_owned());
     assert!(tags[0] != tags[1] && tags[1] != tags[2] && tags[0] != tags[2], "{tags:?}");
-    let again = get(&server, "/viewer.js", &format!("if-none-match: {}\r\n", tags[0]));
+    let again = get(&server, &script, &format!("if-none-match: {}\r\n", tags[0]));
     assert_eq!(again.status, 304);
+    assert_eq!(again.header("cache-control"), plain.header("cache-control"));
+}
+
+#[test]
+fn only_files_named_by_their_contents_are_cached_without_asking() {
+    let bench = folder();
+    let server = serve(&bench, ".", &[]);
+    let cached = |path: &str| {
+        let answer = get(&server, path, "");
+        assert_eq!(answer.status, 200, "{path}");
+        assert!(!answer.header("etag").is_empty(), "{path} has a validator, too");
+        answer.header("cache-control").to_owned()
+    };
+    let page = String::from_utf8(get(&server, "/", "").body).expect("UTF-8");
+    let names: Vec<&str> = page.split("\"./").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert!(names.len() >= 2, "the page names its script and style: {names:?}");
+    for name in names {
+        assert_eq!(cached(&format!("/{name}")), "public, max-age=31536000, immutable", "{name}");
+    }
+    for path in [
+        "/",
+        "/index.html",
+        "/models.json",
+        "/models/ball.stri",
+        "/models/sphere.obj",
+        "/pictures/ball.stri.png",
+    ] {
+        assert_eq!(cached(path), "no-cache", "{path}");
+    }
 }
 
 #[test]
@@ -344,6 +383,27 @@ fn unknown_host_names_are_refused() {
     let mut connection = connect(&server);
     connection.say("GET http://example.com/models.json HTTP/1.1\r\nhost: localhost\r\n\r\n").expect("sent");
     assert_eq!(connection.answer(true).expect("an answer").status, 421);
+}
+
+#[test]
+fn proxies_can_be_allowed_by_name() {
+    let bench = folder();
+    let server = serve(&bench, ".", &["--allow-host", "models.example.com", "--allow-host", "10.1.2.3"]);
+    let status = |host: &str| {
+        let mut connection = connect(&server);
+        connection.say(&format!("GET /models.json HTTP/1.1\r\nhost: {host}\r\n\r\n")).expect("sent");
+        connection.answer(true).expect("an answer").status
+    };
+    for allowed in ["models.example.com", "Models.Example.com:443", "10.1.2.3:8080", "localhost"] {
+        assert_eq!(status(allowed), 200, "{allowed}");
+    }
+    for bad in ["example.com", "models.example.com.evil.com", "a@models.example.com", "10.1.2.4"] {
+        assert_eq!(status(bad), 421, "{bad}");
+    }
+    for bad in ["https://models.example.com", "models.example.com:443", "*"] {
+        let refused = bench.refused(&format!("serve . --port 0 --allow-host {bad}"));
+        assert!(refused.contains("name or address of a host"), "{refused}");
+    }
 }
 
 #[test]

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::guard::HostName;
+
 /// Arguments of `serve`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  striata serve models\n  striata serve bunny.striata --port 0 --open")]
@@ -17,6 +19,10 @@ pub struct ServeArgs {
     /// Listen on this address or name; other machines can connect unless it is a loopback address
     #[arg(long, value_name = "HOST", default_value = "127.0.0.1")]
     pub host: String,
+    /// Also answer requests for this host name, as a proxy in front of a loopback address sends them;
+    /// can be repeated
+    #[arg(long, value_name = "HOST")]
+    pub allow_host: Vec<HostName>,
     /// Limit the number of simultaneous connections; others wait
     #[arg(
         long, value_name = "N", default_value_t = 512,

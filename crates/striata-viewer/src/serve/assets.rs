@@ -1,4 +1,7 @@
 //! Serves the viewer's own files, compressed once when the server starts.
+//!
+//! The page loads its other files under names that contain a hash of their contents, so browsers may keep
+//! these without asking again. The page itself must be validated each time.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
@@ -32,6 +35,8 @@ struct Asset {
     bytes: Bytes,
     tag: String,
     content_type: &'static str,
+    /// Whether the name contains a hash of the contents.
+    is_immutable: bool,
     gzip: OnceLock<Bytes>,
     brotli: OnceLock<Bytes>,
 }
@@ -46,6 +51,7 @@ impl Assets {
                 tag: hash[..12].iter().map(|byte| format!("{byte:02x}")).collect(),
                 bytes: Bytes::from(file.data.into_owned()),
                 content_type: page_type(&name),
+                is_immutable: has_hash(&name),
                 gzip: OnceLock::new(),
                 brotli: OnceLock::new(),
             });
@@ -58,6 +64,24 @@ impl Assets {
     }
 }
 
+impl Asset {
+    /// Sets the headers for caches.
+    fn apply(&self, validators: &Validators, response: &mut Response) {
+        match self.is_immutable {
+            true => validators.apply_immutable(response),
+            false => validators.apply(response),
+        }
+    }
+}
+
+/// Whether a name ends in a hash of the file's contents, as the build of the page writes it: a hyphen and 16
+/// hexadecimal digits before the extension.
+fn has_hash(name: &str) -> bool {
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let hash = stem.rsplit_once('-').map_or("", |(_, hash)| hash);
+    hash.len() == 16 && hash.bytes().all(|byte| byte.is_ascii_hexdigit())
+}
+
 /// Handles every request that is not for a model.
 pub(super) async fn handle(State(assets): State<Arc<Assets>>, uri: Uri, request: HeaderMap) -> Response {
     let name = uri.path().trim_start_matches('/');
@@ -67,12 +91,13 @@ pub(super) async fn handle(State(assets): State<Arc<Assets>>, uri: Uri, request:
     let offers: Vec<Coding> = ready.iter().filter(|(_, b)| b.is_some()).map(|&(coding, _)| coding).collect();
     let coding = Coding::chosen(&request, &offers);
     let validators = Validators::new(&asset.tag, coding, None);
-    if let Some(response) = validators.not_modified(&request) {
+    if let Some(mut response) = validators.not_modified(&request) {
+        asset.apply(&validators, &mut response);
         return response;
     }
     let compressed = ready.into_iter().find(|&(known, _)| known == coding).and_then(|(_, bytes)| bytes);
     let mut response = compressed.unwrap_or(&asset.bytes).clone().into_response();
-    validators.apply(&mut response);
+    asset.apply(&validators, &mut response);
     let headers = response.headers_mut();
     headers.insert(CONTENT_TYPE, HeaderValue::from_static(asset.content_type));
     if let Some(coding) = coding.name() {
@@ -100,4 +125,33 @@ async fn write_all(encoder: &mut (impl AsyncWrite + Unpin), bytes: &[u8]) -> std
         tokio::task::yield_now().await;
     }
     encoder.shutdown().await
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_with_a_hash_are_recognized() {
+        for good in ["viewer-0123456789abcdef.js", "a-b-0123456789abcdef.wasm"] {
+            assert!(has_hash(good), "{good}");
+        }
+        for bad in [
+            "index.html",
+            "viewer.js",
+            "viewer-0123.js",
+            "viewer-0123456789abcdeg.js",
+            "0123456789abcdef.js",
+            "",
+        ] {
+            assert!(!has_hash(bad), "{bad}");
+        }
+    }
+
+    #[test]
+    fn all_embedded_files_but_the_page_have_a_hash() {
+        for name in ViewerFiles::iter() {
+            assert_eq!(has_hash(&name), name != "index.html", "{name}");
+        }
+    }
 }

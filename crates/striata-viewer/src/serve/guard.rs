@@ -2,7 +2,12 @@
 //!
 //! A page of another site can make a browser send requests to a server on the same machine under a host name
 //! that the site resolves to this machine (DNS rebinding); the browser would then treat it as a page of this
-//! server. So a server that is bound to a loopback address only answers requests for loopback host names.
+//! server. So a server that is bound to a loopback address only answers requests for loopback host names, and
+//! for the names of proxies that its user has allowed.
+
+use std::net::{IpAddr, Ipv6Addr};
+use std::str::FromStr;
+use std::sync::Arc;
 
 use axum::Router;
 use axum::extract::{Request, State};
@@ -14,7 +19,6 @@ use axum::http::uri::Authority;
 use axum::http::{HeaderName, HeaderValue, Method, StatusCode};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
-use std::net::IpAddr;
 use tower_http::cors::{Any, CorsLayer};
 use tower_http::set_header::SetResponseHeaderLayer;
 
@@ -25,15 +29,61 @@ const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' b
                       base-uri 'none'; form-action 'none'; \
                       frame-ancestors 'self'";
 
+/// Hosts that a server answers for.
+#[derive(Clone, Debug)]
+pub(super) enum Hosts {
+    /// All; for servers that other machines can reach anyway.
+    Any,
+    /// Loopback names and addresses, and the names of proxies.
+    Loopback(Arc<[HostName]>),
+}
+
+impl Hosts {
+    /// Whether requests for an authority (a host with or without a port) are answered.
+    fn includes(&self, authority: &str) -> bool {
+        let Self::Loopback(proxies) = self else { return true };
+        let Ok(authority) = authority.parse::<Authority>() else { return false };
+        let host = without_dot(authority.host());
+        let has_user = authority.as_str().contains('@');
+        !has_user
+            && (is_loopback(host) || proxies.iter().any(|HostName(proxy)| proxy.eq_ignore_ascii_case(host)))
+    }
+}
+
+/// Name or address of a host, without a port. Compared without regard to case or to a dot at the end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HostName(String);
+
+impl FromStr for HostName {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let bare = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')).unwrap_or(text);
+        if let Ok(address) = bare.parse::<Ipv6Addr>() {
+            // In requests, an IPv6 address has brackets.
+            return Ok(Self(format!("[{address}]")));
+        }
+        let is_allowed = |letter: char| letter.is_ascii_alphanumeric() || "-._".contains(letter);
+        match without_dot(text) {
+            name if !name.is_empty() && name.chars().all(is_allowed) => Ok(Self(name.to_owned())),
+            _ => Err("expected the name or address of a host, without scheme, port or path".to_owned()),
+        }
+    }
+}
+
+fn without_dot(host: &str) -> &str {
+    host.strip_suffix('.').unwrap_or(host)
+}
+
 /// Wraps the routes in all checks and headers.
-pub(super) fn guarded(router: Router, is_local: bool, allows_other_sites: bool) -> Router {
+pub(super) fn guarded(router: Router, hosts: Hosts, allows_other_sites: bool) -> Router {
     let header = |name: HeaderName, value: &'static str| {
         SetResponseHeaderLayer::overriding(name, HeaderValue::from_static(value))
     };
     let sharing = if allows_other_sites { "cross-origin" } else { "same-origin" };
     let router = if allows_other_sites { router.layer(cross_site()) } else { router };
     router
-        .layer(from_fn_with_state(is_local, check_host))
+        .layer(from_fn_with_state(hosts, check_host))
         .layer(header(X_CONTENT_TYPE_OPTIONS, "nosniff"))
         .layer(header(CONTENT_SECURITY_POLICY, POLICY))
         .layer(header(REFERRER_POLICY, "no-referrer"))
@@ -48,9 +98,9 @@ fn cross_site() -> CorsLayer {
         .expose_headers([ETAG, CONTENT_LENGTH, CONTENT_RANGE, ACCEPT_RANGES])
 }
 
-async fn check_host(State(is_local): State<bool>, request: Request, next: Next) -> Response {
-    let mut hosts = request.headers().get_all(HOST).iter();
-    let (host, others) = (hosts.next(), hosts.count());
+async fn check_host(State(hosts): State<Hosts>, request: Request, next: Next) -> Response {
+    let mut named = request.headers().get_all(HOST).iter();
+    let (host, others) = (named.next(), named.count());
     let Some(host) = host.and_then(|host| host.to_str().ok()).filter(|_| others == 0) else {
         return (
             StatusCode::BAD_REQUEST,
@@ -60,33 +110,34 @@ async fn check_host(State(is_local): State<bool>, request: Request, next: Next) 
             .into_response();
     };
     let target = request.uri().authority().map_or(host, Authority::as_str);
-    if is_local && !(is_this_machine(host) && is_this_machine(target)) {
-        let text = "this server only answers requests for localhost; start it with --host to allow others
-";
+    if !(hosts.includes(host) && hosts.includes(target)) {
+        let text = "this server only answers requests for localhost; start it with --allow-host to allow \
+                    the name of a proxy, or with --host to allow other machines\n";
         return (StatusCode::MISDIRECTED_REQUEST, text).into_response();
     }
     next.run(request).await
 }
 
-/// Whether an authority (a host with or without a port) is a loopback name or address, which no other
-/// site can use.
-fn is_this_machine(authority: &str) -> bool {
-    let Ok(authority) = authority.parse::<Authority>() else { return false };
-    let host = authority.host();
+/// Whether a host is a loopback name or address, which no other site can use.
+fn is_loopback(host: &str) -> bool {
     let bare = host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host);
-    let has_user = authority.as_str().contains('@');
-    !has_user
-        && (host.eq_ignore_ascii_case("localhost") || bare.parse::<IpAddr>().is_ok_and(|ip| ip.is_loopback()))
+    host.eq_ignore_ascii_case("localhost") || bare.parse::<IpAddr>().is_ok_and(|ip| ip.is_loopback())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn hosts(proxies: &[&str]) -> Hosts {
+        Hosts::Loopback(proxies.iter().map(|name| name.parse().expect("a host")).collect())
+    }
+
     #[test]
-    fn only_loopback_names_are_this_machine() {
-        for good in ["localhost", "LOCALHOST:7878", "127.0.0.1", "127.0.0.1:1", "[::1]", "[::1]:7878"] {
-            assert!(is_this_machine(good), "{good}");
+    fn a_local_server_answers_for_loopback_names() {
+        for good in
+            ["localhost", "LOCALHOST:7878", "localhost.", "127.0.0.1", "127.0.0.1:1", "[::1]", "[::1]:7878"]
+        {
+            assert!(hosts(&[]).includes(good), "{good}");
         }
         for bad in [
             "",
@@ -101,7 +152,35 @@ mod tests {
             "::1",
             "local host",
         ] {
-            assert!(!is_this_machine(bad), "{bad}");
+            assert!(!hosts(&[]).includes(bad), "{bad}");
+            assert!(!hosts(&["models.example"]).includes(bad), "{bad}");
+            assert!(Hosts::Any.includes(bad), "{bad}");
         }
+    }
+
+    #[test]
+    fn allowed_names_are_compared_without_port_and_case() {
+        let hosts = hosts(&["Models.Example", "10.0.0.7", "2001:DB8::1"]);
+        for good in [
+            "models.example",
+            "MODELS.example:443",
+            "models.example.",
+            "10.0.0.7:80",
+            "[2001:db8::1]:8080",
+            "localhost",
+        ] {
+            assert!(hosts.includes(good), "{good}");
+        }
+        for bad in ["example", "a.models.example", "models.example.com", "evil@models.example", "10.0.0.70"] {
+            assert!(!hosts.includes(bad), "{bad}");
+        }
+    }
+
+    #[test]
+    fn host_names_have_no_port_scheme_or_path() {
+        for bad in ["", ".", "a:80", "https://a", "a/b", "user@a", "a b", "*", "[::1]:80", "[::1", "[a]"] {
+            assert!(bad.parse::<HostName>().is_err(), "{bad}");
+        }
+        assert_eq!("[::1]".parse(), Ok(HostName("[::1]".to_owned())));
     }
 }

@@ -5,9 +5,9 @@
 //! every request, and `server` manages connections.
 //!
 //! Names are resolved through `cap-std`, so that symbolic links cannot leave the folder. On a loopback
-//! address only loopback host names are accepted, which prevents DNS rebinding. A slow reader costs its own
-//! memory only: a piece of 64 KiB is read when the previous one has been sent. A file is opened once per
-//! request, so its tag, its type and its bytes belong to the same version of it.
+//! address only loopback host names and those of allowed proxies are accepted, which prevents DNS rebinding.
+//! A slow reader costs its own memory only: a piece of 64 KiB is read when the previous one has been sent. A
+//! file is opened once per request, so its tag, its type and its bytes belong to the same version of it.
 
 mod args;
 mod assets;
@@ -35,9 +35,11 @@ use serde::Serialize;
 use tokio::net::TcpListener;
 
 pub use self::args::{ServeArgs, ThumbnailArgs};
+pub use self::guard::HostName;
 pub use self::thumbnail::run as thumbnail;
 use assets::Assets;
 use folder::Folder;
+use guard::Hosts;
 use listing::Listing;
 use options::Options;
 use server_state::ServerState;
@@ -111,6 +113,7 @@ async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Resul
 }
 
 fn router(server_state: ServerState, is_local: bool, options: &Options) -> Router {
+    let hosts = if is_local { Hosts::Loopback(options.proxies.as_slice().into()) } else { Hosts::Any };
     let viewer = get(assets::handle).with_state(server_state.clone());
     let router = Router::new()
         .route("/models.json", get(listing::handle))
@@ -118,7 +121,7 @@ fn router(server_state: ServerState, is_local: bool, options: &Options) -> Route
         .route("/pictures/{*path}", get(thumbnails::handle))
         .fallback_service(viewer)
         .with_state(server_state);
-    guard::guarded(router, is_local, options.allows_other_sites)
+    guard::guarded(router, hosts, options.allows_other_sites)
 }
 
 /// Raises the limit on open files: each connection may need a socket and a file. If that fails,

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::args::ServeArgs;
+use super::guard::HostName;
 
 /// Options of the server.
 #[derive(Clone, Debug)]
@@ -11,6 +12,8 @@ pub(crate) struct Options {
     pub(crate) host: String,
     /// Port to listen on; 0 picks any free port.
     pub(crate) port: u16,
+    /// Names of proxies that a server on a loopback address also answers for.
+    pub(crate) proxies: Vec<HostName>,
     /// Maximum number of simultaneous connections.
     pub(crate) max_connections: usize,
     /// How long a connection may be idle.
@@ -27,6 +30,7 @@ impl Options {
         Self {
             host: "127.0.0.1".to_owned(),
             port: 0,
+            proxies: Vec::new(),
             max_connections: 64,
             time_out: Duration::from_secs(60),
             allows_other_sites: false,
@@ -40,6 +44,7 @@ impl From<&ServeArgs> for Options {
         Self {
             host: args.host.clone(),
             port: args.port,
+            proxies: args.allow_host.clone(),
             max_connections: args.max_connections as usize,
             time_out: Duration::from_secs(args.time_out),
             allows_other_sites: args.cors,

@@ -87,6 +87,14 @@ impl Validators {
         condition.is_none_or(|condition| !condition.is_modified(self.etag().as_ref(), modified.as_ref()))
     }
 
+    /// Sets the headers of a response that clients may keep without asking again, since its URL changes with
+    /// its contents.
+    pub(super) fn apply_immutable(&self, response: &mut Response) {
+        self.apply(response);
+        let headers = response.headers_mut();
+        headers.insert(CACHE_CONTROL, HeaderValue::from_static("public, max-age=31536000, immutable"));
+    }
+
     /// Sets the headers of a response, which clients must revalidate each time.
     pub(super) fn apply(&self, response: &mut Response) {
         let headers = response.headers_mut();
