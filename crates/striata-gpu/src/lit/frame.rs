@@ -58,7 +58,7 @@ struct Draw {
 }
 
 impl LitFrame {
-    /// Largest number of lamps in a frame.
+    /// Largest number of lights in a frame.
     pub const MAX_LIGHT_COUNT: usize = MAX_LIGHT_COUNT;
 
     /// Creates an empty frame.
