@@ -31,8 +31,8 @@ impl Default for Environment {
 }
 
 impl Environment {
-    /// A photographer's studio: a warm floor, a bluish ceiling, a strong key light from the upper left, a weak
-    /// fill light from the right and a rim light from behind.
+    /// A photographer's studio: a warm floor, a bluish ceiling, a strong key light from the upper left, a
+    /// weak fill light from the right and a rim light from behind.
     pub fn studio() -> Self {
         let lobe = |direction, color, sharpness| EnvironmentLobe { direction, color, sharpness };
         Self {

@@ -10,8 +10,8 @@ use crate::lit::object::LitCamera;
 /// Largest number of lights in a frame.
 pub(crate) const MAX_LIGHT_COUNT: usize = 32;
 
-/// Distance of the near plane, as a share of the distance to the point that is looked at. Depth is reversed, so
-/// a near plane this close costs no precision far away.
+/// Distance of the near plane, as a share of the distance to the point that is looked at. Depth is reversed,
+/// so a near plane this close costs no precision far away.
 const NEAR_SHARE: f64 = 1e-3;
 
 /// Uniform data of a frame, laid out as in `frame.wgsl`.
