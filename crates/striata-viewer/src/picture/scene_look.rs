@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use serde_json::Value;
-use striata::mesh::{Appearance, IndexedMesh, TriangleGroup};
+use striata::mesh::{Appearance, IndexedMesh, Semantic, TriangleGroup};
 use striata_io::Scene;
 use striata_scene::drawn::{ImageLimits, Light, Material, TextureUse, decode_images, materials};
 use striata_scene::textures::RgbaImage;
@@ -30,6 +30,15 @@ pub struct SceneLook {
 }
 
 impl SceneLook {
+    /// Whether a scene says how it looks: a shown primitive has a material or vertex colors.
+    pub fn is_described(scene: &Scene) -> bool {
+        scene.instances().iter().any(|instance| {
+            let mesh = scene.meshes()[instance.mesh].as_ref();
+            let has_colors = mesh.is_some_and(|mesh| mesh.layer(&Semantic::Color(0)).is_some());
+            has_colors || scene.primitive_materials(instance.mesh).iter().any(Option::is_some)
+        })
+    }
+
     /// Reads the materials that the instances of a scene use, and decodes their images.
     pub fn of(scene: &Scene, limits: &ImageLimits) -> Self {
         let mut materials = materials(scene);

@@ -1,6 +1,6 @@
 //! A scene as the source of a picture: in a pose, with materials, with or without levels.
 
-use striata::mesh::{IndexedMesh, Semantic};
+use striata::mesh::IndexedMesh;
 use striata::simplify::{StopReason, Target};
 use striata::{LodOptions, ProgressFn};
 use striata_command::args::Point;
@@ -59,7 +59,7 @@ impl SceneSource {
             (received.lods.full_scene(), Some(received))
         };
         let poser = Poser::new(&scene).map_err(|error| in_file(&error))?;
-        let has_look = has_look(&scene);
+        let has_look = SceneLook::is_described(&scene);
         if levels.is_none() && !has_look && poser.animation_count() == 0 && args.camera.is_none() {
             return refuse_scene_flags(args, &input.name, "has no animation").map(|()| None);
         }
@@ -212,15 +212,6 @@ fn refuse_scene_flags(args: &RenderArgs, name: &str, reason: &str) -> Result<(),
         Some((flag, _)) => Err(Failure::user(format!("{flag} is for scenes, but {name} {reason}"))
             .with_hint(format!("remove {flag}"))),
     }
-}
-
-/// Whether the scene says how it looks: a shown primitive has a material or vertex colors.
-fn has_look(scene: &Scene) -> bool {
-    scene.instances().iter().any(|instance| {
-        let mesh = scene.meshes()[instance.mesh].as_ref();
-        let has_colors = mesh.is_some_and(|mesh| mesh.layer(&Semantic::Color(0)).is_some());
-        has_colors || scene.primitive_materials(instance.mesh).iter().any(Option::is_some)
-    })
 }
 
 /// Returns the pose that the flags ask for.
