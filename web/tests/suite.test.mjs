@@ -3,9 +3,11 @@
 import { after, before, describe } from 'node:test';
 import detail from './detail.mjs';
 import errors from './errors.mjs';
+import examples from './examples.mjs';
 import files from './files.mjs';
 import { world } from './harness.mjs';
 import looks from './looks.mjs';
+import scenes from './scenes.mjs';
 import speed from './speed.mjs';
 import streaming from './streaming.mjs';
 import views from './views.mjs';
@@ -14,5 +16,5 @@ describe('viewer', { concurrency: 1 }, () => {
   const shared = {};
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
-  for (const group of [streaming, detail, views, files, errors, looks, speed]) group(shared);
+  for (const group of [streaming, detail, views, files, errors, looks, scenes, examples, speed]) group(shared);
 });
