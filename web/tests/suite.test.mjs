@@ -3,6 +3,7 @@
 import { after, before, describe } from 'node:test';
 import detail from './detail.mjs';
 import errors from './errors.mjs';
+import examples from './examples.mjs';
 import files from './files.mjs';
 import { world } from './harness.mjs';
 import looks from './looks.mjs';
@@ -17,5 +18,5 @@ describe('viewer', { concurrency: 1 }, () => {
   const shared = {};
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
-  for (const group of [streaming, detail, views, files, scenes, saving, errors, looks, phone, speed]) group(shared);
+  for (const group of [streaming, detail, views, files, scenes, saving, examples, errors, looks, phone, speed]) group(shared);
 });
