@@ -1,6 +1,6 @@
 /** Lets three.js' own loader make everything of a scene but its geometry: nodes, materials, textures, skins, cameras, lights, clips. */
 
-import { type AnimationClip, ImageBitmapLoader, type LoadingManager, Mesh, type Object3D, Source, Texture } from 'three';
+import { type AnimationClip, ImageBitmapLoader, type LoadingManager, type Mesh, type Object3D, Texture } from 'three';
 import type { GLTF, GLTFLoader, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { SceneDocument, SceneImage } from './protocol.ts';
 import type { LodGeometry } from './lod-geometry.ts';
@@ -17,8 +17,9 @@ interface Json {
 
 interface Primitive {
   mode?: number;
-  attributes: Record<string, number> | null;
-  targets?: (Record<string, number> | null)[] | null;
+  /** Accessors; null for attributes that are in the stream of the mesh. */
+  attributes: Record<string, number | null>;
+  targets?: Record<string, number | null>[];
 }
 
 /** Number of values for each type of accessor. */
@@ -31,6 +32,7 @@ export class GltfScene {
   gltf!: GLTF;
   readonly #json: Json;
   #buffer: Uint8Array;
+  readonly #streamed = new Set<Primitive>();
   readonly #imageBytes = new Map<number, Uint8Array>();
   /** Primitives whose geometry is replaced: those of each mesh, in their order. */
   readonly #geometryOf: (mesh: number) => LodGeometry | undefined;
@@ -46,7 +48,7 @@ export class GltfScene {
   /** Number of triangle primitives of each mesh, whose geometry is not in the document. */
   static primitiveCounts(json: string): number[] {
     const { meshes = [] } = JSON.parse(json) as Json;
-    return meshes.map(({ primitives }) => primitives.filter(({ attributes }) => attributes === null).length);
+    return meshes.map(({ primitives }) => primitives.filter(isStreamed).length);
   }
 
   /** Loads the scene with a loader that was made for it. */
@@ -71,7 +73,6 @@ export class GltfScene {
     // Views that were read before the data arrived are replaced by copies with new numbers.
     const first = (own.bufferViews ??= []).length;
     own.bufferViews.push(...bufferViews.map((view) => ({ ...view })));
-    this.#firstView = first;
     for (const { samplers } of animations) {
       for (const index of samplers.flatMap(({ input, output }) => [input, output])) {
         const accessor = accessors[index] as { bufferView?: number } | undefined;
@@ -82,9 +83,6 @@ export class GltfScene {
     const { parser } = this.gltf;
     return Promise.all(animations.map((_, index) => parser.getDependency('animation', index) as Promise<AnimationClip>));
   }
-
-  /** First of the views that were added for animations. */
-  #firstView = Infinity;
 
   get #hasAnimations(): boolean {
     return (this.#json.animations?.length ?? 0) > 0;
@@ -113,7 +111,8 @@ export class GltfScene {
     try {
       const image = await decodeImage(url, textures[0]!.image, manager);
       // Textures of another size need new storage on the GPU; all of them share the image.
-      const source = new Source(image) as unknown as Texture['source'];
+      // The class has had several names in three.js.
+      const source = new (textures[0]!.source.constructor as new (data: unknown) => Texture['source'])(image);
       for (const texture of textures) {
         texture.dispose();
         texture.source = source;
@@ -170,19 +169,17 @@ export class GltfScene {
   /** Gives primitives accessors of zeros: materials depend on which attributes there are, and nothing is drawn of them. */
   #prepareMesh(primitives: Primitive[], geometry: LodGeometry | undefined): void {
     for (const primitive of primitives) {
-      if (primitive.attributes !== null) continue;
+      if (!isStreamed(primitive)) continue;
+      this.#streamed.add(primitive);
       primitive.mode = 4;
-      primitive.attributes = {};
-      const targets: Record<string, number>[] = [];
-      for (const name of geometry?.layerNames ?? ['POSITION']) {
-        const [target, morphed] = name.split('/');
-        const accessor = this.#zeros(geometry?.attribute(name)?.itemSize ?? 3, name.startsWith('JOINTS'));
-        if (morphed === undefined) primitive.attributes[name] = accessor;
-        else (targets[Number(target)] ??= {})[morphed] = accessor;
-      }
-      const count = Math.max(targets.length, Array.isArray(primitive.targets) ? primitive.targets.length : 0);
-      if (count > 0) primitive.targets = Array.from({ length: count }, (_, target) => targets[target] ?? { POSITION: this.#zeros(3, false) });
-      else delete primitive.targets;
+      const fill = (attributes: Record<string, number | null>, target: string) => {
+        for (const name of Object.keys(attributes)) {
+          const itemSize = geometry?.attribute(target + name)?.itemSize ?? 3;
+          attributes[name] = this.#zeros(itemSize, name.startsWith('JOINTS'));
+        }
+      };
+      fill(primitive.attributes, '');
+      primitive.targets?.forEach((target, index) => fill(target, `${index}/`));
     }
   }
 
@@ -201,7 +198,7 @@ export class GltfScene {
     let at = 0;
     primitives.forEach((primitive, place) => {
       const part = parts[place] as Mesh | undefined;
-      if (!isReplaced(primitive) || !part || !geometry) return;
+      if (!this.#streamed.has(primitive) || !part || !geometry) return;
       part.geometry = geometry.primitives[at] ?? part.geometry;
       at += 1;
     });
@@ -212,14 +209,13 @@ export class GltfScene {
     const image = this.#imageBytes.get(index);
     if (image) return Promise.resolve(image.slice().buffer as ArrayBuffer);
     const { byteOffset = 0, byteLength } = this.#json.bufferViews![index]!;
-    void this.#firstView;
     return Promise.resolve(this.#buffer.slice(byteOffset, byteOffset + byteLength).buffer as ArrayBuffer);
   }
 }
 
-/** Whether a primitive shows triangles. */
-function isReplaced({ mode = 4, attributes }: Primitive): boolean {
-  return mode >= 4 && mode <= 6 && attributes?.['POSITION'] !== undefined;
+/** Whether the attributes of a primitive are in the stream of its mesh. */
+function isStreamed({ attributes }: Primitive): boolean {
+  return attributes?.['POSITION'] === null;
 }
 
 /** Decodes an image in the same way as the one that it replaces, which three.js' loader decoded. */
