@@ -55,8 +55,7 @@ class SceneLoader extends ThreeLoader<StriataScene> {
   override load(...words: unknown[]): void;
   override load(...words: unknown[]): unknown {
     const [source, second, onProgress, onError] = words;
-    const isCallback = (word: unknown) => word === undefined || word === null || typeof word === 'function';
-    if (words.length < 2 || !isCallback(second)) return new MeshTask(this.#options, (second ?? {}) as LoadOptions).run(source as Source);
+    if (![second, onProgress, onError].some((word) => typeof word === 'function')) return new MeshTask(this.#options, (second ?? {}) as LoadOptions).run(source as Source);
     const onLoad = second as ((scene: StriataScene) => void) | undefined;
     this.#loadUrl(source as string, onProgress as ((event: ProgressEvent) => void) | undefined).then(
       (scene) => onLoad?.(scene),
