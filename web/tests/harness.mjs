@@ -44,7 +44,7 @@ export function makeModels(folder) {
   const arm = join(workspace, 'assets/arm.glb');
   run('encode', '-q', arm, '-o', at('arm.stri'));
   // Without compression, as most exporters write it.
-  run('convert', '-q', arm, at('arm.glb'));
+  run('convert', '-q', arm, at('plain-arm.glb'));
   run('convert', '-q', 'shape:torus', at('torus.obj'));
   run('convert', '-q', 'shape:tetrahedron', at('tetrahedron.obj'));
   const whole = readFileSync(at('icosphere.stri'));

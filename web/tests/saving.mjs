@@ -56,7 +56,7 @@ export default function saving(world) {
   });
 
   pageTest(world, 'a scene keeps materials, skin and animation when it is saved', {}, async (page) => {
-    await openModel(world, page, 'arm.glb');
+    await openModel(world, page, 'plain-arm.glb');
     const { path, facts } = await save(world, page, 'stri');
     assert.equal(facts.triangle_count, 21_504);
     await drop(page, 'arm.stri', readFileSync(path));

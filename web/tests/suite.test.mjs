@@ -9,6 +9,7 @@ import { world } from './harness.mjs';
 import looks from './looks.mjs';
 import phone from './phone.mjs';
 import saving from './saving.mjs';
+import sceneViewer from './scene-viewer.mjs';
 import scenes from './scenes.mjs';
 import speed from './speed.mjs';
 import streaming from './streaming.mjs';
@@ -18,5 +19,6 @@ describe('viewer', { concurrency: 1 }, () => {
   const shared = {};
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
-  for (const group of [streaming, detail, views, files, scenes, saving, examples, errors, looks, phone, speed]) group(shared);
+  const viewer = [streaming, detail, views, files, sceneViewer, saving, errors, looks, phone];
+  for (const group of [...viewer, scenes, examples, speed]) group(shared);
 });
