@@ -167,6 +167,10 @@ export async function openGltf(context: SceneContext, content: Content): Promise
   const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
   const loader = registerStriata(new GLTFLoader(context.manager), { ...context.loader, wasm: context.module });
   context.loader.configure?.(loader);
+  if (!loader.meshoptDecoder) {
+    const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
+    loader.setMeshoptDecoder(MeshoptDecoder);
+  }
   const parts: Uint8Array[] = [];
   for await (const bytes of iterable(content.chunks)) parts.push(bytes);
   const bytes = concat(parts);

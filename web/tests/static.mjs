@@ -24,6 +24,7 @@ const PAGE = `<!doctype html><meta charset="utf-8"><style>body { margin: 0 }</st
 <script type="module">
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import * as striata from 'striata';
 const renderer = new THREE.WebGLRenderer({ canvas: document.querySelector('canvas'), preserveDrawingBuffer: true });
 const scene = new THREE.Scene();
@@ -65,10 +66,10 @@ const settle = async (model) => {
     last = model.triangleCount;
   }
 };
-Object.assign(window, { THREE, GLTFLoader, ...striata, renderer, scene, camera, draw, look, pixels, difference, settle, isReady: true });
+Object.assign(window, { THREE, GLTFLoader, MeshoptDecoder, ...striata, renderer, scene, camera, draw, look, pixels, difference, settle, isReady: true });
 </script>`;
 
-/** Starts a server; \`models\` is served as \`/models/\`, at \`rate\` bytes per second if that is set. */
+/** Starts a server; `models` is served as `/models/`, at `rate` bytes per second if that is set. */
 export async function staticServer(models) {
   const state = { rate: Infinity, sent: 0 };
   const server = createServer((request, response) => {
