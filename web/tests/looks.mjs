@@ -91,19 +91,26 @@ export default function looks(world) {
   });
 
   pageTest(world, 'every control has a name and can be reached with Tab', {}, async (page) => {
-    await openModel(world, page, 'icosphere.stri');
-    const nameless = await page.evaluate(() => {
-      const controls = document.querySelectorAll('button, a[href], select, canvas, input:not([type="file"])');
-      const named = (node) => node.getAttribute('aria-label') || node.textContent.trim() || node.labels?.[0]?.textContent.trim();
-      return [...controls].filter((node) => !named(node)).map((node) => node.outerHTML);
-    });
-    assert.deepEqual(nameless, []);
+    for (const model of ['arm.stri', 'spot.striata']) {
+      await openModel(world, page, model);
+      await page.keyboard.press('b');
+      const nameless = await page.evaluate(() => {
+        const controls = document.querySelectorAll('button, a[href], select, canvas, progress, input:not([type="file"]), [role]');
+        const labelled = (node) => document.getElementById(node.getAttribute('aria-labelledby') ?? '');
+        const named = (node) => node.getAttribute('aria-label') || labelled(node) || node.textContent.trim() || node.labels?.[0]?.textContent.trim();
+        return [...controls].filter((node) => !named(node) && node.role !== 'status').map((node) => node.outerHTML);
+      });
+      assert.deepEqual(nameless, []);
+    }
     const reached = new Set();
     for (let press = 0; press < 80; press += 1) {
       await page.keyboard.press('Tab');
-      reached.add(await page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name') || ''));
+      const { id, part } = await page.evaluate(() => ({
+        id: document.activeElement?.id || document.activeElement?.getAttribute('name') || '', part: document.activeElement?.closest('.part') !== null,
+      }));
+      reached.add(part ? 'part' : id);
     }
-    for (const id of ['view', 'open', 'theme', 'show-help', 'fold', 'mode', 'detail', 'coloring', 'wireframe', 'flat', 'background', 'turn', 'z-up', 'reset', 'picture', 'compare', 'save-stri', 'save-glb', 'download', 'to-gallery']) {
+    for (const id of ['view', 'divider', 'open', 'theme', 'show-help', 'fold', 'mode', 'detail', 'compare', 'second', 'coloring', 'wireframe', 'flat', 'background', 'part', 'turn', 'z-up', 'reset', 'picture', 'download', 'save-stri', 'save-glb', 'to-gallery']) {
       assert.ok(reached.has(id), `${id} is reached by Tab: ${[...reached]}`);
     }
   });

@@ -90,6 +90,9 @@ export class ModelTree {
     const parts = this.#children(object);
     const materials = materialsOf(object);
     const children = createNode('ul');
+    // Lists without bullets are no lists for some screen readers.
+    children.setAttribute('role', 'list');
+    children.setAttribute('aria-label', `Parts of ${name}`);
     children.hidden = true;
     item.append(row);
     if (parts.length + materials.length > 0) {
