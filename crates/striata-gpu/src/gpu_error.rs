@@ -65,8 +65,8 @@ pub enum GpuError {
     Mesh(#[from] MeshError),
     /// An image is empty, or its bytes do not match its size.
     #[error(
-        "image {image}: {width} x {height} pixels with 4 bytes each must have 4 or more bytes, \
-         but {found_bytes} bytes were found"
+        "image {image} has {found_bytes} bytes for {width} x {height} pixels; it must have 4 bytes per pixel \
+         and at least one pixel"
     )]
     ImageSize {
         /// Index of the image.
@@ -106,10 +106,10 @@ pub enum GpuError {
         /// Number of indices that fit into the buffer.
         index_count: usize,
     },
-    /// A scene has more lamps than a frame can show.
-    #[error("the scene has {count} lamps, but a frame shows at most {limit}")]
+    /// A scene has more lights than a frame can show.
+    #[error("the scene has {count} lights, but a frame shows at most {limit}")]
     TooManyLights {
-        /// Number of lamps.
+        /// Number of lights.
         count: usize,
         /// Largest number supported.
         limit: usize,

@@ -5,6 +5,10 @@
 //! [`Painter`] owns the pipelines, [`Canvas`] is an offscreen render target, and [`Viewpoint`] is the camera.
 //! [`Inspection`] draws individual triangles, colored by strip or fan, with their edges.
 //!
+//! [`LitPainter`] draws scenes with their materials instead of one look: metallic-roughness materials as in
+//! glTF, with textures, skins and morph targets, under an [`Environment`] and punctual lights. The readme has
+//! an example.
+//!
 //! Positions are stored relative to the middle of the bounds, so that a mesh far from the origin keeps its
 //! shape in 32 bits. Depth is reversed, from 1 at the near plane to 0 at infinity. The instance index tells
 //! shaders the group, so each group is one draw without a change of bindings. One buffer write costs as much
@@ -15,9 +19,9 @@
 //!
 //! In reading order: `gpu_error`, `gpu_options`, `gpu` and `adapters` find the device; `copy_back`,
 //! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `viewpoint`, `look`,
-//! `painter`, `inspection` and `gpu_morph` draw it; `canvas`, `screen_copy` and `frame_clock` are the
-//! targets and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and `gpu_fan_instance` extract
-//! triangles from fans; `probe` tries all of it on an adapter.
+//! `painter`, `inspection` and `gpu_morph` draw it; `lit` draws it with materials; `canvas`, `screen_copy`
+//! and `frame_clock` are the targets and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
+//! `gpu_fan_instance` extract triangles from fans; `probe` tries all of it on an adapter except `lit`.
 //!
 //! ```no_run
 //! use striata::model::{FanInstance, Fans};

@@ -1,153 +1,22 @@
-//! Lit surfaces: textures, blending, light, and poses give the pictures that formulas predict.
+//! Lit surfaces: textures, blending and light give the pictures that formulas predict; mistakes are errors.
 
+#[path = "support/lit.rs"]
+mod lit;
 mod support;
 
 use std::f32::consts::PI;
-use std::sync::{Arc, LazyLock};
 
 use bytemuck::cast_slice;
 use glam::{DMat4, DVec3};
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, shapes};
-use striata_gpu::{
-    AlphaMode, Canvas, Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitImage, LitLight,
-    LitLightKind, LitMaterial, LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices, Picture,
-    TextureFilter, TextureSampler, TextureUse, linear_to_srgb, wgpu,
+use lit::{
+    LitTest, SIDE, Shown, assert_near, camera, chalk, image, lit_by, pixel, quad, sphere, srgb, sunlight,
+    unlit,
 };
-use support::{differing_pixels, gpu};
-
-const SIDE: u32 = 64;
-
-/// A camera that sees the square from -1 to 1 exactly, from 10 units away.
-fn camera() -> LitCamera {
-    let fov = 2.0 * (0.1f64).atan();
-    LitCamera { eye: [0.0, 0.0, 10.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov }
-}
-
-/// A device and a painter for all tests: opening and compiling takes longer than drawing.
-static SHARED: LazyLock<(Gpu, Arc<LitPainter>)> = LazyLock::new(|| {
-    let gpu = gpu();
-    let painter = LitPainter::new(&gpu, Canvas::FORMAT, 1);
-    (gpu, Arc::new(painter))
-});
-
-struct LitTest {
-    gpu: Gpu,
-    painter: Arc<LitPainter>,
-    canvas: Canvas,
-    environment: Environment,
-    lights: Vec<LitLight>,
-    materials: Vec<LitMaterial>,
-    images: Vec<LitImage>,
-    camera: LitCamera,
-}
-
-/// A mesh in a pose, as a test wants it drawn.
-struct Shown<'a> {
-    mesh: &'a IndexedMesh,
-    material: Option<usize>,
-    world_from_mesh: DMat4,
-    joints: &'a [DMat4],
-    morph_weights: &'a [f32],
-}
-
-impl<'a> Shown<'a> {
-    fn new(mesh: &'a IndexedMesh) -> Self {
-        let world_from_mesh = DMat4::IDENTITY;
-        Self { mesh, material: Some(0), world_from_mesh, joints: &[], morph_weights: &[] }
-    }
-
-    fn at(mesh: &'a IndexedMesh, world_from_mesh: DMat4) -> Self {
-        Self { world_from_mesh, ..Self::new(mesh) }
-    }
-}
-
-impl LitTest {
-    fn new(material: LitMaterial) -> Self {
-        let (gpu, painter) = SHARED.clone();
-        Self {
-            painter,
-            canvas: Canvas::new(&gpu, [SIDE; 2], 1).unwrap(),
-            gpu,
-            environment: Environment::uniform([1.0; 3]),
-            lights: Vec::new(),
-            materials: vec![material],
-            images: Vec::new(),
-            camera: camera(),
-        }
-    }
-
-    fn draw(&self, shown: &[Shown<'_>]) -> Picture {
-        self.try_draw(shown).unwrap()
-    }
-
-    fn try_draw(&self, shown: &[Shown<'_>]) -> Result<Picture, GpuError> {
-        let materials = LitMaterials::upload(&self.gpu, &self.painter, &self.materials, &self.images)?;
-        let mut uploaded = Vec::new();
-        for shown in shown {
-            let vertices = LitVertices::upload(&self.gpu, &self.painter, shown.mesh)?;
-            let indices = GpuIndices::upload(&self.gpu, cast_slice(&shown.mesh.triangles))?;
-            let range = 0..3 * shown.mesh.triangle_count() as u32;
-            uploaded.push((vertices, indices, [LitPart { range, material: shown.material }]));
-        }
-        let objects: Vec<LitObject<'_>> = uploaded
-            .iter()
-            .zip(shown)
-            .map(|((vertices, indices, parts), shown)| LitObject {
-                vertices,
-                indices,
-                parts,
-                world_from_mesh: shown.world_from_mesh,
-                joints: shown.joints,
-                morph_weights: shown.morph_weights,
-            })
-            .collect();
-        let mut frame = LitFrame::new(&self.gpu, &self.painter, &self.environment)?;
-        let scene = LitScene {
-            camera: self.camera,
-            size: [SIDE; 2],
-            lights: &self.lights,
-            materials: &materials,
-            objects: &objects,
-        };
-        frame.update(&self.gpu, &self.painter, &scene)?;
-        self.canvas.paint(&self.gpu, [0.0; 4], |pass| frame.draw(pass))
-    }
-}
-
-/// The square from -1 to 1, facing the camera, with texture coordinates from the upper left as in glTF.
-fn quad() -> IndexedMesh {
-    let positions = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
-    let mut mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [0, 2, 3]]);
-    let normals = [[0.0, 0.0, 1.0]; 4].concat();
-    let uv = vec![0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0];
-    mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
-    mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uv));
-    mesh
-}
-
-fn unlit(base_color: [f32; 4]) -> LitMaterial {
-    LitMaterial { base_color, is_unlit: true, ..LitMaterial::default() }
-}
-
-fn image(width: u32, height: u32, pixel: impl Fn(u32, u32) -> [u8; 4]) -> LitImage {
-    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    LitImage { width, height, rgba: places.flat_map(|(x, y)| pixel(x, y)).collect() }
-}
-
-fn pixel(picture: &Picture, x: u32, y: u32) -> [u8; 4] {
-    let start = 4 * (y * picture.width + x) as usize;
-    std::array::from_fn(|k| picture.rgba[start + k])
-}
-
-fn srgb(light: f32) -> u8 {
-    (255.0 * linear_to_srgb(light) + 0.5) as u8
-}
-
-#[track_caller]
-fn assert_near(found: [u8; 4], expected: [u8; 4], tolerance: u8) {
-    let is_near = found.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= tolerance);
-    assert!(is_near, "{found:?}, not {expected:?}");
-}
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+use striata_gpu::{
+    AlphaMode, GpuIndices, LitFrame, LitImage, LitLight, LitLightKind, LitMaterial, LitMaterials, LitObject,
+    LitPainter, LitPart, LitScene, LitVertices, Picture, TextureFilter, TextureSampler, TextureUse, wgpu,
+};
 
 #[test]
 fn an_unlit_textured_quad_shows_its_pixels() {
@@ -186,14 +55,6 @@ fn a_white_furnace_returns_the_light_that_arrives() {
 }
 
 /// A sphere of radius 1 with normals.
-fn sphere() -> IndexedMesh {
-    let mut mesh = shapes::icosphere(4, 1.0);
-    mesh.layers.retain(|layer| layer.semantic != Semantic::Normal);
-    let normals = mesh.positions.iter().copied().flatten().collect();
-    mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
-    mesh
-}
-
 #[test]
 fn masked_pixels_are_there_or_not() {
     let mut test = LitTest::new(LitMaterial {
@@ -232,37 +93,21 @@ fn blended_quads_show_what_is_behind_them_in_any_order() {
 }
 
 /// Light toward the scene along a direction, without any environment.
-fn lamp(direction: [f32; 3]) -> LitLight {
-    let kind = LitLightKind::Directional;
-    LitLight { kind, color: [2.0; 3], position: [0.0; 3], direction, range: None }
-}
-
-fn lamp_test(material: LitMaterial, light: LitLight) -> LitTest {
-    let mut test = LitTest::new(material);
-    test.environment = Environment::uniform([0.0; 3]);
-    test.lights = vec![light];
-    test
-}
-
 /// A rough dielectric without highlights worth mentioning.
-fn chalk() -> LitMaterial {
-    LitMaterial { metallic: 0.0, roughness: 1.0, base_color: [0.8, 0.8, 0.8, 1.0], ..Default::default() }
-}
-
 #[test]
-fn lamps_follow_the_formulas() {
+fn lights_follow_the_formulas() {
     // Light and eye along the normal: every angle is 0, and the distribution of a roughness of 1 is 1 / pi.
     let f0 = 0.04;
     let diffuse = 0.8 / PI * (1.0 - f0);
     let specular = f0 / (4.0 * PI);
     let expected = 2.0 * (diffuse + specular);
-    let front = lamp_test(chalk(), lamp([0.0, 0.0, -1.0]));
+    let front = lit_by(chalk(), sunlight([0.0, 0.0, -1.0]));
     let found = pixel(&front.draw(&[Shown::new(&quad())]), 32, 32);
     assert_near(found, [srgb(expected), srgb(expected), srgb(expected), 255], 2);
 
     // A point at twice the distance, and a spot that is off its axis.
-    let place = |kind, position: [f64; 3]| LitLight { kind, position, ..lamp([0.0, 0.0, -1.0]) };
-    let brightness = |light| pixel(&lamp_test(chalk(), light).draw(&[Shown::new(&quad())]), 32, 32)[0];
+    let place = |kind, position: [f64; 3]| LitLight { kind, position, ..sunlight([0.0, 0.0, -1.0]) };
+    let brightness = |light| pixel(&lit_by(chalk(), light).draw(&[Shown::new(&quad())]), 32, 32)[0];
     let point = brightness(place(LitLightKind::Point, [0.0, 0.0, 2.0]));
     assert!(point.abs_diff(srgb(expected / 4.0)) <= 2, "{point}");
     let spot = LitLightKind::Spot { inner_angle: 0.1, outer_angle: 0.3 };
@@ -279,7 +124,7 @@ fn normal_maps_turn_the_shading_with_and_without_tangents() {
     for (pixel_of_map, from) in tilted.into_iter().zip([[1.0, 0.0], [0.0, 1.0]]) {
         let material = LitMaterial { normal_texture: Some(TextureUse::of(0)), ..chalk() };
         let [x, y] = from;
-        let mut test = lamp_test(material, lamp([-x, -y, -1.0]));
+        let mut test = lit_by(material, sunlight([-x, -y, -1.0]));
         test.images = vec![image(2, 2, |_, _| pixel_of_map)];
         let mut with_tangents = quad();
         let tangents = [[1.0, 0.0, 0.0, 1.0]; 4].concat();
@@ -287,48 +132,14 @@ fn normal_maps_turn_the_shading_with_and_without_tangents() {
         for mesh in [quad(), with_tangents] {
             let towards = pixel(&test.draw(&[Shown::new(&mesh)]), 32, 32)[0];
             // The light is on the normal now: as bright as a quad that faces its light.
-            let facing = lamp_test(chalk(), lamp([0.0, 0.0, -1.0]));
+            let facing = lit_by(chalk(), sunlight([0.0, 0.0, -1.0]));
             let expected = pixel(&facing.draw(&[Shown::new(&mesh)]), 32, 32)[0];
             assert!(towards.abs_diff(expected) <= 4, "{from:?}: {towards}, not {expected}");
-            test.lights = vec![lamp([x, y, -1.0])];
+            test.lights = vec![sunlight([x, y, -1.0])];
             let away = pixel(&test.draw(&[Shown::new(&mesh)]), 32, 32)[0];
             assert!(away < 20, "{from:?}: {away}");
-            test.lights = vec![lamp([-x, -y, -1.0])];
+            test.lights = vec![sunlight([-x, -y, -1.0])];
         }
-    }
-}
-
-#[test]
-fn mirrored_and_flattened_nodes() {
-    let mesh = quad();
-    let mut test = LitTest::new(LitMaterial {
-        base_color_texture: Some(TextureUse::of(0)),
-        normal_texture: Some(TextureUse::of(1)),
-        base_color: [1.0; 4],
-        ..chalk()
-    });
-    test.environment = Environment::studio();
-    test.images = vec![
-        image(16, 16, |x, y| [(16 * x) as u8, (16 * y) as u8, 90, 255]),
-        image(16, 16, |x, _| if x < 8 { [200, 128, 230, 255] } else { [128, 190, 238, 255] }),
-    ];
-    test.environment.lobes[0].direction = [0.0, 0.65, 0.75];
-    test.environment.lobes[1].direction = [0.0, 0.25, 0.45];
-    test.environment.lobes[2].direction = [0.0, 0.5, -0.85];
-    let straight = test.draw(&[Shown::new(&mesh)]);
-    let mirror = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
-    let mirrored = test.draw(&[Shown::at(&mesh, mirror)]);
-    let rows = mirrored.rgba.chunks(4 * SIDE as usize);
-    let turned_back = rows.flat_map(|row| row.chunks(4).rev().flatten().copied()).collect();
-    let turned_back = Picture { rgba: turned_back, ..mirrored };
-    assert!(differing_pixels(&straight, &turned_back, 3) <= 2 * SIDE as usize);
-    // One flat axis keeps the normals; no size at all draws nothing.
-    let flat = test.draw(&[Shown::at(&mesh, DMat4::from_scale(DVec3::new(1.0, 1.0, 0.0)))]);
-    assert!(differing_pixels(&straight, &flat, 1) == 0);
-    let nothing = test.draw(&[Shown::at(&mesh, DMat4::ZERO)]);
-    assert!(nothing.rgba.iter().all(|&byte| byte == 0));
-    for strange in [f64::NAN, f64::INFINITY, 1e300] {
-        test.draw(&[Shown::at(&mesh, DMat4::from_scale(DVec3::splat(strange)))]);
     }
 }
 
@@ -336,7 +147,7 @@ fn mirrored_and_flattened_nodes() {
 fn single_sided_surfaces_have_no_back_and_double_sided_ones_are_lit_on_both() {
     let mesh = quad();
     let turned = DMat4::from_rotation_y(std::f64::consts::PI);
-    let mut test = lamp_test(chalk(), lamp([0.0, 0.0, -1.0]));
+    let mut test = lit_by(chalk(), sunlight([0.0, 0.0, -1.0]));
     let front = pixel(&test.draw(&[Shown::new(&mesh)]), 32, 32);
     assert_eq!(pixel(&test.draw(&[Shown::at(&mesh, turned)]), 32, 32), [0; 4]);
     test.materials[0].is_double_sided = true;
@@ -399,131 +210,11 @@ fn vertex_colors_are_linear_and_multiply_the_base_color() {
 }
 
 /// A strip of squares from x = -1 to 1, whose joints' weights change from left to right in sets of four.
-fn bending_strip(joint_count: usize) -> (IndexedMesh, Vec<[f32; 8]>) {
-    let columns = 16;
-    let mut positions = Vec::new();
-    let mut triangles = Vec::new();
-    let mut weights = Vec::new();
-    for column in 0..=columns {
-        let part = column as f32 / columns as f32;
-        for y in [-0.2, 0.2] {
-            positions.push([2.0 * part - 1.0, y, 0.0]);
-            let at = part * (joint_count - 1) as f32;
-            weights.push(std::array::from_fn(|joint| {
-                if joint < joint_count { (1.0 - (at - joint as f32).abs()).max(0.0) * 0.7 } else { 0.0 }
-            }));
-        }
-        if column < columns {
-            let a = 2 * column as u32;
-            triangles.extend([[a, a + 2, a + 1], [a + 1, a + 2, a + 3]]);
-        }
-    }
-    let mut mesh = IndexedMesh::new(positions, triangles);
-    for set in 0..2u8 {
-        let first = 4 * u16::from(set);
-        let joints = vec![[first, first + 1, first + 2, first + 3]; mesh.vertex_count()].concat();
-        let of_set = weights.iter().flat_map(|w: &[f32; 8]| w[usize::from(first)..][..4].to_vec()).collect();
-        mesh.layers.push(AttributeLayer {
-            semantic: Semantic::Joints(set),
-            component_count: 4,
-            normalized: false,
-            data: LayerData::U16(joints),
-        });
-        mesh.layers.push(AttributeLayer::from_f32(Semantic::Weights(set), 4, of_set));
-    }
-    (mesh, weights)
-}
-
-#[test]
-fn skinned_vertices_are_where_the_processor_puts_them() {
-    for joint_count in [2, 4, 7, 8] {
-        let (mesh, weights) = bending_strip(joint_count);
-        let joints: Vec<DMat4> = (0..joint_count)
-            .map(|joint| {
-                let turn = DMat4::from_rotation_z(0.35 * joint as f64 / joint_count as f64);
-                DMat4::from_translation(DVec3::new(0.02 * joint as f64, -0.1, 0.0)) * turn
-            })
-            .collect();
-        let mut posed = mesh.clone();
-        for (position, weights) in posed.positions.iter_mut().zip(&weights) {
-            let total: f32 = weights.iter().sum();
-            let point = DVec3::from(position.map(f64::from));
-            let moved: DVec3 = joints
-                .iter()
-                .zip(weights)
-                .map(|(j, &w)| j.transform_point3(point) * f64::from(w / total))
-                .sum();
-            *position = moved.as_vec3().into();
-        }
-        posed.layers.clear();
-        let mut test = LitTest::new(unlit([1.0; 4]));
-        test.materials[0].is_double_sided = true;
-        let elsewhere = DMat4::from_translation(DVec3::splat(100.0));
-        let by_gpu = test.draw(&[Shown { joints: &joints, ..Shown::at(&mesh, elsewhere) }]);
-        let by_processor = test.draw(&[Shown::new(&posed)]);
-        assert!(differing_pixels(&by_gpu, &by_processor, 1) <= 2, "{joint_count} joints");
-        assert!(support::drawn_pixels(&by_gpu) > 300);
-        // Joints that the skin does not have move nothing; without any, the vertices stay.
-        let still = test.draw(&[Shown::new(&mesh)]);
-        assert!(differing_pixels(&by_gpu, &still, 1) > 100);
-        test.draw(&[Shown { joints: &joints[..1], ..Shown::new(&mesh) }]);
-    }
-}
-
-#[test]
-fn morphed_vertices_are_where_the_processor_puts_them() {
-    let mut mesh = sphere();
-    let count = mesh.vertex_count();
-    let displacements = [0usize, 2].map(|target| -> Vec<f32> {
-        (0..3 * count).map(|at| 0.3 * ((at * (target + 3)) as f32).sin()).collect()
-    });
-    for (target, data) in [0u16, 2].into_iter().zip(&displacements) {
-        mesh.layers.push(AttributeLayer::from_f32(Semantic::MorphPosition(target), 3, data.clone()));
-    }
-    // Normals follow only the second target.
-    let normals: Vec<f32> = vec![[0.3, 0.0, 0.2]; count].concat();
-    mesh.layers.push(AttributeLayer::from_f32(Semantic::MorphNormal(2), 3, normals));
-    let weights = [0.4, 9.0, -0.25];
-    let mut posed = mesh.clone();
-    posed.layers.retain(|layer| layer.semantic == Semantic::Normal);
-    for (at, position) in posed.positions.as_flattened_mut().iter_mut().enumerate() {
-        *position += weights[0] * displacements[0][at] + weights[2] * displacements[1][at];
-    }
-    let LayerData::F32(posed_normals) = &mut posed.layers[0].data else { unreachable!() };
-    for (normal, [x, y, z]) in
-        posed_normals.as_chunks_mut::<3>().0.iter_mut().zip(&vec![[0.3, 0.0, 0.2]; count])
-    {
-        for (value, by) in normal.iter_mut().zip([x, y, z]) {
-            *value += weights[2] * by;
-        }
-    }
-    let mut test = LitTest::new(chalk());
-    test.environment = Environment::studio();
-    let by_gpu = test.draw(&[Shown { morph_weights: &weights, ..Shown::new(&mesh) }]);
-    let by_processor = test.draw(&[Shown::new(&posed)]);
-    assert!(differing_pixels(&by_gpu, &by_processor, 3) <= 8);
-    assert!(differing_pixels(&by_gpu, &test.draw(&[Shown::new(&mesh)]), 3) > 500);
-}
-
-#[test]
-fn scenes_far_from_the_origin_look_the_same() {
-    let mut test = LitTest::new(LitMaterial { roughness: 0.3, ..Default::default() });
-    test.environment = Environment::studio();
-    let mesh = sphere();
-    let near = test.draw(&[Shown::new(&mesh)]);
-    let far_away = DVec3::new(6.4e6, -2.0e6, 1.0e7);
-    let moved = |point: [f64; 3]| (DVec3::from(point) + far_away).into();
-    test.camera =
-        LitCamera { eye: moved(test.camera.eye), look_at: moved(test.camera.look_at), ..test.camera };
-    let far = test.draw(&[Shown::at(&mesh, DMat4::from_translation(far_away))]);
-    assert!(differing_pixels(&near, &far, 1) <= 4);
-}
-
 #[test]
 fn targets_without_srgb_get_encoded_colors() {
     let mut test = LitTest::new(unlit([0.2, 0.5, 0.8, 1.0]));
     let expected = pixel(&test.draw(&[Shown::new(&quad())]), 32, 32);
-    test.painter = Arc::new(LitPainter::new(&test.gpu, wgpu::TextureFormat::Rgba8Unorm, 1));
+    test.painter = std::sync::Arc::new(LitPainter::new(&test.gpu, wgpu::TextureFormat::Rgba8Unorm, 1));
     let (gpu, size) = (&test.gpu, wgpu::Extent3d { width: SIDE, height: SIDE, depth_or_array_layers: 1 });
     let make = |format, usage| {
         gpu.device().create_texture(&wgpu::TextureDescriptor {
@@ -596,8 +287,8 @@ fn mistakes_are_errors_that_name_their_place() {
     let mut short = mesh.clone();
     short.layers[1].data = LayerData::F32(vec![0.0; 7]);
     assert!(error(&test, Shown::new(&short)).contains("texcoord_0"));
-    test.lights = vec![lamp([0.0, 0.0, -1.0]); LitFrame::MAX_LIGHT_COUNT + 1];
-    assert!(error(&test, Shown::new(&mesh)).contains("33 lamps"));
+    test.lights = vec![sunlight([0.0, 0.0, -1.0]); LitFrame::MAX_LIGHT_COUNT + 1];
+    assert!(error(&test, Shown::new(&mesh)).contains("33 lights"));
     test.lights.clear();
 
     let vertices = LitVertices::upload(&test.gpu, &test.painter, &mesh).unwrap();

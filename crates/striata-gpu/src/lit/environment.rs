@@ -1,11 +1,11 @@
-//! Light from all around: a gradient from the ground to the sky, and up to three soft lamps.
+//! Light from all around: a gradient from the ground to the sky, and up to three soft lights.
 
-/// A lamp of an environment: light around a direction that falls off smoothly.
+/// A soft light of an environment: its radiance falls off smoothly around a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnvironmentLobe {
-    /// Direction toward the lamp; need not have length 1.
+    /// Direction toward the light; need not have length 1.
     pub direction: [f32; 3],
-    /// Radiance in the middle of the lamp, linear light.
+    /// Radiance in the middle of the light.
     pub color: [f32; 3],
     /// Concentration k, 0 to 100: at an angle, the radiance is the color times exp(k (cos(angle) - 1)).
     pub sharpness: f32,
@@ -20,7 +20,7 @@ pub struct Environment {
     pub sky: [f32; 3],
     /// Heights of a direction, 0 (down) to 1 (up), between which the ground turns into the sky.
     pub horizon: [f32; 2],
-    /// Lamps; black ones add nothing.
+    /// Soft lights; black ones add nothing.
     pub lobes: [EnvironmentLobe; 3],
 }
 
@@ -31,8 +31,8 @@ impl Default for Environment {
 }
 
 impl Environment {
-    /// A photographer's studio: a warm floor, a bluish ceiling, a strong key light from the upper left, a weak
-    /// fill light from the right and a rim light from behind.
+    /// A photographer's studio: a warm floor, a bluish ceiling, a strong key light from the upper left, a
+    /// weak fill light from the right and a rim light from behind.
     pub fn studio() -> Self {
         let lobe = |direction, color, sharpness| EnvironmentLobe { direction, color, sharpness };
         Self {

@@ -1,4 +1,4 @@
-//! Prefiltered environments: how rough surfaces see the gradient and the lamps.
+//! Prefiltered environments: how rough surfaces see the gradient and the soft lights.
 //!
 //! Each part of an environment depends only on the angle to an axis, and so does the GGX lobe of a surface
 //! that is seen along its normal. Averaging one over the other keeps this symmetry, and multiplies the
@@ -14,15 +14,15 @@ pub(crate) const COLUMN_COUNT: usize = 512;
 /// Rows of the table: `r (2 - r)` of the roughness `r`, from 0 to 1.
 pub(crate) const ROW_COUNT: usize = 33;
 
-/// Number of Legendre polynomials. The coefficients of a lamp of sharpness 100 have fallen to 1e-9 by then.
+/// Number of Legendre polynomials. The coefficients of a light of sharpness 100 have fallen to 1e-9 by then.
 const DEGREE_COUNT: usize = 64;
 /// Number of samples of each integral.
 const SAMPLE_COUNT: usize = 1024;
 
-/// Sharpest lamp that the table resolves.
+/// Sharpest light that the table resolves.
 const MAX_SHARPNESS: f64 = 100.0;
 
-/// Returns the table, row by row, with four values per entry: the share of the sky, and the three lamps.
+/// Returns the table, row by row, with four values per entry: the share of the sky, and the three lights.
 pub(crate) fn environment_table(environment: &Environment) -> Vec<[f16; 4]> {
     let parts: [Vec<f64>; 4] = std::array::from_fn(|part| match part.checked_sub(1) {
         None => coefficients(|y| environment.sky_share(y)),
@@ -117,7 +117,7 @@ mod tests {
     fn the_roughest_row_is_the_mean_over_the_cosine() {
         let studio = Environment::studio();
         let table = environment_table(&studio);
-        // Facing a lamp: the mean of exp(k (x - 1)) weighted by 2 x over 0..1.
+        // Facing a light: the mean of exp(k (x - 1)) weighted by 2 x over 0..1.
         for (part, k) in [(1, 24.0f64), (2, 8.0), (3, 16.0)] {
             let expected = 2.0 * (1.0 / k - (1.0 - (-k).exp()) / (k * k));
             let found = entry(&table, ROW_COUNT - 1, COLUMN_COUNT - 1, part);

@@ -58,7 +58,7 @@ struct Draw {
 }
 
 impl LitFrame {
-    /// Largest number of lamps in a frame.
+    /// Largest number of lights in a frame.
     pub const MAX_LIGHT_COUNT: usize = MAX_LIGHT_COUNT;
 
     /// Creates an empty frame.
@@ -79,8 +79,9 @@ impl LitFrame {
     /// Prepares to draw a scene; replaces what the frame showed before.
     ///
     /// # Errors
-    /// [`GpuError::NoSuchMaterial`] and [`GpuError::IndexRange`] if a part uses something that does not exist,
-    /// [`GpuError::TooManyLights`], and [`GpuError::TooLarge`] if all joints together exceed the device's limit.
+    /// [`GpuError::NoSuchMaterial`] and [`GpuError::IndexRange`] if a part uses something that does not
+    /// exist, [`GpuError::TooManyLights`], and [`GpuError::TooLarge`] if all joints together exceed the
+    /// device's limit.
     pub fn update(&mut self, gpu: &Gpu, painter: &LitPainter, scene: &LitScene<'_>) -> Result<(), GpuError> {
         if scene.lights.len() > MAX_LIGHT_COUNT {
             let (count, limit) = (scene.lights.len(), MAX_LIGHT_COUNT);

@@ -1,4 +1,4 @@
-//! Camera, environment and lamps as the shader reads them.
+//! Camera, environment and lights as the shader reads them.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec3, DVec4, Vec3};
@@ -7,11 +7,11 @@ use crate::lit::environment::Environment;
 use crate::lit::light::{LitLight, LitLightKind};
 use crate::lit::object::LitCamera;
 
-/// Largest number of lamps in a frame.
+/// Largest number of lights in a frame.
 pub(crate) const MAX_LIGHT_COUNT: usize = 32;
 
-/// Distance of the near plane, as a share of the distance to the point that is looked at. Depth is reversed, so
-/// a near plane this close costs no precision far away.
+/// Distance of the near plane, as a share of the distance to the point that is looked at. Depth is reversed,
+/// so a near plane this close costs no precision far away.
 const NEAR_SHARE: f64 = 1e-3;
 
 /// Uniform data of a frame, laid out as in `frame.wgsl`.
@@ -27,7 +27,7 @@ pub(crate) struct FrameData {
     lights: [LightData; MAX_LIGHT_COUNT],
 }
 
-/// Uniform data of a lamp.
+/// Uniform data of a light.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 struct LightData {

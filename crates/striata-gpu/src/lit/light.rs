@@ -1,6 +1,6 @@
-//! Lamps of a scene, in the units of `KHR_lights_punctual`; they cast no shadows.
+//! Punctual lights of a scene, in the units of `KHR_lights_punctual`; they cast no shadows.
 
-/// Shape of a lamp's light.
+/// Shape of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LitLightKind {
     /// Parallel light from infinitely far away; intensity in lux.
@@ -16,16 +16,16 @@ pub enum LitLightKind {
     },
 }
 
-/// A lamp.
+/// A punctual light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LitLight {
     /// Shape of the light.
     pub kind: LitLightKind,
     /// Color times intensity, linear light.
     pub color: [f32; 3],
-    /// Position in the world; unused by directional lamps.
+    /// Position in the world; unused by directional lights.
     pub position: [f64; 3],
-    /// Direction in which the light travels; unused by point lamps.
+    /// Direction in which the light travels; unused by point lights.
     pub direction: [f32; 3],
     /// Distance at which the light ends; [`None`] if it does not end.
     pub range: Option<f32>,

@@ -53,8 +53,8 @@ impl LitMaterials {
     /// Images larger than the device allows are drawn from their first mip level that fits.
     ///
     /// # Errors
-    /// [`GpuError::NoSuchImage`] if a material uses an image that does not exist, [`GpuError::ImageSize`] if an
-    /// image is empty or has too few or too many bytes.
+    /// [`GpuError::NoSuchImage`] if a material uses an image that does not exist, [`GpuError::ImageSize`] if
+    /// an image is empty or has too few or too many bytes.
     pub fn upload(
         gpu: &Gpu,
         painter: &LitPainter,
@@ -95,8 +95,8 @@ impl LitMaterials {
     /// Replaces an image, for example a preview by the full image.
     ///
     /// # Errors
-    /// [`GpuError::NoSuchImage`] if there is no image of this number, [`GpuError::ImageSize`] if the new one is
-    /// empty or has too few or too many bytes.
+    /// [`GpuError::NoSuchImage`] if there is no image of this number, [`GpuError::ImageSize`] if the new one
+    /// is empty or has too few or too many bytes.
     pub fn replace_image(
         &mut self,
         gpu: &Gpu,

@@ -2,7 +2,7 @@
 //!
 //! Colors are averaged in linear light, normals get back their length, and the opacity of masked images is
 //! scaled so that each level covers as much as the full image. Odd sizes are weighted by the parts of the
-//! pixels that each smaller pixel covers. Takes about 10 ns per pixel of the full image.
+//! pixels that each smaller pixel covers.
 
 use std::sync::LazyLock;
 
@@ -72,6 +72,9 @@ fn taps(size: u32) -> Vec<Taps> {
 }
 
 fn halved(level: &MipLevel, meaning: ImageMeaning) -> MipLevel {
+    if level.width.is_multiple_of(2) && level.height.is_multiple_of(2) {
+        return means_of_four(level, &Codec::of(meaning));
+    }
     let (columns, rows) = (taps(level.width), taps(level.height));
     let pixels = level.rgba.as_chunks::<4>().0;
     let codec = Codec::of(meaning);
@@ -93,6 +96,25 @@ fn halved(level: &MipLevel, meaning: ImageMeaning) -> MipLevel {
         }
     }
     MipLevel { width: columns.len() as u32, height: rows.len() as u32, rgba }
+}
+
+/// Halves a level whose sides are even: the common case, which needs no weights.
+fn means_of_four(level: &MipLevel, codec: &Codec) -> MipLevel {
+    let (width, height) = (level.width / 2, level.height / 2);
+    let row_bytes = 4 * level.width as usize;
+    let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
+    for rows in level.rgba.chunks_exact(2 * row_bytes) {
+        let (upper, lower) = rows.split_at(row_bytes);
+        for (a, b) in upper.as_chunks::<8>().0.iter().zip(lower.as_chunks::<8>().0) {
+            let mean = |k: usize| {
+                let value = |byte: u8| codec.decoded[usize::from(byte)];
+                0.25 * (value(a[k]) + value(a[k + 4]) + value(b[k]) + value(b[k + 4]))
+            };
+            let opacity = [a[3], a[7], b[3], b[7]].map(f32::from).iter().sum::<f32>() / 4.0;
+            rgba.extend(codec.encoded([mean(0), mean(1), mean(2), opacity]));
+        }
+    }
+    MipLevel { width, height, rgba }
 }
 
 /// Between the bytes of colors and values that can be averaged.

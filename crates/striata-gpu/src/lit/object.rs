@@ -1,4 +1,4 @@
-//! What a frame shows: objects in their poses, lamps, and the camera.
+//! What a frame shows: objects in their poses, lights, and the camera.
 
 use std::ops::Range;
 
@@ -72,7 +72,7 @@ pub struct LitScene<'a> {
     pub camera: LitCamera,
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
-    /// Lamps besides the environment.
+    /// Lights besides the environment.
     pub lights: &'a [LitLight],
     /// The materials.
     pub materials: &'a LitMaterials,

@@ -2,7 +2,7 @@
 
 use wgpu::{
     BlendState, CompareFunction, Face, FrontFace, PipelineLayout, RenderPipeline, ShaderModule,
-    TextureFormat, VertexAttribute, VertexBufferLayout, VertexFormat, VertexStepMode,
+    TextureFormat, VertexAttribute, VertexBufferLayout, VertexStepMode, vertex_attr_array,
 };
 
 use crate::gpu::Gpu;
@@ -37,33 +37,26 @@ pub(crate) struct PipelineParts {
     pub(crate) samples: u32,
 }
 
-/// Attributes of each vertex buffer: size of a vertex in bytes, then location, offset and format.
-const ATTRIBUTES: [(u64, &[(u32, u64, VertexFormat)]); BUFFER_COUNT] = [
-    (12, &[(0, 0, VertexFormat::Float32x3)]),
-    (12, &[(1, 0, VertexFormat::Float32x3)]),
-    (16, &[(2, 0, VertexFormat::Float32x4)]),
-    (8, &[(3, 0, VertexFormat::Float32x2)]),
-    (8, &[(4, 0, VertexFormat::Float32x2)]),
-    (16, &[(5, 0, VertexFormat::Float32x4)]),
-    (24, &[(6, 0, VertexFormat::Uint16x4), (7, 8, VertexFormat::Float32x4)]),
-    (24, &[(8, 0, VertexFormat::Uint16x4), (9, 8, VertexFormat::Float32x4)]),
+/// Size of a vertex in each vertex buffer, bytes, and its attributes.
+const ATTRIBUTES: [(u64, &[VertexAttribute]); BUFFER_COUNT] = [
+    (12, &vertex_attr_array![0 => Float32x3]),
+    (12, &vertex_attr_array![1 => Float32x3]),
+    (16, &vertex_attr_array![2 => Float32x4]),
+    (8, &vertex_attr_array![3 => Float32x2]),
+    (8, &vertex_attr_array![4 => Float32x2]),
+    (16, &vertex_attr_array![5 => Float32x4]),
+    (24, &vertex_attr_array![6 => Uint16x4, 7 => Float32x4]),
+    (24, &vertex_attr_array![8 => Uint16x4, 9 => Float32x4]),
 ];
 
 impl PipelineParts {
     pub(crate) fn pipeline(&self, gpu: &Gpu, key: PipelineKey) -> RenderPipeline {
-        let attributes =
-            ATTRIBUTES.map(|(_, attributes)| -> Vec<VertexAttribute> {
-                let attribute = |&(shader_location, offset, format): &(u32, u64, VertexFormat)| {
-                    VertexAttribute { format, offset, shader_location }
-                };
-                attributes.iter().map(attribute).collect()
-            });
         let buffers: [Option<VertexBufferLayout<'_>>; BUFFER_COUNT] = std::array::from_fn(|slot| {
             // All vertices share one value of an attribute that the mesh lacks.
             let is_present = key.attributes >> slot & 1 == 1;
             let step_mode = if is_present { VertexStepMode::Vertex } else { VertexStepMode::Instance };
-            let attributes = &attributes[slot];
-            Some(VertexBufferLayout { array_stride: ATTRIBUTES[slot].0, step_mode, attributes })
+            let (array_stride, attributes) = ATTRIBUTES[slot];
+            Some(VertexBufferLayout { array_stride, step_mode, attributes })
         });
         gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("lit surface"),

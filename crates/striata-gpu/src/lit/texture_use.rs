@@ -63,7 +63,8 @@ pub struct TextureUse {
     pub sampler: TextureSampler,
     /// Set of texture coordinates, 0 or 1.
     pub uv_set: u8,
-    /// Transform of the texture coordinates: two rows of 2x3, each a factor of u, a factor of v and an offset.
+    /// Transform of the texture coordinates, a row each for u and v: a factor of u, a factor of v, and an
+    /// offset.
     pub uv_transform: [[f32; 3]; 2],
 }
 

@@ -49,8 +49,8 @@ impl LitVertices {
     /// weights 0 and 1, and the displacements of morph targets. Without normals, the picture has flat ones.
     ///
     /// # Errors
-    /// [`GpuError::Mesh`] if the mesh is inconsistent, [`GpuError::TooLarge`] if a buffer or the morph targets
-    /// exceed the device's limit.
+    /// [`GpuError::Mesh`] if the mesh is inconsistent, [`GpuError::TooLarge`] if a buffer or the morph
+    /// targets exceed the device's limit.
     pub fn upload(gpu: &Gpu, painter: &LitPainter, mesh: &IndexedMesh) -> Result<Self, GpuError> {
         mesh.check()?;
         let origin =

@@ -11,6 +11,7 @@ use striata_gpu::{
     Painter, RejectedAdapter, Scene, Shading, Viewpoint, choose_adapter,
 };
 
+use super::gpu_look::{LookPainter, UploadedLook};
 use super::paint::Color;
 use super::rendered_picture::Drawn;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
@@ -24,6 +25,8 @@ use striata_command::output::Output;
 pub struct GpuRenderer {
     gpu: Gpu,
     painter: Painter,
+    /// Created when a shot with materials is drawn for the first time.
+    look_painter: Option<LookPainter>,
     canvas: Option<([u32; 2], GpuCanvas)>,
 }
 
@@ -35,7 +38,13 @@ const DOWNSAMPLING: usize = 2;
 /// look fine with samples alone.
 const MAX_DOWNSAMPLED_PIXELS: usize = 48 << 20;
 
-/// GPU resources of one shot.
+/// A shot on the GPU.
+enum Uploaded {
+    Plain(UploadedShot),
+    WithLook(UploadedLook),
+}
+
+/// GPU resources of one shot without materials.
 struct UploadedShot {
     vertices: GpuVertices,
     surface: Surface,
@@ -67,7 +76,7 @@ impl GpuRenderer {
             ));
         }
         let painter = Painter::new(&chosen.gpu, GpuCanvas::FORMAT, SAMPLES);
-        Ok((Self { gpu: chosen.gpu, painter, canvas: None }, chosen.rejected))
+        Ok((Self { gpu: chosen.gpu, painter, look_painter: None, canvas: None }, chosen.rejected))
     }
 
     /// Name of the adapter.
@@ -109,8 +118,16 @@ impl GpuRenderer {
             Some((of_size, canvas)) if of_size == size => canvas,
             _ => GpuCanvas::new(&self.gpu, size, SAMPLES)?,
         };
-        let look = look(shot, shot.edge_opacity(camera, height), factor as f32);
-        let uploaded = self.upload(shot, (camera, size), &look)?;
+        let uploaded = match shot.visible_look() {
+            Some(scene_look) => {
+                let painter = self.look_painter.get_or_insert_with(|| LookPainter::new(&self.gpu, SAMPLES));
+                Uploaded::WithLook(painter.upload(&self.gpu, shot, (scene_look, camera, size))?)
+            }
+            None => {
+                let look = look(shot, shot.edge_opacity(camera, height), factor as f32);
+                Uploaded::Plain(self.upload(shot, (camera, size), &look)?)
+            }
+        };
         // The first frame pays for shader compilation and first use of memory.
         self.frame(&canvas, &uploaded)?;
         let started = Instant::now();
@@ -122,9 +139,15 @@ impl GpuRenderer {
         Ok(Drawn { canvas: if factor > 1 { large.downsampled(factor) } else { large }, secs })
     }
 
-    fn frame(&self, canvas: &GpuCanvas, uploaded: &UploadedShot) -> Result<(), GpuError> {
+    fn frame(&self, canvas: &GpuCanvas, uploaded: &Uploaded) -> Result<(), GpuError> {
         let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
-        self.paint(&mut canvas.begin(&mut encoder, [0.0; 4]), uploaded);
+        {
+            let mut pass = canvas.begin(&mut encoder, [0.0; 4]);
+            match uploaded {
+                Uploaded::Plain(uploaded) => self.paint(&mut pass, uploaded),
+                Uploaded::WithLook(uploaded) => uploaded.frame.draw(&mut pass),
+            }
+        }
         self.gpu.queue().submit([encoder.finish()]);
         self.gpu.wait()
     }

@@ -129,16 +129,25 @@ impl ScreenTriangle {
         if area == 0.0 || !area.is_finite() {
             return;
         }
+        let sides = [(b, c), (c, a), (a, b)];
+        // Of two triangles that share a side, exactly one owns the samples on it: else, transparent ones would
+        // cover them twice.
+        let owns = sides.map(|(p, q)| {
+            let (dx, dy) = ((q.x - p.x) * area.signum(), (q.y - p.y) * area.signum());
+            dy > 0.0 || (dy == 0.0 && dx > 0.0)
+        });
         let rows = covered([a.y, b.y, c.y], rows);
         let columns = covered([a.x, b.x, c.x], &(0..width));
         for y in rows {
             let py = y as f32 + 0.5;
             for x in columns.clone() {
                 let px = x as f32 + 0.5;
-                let wa = ((b.x - px) * (c.y - py) - (b.y - py) * (c.x - px)) / area;
-                let wb = ((c.x - px) * (a.y - py) - (c.y - py) * (a.x - px)) / area;
-                let wc = 1.0 - wa - wb;
-                if wa >= 0.0 && wb >= 0.0 && wc >= 0.0 {
+                // Both triangles of a side compute the same number up to its sign.
+                let weights =
+                    sides.map(|(p, q)| ((p.x - px) * (q.y - py) - (p.y - py) * (q.x - px)) * area.signum());
+                let is_inside = (0..3).all(|k| weights[k] > 0.0 || (weights[k] == 0.0 && owns[k]));
+                if is_inside {
+                    let [wa, wb, wc] = weights.map(|weight| weight / area.abs());
                     visit(x, y, wa * a.inverse_depth + wb * b.inverse_depth + wc * c.inverse_depth);
                 }
             }

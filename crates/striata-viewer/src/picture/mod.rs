@@ -16,6 +16,8 @@ mod clip;
 mod distance_map;
 mod frustum;
 #[cfg(feature = "gpu")]
+mod gpu_look;
+#[cfg(feature = "gpu")]
 mod gpu_renderer;
 mod lit_raster;
 mod lit_surface;

@@ -117,10 +117,15 @@ fn note_rejected(rejected: &[RejectedAdapter], chosen: &str, output: &Output) {
 mod tests {
     use std::borrow::Cow;
 
-    use striata::mesh::{IndexedMesh, shapes};
+    use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup, shapes};
+    use striata_scene::Poser;
+    use striata_scene::drawn::{
+        AlphaMode, ImageLimits, Light, LightKind, Material, Sampler, TextureUse, UvTransform, posed_mesh,
+    };
+    use striata_scene::textures::RgbaImage;
 
     use super::*;
-    use crate::picture::{Line, Paint, Style, ViewAngles, triangle_colors, with_normals};
+    use crate::picture::{Line, Paint, SceneLook, Style, ViewAngles, triangle_colors, with_normals};
 
     fn on_gpu() -> PictureRenderer {
         let output = Output::quiet();
@@ -187,6 +192,109 @@ mod tests {
         for style in [Style::SMOOTH, Style::FACETED] {
             both_draw_the_same(&Shot::of(&mesh, Paint::Surface, style), &camera, 14_000);
         }
+    }
+
+    /// A board of two colors with soft squares, so that both filter it alike.
+    fn board(colors: [[u8; 4]; 2]) -> RgbaImage {
+        let cell = |i: usize| colors[(i % 64 / 16 + i / 64 / 16) % 2];
+        RgbaImage { width: 64, height: 64, rgba: (0..64 * 64).flat_map(cell).collect() }
+    }
+
+    /// A sphere with a texture on each half, in front of a masked and behind a transparent square.
+    fn textured_scene() -> (IndexedMesh, SceneLook) {
+        let mut mesh = with_normals(shapes::two_material_sphere(24, 36));
+        let sphere = mesh.vertex_count() as u32;
+        let square = |z: f32| [[-1.3, -1.3, z], [0.4, -1.3, z], [0.4, 0.4, z], [-1.3, 0.4, z]];
+        mesh.positions.extend(square(-1.4).into_iter().chain(square(1.4)));
+        let first = mesh.triangles.len() as u32;
+        let corners = |start: u32| [[0, 1, 2], [0, 2, 3]].map(|triangle| triangle.map(|v: u32| v + start));
+        mesh.triangles.extend(corners(sphere).into_iter().chain(corners(sphere + 4)));
+        let group = |first, material| TriangleGroup { first, count: 2, material, ..TriangleGroup::default() };
+        mesh.groups.extend([group(first, Some(2)), group(first + 2, Some(3))]);
+        let normals = mesh.layer(&Semantic::Normal).map(|layer| layer.data.clone());
+        let Some(LayerData::F32(mut normals)) = normals else { panic!("a layer of normals") };
+        normals.extend([0.0, 0.0, 1.0].repeat(8));
+        let uv = |p: &[f32; 3]| [0.5 + 0.4 * p[0], 0.5 - 0.4 * p[1]];
+        let uvs = mesh.positions.iter().flat_map(uv).collect();
+        mesh.layers = vec![
+            AttributeLayer::from_f32(Semantic::Normal, 3, normals),
+            AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uvs),
+        ];
+        mesh.appearance.materials = vec![Default::default(); 4];
+        let texture = |image| {
+            let (sampler, transform) = (Sampler::default(), UvTransform::default());
+            Some(TextureUse { image, sampler, uv_set: 0, transform })
+        };
+        let materials = vec![
+            Material {
+                base_color_texture: texture(0),
+                metallic: 0.0,
+                roughness: 0.4,
+                emissive: [0.1, 0.0, 0.05],
+                ..Material::default()
+            },
+            Material {
+                base_color: [1.0, 0.8, 0.4, 1.0],
+                metallic_roughness_texture: texture(1),
+                normal_texture: texture(2),
+                ..Material::default()
+            },
+            Material {
+                base_color_texture: texture(3),
+                alpha_mode: AlphaMode::Mask(0.5),
+                is_unlit: true,
+                ..Material::default()
+            },
+            Material {
+                base_color: [0.2, 0.4, 1.0, 0.4],
+                alpha_mode: AlphaMode::Blend,
+                roughness: 0.6,
+                ..Material::default()
+            },
+        ];
+        let images = [
+            board([[200, 40, 30, 255], [230, 220, 200, 255]]),
+            board([[0, 60, 255, 255], [0, 200, 100, 255]]),
+            board([[150, 128, 250, 255], [110, 140, 250, 255]]),
+            board([[30, 180, 60, 255], [30, 180, 60, 0]]),
+        ];
+        let light = Light {
+            kind: LightKind::Point,
+            color: [2.0, 1.5, 1.0],
+            range: Some(9.0),
+            position: [1.5, 1.0, 2.5],
+            direction: [0.0, 0.0, -1.0],
+        };
+        let look = SceneLook::new(materials, images.into_iter().map(Some).collect()).with_lights(vec![light]);
+        (mesh, look)
+    }
+
+    #[test]
+    fn both_draw_the_same_materials() {
+        let (mesh, look) = textured_scene();
+        let angles = ViewAngles { turn: -0.3, rise: 0.25, up: [0.0, 1.0, 0.0], fov: 0.5 };
+        let camera = Camera::around(&mesh.positions, &angles, 1.5);
+        let line = Line { ends: [[-2.0, 0.1, -1.0], [2.0, 0.3, 1.0]], color: [255, 80, 0, 255], width: 12.0 };
+        for style in [Style::SMOOTH, Style::FLAT] {
+            let shot = Shot::of(&mesh, Paint::Surface, style);
+            let shot = Shot { look: Some(&look), lines: vec![line], ..shot };
+            both_draw_the_same(&shot, &camera, 4000);
+        }
+    }
+
+    #[test]
+    fn both_draw_the_same_animated_scene() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/arm.glb");
+        let scene = striata_io::read_scene(path).expect("an asset of the repository");
+        let poser = Poser::new(&scene).expect("a sound scene");
+        let pose = poser.pose(0, 0.6);
+        let mesh = posed_mesh(&scene, &poser, &pose).expect("a small scene");
+        let look = SceneLook::of(&scene, &ImageLimits::default());
+        assert!(look.warnings().is_empty() && look.images.iter().any(Option::is_some));
+        let angles = ViewAngles { turn: 0.4, rise: 0.3, up: [0.0, 1.0, 0.0], fov: 0.5 };
+        let camera = Camera::around(&mesh.positions, &angles, 1.5);
+        let shot = Shot { look: Some(&look), ..Shot::of(&mesh, Paint::Surface, Style::SMOOTH) };
+        both_draw_the_same(&shot, &camera, 1500);
     }
 
     #[test]

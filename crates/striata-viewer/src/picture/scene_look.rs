@@ -17,6 +17,9 @@ const MAX_THREADS: usize = 8;
 /// Materials, images and lights of a scene.
 #[derive(Debug)]
 pub struct SceneLook {
+    /// Distinguishes looks, so that a GPU keeps the images of the last one.
+    #[cfg(feature = "gpu")]
+    id: u64,
     pub(super) materials: Vec<Material>,
     /// Images in the order of the scene; [`None`] for those that no material uses.
     pub(super) images: Vec<Option<RgbaImage>>,
@@ -27,6 +30,15 @@ pub struct SceneLook {
 }
 
 impl SceneLook {
+    /// Whether a scene says how it looks: a shown primitive has a material or vertex colors.
+    pub fn is_described(scene: &Scene) -> bool {
+        scene.instances().iter().any(|instance| {
+            let mesh = scene.meshes()[instance.mesh].as_ref();
+            let has_colors = mesh.is_some_and(|mesh| mesh.layer(&Semantic::Color(0)).is_some());
+            has_colors || scene.primitive_materials(instance.mesh).iter().any(Option::is_some)
+        })
+    }
+
     /// Reads the materials that the instances of a scene use, and decodes their images.
     pub fn of(scene: &Scene, limits: &ImageLimits) -> Self {
         let mut materials = materials(scene);
@@ -37,13 +49,26 @@ impl SceneLook {
         }
         let decoded =
             decode_images(scene, &mut materials, limits, |count, decode| in_parallel(count, decode));
+        Self { warnings: decoded.warnings, ..Self::new(materials, decoded.images) }
+    }
+
+    /// Creates a look of materials whose images exist.
+    pub(super) fn new(materials: Vec<Material>, images: Vec<Option<RgbaImage>>) -> Self {
         Self {
+            #[cfg(feature = "gpu")]
+            id: next_id(),
             materials,
-            images: decoded.images,
+            images,
             lights: Vec::new(),
             textures: OnceLock::new(),
-            warnings: decoded.warnings,
+            warnings: Vec::new(),
         }
+    }
+
+    /// Number that no other look has.
+    #[cfg(feature = "gpu")]
+    pub(super) fn id(&self) -> u64 {
+        self.id
     }
 
     /// Reads the materials of a mesh from a format without scenes, which are visible from both sides, because
@@ -57,15 +82,6 @@ impl SceneLook {
         let mut look = Self::of(&scene, limits);
         look.materials.iter_mut().for_each(|material| material.is_double_sided = true);
         Some(look)
-    }
-
-    /// Whether a scene says how it looks: a shown primitive has a material or vertex colors.
-    pub fn exists_in(scene: &Scene) -> bool {
-        let has_colors = |mesh: &IndexedMesh| mesh.layer(&Semantic::Color(0)).is_some();
-        scene.instances().iter().any(|instance| {
-            scene.meshes()[instance.mesh].as_ref().is_some_and(has_colors)
-                || scene.primitive_materials(instance.mesh).iter().any(Option::is_some)
-        })
     }
 
     /// Sets the lights of the document; the light of the studio is always there.
@@ -115,6 +131,12 @@ pub(crate) fn has_materials(mesh: &IndexedMesh) -> bool {
         })
     };
     mesh.groups_or_whole().iter().any(is_described)
+}
+
+#[cfg(feature = "gpu")]
+fn next_id() -> u64 {
+    static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(0);
+    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 /// Returns a mesh with a triangle for each group, which has all materials and images in use.

@@ -1,7 +1,7 @@
 //! Light that a point of a surface with a material sends to the eye.
 //!
 //! glTF's metallic-roughness in the light of the [`Studio`]: diffuse irradiance, reflections by the split
-//! sum [Kar13] with multiple scattering [FA19], and the lights of the document. `MeshStandardMaterial` of
+//! sum [Kar13] with multiple scattering [Fde19], and the lights of the document. `MeshStandardMaterial` of
 //! three.js has the same terms, so that pictures can be compared.
 
 use striata_scene::drawn::{Light, LightKind};
@@ -71,7 +71,7 @@ fn studio_light(point: &SurfacePoint, scale_offset: [f32; 2]) -> Reflected {
     }
 }
 
-/// Shares of light that a rough surface reflects once and several times [FA19].
+/// Shares of light that a rough surface reflects once and several times [Fde19].
 struct Scattering {
     single: Vec3,
     multiple: Vec3,

@@ -53,7 +53,9 @@ fn integrate(roughness: f32, view_cos: f32) -> [f32; 2] {
         sum[0] += weight * (1.0 - fresnel);
         sum[1] += weight * fresnel;
     }
-    sum.map(|x| x / SAMPLES as f32)
+    // No surface reflects more than it receives, whatever the samples were.
+    let total = (sum[0] + sum[1]).max(SAMPLES as f32);
+    sum.map(|x| x / total)
 }
 
 #[cfg(test)]
@@ -72,7 +74,7 @@ mod tests {
         for roughness in [-1.0, 0.0, 0.3, 1.0, 2.0] {
             for cos in [-1.0, 0.0, 1.0, 3.0] {
                 let total: f32 = split_sum(roughness, cos).iter().sum();
-                assert!((0.0..=1.01).contains(&total), "{roughness} {cos}: {total}");
+                assert!((0.0..=1.0001).contains(&total), "{roughness} {cos}: {total}");
             }
         }
     }

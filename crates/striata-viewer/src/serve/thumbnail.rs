@@ -2,12 +2,16 @@
 
 use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
+use striata_io::{Format, SceneError};
+use striata_scene::Poser;
+use striata_scene::drawn::{ImageLimits, lights, posed_mesh};
 
-use crate::picture::portrait;
+use crate::picture::{SceneLook, portrait, with_normals};
 use crate::serve::args::ThumbnailArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, to_stdout};
+use striata_command::scene::SceneKind;
 use striata_command::stream::DecodedStream;
 
 /// Width in pixels.
@@ -16,6 +20,10 @@ pub(super) const WIDTH: usize = 320;
 pub(super) const HEIGHT: usize = 240;
 /// Maximum number of triangles; more would be smaller than pixels.
 const MAX_TRIANGLES: usize = 40_000;
+/// Longest side of a texture, pixels.
+const MAX_IMAGE_SIDE: u32 = 512;
+/// Size of all textures together, bytes of pixels.
+const MAX_IMAGE_BYTES: u64 = 256 << 20;
 /// Memory limit of the process.
 #[cfg(unix)]
 const MAX_MEMORY_BYTES: u64 = 3 << 30;
@@ -30,9 +38,20 @@ const MAX_CPU_SECS: u64 = 20;
 pub fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
     limit_this_process();
     let input = Input::open(&args.input)?;
-    let mesh = mesh_of(&input, output)?;
-    mesh.check()?;
-    let picture = portrait(mesh, [WIDTH, HEIGHT]).to_png();
+    let (mesh, look) = match input.scene_kind() {
+        Some(kind) => posed_scene(&input, kind, output)?,
+        None => {
+            let mut mesh = mesh_of(&input, output)?;
+            mesh.check()?;
+            let look = SceneLook::of_mesh(&mesh, &image_limits());
+            if look.is_some() {
+                input.convert_colors(&mut mesh, Format::Glb);
+                mesh = with_normals(mesh);
+            }
+            (mesh, look)
+        }
+    };
+    let picture = portrait(mesh, look.as_ref(), [WIDTH, HEIGHT]).to_png();
     to_stdout(&picture.map_err(|error| Failure::internal(format!("cannot encode the thumbnail: {error}")))?)
 }
 
@@ -43,6 +62,35 @@ fn limit_this_process() {
         let _ = rlimit::setrlimit(rlimit::Resource::AS, MAX_MEMORY_BYTES, MAX_MEMORY_BYTES);
         let _ = rlimit::setrlimit(rlimit::Resource::CPU, MAX_CPU_SECS, MAX_CPU_SECS);
     }
+}
+
+/// Limits of textures, which have far more pixels than a thumbnail otherwise.
+fn image_limits() -> ImageLimits {
+    ImageLimits::default().with_max_side(MAX_IMAGE_SIDE).with_total_bytes(MAX_IMAGE_BYTES)
+}
+
+/// Reads a scene at a level that is fine enough, in the pose of its nodes, with its materials if it has some.
+///
+/// # Errors
+/// If the file is malformed.
+fn posed_scene(
+    input: &Input,
+    kind: SceneKind,
+    output: &Output,
+) -> Result<(IndexedMesh, Option<SceneLook>), Failure> {
+    let failed = |error: SceneError| Failure::user(format!("{}: {error}", input.name));
+    let scene = if kind == SceneKind::Gltf {
+        input.scene(output)?
+    } else {
+        let lods = input.received_scene(output)?.lods;
+        lods.level_scene(&lods.level(Target::Triangles(MAX_TRIANGLES)))
+    };
+    let poser = Poser::new(&scene).map_err(failed)?;
+    let pose = poser.rest_pose();
+    let mesh = posed_mesh(&scene, &poser, &pose).map_err(failed)?;
+    let look = SceneLook::is_described(&scene)
+        .then(|| SceneLook::of(&scene, &image_limits()).with_lights(lights(&scene, &pose)));
+    Ok((mesh, look))
 }
 
 /// Reads as much of the mesh as a thumbnail shows; of a stream, only the beginning is decoded.

@@ -89,5 +89,5 @@ impl SceneContent {
 /// Whether a scene without levels says how it looks, or moves.
 fn is_worth_drawing(scene: &Scene) -> bool {
     let animations = scene.document().get("animations").and_then(Value::as_array);
-    SceneLook::exists_in(scene) || animations.is_some_and(|animations| !animations.is_empty())
+    SceneLook::is_described(scene) || animations.is_some_and(|animations| !animations.is_empty())
 }

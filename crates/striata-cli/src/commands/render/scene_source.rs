@@ -59,7 +59,7 @@ impl SceneSource {
             (received.lods.full_scene(), Some(received))
         };
         let poser = Poser::new(&scene).map_err(|error| in_file(&error))?;
-        let has_look = SceneLook::exists_in(&scene);
+        let has_look = SceneLook::is_described(&scene);
         if levels.is_none() && !has_look && poser.animation_count() == 0 && args.camera.is_none() {
             return refuse_scene_flags(args, &input.name, "has no animation").map(|()| None);
         }

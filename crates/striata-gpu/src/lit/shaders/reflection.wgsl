@@ -101,7 +101,7 @@ fn reflected(r: Reflector, to_light: vec3<f32>) -> vec3<f32> {
     return cosine_light * (specular + diffuse);
 }
 
-// Light of the lamps of the scene.
+// Light of the punctual lights of the scene.
 fn punctual(r: Reflector, position: vec3<f32>) -> vec3<f32> {
     var sum = vec3(0.0);
     for (var index = 0u; index < u32(frame.sky.w); index++) {

@@ -40,8 +40,8 @@ fn output(color: vec3<f32>, opacity: f32) -> vec4<f32> {
     if frame.ground.w < 0.5 {
         return vec4(light, opacity);
     }
-    let encoded = select(1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, 12.92 * light, light <= vec3(0.0031308));
-    return vec4(encoded, opacity);
+    let curved = 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055;
+    return vec4(select(curved, 12.92 * light, light <= vec3(0.0031308)), opacity);
 }
 
 // The largest change of a normal from pixel to pixel makes a surface rougher, so that highlights do not

@@ -2,12 +2,12 @@
 
 use striata::mesh::{Bounds, Semantic};
 use striata_command::failure::Failure;
-use striata_gpu::{LitImage, LitMaterial};
+use striata_gpu::{LitImage, LitMaterial, Look};
 use striata_scene::drawn::{ImageLimits, decode_images, materials};
 use striata_scene::{LodScene, Pose, Poser};
 
 use super::tree::{TreeRow, printable, tree_rows};
-use crate::lit::{lit_image, lit_material, stone};
+use crate::lit::{lit_image, lit_material};
 use crate::picture::in_parallel;
 use crate::window::subject::Origin;
 
@@ -48,7 +48,7 @@ impl SceneSubject {
         let limits = ImageLimits::default().with_total_bytes(IMAGE_BYTES);
         let decoded = decode_images(scene, &mut read, &limits, |count, decode| in_parallel(count, decode));
         read.iter_mut().for_each(|material| material.is_double_sided |= is_double_sided);
-        let images: Vec<LitImage> = decoded.images.into_iter().map(lit_image).collect();
+        let images: Vec<LitImage> = decoded.images.iter().map(|image| lit_image(image.as_ref())).collect();
         let mut materials: Vec<LitMaterial> = read.iter().map(lit_material).collect();
         let meshes = 0..scene.meshes().len();
         let mut primitive_materials: Vec<Vec<Option<usize>>> =
@@ -159,4 +159,17 @@ fn average(image: &LitImage) -> [f32; 3] {
         }
     }
     if count > 0.0 { sum.map(|sum| sum / count) } else { [1.0; 3] }
+}
+
+/// The material of scenes that do not say how they look.
+fn stone() -> LitMaterial {
+    let [red, green, blue] = Look::default().base;
+    LitMaterial {
+        name: "stone".to_owned(),
+        base_color: [red, green, blue, 1.0],
+        metallic: 0.0,
+        roughness: 0.8,
+        is_double_sided: true,
+        ..LitMaterial::default()
+    }
 }

@@ -1,0 +1,173 @@
+//! Shared by the tests of lit surfaces: a device for all of them, and meshes in poses.
+#![allow(dead_code, reason = "not every test needs everything")]
+
+use std::sync::{Arc, LazyLock};
+
+use bytemuck::cast_slice;
+use glam::DMat4;
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, shapes};
+use striata_gpu::{
+    Canvas, Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitImage, LitLight, LitLightKind,
+    LitMaterial, LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices, Picture,
+    linear_to_srgb,
+};
+
+use crate::support::gpu;
+
+pub(crate) const SIDE: u32 = 64;
+
+/// A camera that sees the square from -1 to 1 exactly, from 10 units away.
+pub(crate) fn camera() -> LitCamera {
+    let fov = 2.0 * (0.1f64).atan();
+    LitCamera { eye: [0.0, 0.0, 10.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov }
+}
+
+/// A device and a painter for all tests: opening and compiling takes longer than drawing.
+pub(crate) static SHARED: LazyLock<(Gpu, Arc<LitPainter>)> = LazyLock::new(|| {
+    let gpu = gpu();
+    let painter = LitPainter::new(&gpu, Canvas::FORMAT, 1);
+    (gpu, Arc::new(painter))
+});
+
+pub(crate) struct LitTest {
+    pub(crate) gpu: Gpu,
+    pub(crate) painter: Arc<LitPainter>,
+    pub(crate) canvas: Canvas,
+    pub(crate) environment: Environment,
+    pub(crate) lights: Vec<LitLight>,
+    pub(crate) materials: Vec<LitMaterial>,
+    pub(crate) images: Vec<LitImage>,
+    pub(crate) camera: LitCamera,
+}
+
+/// A mesh in a pose, as a test wants it drawn.
+pub(crate) struct Shown<'a> {
+    pub(crate) mesh: &'a IndexedMesh,
+    pub(crate) material: Option<usize>,
+    pub(crate) world_from_mesh: DMat4,
+    pub(crate) joints: &'a [DMat4],
+    pub(crate) morph_weights: &'a [f32],
+}
+
+impl<'a> Shown<'a> {
+    pub(crate) fn new(mesh: &'a IndexedMesh) -> Self {
+        let world_from_mesh = DMat4::IDENTITY;
+        Self { mesh, material: Some(0), world_from_mesh, joints: &[], morph_weights: &[] }
+    }
+
+    pub(crate) fn at(mesh: &'a IndexedMesh, world_from_mesh: DMat4) -> Self {
+        Self { world_from_mesh, ..Self::new(mesh) }
+    }
+}
+
+impl LitTest {
+    pub(crate) fn new(material: LitMaterial) -> Self {
+        let (gpu, painter) = SHARED.clone();
+        Self {
+            painter,
+            canvas: Canvas::new(&gpu, [SIDE; 2], 1).unwrap(),
+            gpu,
+            environment: Environment::uniform([1.0; 3]),
+            lights: Vec::new(),
+            materials: vec![material],
+            images: Vec::new(),
+            camera: camera(),
+        }
+    }
+
+    pub(crate) fn draw(&self, shown: &[Shown<'_>]) -> Picture {
+        self.try_draw(shown).unwrap()
+    }
+
+    pub(crate) fn try_draw(&self, shown: &[Shown<'_>]) -> Result<Picture, GpuError> {
+        let materials = LitMaterials::upload(&self.gpu, &self.painter, &self.materials, &self.images)?;
+        let mut uploaded = Vec::new();
+        for shown in shown {
+            let vertices = LitVertices::upload(&self.gpu, &self.painter, shown.mesh)?;
+            let indices = GpuIndices::upload(&self.gpu, cast_slice(&shown.mesh.triangles))?;
+            let range = 0..3 * shown.mesh.triangle_count() as u32;
+            uploaded.push((vertices, indices, [LitPart { range, material: shown.material }]));
+        }
+        let objects: Vec<LitObject<'_>> = uploaded
+            .iter()
+            .zip(shown)
+            .map(|((vertices, indices, parts), shown)| LitObject {
+                vertices,
+                indices,
+                parts,
+                world_from_mesh: shown.world_from_mesh,
+                joints: shown.joints,
+                morph_weights: shown.morph_weights,
+            })
+            .collect();
+        let mut frame = LitFrame::new(&self.gpu, &self.painter, &self.environment)?;
+        let scene = LitScene {
+            camera: self.camera,
+            size: [SIDE; 2],
+            lights: &self.lights,
+            materials: &materials,
+            objects: &objects,
+        };
+        frame.update(&self.gpu, &self.painter, &scene)?;
+        self.canvas.paint(&self.gpu, [0.0; 4], |pass| frame.draw(pass))
+    }
+}
+
+/// The square from -1 to 1, facing the camera, with texture coordinates from the upper left as in glTF.
+pub(crate) fn quad() -> IndexedMesh {
+    let positions = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+    let mut mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [0, 2, 3]]);
+    let normals = [[0.0, 0.0, 1.0]; 4].concat();
+    let uv = vec![0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0];
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uv));
+    mesh
+}
+
+pub(crate) fn unlit(base_color: [f32; 4]) -> LitMaterial {
+    LitMaterial { base_color, is_unlit: true, ..LitMaterial::default() }
+}
+
+pub(crate) fn image(width: u32, height: u32, pixel: impl Fn(u32, u32) -> [u8; 4]) -> LitImage {
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    LitImage { width, height, rgba: places.flat_map(|(x, y)| pixel(x, y)).collect() }
+}
+
+pub(crate) fn pixel(picture: &Picture, x: u32, y: u32) -> [u8; 4] {
+    let start = 4 * (y * picture.width + x) as usize;
+    std::array::from_fn(|k| picture.rgba[start + k])
+}
+
+pub(crate) fn srgb(light: f32) -> u8 {
+    (255.0 * linear_to_srgb(light) + 0.5) as u8
+}
+
+#[track_caller]
+pub(crate) fn assert_near(found: [u8; 4], expected: [u8; 4], tolerance: u8) {
+    let is_near = found.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= tolerance);
+    assert!(is_near, "{found:?}, not {expected:?}");
+}
+
+pub(crate) fn sphere() -> IndexedMesh {
+    let mut mesh = shapes::icosphere(4, 1.0);
+    mesh.layers.retain(|layer| layer.semantic != Semantic::Normal);
+    let normals = mesh.positions.iter().copied().flatten().collect();
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
+    mesh
+}
+
+pub(crate) fn sunlight(direction: [f32; 3]) -> LitLight {
+    let kind = LitLightKind::Directional;
+    LitLight { kind, color: [2.0; 3], position: [0.0; 3], direction, range: None }
+}
+
+pub(crate) fn lit_by(material: LitMaterial, light: LitLight) -> LitTest {
+    let mut test = LitTest::new(material);
+    test.environment = Environment::uniform([0.0; 3]);
+    test.lights = vec![light];
+    test
+}
+
+pub(crate) fn chalk() -> LitMaterial {
+    LitMaterial { metallic: 0.0, roughness: 1.0, base_color: [0.8, 0.8, 0.8, 1.0], ..Default::default() }
+}

@@ -1,0 +1,141 @@
+//! Draws surfaces with materials on a GPU.
+
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
+use striata_gpu::{
+    Canvas as GpuCanvas, Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitImage, LitMaterial,
+    LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices,
+};
+use striata_scene::drawn::AlphaMode;
+
+use super::Camera;
+use super::camera::{dot as dot64, sub as sub64, to_f64};
+use super::scene_look::SceneLook;
+use super::shot::{LineTriangles, Shot};
+use crate::lit::{lit_image, lit_lights, lit_material};
+
+/// What pictures with materials share: the shader, and the materials of the last look.
+#[derive(Debug)]
+pub(super) struct LookPainter {
+    painter: LitPainter,
+    /// Materials with the number of their look; the last one is for lines.
+    materials: Option<(u64, LitMaterials)>,
+}
+
+/// A shot with materials on the GPU.
+pub(super) struct UploadedLook {
+    pub(super) frame: LitFrame,
+}
+
+impl LookPainter {
+    pub(super) fn new(gpu: &Gpu, samples: u32) -> Self {
+        Self { painter: LitPainter::new(gpu, GpuCanvas::FORMAT, samples), materials: None }
+    }
+
+    /// Uploads a shot, whose materials stay for the next one with the same look.
+    ///
+    /// # Errors
+    /// If the GPU runs out of memory.
+    pub(super) fn upload(
+        &mut self,
+        gpu: &Gpu,
+        shot: &Shot<'_>,
+        (look, camera, size): (&SceneLook, &Camera, [u32; 2]),
+    ) -> Result<UploadedLook, GpuError> {
+        if self.materials.as_ref().is_none_or(|(id, _)| *id != look.id()) {
+            self.materials = Some((look.id(), upload_materials(gpu, &self.painter, look)?));
+        }
+        let Some((_, materials)) = &self.materials else {
+            return Err(GpuError::Failed("no materials were uploaded".to_owned()));
+        };
+        let painter = &self.painter;
+        let surface = surface_of(shot);
+        let vertices = LitVertices::upload(gpu, painter, &surface)?;
+        let (triangles, parts) = parts_of(shot, look, camera);
+        let indices = GpuIndices::upload(gpu, triangles.as_flattened())?;
+        let mut objects = vec![LitObject::new(&vertices, &indices, &parts)];
+        let lines = LineTriangles::new(&shot.lines, camera, 0);
+        let line_mesh = line_mesh(&lines);
+        let line_vertices = LitVertices::upload(gpu, painter, &line_mesh)?;
+        let line_indices = GpuIndices::upload(gpu, line_mesh.triangles.as_flattened())?;
+        let range = 0..3 * line_mesh.triangles.len() as u32;
+        let line_parts = [LitPart { range, material: Some(look.materials.len()) }];
+        if !line_mesh.triangles.is_empty() {
+            objects.push(LitObject::new(&line_vertices, &line_indices, &line_parts));
+        }
+        let lights = lit_lights(&look.lights);
+        let [eye, look_at, up] = [camera.eye, camera.look_at, camera.up].map(to_f64);
+        let camera = LitCamera { eye, look_at, up, fov: f64::from(camera.fov) };
+        let scene = LitScene { camera, size, lights: &lights, materials, objects: &objects };
+        let mut frame = LitFrame::new(gpu, painter, &Environment::studio())?;
+        frame.update(gpu, painter, &scene)?;
+        Ok(UploadedLook { frame })
+    }
+}
+
+fn upload_materials(gpu: &Gpu, painter: &LitPainter, look: &SceneLook) -> Result<LitMaterials, GpuError> {
+    let images: Vec<LitImage> = look.images.iter().map(|image| lit_image(image.as_ref())).collect();
+    let lines = LitMaterial { is_unlit: true, is_double_sided: true, ..LitMaterial::default() };
+    let materials: Vec<LitMaterial> = look.materials.iter().map(lit_material).chain([lines]).collect();
+    LitMaterials::upload(gpu, painter, &materials, &images)
+}
+
+/// Returns the vertices of a shot with the attributes that its style needs.
+fn surface_of<'a>(shot: &Shot<'a>) -> std::borrow::Cow<'a, IndexedMesh> {
+    let mesh = shot.vertices;
+    if !shot.is_flat || mesh.layer(&Semantic::Normal).is_none() {
+        return std::borrow::Cow::Borrowed(mesh);
+    }
+    let layers = mesh.layers.iter().filter(|layer| layer.semantic != Semantic::Normal);
+    std::borrow::Cow::Owned(IndexedMesh {
+        layers: layers.cloned().collect(),
+        ..IndexedMesh::new(mesh.positions.clone(), Vec::new())
+    })
+}
+
+/// Returns the triangles with a part for each run of one material; transparent ones come last, from back to
+/// front.
+fn parts_of(shot: &Shot<'_>, look: &SceneLook, camera: &Camera) -> (Vec<[u32; 3]>, Vec<LitPart>) {
+    let is_blended = |material: Option<u32>| {
+        let material = material.and_then(|material| look.materials.get(material as usize));
+        material.is_some_and(|material| material.alpha_mode == AlphaMode::Blend)
+    };
+    let (mut opaque, mut blended) = (Vec::new(), Vec::new());
+    for group in shot.vertices.groups_or_whole() {
+        let list = if is_blended(group.material) { &mut blended } else { &mut opaque };
+        let triangles = shot.triangles.get(group.range()).unwrap_or_default();
+        list.extend(triangles.iter().map(|&triangle| (group.material, triangle)));
+    }
+    let [_, _, back] = camera.axes();
+    let eye = to_f64(camera.eye);
+    let distance = |&(_, triangle): &(Option<u32>, [u32; 3])| {
+        let depth = |v: u32| -dot64(sub64(to_f64(shot.vertices.positions[v as usize]), eye), back);
+        // Like the rasterizer, which adds inverse depths.
+        triangle.map(|v| 1.0 / depth(v).max(1e-30)).iter().sum::<f64>()
+    };
+    blended.sort_by_cached_key(|entry| ordered(distance(entry)));
+    let mut triangles = Vec::with_capacity(opaque.len() + blended.len());
+    let mut parts = Vec::new();
+    for run in opaque.chunk_by(|a, b| a.0 == b.0).chain(blended.chunk_by(|a, b| a.0 == b.0)) {
+        let start = 3 * triangles.len() as u32;
+        triangles.extend(run.iter().map(|(_, triangle)| *triangle));
+        let material = run[0].0.map(|material| material as usize).filter(|&m| m < look.materials.len());
+        parts.push(LitPart { range: start..3 * triangles.len() as u32, material });
+    }
+    (triangles, parts)
+}
+
+/// A positive number as an integer in the same order.
+fn ordered(number: f64) -> u64 {
+    number.max(0.0).to_bits()
+}
+
+/// Returns lines as a mesh with a color for each vertex.
+fn line_mesh(lines: &LineTriangles) -> IndexedMesh {
+    let mut mesh = IndexedMesh::new(lines.positions.clone(), lines.triangles.clone());
+    let mut colors = vec![[1.0; 4]; lines.positions.len()];
+    for (triangle, color) in lines.triangles.iter().zip(&lines.colors) {
+        triangle.iter().for_each(|&v| colors[v as usize] = color.map(|byte| f32::from(byte) / 255.0));
+    }
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 4, colors.into_flattened()));
+    mesh
+}
