@@ -6,7 +6,7 @@
 
 #[cfg(all(feature = "serve", not(feature = "window")))]
 mod browser_args;
-#[cfg(feature = "window")]
+#[cfg(feature = "gpu")]
 mod lit;
 pub mod picture;
 #[cfg(feature = "serve")]

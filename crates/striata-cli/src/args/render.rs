@@ -9,7 +9,7 @@ use striata::model::ModelKind;
 
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
-use striata_command::args::{Coloring, Count, Length, LevelChoice, Point, ViewArgs, Viewport};
+use striata_command::args::{Coloring, Count, Length, LevelChoice, Point, PoseArgs, ViewArgs, Viewport};
 
 /// Help heading of the camera flags.
 const CAMERA: &str = "Camera";
@@ -84,18 +84,9 @@ pub(crate) struct RenderArgs {
         help_heading = APPEARANCE,
     )]
     pub(crate) rows: Option<u16>,
-    /// Pose of the scene at this time of its animation, in seconds [default: the pose without animation]
-    #[arg(
-        long,
-        value_name = "SECONDS",
-        allow_negative_numbers = true,
-        value_parser = parse_seconds,
-        help_heading = POSE,
-    )]
-    pub(crate) time: Option<f32>,
-    /// Animation to take the pose from: its number, beginning with 0, or its name [default: 0]
-    #[arg(long, value_name = "N|NAME", help_heading = POSE)]
-    pub(crate) animation: Option<String>,
+    /// Pose of an animated scene.
+    #[command(flatten, next_help_heading = POSE)]
+    pub(crate) pose: PoseArgs,
     /// Camera of the scene: its number, beginning with 0, or its name
     #[arg(
         long,
@@ -240,13 +231,6 @@ fn parse_degrees(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(angle) if angle.abs() <= 360.0 => Ok(angle),
         _ => Err("must be an angle from -360 to 360 degrees".to_owned()),
-    }
-}
-
-fn parse_seconds(text: &str) -> Result<f32, String> {
-    match text.parse::<f32>() {
-        Ok(time) if time >= 0.0 && time.is_finite() => Ok(time),
-        _ => Err("must be a time of at least 0 seconds".to_owned()),
     }
 }
 

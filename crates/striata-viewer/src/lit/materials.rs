@@ -1,8 +1,8 @@
 //! Materials and images of a document.
 
-use striata_gpu::{
-    AlphaMode, LitImage, LitMaterial, Look, TextureFilter, TextureSampler, TextureUse, TextureWrap,
-};
+use std::sync::Arc;
+
+use striata_gpu::{AlphaMode, LitImage, LitMaterial, TextureFilter, TextureSampler, TextureUse, TextureWrap};
 use striata_scene::drawn::{self, Material, Wrap};
 use striata_scene::textures::RgbaImage;
 
@@ -32,23 +32,12 @@ pub(crate) fn lit_material(material: &Material) -> LitMaterial {
     }
 }
 
-/// The material of scenes that do not say how they look.
-pub(crate) fn stone() -> LitMaterial {
-    let [red, green, blue] = Look::default().base;
-    LitMaterial {
-        name: "stone".to_owned(),
-        base_color: [red, green, blue, 1.0],
-        metallic: 0.0,
-        roughness: 0.8,
-        is_double_sided: true,
-        ..LitMaterial::default()
-    }
-}
-
 /// Converts an image; one that no material uses becomes a white pixel.
-pub(crate) fn lit_image(image: Option<RgbaImage>) -> LitImage {
+pub(crate) fn lit_image(image: Option<&RgbaImage>) -> LitImage {
     match image {
-        Some(RgbaImage { width, height, rgba }) => LitImage { width, height, rgba: rgba.into() },
+        Some(RgbaImage { width, height, rgba }) => {
+            LitImage { width: *width, height: *height, rgba: Arc::clone(rgba) }
+        }
         None => LitImage { width: 1, height: 1, rgba: [255; 4].into() },
     }
 }

@@ -4,4 +4,4 @@ mod lights;
 mod materials;
 
 pub(crate) use self::lights::lit_lights;
-pub(crate) use self::materials::{lit_image, lit_material, stone};
+pub(crate) use self::materials::{lit_image, lit_material};

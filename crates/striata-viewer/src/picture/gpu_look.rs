@@ -1,19 +1,17 @@
 //! Draws surfaces with materials on a GPU.
 
-use std::sync::Arc;
-
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 use striata_gpu::{
-    AlphaMode as GpuAlphaMode, Canvas as GpuCanvas, Environment, Gpu, GpuError, GpuIndices, LitCamera,
-    LitFrame, LitImage, LitLight, LitLightKind, LitMaterial, LitMaterials, LitObject, LitPainter, LitPart,
-    LitScene, LitVertices, TextureFilter, TextureSampler, TextureUse as GpuTextureUse, TextureWrap,
+    Canvas as GpuCanvas, Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitImage, LitMaterial,
+    LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices,
 };
-use striata_scene::drawn::{AlphaMode, Light, LightKind, Material, TextureUse, Wrap};
+use striata_scene::drawn::AlphaMode;
 
 use super::Camera;
 use super::camera::{dot as dot64, sub as sub64, to_f64};
 use super::scene_look::SceneLook;
 use super::shot::{LineTriangles, Shot};
+use crate::lit::{lit_image, lit_lights, lit_material};
 
 /// What pictures with materials share: the shader, and the materials of the last look.
 #[derive(Debug)]
@@ -64,7 +62,7 @@ impl LookPainter {
         if !line_mesh.triangles.is_empty() {
             objects.push(LitObject::new(&line_vertices, &line_indices, &line_parts));
         }
-        let lights: Vec<LitLight> = look.lights.iter().take(LitFrame::MAX_LIGHT_COUNT).map(light).collect();
+        let lights = lit_lights(&look.lights);
         let [eye, look_at, up] = [camera.eye, camera.look_at, camera.up].map(to_f64);
         let camera = LitCamera { eye, look_at, up, fov: f64::from(camera.fov) };
         let scene = LitScene { camera, size, lights: &lights, materials, objects: &objects };
@@ -75,20 +73,9 @@ impl LookPainter {
 }
 
 fn upload_materials(gpu: &Gpu, painter: &LitPainter, look: &SceneLook) -> Result<LitMaterials, GpuError> {
-    let unused = || LitImage { width: 1, height: 1, rgba: Arc::from([255; 4]) };
-    let images: Vec<LitImage> = look
-        .images
-        .iter()
-        .map(|image| {
-            image.as_ref().map_or_else(unused, |image| LitImage {
-                width: image.width,
-                height: image.height,
-                rgba: Arc::clone(&image.rgba),
-            })
-        })
-        .collect();
+    let images: Vec<LitImage> = look.images.iter().map(|image| lit_image(image.as_ref())).collect();
     let lines = LitMaterial { is_unlit: true, is_double_sided: true, ..LitMaterial::default() };
-    let materials: Vec<LitMaterial> = look.materials.iter().map(material).chain([lines]).collect();
+    let materials: Vec<LitMaterial> = look.materials.iter().map(lit_material).chain([lines]).collect();
     LitMaterials::upload(gpu, painter, &materials, &images)
 }
 
@@ -151,61 +138,4 @@ fn line_mesh(lines: &LineTriangles) -> IndexedMesh {
     }
     mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 4, colors.into_flattened()));
     mesh
-}
-
-fn material(material: &Material) -> LitMaterial {
-    let texture = |texture: &Option<TextureUse>| texture.as_ref().map(texture_use);
-    LitMaterial {
-        name: material.name.clone(),
-        base_color: material.base_color,
-        base_color_texture: texture(&material.base_color_texture),
-        metallic: material.metallic,
-        roughness: material.roughness,
-        metallic_roughness_texture: texture(&material.metallic_roughness_texture),
-        normal_texture: texture(&material.normal_texture),
-        normal_scale: material.normal_scale,
-        occlusion_texture: texture(&material.occlusion_texture),
-        occlusion_strength: material.occlusion_strength,
-        emissive: material.emissive,
-        emissive_texture: texture(&material.emissive_texture),
-        alpha_mode: match material.alpha_mode {
-            AlphaMode::Opaque => GpuAlphaMode::Opaque,
-            AlphaMode::Mask(cutoff) => GpuAlphaMode::Mask { cutoff },
-            AlphaMode::Blend => GpuAlphaMode::Blend,
-        },
-        is_double_sided: material.is_double_sided,
-        is_unlit: material.is_unlit,
-    }
-}
-
-fn texture_use(texture: &TextureUse) -> GpuTextureUse {
-    let wrap = |wrap| match wrap {
-        Wrap::Repeat => TextureWrap::Repeat,
-        Wrap::MirroredRepeat => TextureWrap::Mirror,
-        Wrap::ClampToEdge => TextureWrap::Clamp,
-    };
-    let sampler = TextureSampler {
-        wrap: texture.sampler.wrap.map(wrap),
-        mag_filter: if texture.sampler.is_smooth { TextureFilter::Linear } else { TextureFilter::Nearest },
-        min_filter: TextureFilter::Linear,
-        mip_filter: texture.sampler.has_mip_maps.then_some(TextureFilter::Linear),
-    };
-    GpuTextureUse { image: texture.image, sampler, uv_set: texture.uv_set, uv_transform: texture.transform.0 }
-}
-
-fn light(light: &Light) -> LitLight {
-    let kind = match light.kind {
-        LightKind::Directional => LitLightKind::Directional,
-        LightKind::Point => LitLightKind::Point,
-        LightKind::Spot { inner_cos, outer_cos } => {
-            LitLightKind::Spot { inner_angle: inner_cos.acos(), outer_angle: outer_cos.acos() }
-        }
-    };
-    LitLight {
-        kind,
-        color: light.color,
-        position: to_f64(light.position),
-        direction: light.direction,
-        range: light.range,
-    }
 }

@@ -74,14 +74,10 @@ impl SceneLook {
     /// Reads the materials of a mesh from a format without scenes, which are visible from both sides, because
     /// such formats do not say otherwise. [`None`] if the mesh has no materials, or only their names.
     pub fn of_mesh(mesh: &IndexedMesh, limits: &ImageLimits) -> Option<Self> {
-        let materials = &mesh.appearance.materials;
-        let is_described = |group: &TriangleGroup| {
-            let material = materials.get(group.material? as usize)?;
-            let described: Value = serde_json::from_str(&material.gltf_json).ok()?;
-            described.as_object()?.keys().any(|key| key != "name").then_some(())
-        };
+        if !has_materials(mesh) {
+            return None;
+        }
         let groups = mesh.groups_or_whole();
-        groups.iter().find_map(is_described)?;
         let scene = Scene::from_mesh(with_one_triangle_each(&groups, &mesh.appearance)).ok()?;
         let mut look = Self::of(&scene, limits);
         look.materials.iter_mut().for_each(|material| material.is_double_sided = true);
@@ -124,6 +120,19 @@ impl SceneLook {
     }
 }
 
+/// Whether a group of a mesh has a material that says more than its name.
+pub(crate) fn has_materials(mesh: &IndexedMesh) -> bool {
+    let materials = &mesh.appearance.materials;
+    let is_described = |group: &TriangleGroup| {
+        let material = group.material.and_then(|material| materials.get(material as usize));
+        let described = material.and_then(|material| serde_json::from_str::<Value>(&material.gltf_json).ok());
+        described.is_some_and(|described| {
+            described.as_object().is_some_and(|members| members.keys().any(|key| key != "name"))
+        })
+    };
+    mesh.groups_or_whole().iter().any(is_described)
+}
+
 #[cfg(feature = "gpu")]
 fn next_id() -> u64 {
     static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(0);
@@ -161,7 +170,7 @@ fn used_materials(scene: &Scene, count: usize) -> Vec<bool> {
 }
 
 /// Calls a function for each index on several threads, and returns the results in order.
-pub(super) fn in_parallel<T: Send>(count: usize, work: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
+pub(crate) fn in_parallel<T: Send>(count: usize, work: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
     let available = std::thread::available_parallelism().map_or(1, usize::from);
     let thread_count = available.min(MAX_THREADS).min(count);
     if thread_count <= 1 {

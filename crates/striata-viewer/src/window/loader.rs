@@ -12,8 +12,9 @@ use striata::{Progress, ProgressFn};
 
 use super::args::ShownModel;
 use super::mesh_subject::{MeshSubject, StoredModels};
-use super::open_scene::{SceneContent, has_materials};
+use super::open_scene::SceneContent;
 use super::subject::{Origin, Subject};
+use crate::picture::has_materials;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;

@@ -107,7 +107,7 @@ fn initial_state(args: &FirstArgs) -> ViewerState {
     };
     (state.wireframe, state.is_flat) = (args.wireframe, args.flat);
     // These are for one mesh.
-    let is_of_mesh = args.model.is_some() || args.wireframe || args.flat || state.colors != Colors::Surface;
+    let is_of_mesh = args.model.is_some() || args.flat || state.colors == Colors::StripsOrFans;
     state.as_scene = !is_of_mesh;
     state
 }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use striata::LodOptions;
-use striata::mesh::{IndexedMesh, TriangleGroup};
+use striata::mesh::IndexedMesh;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
@@ -11,8 +11,9 @@ use striata_io::{Format, Scene};
 use striata_scene::LodScene;
 
 use super::loader::Reporter;
-use super::scene::{SceneSubject, is_worth_drawing};
+use super::scene::SceneSubject;
 use super::subject::Origin;
+use crate::picture::{SceneLook, has_materials};
 
 /// A scene that was read.
 pub(super) enum SceneContent {
@@ -85,15 +86,8 @@ impl SceneContent {
     }
 }
 
-/// Whether a group of a mesh has a material that says more than its name.
-pub(super) fn has_materials(mesh: &IndexedMesh) -> bool {
-    let materials = &mesh.appearance.materials;
-    let is_described = |group: &TriangleGroup| {
-        let material = group.material.and_then(|material| materials.get(material as usize));
-        let described = material.and_then(|material| serde_json::from_str::<Value>(&material.gltf_json).ok());
-        described.is_some_and(|described| {
-            described.as_object().is_some_and(|members| members.keys().any(|key| key != "name"))
-        })
-    };
-    mesh.groups_or_whole().iter().any(is_described)
+/// Whether a scene without levels says how it looks, or moves.
+fn is_worth_drawing(scene: &Scene) -> bool {
+    let animations = scene.document().get("animations").and_then(Value::as_array);
+    SceneLook::is_described(scene) || animations.is_some_and(|animations| !animations.is_empty())
 }

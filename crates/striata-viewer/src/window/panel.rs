@@ -344,10 +344,14 @@ fn look(viewer: &mut Viewer, ui: &mut Ui) {
     let state = &mut viewer.state;
     let primitive_name = state.model.primitive_name();
     ui.horizontal_wrapped(|ui| {
-        let shown = if is_mesh { state.effective_colors() } else { Colors::Surface };
+        let shown = match state.colors {
+            Colors::StripsOrFans if !is_mesh => Colors::Surface,
+            colors if !is_mesh => colors,
+            _ => state.effective_colors(),
+        };
         let mut choice = |ui: &mut Ui, colors, name: &str, is_enabled| {
             let button = egui::Button::selectable(shown == colors, name);
-            let is_enabled = is_enabled && (is_mesh || colors == Colors::Surface);
+            let is_enabled = is_enabled && (is_mesh || colors != Colors::StripsOrFans);
             let response = ui.add_enabled(is_enabled, button);
             let reason = if is_mesh { "The model has no such parts" } else { ONLY_MESHES };
             if response.on_disabled_hover_text(reason).clicked() {
@@ -364,7 +368,10 @@ fn look(viewer: &mut Viewer, ui: &mut Ui) {
             let response = ui.add_enabled(is_mesh, egui::Checkbox::new(value, name));
             response.on_disabled_hover_text(ONLY_MESHES);
         };
-        mesh_only(ui, &mut state.wireframe, "Wireframe");
+        let wireframe = ui.checkbox(&mut state.wireframe, "Wireframe");
+        if !is_mesh {
+            wireframe.on_hover_text("Edges, over the average color of each material");
+        }
         mesh_only(ui, &mut state.is_flat, "Flat shading");
         ui.end_row();
         mesh_only(ui, &mut state.hides_back, "Cull back faces");

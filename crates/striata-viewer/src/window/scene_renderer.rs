@@ -127,9 +127,11 @@ impl SceneRenderer {
         &mut self,
         subject: &SceneSubject,
         shown: &ShownScene,
+        inspection_mode: InspectionMode,
     ) -> Result<(), GpuError> {
         if let Some(Resources::Scene(resources)) = &mut self.resources {
-            self.uploaded_bytes += resources.update(&self.gpu, subject, shown)?;
+            let device = (&self.gpu, &self.painter);
+            self.uploaded_bytes += resources.update(device, (subject, shown), inspection_mode)?;
         }
         Ok(())
     }
@@ -205,14 +207,14 @@ impl SceneRenderer {
                 resources.scene.update(&self.gpu, &resources.vertices, (viewpoint, size), look);
             }
             (Some(Resources::Scene(resources)), Some(painter)) => {
-                resources.aim(&self.gpu, painter, (viewpoint, size))?;
+                resources.aim(&self.gpu, painter, ((viewpoint, size), look))?;
             }
             _ => {}
         }
         let mut pass = canvas.begin(&mut encoder, look.background);
         match &self.resources {
             Some(Resources::Mesh(resources)) => resources.draw(&self.painter, &mut pass),
-            Some(Resources::Scene(resources)) => resources.draw(&mut pass),
+            Some(Resources::Scene(resources)) => resources.draw(&self.painter, &mut pass),
             None => {}
         }
         drop(pass);

@@ -277,6 +277,11 @@ impl ViewerState {
         self.wireframe || matches!(self.effective_colors(), Colors::StripsOrFans | Colors::Triangles)
     }
 
+    /// Whether individual triangles of a scene are drawn, instead of its materials.
+    pub(super) fn scene_needs_inspection(&self) -> bool {
+        self.wireframe || matches!(self.colors, Colors::Triangles | Colors::Groups)
+    }
+
     /// Appearance of the surface on a dark or light background.
     pub(super) fn look(&self, is_dark: bool, pixels_per_point: f32) -> Look {
         let background = match self.background {

@@ -3,7 +3,7 @@
 use striata::mesh::IndexedMesh;
 use striata::simplify::{StopReason, Target};
 use striata::{LodOptions, ProgressFn};
-use striata_command::args::Point;
+use striata_command::args::{Point, find_entry};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
@@ -162,7 +162,7 @@ impl SceneSource {
     /// If there is no such camera, or it has no perspective.
     pub(super) fn camera(&self, wanted: &str, center: [f32; 3]) -> Result<Camera, Failure> {
         let names: Vec<&str> = self.cameras.iter().map(|camera| &camera.name[..]).collect();
-        let index = find(wanted, &names, "camera")?;
+        let index = find_entry(wanted, &names, "camera")?;
         let DocumentCamera { projection, eye, forward, up, .. } = &self.cameras[index];
         let Projection::Perspective { fov } = *projection else {
             return Err(Failure::user(format!(
@@ -203,8 +203,8 @@ fn build(input: &Input, scene: &Scene, progress: &mut ProgressFn<'_>) -> Result<
 /// Checks that no flag was given that needs a scene.
 fn refuse_scene_flags(args: &RenderArgs, name: &str, reason: &str) -> Result<(), Failure> {
     let flags = [
-        ("--time", args.time.is_some()),
-        ("--animation", args.animation.is_some()),
+        ("--time", args.pose.time.is_some()),
+        ("--animation", args.pose.animation.is_some()),
         ("--camera", args.camera.is_some()),
     ];
     match flags.into_iter().find(|&(_, is_given)| is_given) {
@@ -219,41 +219,14 @@ fn refuse_scene_flags(args: &RenderArgs, name: &str, reason: &str) -> Result<(),
 /// # Errors
 /// If there is no such animation.
 fn pose(args: &RenderArgs, poser: &Poser, input: &Input, output: &Output) -> Result<Pose, Failure> {
-    if args.time.is_none() && args.animation.is_none() {
+    let Some((animation, time)) = args.pose.choose(poser, &input.name)? else {
         return Ok(poser.rest_pose());
-    }
-    let names: Vec<&str> = (0..poser.animation_count()).map(|at| poser.animation_name(at)).collect();
-    if names.is_empty() {
-        let flag = if args.time.is_some() { "--time" } else { "--animation" };
-        return Err(Failure::user(format!("{}: the scene has no animation", input.name))
-            .with_hint(format!("remove {flag}")));
-    }
-    let index = args.animation.as_deref().map_or(Ok(0), |wanted| find(wanted, &names, "animation"))?;
-    let (time, duration) = (args.time.unwrap_or(0.0), poser.duration(index));
+    };
+    let duration = poser.duration(animation);
     if time > duration {
-        output.say(&format!("note: animation {index} ends after {duration} seconds; showing its end"));
+        output.say(&format!("note: animation {animation} ends after {duration} seconds; showing its end"));
     }
-    Ok(poser.pose(index, time))
-}
-
-/// Finds an entry by its number or name.
-///
-/// # Errors
-/// If there is none.
-fn find(wanted: &str, names: &[&str], what: &str) -> Result<usize, Failure> {
-    let by_number = wanted.parse().ok().filter(|&index: &usize| index < names.len());
-    let found = by_number.or_else(|| names.iter().position(|&name| name == wanted));
-    found.ok_or_else(|| {
-        let failure = Failure::user(format!("the scene has no {what} {wanted:?}"));
-        const SHOWN: usize = 12;
-        let listed: Vec<String> =
-            names.iter().take(SHOWN).enumerate().map(|(index, name)| format!("{index} {name:?}")).collect();
-        let rest = if names.len() > SHOWN { ", ..." } else { "" };
-        match names.len() {
-            0 => failure.with_hint(format!("it has no {what}s")),
-            _ => failure.with_hint(format!("it has these: {}{rest}", listed.join(", "))),
-        }
-    })
+    Ok(poser.pose(animation, time))
 }
 
 fn center(mesh: &IndexedMesh) -> [f32; 3] {

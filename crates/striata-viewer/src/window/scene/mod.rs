@@ -1,9 +1,10 @@
 //! Scenes in the window: with materials and lights, posed, at any level of detail.
 //!
 //! `subject` is what was read, `playback` the time of the animation, `shown` the triangles and places of a frame,
-//! `resources` its buffers on the GPU, and `panel` its part of the user interface, with the tree of nodes from
+//! `resources` its buffers on the GPU, `inspection` its triangles with edges, and `panel` its part of the user interface, with the tree of nodes from
 //! `tree`.
 
+mod inspection;
 mod panel;
 mod playback;
 mod resources;
@@ -15,4 +16,4 @@ pub(super) use self::panel::{animation_section, facts, materials_section, tree_s
 pub(super) use self::playback::Playback;
 pub(super) use self::resources::SceneResources;
 pub(super) use self::shown::{SceneRequest, ShownScene};
-pub(super) use self::subject::{SceneSubject, is_worth_drawing};
+pub(super) use self::subject::SceneSubject;

@@ -2,6 +2,7 @@
 
 use egui::{Color32, Grid, RichText, Slider, Ui};
 use striata_command::output::{format_bytes, format_count, format_length};
+use striata_gpu::linear_to_srgb;
 
 use super::playback::Playback;
 use super::shown::ShownScene;
@@ -201,8 +202,10 @@ pub(in crate::window) fn materials_section(subject: &SceneSubject, ui: &mut Ui) 
     });
 }
 
-fn draw_swatch(ui: &mut Ui, [red, green, blue]: [u8; 3]) -> egui::Response {
+/// Shows a color, linear light.
+fn draw_swatch(ui: &mut Ui, color: [f32; 3]) -> egui::Response {
     const SIDE: f32 = 10.0;
+    let [red, green, blue] = color.map(|x| (255.0 * linear_to_srgb(x)).round() as u8);
     let (rect, response) = ui.allocate_exact_size(egui::Vec2::splat(SIDE), egui::Sense::hover());
     ui.painter().rect_filled(rect, 2.0, Color32::from_rgb(red, green, blue));
     response

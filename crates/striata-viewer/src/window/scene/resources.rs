@@ -3,12 +3,14 @@
 use striata_gpu::glam::DMat4;
 use striata_gpu::{
     Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitLight, LitMaterials, LitObject,
-    LitPainter, LitPart, LitScene, LitVertices, Viewpoint, wgpu,
+    LitPainter, LitPart, LitScene, LitVertices, Look, Painter, Viewpoint, wgpu,
 };
 
+use super::inspection::SceneInspection;
 use super::shown::ShownScene;
 use super::subject::SceneSubject;
 use crate::lit::lit_lights;
+use crate::window::scene_renderer::InspectionMode;
 
 /// GPU resources of a scene.
 #[derive(Debug)]
@@ -19,6 +21,8 @@ pub(in crate::window) struct SceneResources {
     objects: Vec<PosedObject>,
     lights: Vec<LitLight>,
     frame: LitFrame,
+    /// Individual triangles, if these are drawn instead.
+    inspection: Option<SceneInspection>,
 }
 
 /// Indices that one or more instances show.
@@ -61,19 +65,27 @@ impl SceneResources {
             objects: Vec::new(),
             lights: Vec::new(),
             frame: LitFrame::new(gpu, painter, &Environment::studio())?,
+            inspection: None,
         })
     }
 
-    /// Uploads the indices that have changed, and remembers places and lights. Returns the uploaded bytes.
+    /// Uploads the indices that have changed, and remembers places and lights; or uploads individual triangles.
+    /// Returns the uploaded bytes.
     ///
     /// # Errors
     /// If a buffer exceeds the device's limit.
     pub(in crate::window) fn update(
         &mut self,
-        gpu: &Gpu,
-        subject: &SceneSubject,
-        shown: &ShownScene,
+        (gpu, painter): (&Gpu, &Painter),
+        (subject, shown): (&SceneSubject, &ShownScene),
+        inspection_mode: InspectionMode,
     ) -> Result<u64, GpuError> {
+        self.inspection = None;
+        if let InspectionMode::By(colors) = inspection_mode {
+            let (inspection, bytes) = SceneInspection::new((gpu, painter), (subject, shown), colors)?;
+            self.inspection = Some(inspection);
+            return Ok(bytes);
+        }
         let mut uploaded_bytes = 0;
         self.objects.clear();
         for index in 0..shown.instance_count() {
@@ -114,8 +126,12 @@ impl SceneResources {
         &mut self,
         gpu: &Gpu,
         painter: &LitPainter,
-        (viewpoint, size): (&Viewpoint, [u32; 2]),
+        ((viewpoint, size), look): ((&Viewpoint, [u32; 2]), &Look),
     ) -> Result<(), GpuError> {
+        if let Some(inspection) = &mut self.inspection {
+            inspection.aim(gpu, (viewpoint, size), look);
+            return Ok(());
+        }
         let lists = (&self.vertices[..], &self.lists[..]);
         let objects: Vec<LitObject<'_>> =
             self.objects.iter().filter_map(|object| object.lit(lists)).collect();
@@ -130,8 +146,11 @@ impl SceneResources {
     }
 
     /// Draws the frame.
-    pub(in crate::window) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.frame.draw(pass);
+    pub(in crate::window) fn draw(&self, painter: &Painter, pass: &mut wgpu::RenderPass<'_>) {
+        match &self.inspection {
+            Some(inspection) => inspection.draw(painter, pass),
+            None => self.frame.draw(pass),
+        }
     }
 }
 

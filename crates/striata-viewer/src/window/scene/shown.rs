@@ -139,6 +139,13 @@ impl ShownScene {
         Some((self.drawn.get(index)?, self.view.shown(index)?))
     }
 
+    /// Positions of the vertices of an instance in the current pose.
+    pub(super) fn positions_of(&self, subject: &SceneSubject, index: usize) -> Option<Vec<[f32; 3]>> {
+        let instance = subject.lods.scene().instances().get(index)?;
+        let mesh = subject.lods.lods()[instance.mesh].as_ref()?.mesh();
+        Some(subject.poser.positions(&self.pose, instance, mesh))
+    }
+
     /// Number of triangles that an instance would show if it were not hidden.
     pub(super) fn triangles_of(&self, index: usize) -> usize {
         self.view.shown(index).map_or(0, |shown| shown.indices.len() / 3)

@@ -1,20 +1,15 @@
 //! A scene that was read: its levels, poses and appearance, ready to be uploaded.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use striata::mesh::{Bounds, Semantic};
 use striata_command::failure::Failure;
-use striata_gpu::{LitImage, LitMaterial, linear_to_srgb};
-use striata_io::Scene;
-use striata_scene::drawn::{DecodeResult, ImageLimits, decode_images, materials};
+use striata_gpu::{LitImage, LitMaterial, Look};
+use striata_scene::drawn::{ImageLimits, decode_images, materials};
 use striata_scene::{LodScene, Pose, Poser};
 
 use super::tree::{TreeRow, printable, tree_rows};
-use crate::lit::{lit_image, lit_material, stone};
+use crate::lit::{lit_image, lit_material};
+use crate::picture::in_parallel;
 use crate::window::subject::Origin;
-
-/// Most threads that decode images: more would need more memory than time they save.
-const MAX_THREADS: usize = 8;
 
 /// Memory for all decoded images, bytes.
 const IMAGE_BYTES: u64 = 1 << 29;
@@ -28,8 +23,8 @@ pub(in crate::window) struct SceneSubject {
     /// Materials of the document, and stone if the scene does not say how it looks.
     pub(super) materials: Vec<LitMaterial>,
     pub(super) images: Vec<LitImage>,
-    /// Names and encoded average colors of the materials.
-    pub(super) swatches: Vec<(String, [u8; 3])>,
+    /// Names and average colors, linear light, of the materials of the document.
+    pub(super) swatches: Vec<(String, [f32; 3])>,
     /// Material of each primitive of each mesh.
     pub(super) primitive_materials: Vec<Vec<Option<usize>>>,
     pub(in crate::window) rows: Vec<TreeRow>,
@@ -51,9 +46,9 @@ impl SceneSubject {
         let poser = Poser::new(scene).map_err(|error| Failure::user(format!("{}: {error}", origin.name)))?;
         let mut read = materials(scene);
         let limits = ImageLimits::default().with_total_bytes(IMAGE_BYTES);
-        let decoded = decode_images(scene, &mut read, &limits, decode_all);
+        let decoded = decode_images(scene, &mut read, &limits, |count, decode| in_parallel(count, decode));
         read.iter_mut().for_each(|material| material.is_double_sided |= is_double_sided);
-        let images: Vec<LitImage> = decoded.images.into_iter().map(lit_image).collect();
+        let images: Vec<LitImage> = decoded.images.iter().map(|image| lit_image(image.as_ref())).collect();
         let mut materials: Vec<LitMaterial> = read.iter().map(lit_material).collect();
         let meshes = 0..scene.meshes().len();
         let mut primitive_materials: Vec<Vec<Option<usize>>> =
@@ -61,7 +56,7 @@ impl SceneSubject {
         let swatches = materials.iter().enumerate().map(|(index, material)| {
             let name = printable(&material.name);
             let name = if name.is_empty() { format!("material {index}") } else { name };
-            (name, swatch(material, &images))
+            (name, average_color(material, &images))
         });
         let swatches = swatches.collect();
         if !has_look(&lods, &primitive_materials) {
@@ -79,6 +74,18 @@ impl SceneSubject {
     /// Whether the document has materials.
     pub(in crate::window) fn has_materials(&self) -> bool {
         !self.swatches.is_empty()
+    }
+
+    /// Returns the average color of a material, linear light as bytes; opacity 0 stands for stone.
+    pub(super) fn plain_color(&self, material: Option<usize>) -> [u8; 4] {
+        let known = |material: usize| Some(self.swatches.get(material)?.1);
+        match material.and_then(known) {
+            Some(color) => {
+                let [red, green, blue] = color.map(|x| (255.0 * x).round() as u8);
+                [red, green, blue, 255]
+            }
+            None => [255, 255, 255, 0],
+        }
     }
 
     /// Number of triangles of an instance at full detail.
@@ -128,31 +135,13 @@ fn has_look(lods: &LodScene, primitive_materials: &[Vec<Option<usize>>]) -> bool
     })
 }
 
-/// Whether a scene without levels says how it looks, or moves.
-pub(in crate::window) fn is_worth_drawing(scene: &Scene) -> bool {
-    let has_animations = scene
-        .document()
-        .get("animations")
-        .is_some_and(|animations| animations.as_array().is_some_and(|animations| !animations.is_empty()));
-    has_animations
-        || scene.instances().iter().any(|instance| {
-            let mesh = scene.meshes()[instance.mesh].as_ref();
-            let has_colors = mesh.is_some_and(|mesh| mesh.layer(&Semantic::Color(0)).is_some());
-            has_colors || scene.primitive_materials(instance.mesh).iter().any(Option::is_some)
-        })
-}
-
-/// Returns the average color of a material, encoded as sRGB.
-fn swatch(material: &LitMaterial, images: &[LitImage]) -> [u8; 3] {
-    let image = material.base_color_texture.as_ref().and_then(|texture| images.get(texture.image));
-    let texture = image.map_or([1.0; 3], average);
-    let factor = if material.base_color[..3] == [0.0; 3] { material.emissive } else { first_three(material) };
-    [0, 1, 2].map(|k| (255.0 * linear_to_srgb((factor[k] * texture[k]).clamp(0.0, 1.0))).round() as u8)
-}
-
-fn first_three(material: &LitMaterial) -> [f32; 3] {
+/// Returns the average color of a material, linear light: what it emits if it reflects nothing.
+fn average_color(material: &LitMaterial, images: &[LitImage]) -> [f32; 3] {
+    let texture = material.base_color_texture.as_ref().and_then(|texture| images.get(texture.image));
+    let texture = texture.map_or([1.0; 3], average);
     let [red, green, blue, _] = material.base_color;
-    [red, green, blue]
+    let factor = if [red, green, blue] == [0.0; 3] { material.emissive } else { [red, green, blue] };
+    [0, 1, 2].map(|k| (factor[k] * texture[k]).clamp(0.0, 1.0))
 }
 
 /// Returns the average color of an image, linear light, from some of its pixels.
@@ -172,32 +161,15 @@ fn average(image: &LitImage) -> [f32; 3] {
     if count > 0.0 { sum.map(|sum| sum / count) } else { [1.0; 3] }
 }
 
-/// Decodes images on several threads.
-fn decode_all(count: usize, decode: &(dyn Fn(usize) -> DecodeResult + Sync)) -> Vec<DecodeResult> {
-    let available = std::thread::available_parallelism().map_or(1, usize::from);
-    let thread_count = available.min(MAX_THREADS).min(count);
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        let mut done = Vec::new();
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= count {
-                return done;
-            }
-            done.push((index, decode(index)));
-        }
-    };
-    let mut results = std::thread::scope(|scope| {
-        let threads: Vec<_> = (1..thread_count).map(|_| scope.spawn(worker)).collect();
-        let mut results = worker();
-        for thread in threads {
-            match thread.join() {
-                Ok(done) => results.extend(done),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-        results
-    });
-    results.sort_by_key(|(index, _)| *index);
-    results.into_iter().map(|(_, result)| result).collect()
+/// The material of scenes that do not say how they look.
+fn stone() -> LitMaterial {
+    let [red, green, blue] = Look::default().base;
+    LitMaterial {
+        name: "stone".to_owned(),
+        base_color: [red, green, blue, 1.0],
+        metallic: 0.0,
+        roughness: 0.8,
+        is_double_sided: true,
+        ..LitMaterial::default()
+    }
 }

@@ -24,7 +24,7 @@ impl Viewer {
             Command::Apply(Action::NextModel) if self.scene().is_some() => {
                 self.show_as_mesh(self.state.model)
             }
-            Command::Apply(Action::Wireframe | Action::StripsOrFans | Action::Flat | Action::Morphs)
+            Command::Apply(Action::StripsOrFans | Action::Flat | Action::Morphs)
                 if self.scene().is_some() => {}
             Command::Apply(action) => self.state.apply(action, triangle_count, has_collapses),
             Command::Rotate(turn, rise) => self.orbit.rotate(turn, rise),

@@ -292,6 +292,14 @@ impl Viewer {
         }
     }
 
+    fn inspection_mode(&self) -> InspectionMode {
+        let (needs_inspection, colors) = match self.subject {
+            Some(Subject::Scene(_)) => (self.state.scene_needs_inspection(), self.state.colors),
+            _ => (self.state.needs_inspection(), self.state.effective_colors()),
+        };
+        if needs_inspection { InspectionMode::By(colors) } else { InspectionMode::Off }
+    }
+
     fn level_request(&self) -> LevelRequest {
         let is_of_view = matches!(self.state.goal, GoalKind::Pixels | GoalKind::Budget);
         let camera = if is_of_view { self.level_camera() } else { None };
@@ -326,11 +334,7 @@ impl Viewer {
         if self.area.size.contains(&0) {
             return Ok(Frame::default());
         }
-        let inspection_mode = if self.state.needs_inspection() && self.instance().is_some() {
-            InspectionMode::By(self.state.effective_colors())
-        } else {
-            InspectionMode::Off
-        };
+        let inspection_mode = self.inspection_mode();
         let inputs = PictureInputs {
             viewpoint: self.orbit.viewpoint(),
             size: self.area.size,
@@ -347,8 +351,11 @@ impl Viewer {
             (Some(Subject::Mesh(subject)), Some(Shown::Mesh { instance, .. })) => {
                 renderer.update(subject, instance, (inspection_mode, self.is_new))?;
             }
-            (Some(Subject::Scene(subject)), Some(Shown::Scene { scene, .. })) if self.is_new => {
-                renderer.update_scene(subject, scene)?;
+            (Some(Subject::Scene(subject)), Some(Shown::Scene { scene, .. })) => {
+                let mode_before = self.last_inputs.as_ref().map(|inputs| inputs.inspection_mode);
+                if self.is_new || mode_before != Some(inspection_mode) {
+                    renderer.update_scene(subject, scene, inspection_mode)?;
+                }
             }
             _ => {}
         }

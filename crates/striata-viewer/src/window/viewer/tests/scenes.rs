@@ -25,9 +25,9 @@ impl Drawing {
         std::fs::write(&path, scene.to_glb()).expect("a file");
         let test = TestViewer::with(path, ViewerState::default());
         let fallback = Gpu::new(&GpuOptions::default().with_fallback(true));
-        let gpu = fallback.or_else(|_| Gpu::new(&GpuOptions::default())).expect(
-            "these tests need a graphics adapter; install mesa-vulkan-drivers for a CPU one",
-        );
+        let gpu = fallback
+            .or_else(|_| Gpu::new(&GpuOptions::default()))
+            .expect("these tests need a graphics adapter; install mesa-vulkan-drivers for a CPU one");
         let mut renderer = SceneRenderer::new(gpu.clone());
         renderer.load(test.viewer.subject().expect("the scene is open")).expect("it fits");
         Self { test, renderer, gpu, _folder: folder }
@@ -107,6 +107,34 @@ fn scenes_are_shown_with_their_textures() {
     assert!(is_near(left, [200, 10, 20]) && is_near(right, [10, 20, 200]), "{left:?} {right:?}");
     let (subject, ..) = drawing.scene();
     assert_eq!(subject.rows.iter().map(|row| &row.name[..]).collect::<Vec<_>>(), ["wall"]);
+}
+
+#[test]
+fn wireframes_and_colors_of_scenes_are_drawn_in_their_pose() {
+    let mut drawing = Drawing::of(&painted_square());
+    let lit = drawing.picture();
+    drawing.test.press(Key::W);
+    let edges = drawing.picture();
+    assert!(differing_share(&lit, &edges) > 0.05);
+    drawing.test.press(Key::W);
+    drawing.test.viewer.state.colors = Colors::Triangles;
+    let triangles = drawing.picture();
+    assert_ne!(pixel(&triangles, 0.4, 0.4), pixel(&triangles, 0.6, 0.6), "two triangles, two colors");
+    drawing.test.viewer.state.colors = Colors::Surface;
+    assert_eq!(drawing.picture(), lit);
+    let mut drawing = Drawing::of(&scenes::bending_tube());
+    let outline = |picture: &Picture| -> Vec<bool> {
+        let background = &picture.rgba[..4];
+        picture.rgba.chunks(4).map(|pixel| pixel != background).collect()
+    };
+    let (subject, _, playback) = drawing.scene();
+    let end = subject.poser.duration(0);
+    (playback.animation, playback.time) = (Some(0), end);
+    let surface = outline(&drawing.picture());
+    drawing.test.press(Key::W);
+    let edges = outline(&drawing.picture());
+    let differing = surface.iter().zip(&edges).filter(|(a, b)| a != b).count();
+    assert!(differing < surface.len() / 100, "{differing} pixels");
 }
 
 #[test]
@@ -224,7 +252,8 @@ fn materials_decide_whether_a_mesh_is_shown_as_a_scene() {
     let at = |name: &str| folder.path().join(name);
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     std::fs::write(at("a.mtl"), "newmtl paint\nKd 1 0 0\n").expect("a file");
-    std::fs::write(at("paint.obj"), format!("mtllib a.mtl\n{triangle}usemtl paint\nf 1 2 3\n")).expect("a file");
+    std::fs::write(at("paint.obj"), format!("mtllib a.mtl\n{triangle}usemtl paint\nf 1 2 3\n"))
+        .expect("a file");
     std::fs::write(at("bare.obj"), format!("{triangle}f 1 2 3\n")).expect("a file");
     assert!(opened(&at("paint.obj"), true).viewer.scene().is_some());
     let as_mesh = opened(&at("paint.obj"), false);
