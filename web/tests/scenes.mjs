@@ -68,8 +68,8 @@ export default function scenes(world) {
     assert.ok(seen.items.some((item) => item.startsWith('start')) && seen.items.at(-1) === 'load', String(seen.items));
     assert.deepEqual([seen.lods, seen.meshes], [2, [1, 3]]);
     assert.ok(seen.triangles < seen.full && seen.full === 21504, `${seen.triangles} of ${seen.full}`);
-    assert.ok(seen.stillDifference < 4, `a mean difference of ${seen.stillDifference} to three.js' own picture`);
-    assert.ok(seen.moved > 8 && seen.posedDifference < 5, `posed: ${seen.posedDifference}; moved: ${seen.moved}`);
+    assert.ok(seen.stillDifference < 0.5, `a mean difference of ${seen.stillDifference} to three.js' own picture`);
+    assert.ok(seen.moved > 1 && seen.posedDifference < 0.5, `posed: ${seen.posedDifference}; moved: ${seen.moved}`);
     assert.ok(seen.holds && seen.size < 1.5, `bounds of a posed skin: ${seen.holds}, ${seen.size}`);
   });
 
@@ -135,7 +135,7 @@ export default function scenes(world) {
       return { coarse, lods, full: controller.fullTriangleCount, opened: [opened.lods.length, opened.animations.length], plain: [plain.lods.length, plain.animations.length] };
     });
     assert.equal(seen.full, 21504);
-    assert.ok(seen.lods.every((count, at) => count > 0 && (count > seen.coarse[at] || count > 100)), JSON.stringify(seen));
+    assert.ok(seen.lods.every((count, at) => count > seen.coarse[at]), JSON.stringify(seen));
     assert.deepEqual([seen.opened, seen.plain[1]], [[2, 1], 1]);
   });
 

@@ -16,11 +16,10 @@ const TYPES = {
 const PIECE_INTERVAL_MS = 20;
 
 /** A page with the package: `window` has `THREE`, the exports, and helpers to draw. */
-const PAGE = `<!doctype html><meta charset="utf-8"><style>body { margin: 0 }</style><canvas width="400" height="300"></canvas>
+const PAGE = `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,"><style>body { margin: 0 }</style><canvas width="400" height="300"></canvas>
 <script type="importmap">{ "imports": {
   "three": "/node_modules/three/build/three.module.js", "three/addons/": "/node_modules/three/examples/jsm/", "striata": "/dist/striata.js"
 } }</script>
-<link rel="icon" href="data:,">
 <script type="module">
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';

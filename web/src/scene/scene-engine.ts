@@ -49,6 +49,8 @@ export class SceneEngine {
   #hasSentAnimations = false;
   #target: SceneTarget = { meshes: [], tolerance: Infinity, limit: 0 };
   #coloring: Coloring = 'surface';
+  /** Number of the last target. */
+  #ticket = 0;
   #phase: Phase = 'download';
   #decodeMs = 0;
   #updateMs = 0;
@@ -77,7 +79,9 @@ export class SceneEngine {
       case 'target':
         this.#target = order.target;
         this.#coloring = order.coloring;
-        if (this.#isReady) this.#reportErrors(() => this.#postMeshes(order.ticket));
+        this.#ticket = order.ticket;
+        // Before anything can be drawn, the first update is the answer.
+        if (this.#isReady) this.#reportErrors(() => this.#postMeshes());
         break;
       case 'indices':
         this.#reportErrors(() => this.#postIndices(order.id, order.mesh, order.request));
@@ -208,7 +212,7 @@ export class SceneEngine {
     for (const mesh of this.#meshes) mesh?.model.reveal();
     const scene = this.#scene;
     if (!scene) {
-      if (this.#isReady) this.#postMeshes(0);
+      if (this.#isReady) this.#postMeshes();
       return;
     }
     if (!scene.is_drawable) return;
@@ -220,7 +224,7 @@ export class SceneEngine {
       this.#report({ type: 'document', document, meshes: this.#updates(), state: this.#state() });
       return;
     }
-    this.#postMeshes(0);
+    this.#postMeshes();
     const images = [...new Set(scene.take_images())].map((index) => imageOf(index, scene.image(index)!));
     if (images.length > 0) this.#report({ type: 'images', images });
     if (this.#hasSentAnimations) return;
@@ -230,14 +234,14 @@ export class SceneEngine {
     this.#report({ type: 'animations', document: { ...documentOf(document), images: [] } });
   }
 
-  /** Sends the meshes that have changed; `ticket` identifies the target that this answers. */
-  #postMeshes(ticket: number): void {
+  /** Sends the meshes that have changed: always for the last target. */
+  #postMeshes(): void {
     const start = performance.now();
     const meshes = this.#updates();
     this.#updateMs = performance.now() - start;
     this.#nextUpdate = performance.now() + Math.max(MIN_UPDATE_INTERVAL_MS, UPDATE_INTERVAL_FACTOR * this.#updateMs);
     const settled = this.#meshes.every((mesh) => mesh?.isSettled ?? true);
-    this.#report({ type: 'meshes', meshes, state: this.#state(), ticket, settled });
+    this.#report({ type: 'meshes', meshes, state: this.#state(), ticket: this.#ticket, settled });
   }
 
   /** Shows the target, and returns the meshes that have changed. */

@@ -239,7 +239,7 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
       this.#isSettled = settled;
     }
     if (this.#hasChanged) this.#send();
-    if (updates.length > 0 || ticket !== 0) this.dispatchEvent({ type: 'change' });
+    if (updates.length > 0) this.dispatchEvent({ type: 'change' });
   }
 
   /** Answers a request for indices; called by the loader. */
