@@ -1,7 +1,7 @@
 //! Sections of the side panel that only scenes have: facts, animation, nodes and materials.
 
-use egui::{Color32, Grid, RichText, Slider, Ui};
-use striata_command::output::{format_bytes, format_count, format_length};
+use egui::{Align, Color32, Grid, Layout, RichText, Slider, Ui};
+use striata_command::output::{format_bytes, format_count, format_length, format_noun_count};
 use striata_gpu::linear_to_srgb;
 
 use super::playback::Playback;
@@ -36,7 +36,8 @@ pub(in crate::window) fn facts(subject: &SceneSubject, ui: &mut Ui) {
         row("Triangles", format!("{}, base {base}", format_count(levels.triangle_count())));
         row("Vertices", format_count(levels.vertex_count()));
         let mesh_count = subject.lods.lods().iter().flatten().count();
-        row("Meshes", format!("{mesh_count}, shown {} times", scene.instances().len()));
+        let instances = format_noun_count(scene.instances().len(), "instance", "instances");
+        row("Meshes", format!("{}, {instances}", format_count(mesh_count)));
         let texture_bytes: usize = subject.images.iter().map(|image| image.rgba.len()).sum();
         if texture_bytes > 4 * subject.images.len() {
             let count = subject.images.iter().filter(|image| image.rgba.len() > 4).count();
@@ -130,7 +131,7 @@ fn tree_row(subject: &SceneSubject, shown: &ShownScene, row: usize, ui: &mut Ui)
     let TreeRow { name, depth, end, instances } = &subject.rows[row];
     ui.add_space(INDENT * (*depth).min(MAX_DEPTH) as f32);
     if *end > row + 1 {
-        let symbol = if shown.folded_rows[row] { "⏵" } else { "⏷" };
+        let symbol = if shown.folded_rows[row] { "+" } else { "–" };
         if ui.add(egui::Button::new(symbol).frame(false)).clicked() {
             action = Some(TreeAction::Fold(row));
         }
@@ -144,18 +145,22 @@ fn tree_row(subject: &SceneSubject, shown: &ShownScene, row: usize, ui: &mut Ui)
         let (name, color) = &subject.swatches[material];
         draw_swatch(ui, *color).on_hover_text(name);
     }
-    let label = egui::Label::new(name).truncate().sense(egui::Sense::click());
-    if ui.add(label).on_hover_text("Click to frame it").clicked() {
-        action = Some(TreeAction::Focus(row));
-    }
-    if !instances.is_empty() {
-        let of_instances =
-            |count: &dyn Fn(usize) -> usize| instances.iter().map(|&at| count(at)).sum::<usize>();
-        let triangle_count = of_instances(&|at| shown.triangles_of(at));
-        let full = of_instances(&|at| subject.full_triangles_of(at));
-        let text = format!("{} / {}", format_count(triangle_count), format_count(full));
-        ui.label(RichText::new(text).small().weak());
-    }
+    // From the right, so that a long name does not push the numbers out.
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        if !instances.is_empty() {
+            let of_all =
+                |count: &dyn Fn(usize) -> usize| instances.iter().map(|&at| count(at)).sum::<usize>();
+            let triangle_count = format_count(of_all(&|at| shown.triangles_of(at)));
+            let full = format_count(of_all(&|at| subject.full_triangles_of(at)));
+            ui.label(RichText::new(format!("{triangle_count} / {full}")).small().weak());
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let label = egui::Label::new(name).truncate().sense(egui::Sense::click());
+            if ui.add(label).on_hover_text("Click to frame it").clicked() {
+                action = Some(TreeAction::Focus(row));
+            }
+        });
+    });
     action
 }
 

@@ -5,9 +5,11 @@ use std::path::Path;
 use serde_json::json;
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 use striata_gpu::{Gpu, GpuOptions, Picture};
+use striata_scene::drawn::{ImageLimits, lights, posed_mesh};
 use striata_testing::scenes::{self, TestScene};
 
 use super::*;
+use crate::picture::{Camera, Paint, PictureRenderer, SceneLook, Shot, Style};
 use crate::window::scene_renderer::SceneRenderer;
 
 /// A viewer with a renderer, as in a window.
@@ -107,6 +109,48 @@ fn scenes_are_shown_with_their_textures() {
     assert!(is_near(left, [200, 10, 20]) && is_near(right, [10, 20, 200]), "{left:?} {right:?}");
     let (subject, ..) = drawing.scene();
     assert_eq!(subject.rows.iter().map(|row| &row.name[..]).collect::<Vec<_>>(), ["wall"]);
+}
+
+#[test]
+fn the_window_shows_what_pictures_show() {
+    for (scene, time) in [(painted_square(), 0.0), (scenes::hierarchy(), 0.0), (scenes::skinned(), 0.5)] {
+        let mut drawing = Drawing::of(&scene);
+        let (subject, _, playback) = drawing.scene();
+        playback.animation = (subject.poser.animation_count() > 0).then_some(0);
+        playback.time = time;
+        let pose = playback.animation.map_or(subject.poser.rest_pose(), |at| subject.poser.pose(at, time));
+        let full = subject.lods.full_scene();
+        let mesh = posed_mesh(&full, &subject.poser, &pose).expect("it is small");
+        let look = SceneLook::of(&full, &ImageLimits::default()).with_lights(lights(&full, &pose));
+        let shot = Shot { look: Some(&look), ..Shot::of(&mesh, Paint::Surface, Style::SMOOTH) };
+        let found = drawing.picture();
+        let Viewpoint { eye, look_at, up, fov } = drawing.test.viewer.orbit.viewpoint();
+        let size = drawing.test.viewer.area.size.map(|side| side as usize);
+        let mut renderer = PictureRenderer::software(&Output::quiet());
+        let expected = renderer.draw(&shot, &Camera { eye, look_at, up, fov }, size).canvas;
+        let drawn_count = expected.pixels().iter().filter(|pixel| pixel[3] > 0.5).count();
+        assert!(drawn_count > 500, "{}: {drawn_count} pixels", scene.name);
+        let viewer = &drawing.test.viewer;
+        let background = viewer.state.look(viewer.area.is_dark, 1.0).background;
+        let difference = mean_difference(&found, &expected, background) * found.rgba.len() as f64 / 4.0;
+        let mean = difference / drawn_count as f64;
+        assert!(mean < 4.0, "{}: mean difference {mean} of 255", scene.name);
+    }
+}
+
+/// Mean difference per channel of a picture and a canvas over a background of linear light, of 255.
+fn mean_difference(picture: &Picture, canvas: &crate::picture::Canvas, background: [f32; 4]) -> f64 {
+    let pairs = picture.rgba.chunks(4).zip(canvas.pixels());
+    let sum: f64 = pairs
+        .flat_map(|(found, &expected)| {
+            let behind = 1.0 - expected[3];
+            [0, 1, 2].map(|k| {
+                let light = expected[k] + behind * background[k];
+                (f64::from(found[k]) - 255.0 * f64::from(striata_gpu::linear_to_srgb(light))).abs()
+            })
+        })
+        .sum();
+    sum / (3 * canvas.pixels().len()) as f64
 }
 
 #[test]
