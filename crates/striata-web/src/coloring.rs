@@ -4,8 +4,11 @@
 //! renderer only needs a color for each number.
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
+#[cfg(feature = "build")]
 use striata::model::{FanIndices, fan_triangles_into};
-use striata::strip::{RESTART, strip_triangles, stripify};
+#[cfg(feature = "build")]
+use striata::strip::RESTART;
+use striata::strip::{strip_triangles, stripify};
 
 use crate::Failure;
 use crate::shown_level::ShownLevel;
@@ -38,6 +41,7 @@ pub(crate) fn by_strips(shown: &mut ShownLevel, vertex_count: usize) -> Result<V
 }
 
 /// Reorders triangles by fan and returns the fan number of each.
+#[cfg(feature = "build")]
 pub(crate) fn by_fans(shown: &mut ShownLevel, fans: &FanIndices) -> Vec<u32> {
     shown.triangles.clear();
     shown.group_counts.clear();
@@ -56,6 +60,7 @@ pub(crate) fn by_fans(shown: &mut ShownLevel, fans: &FanIndices) -> Vec<u32> {
 }
 
 /// Returns the pivot of each triangle: the vertex that is removed first, which has the highest index.
+#[cfg(feature = "stream")]
 pub(crate) fn by_pivots(shown: &ShownLevel) -> Vec<u32> {
     shown.triangles.iter().map(|corners| corners.iter().copied().max().unwrap_or(0)).collect()
 }
