@@ -42,7 +42,6 @@ pub struct SceneModel {
 impl SceneModel {
     /// Creates a scene that has not received anything.
     #[wasm_bindgen(constructor)]
-    #[expect(clippy::new_without_default, reason = "JavaScript has constructors but no defaults")]
     pub fn new() -> Self {
         Self::default()
     }
