@@ -2,9 +2,10 @@
 //
 //   node tests/reference.mjs MODEL OUT.png '{ "eye": [x, y, z], "lookAt": [x, y, z], "fov": degrees, "width": 256, "height": 256 }'
 //
-// Optional: "up", "background" (a number, 0xrrggbb), "animation" and "time" (seconds).
+// Optional: "up", "background" (a number, 0xrrggbb), "animation" and "time" (seconds). Without arguments, it takes the stored pictures again, with
+// which the tests of the command compare its own.
 
-import { createReadStream, existsSync, statSync, writeFileSync } from 'node:fs';
+import { createReadStream, existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { basename, dirname, extname, join, normalize, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -52,13 +53,30 @@ export async function referencePictures(context, model, shots) {
   }
 }
 
+/** Shots whose pictures are stored, as references of the command's pictures. */
+export const stored = join(here, '../../crates/striata-cli/tests/reference');
+
+/** Takes the stored pictures again; returns each with its name. */
+export async function takeStored(context) {
+  const taken = [];
+  for (const shot of JSON.parse(readFileSync(join(stored, 'shots.json'), 'utf8'))) {
+    const [picture] = await referencePictures(context, join(here, '../..', shot.model), [shot]);
+    taken.push({ name: shot.picture, picture });
+  }
+  return taken;
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [model, out, shot] = process.argv.slice(2);
-  if (!shot) throw new Error('usage: node tests/reference.mjs MODEL OUT.png SHOT');
   const { context, close } = await browser();
   try {
-    const [picture] = await referencePictures(context, model, [JSON.parse(shot)]);
-    writeFileSync(out, picture);
+    if (!model) {
+      for (const { name, picture } of await takeStored(context)) writeFileSync(join(stored, name), picture);
+    } else {
+      if (!shot) throw new Error('usage: node tests/reference.mjs [MODEL OUT.png SHOT]');
+      const [picture] = await referencePictures(context, model, [JSON.parse(shot)]);
+      writeFileSync(out, picture);
+    }
   } finally {
     await close();
   }

@@ -8,6 +8,7 @@ import files from './files.mjs';
 import { world } from './harness.mjs';
 import looks from './looks.mjs';
 import phone from './phone.mjs';
+import references from './references.mjs';
 import saving from './saving.mjs';
 import sceneViewer from './scene-viewer.mjs';
 import scenes from './scenes.mjs';
@@ -20,5 +21,5 @@ describe('viewer', { concurrency: 1 }, () => {
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
   const viewer = [streaming, detail, views, files, sceneViewer, saving, errors, looks, phone];
-  for (const group of [...viewer, scenes, examples, speed]) group(shared);
+  for (const group of [...viewer, scenes, references, examples, speed]) group(shared);
 });

@@ -10,6 +10,7 @@ mod orders;
 mod outputs;
 mod patterns;
 mod png;
+mod reference_pictures;
 mod refusals;
 mod render;
 mod render_scenes;
