@@ -38,8 +38,8 @@ fn difference(shot: &Value, renderer: &str) -> f64 {
     bench.write("model.glb", model);
     let time = if shot["time"].is_null() { String::new() } else { format!("--time {}", shot["time"]) };
     bench.json(&format!(
-        "render model.glb -o out.png --background #000000 --size {}x{} --fov {} --from={} --look-at={} {time} \
-         {renderer}",
+        "render model.glb -o out.png --background #000000 --size {}x{} --fov {} --from={} --look-at={} \
+         {time} {renderer}",
         shot["width"],
         shot["height"],
         shot["fov"],

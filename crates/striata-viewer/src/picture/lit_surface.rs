@@ -29,7 +29,7 @@ impl PixelGrid {
         [(x - self.center[0]) / self.scale, (self.center[1] - y) / self.scale, -1.0]
     }
 
-    fn world_direction(&self, v: Vec3) -> Vec3 {
+    fn to_world(self, v: Vec3) -> Vec3 {
         add(add(scaled(self.axes[0], v[0]), scaled(self.axes[1], v[1])), scaled(self.axes[2], v[2]))
     }
 }
@@ -115,7 +115,7 @@ impl<'a> LitSurface<'a> {
         let light = if material.is_unlit {
             [r, g, b]
         } else {
-            let ray = grid.world_direction(grid.ray(pixel).map(|x| x as f32));
+            let ray = grid.to_world(grid.ray(pixel).map(|x| x as f32));
             let point = self.point(triangle, &weights, grid, (eye, ray, [r, g, b]));
             shade(&point, self.lights())
         };
@@ -252,7 +252,7 @@ impl<'a> LitSurface<'a> {
                 let [a, b, c] = self.corners(triangle);
                 let edge = |p: [f64; 3]| [0, 1, 2].map(|k| (p[k] - a[k]) as f32);
                 let normal = unit(cross(edge(b), edge(c)));
-                (scaled(grid.world_direction(normal), side), 0.0)
+                (scaled(grid.to_world(normal), side), 0.0)
             }
         }
     }
