@@ -60,7 +60,7 @@ pub(super) struct Frame {
 
 /// What the picture shows, at the level and in the pose of the last request.
 enum Shown {
-    Mesh { instance: ModelInstance, request: Option<LevelRequest> },
+    Mesh { instance: Box<ModelInstance>, request: Option<LevelRequest> },
     Scene { scene: Box<ShownScene>, request: Option<SceneRequest> },
 }
 
@@ -263,7 +263,9 @@ impl Viewer {
         let kind = self.state.model;
         if self.instance().is_none_or(|instance| instance.kind() != kind) {
             match ModelInstance::new(subject, kind) {
-                Some(instance) => self.shown = Some(Shown::Mesh { instance, request: None }),
+                Some(instance) => {
+                    self.shown = Some(Shown::Mesh { instance: Box::new(instance), request: None });
+                }
                 None if self.job.is_none() => self.start(Task::Build(Arc::clone(subject), kind)),
                 None => {}
             }
