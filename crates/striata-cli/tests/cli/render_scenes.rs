@@ -29,7 +29,7 @@ fn color_count(picture: &DecodedPng) -> usize {
 fn an_animation_is_posed_at_a_time() {
     let bench = bench();
     let (rest, report) = picture(&bench, "arm.glb --turn 0 --rise 0");
-    assert!(rest.drawn(0..160) > 1500, "{report}");
+    assert!(rest.drawn(0..160) > 600, "{report}");
     let at = |time: &str| picture(&bench, &format!("arm.glb --from 0,2,9 --time {time}")).0;
     let (start, later) = (at("0"), at("0.7"));
     assert!(start.differing(&later) > 200, "{} pixels differ", start.differing(&later));
@@ -49,11 +49,11 @@ fn levels_are_those_of_the_whole_scene() {
     assert!(of(2, "triangle_count") <= 0.02 * full && of(2, "error") > of(1, "error"), "{report}");
     let simplified = bench.json("simplify arm.glb -o level.glb --triangles 10%");
     assert_eq!(simplified["triangle_count"], report["levels"][1]["triangle_count"]);
-    let (level, _) = picture(&bench, "arm.glb --triangles 10% --from 0,2,9 --time 0.5");
-    let (same, _) = picture(&bench, "level.glb --from 0,2,9 --time 0.5");
+    let (level, _) = picture(&bench, "arm.glb --triangles 10% --from 0,2,9 --look-at 0,1,0 --time 0.5");
+    let (same, _) = picture(&bench, "level.glb --from 0,2,9 --look-at 0,1,0 --time 0.5");
     assert_eq!(level.differing(&same), 0);
-    let (view, report) = picture(&bench, "arm.glb --eye 0,2,12 --pixels 3 --time 0.5");
-    assert!(report["triangle_count"].as_f64() < Some(full / 2.0) && view.drawn(0..160) > 200, "{report}");
+    let (view, report) = picture(&bench, "arm.glb --eye 0,2,12 --pixels 1 --time 0.5");
+    assert!(report["triangle_count"].as_f64() < Some(full / 2.0) && view.drawn(0..160) > 40, "{report}");
 }
 
 #[test]
@@ -76,10 +76,11 @@ fn other_colorings_show_the_posed_triangles() {
     let (lit, _) = picture(&bench, "arm.glb --time 0.5 --background none");
     for flags in ["--colors triangles", "--colors strips", "--wireframe", "--heat --triangles 2%", "--flat"] {
         let (other, _) = picture(&bench, &format!("arm.glb --time 0.5 --background none {flags}"));
-        let outline = |picture: &DecodedPng| picture.pixels.iter().filter(|p| p[3] > 128).count();
-        let (a, b) = (outline(&lit), outline(&other));
-        assert!(flags.contains("heat") || a.abs_diff(b) < a / 50, "{flags}: {a} and {b} pixels");
-        assert!(lit.differing(&other) > 100, "{flags}");
+        // Materials hide the backs of triangles; these pictures show them.
+        let pairs = lit.pixels.iter().zip(&other.pixels);
+        let missing = pairs.filter(|(a, b)| a[3] > 128 && b[3] < 128).count();
+        assert!(flags.contains("heat") || missing < 20, "{flags}: {missing} pixels are missing");
+        assert!(lit.differing(&other) > 60, "{flags}: {}", lit.differing(&other));
     }
     let (triangles, _) = picture(&bench, "arm.glb --time 0.5 --background none --colors triangles");
     assert!(color_count(&triangles) > color_count(&lit), "{} colors", color_count(&triangles));
@@ -135,12 +136,12 @@ fn textures_of_obj_files_are_drawn() {
     let square = "mtllib m.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
                   vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
     bench.write("square.obj", square);
-    let (picture, _) = picture(&bench, "square.obj --turn 0 --rise 0");
+    let (picture, _) = picture(&bench, "square.obj --turn 0 --rise 0 --up 0,1,0");
     let [left, right] = [50, 110].map(|x| picture.at(x, 60));
     assert!(left[0] > 2 * left[1] && right[1] > 2 * right[0], "{left:?} {right:?}");
     // Without its material library, the same file is stone.
     bench.write("bare.obj", square.replace("mtllib m.mtl\n", ""));
-    let (bare, _) = crate::render_scenes::picture(&bench, "bare.obj --turn 0 --rise 0");
+    let (bare, _) = crate::render_scenes::picture(&bench, "bare.obj --turn 0 --rise 0 --up 0,1,0");
     let [left, right] = [50, 110].map(|x| bare.at(x, 60));
     assert!(
         left[0] > left[2] && left.iter().zip(right).all(|(a, b)| a.abs_diff(b) < 12),
@@ -152,6 +153,7 @@ fn textures_of_obj_files_are_drawn() {
 fn images_that_cannot_be_decoded_are_reported_and_left_out() {
     let bench = Workbench::new();
     let mut scene = scenes::hierarchy();
+    scene.document["materials"][0] = scene.document["materials"][1].clone();
     // The image of the emission becomes something else: the scene must not glow.
     scene.document["images"] = json!([{ "uri": "data:image/png;base64,AAAA", "name": "noise" }]);
     bench.write("a.glb", scene.to_glb());
