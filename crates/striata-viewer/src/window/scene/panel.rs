@@ -55,9 +55,8 @@ pub(in crate::window) fn animation_section(subject: &SceneSubject, playback: &mu
         name => super::tree::printable(name),
     };
     ui.horizontal(|ui| {
-        let (symbol, hover) =
-            if playback.is_playing { ("⏸", "Pause (Space)") } else { ("▶", "Play (Space)") };
-        if ui.button(symbol).on_hover_text(hover).clicked() {
+        let label = if playback.is_playing { "Pause" } else { "Play" };
+        if ui.button(label).on_hover_text("Space").clicked() {
             playback.toggle(&subject.poser);
         }
         let shown = playback.animation.map_or_else(|| "No animation".to_owned(), name);
