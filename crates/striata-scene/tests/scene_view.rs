@@ -88,7 +88,7 @@ fn near_cameras_see_more_triangles_than_far_ones() {
     for lods in all() {
         let (mut view, drawn) = (lods.view(), rest(&lods));
         let mut counts = Vec::new();
-        for distance in [0.7, 20.0, 5000.0] {
+        for distance in [1.2, 20.0, 5000.0] {
             view.update(&error(&lods, distance, 0.5), &drawn);
             counts.push(view.triangle_count());
         }
