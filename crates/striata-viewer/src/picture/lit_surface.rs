@@ -29,7 +29,7 @@ impl PixelGrid {
         [(x - self.center[0]) / self.scale, (self.center[1] - y) / self.scale, -1.0]
     }
 
-    fn to_world(&self, v: Vec3) -> Vec3 {
+    fn to_world(self, v: Vec3) -> Vec3 {
         add(add(scaled(self.axes[0], v[0]), scaled(self.axes[1], v[1])), scaled(self.axes[2], v[2]))
     }
 }

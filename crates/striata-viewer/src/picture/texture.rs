@@ -187,7 +187,8 @@ mod tests {
     use super::*;
 
     fn board(width: u32, height: u32) -> RgbaImage {
-        let texel = |i: u32| if (i % width + i / width) % 2 == 0 { [0, 0, 0, 255] } else { [255; 4] };
+        let texel =
+            |i: u32| if (i % width + i / width).is_multiple_of(2) { [0, 0, 0, 255] } else { [255; 4] };
         RgbaImage { width, height, rgba: (0..width * height).flat_map(texel).collect() }
     }
 

@@ -178,8 +178,7 @@ impl SceneSource {
     }
 
     fn posed(&self, scene: &Scene) -> Result<IndexedMesh, Failure> {
-        Ok(posed_mesh(scene, &self.poser, &self.pose)
-            .map_err(|error| Failure::internal(error.to_string()))?)
+        posed_mesh(scene, &self.poser, &self.pose).map_err(|error| Failure::internal(error.to_string()))
     }
 
     fn coarsening_limit(&self) -> CoarseningLimit {
