@@ -1,7 +1,7 @@
 //! Triangles that a renderer shows frame after frame: a level of the whole scene, or detail for a camera.
 //!
-//! A scene that stands still shows the same indices; a frame only replaces the lists that differ. Vertices stay
-//! where they are, and poses do not matter to indices, except that detail follows the instances.
+//! A scene that stands still shows the same indices; a frame only replaces the lists that differ. Vertices
+//! stay where they are, and poses do not matter to indices, except that detail follows the instances.
 //!
 //! For a camera, an instance whose mesh is neither deformed nor stretched has a [`View`] of its own, refined
 //! vertex by vertex in the space of its mesh. All other instances of a mesh share one level: the coarsest one

@@ -1,5 +1,5 @@
-//! The triangles of a scene one by one, with edges and colors: posed here, because the shader that draws edges
-//! knows no skins.
+//! The triangles of a scene one by one, with edges and colors: posed here, because the shader that draws
+//! edges knows no skins.
 
 use striata::mesh::IndexedMesh;
 use striata_gpu::{

@@ -1,8 +1,8 @@
 //! Scenes in the window: with materials and lights, posed, at any level of detail.
 //!
-//! `subject` is what was read, `playback` the time of the animation, `shown` the triangles and places of a frame,
-//! `resources` its buffers on the GPU, `inspection` its triangles with edges, and `panel` its part of the user interface, with the tree of nodes from
-//! `tree`.
+//! `subject` is what was read, `playback` the time of the animation, `shown` the triangles and places of a
+//! frame, `resources` its buffers on the GPU, `inspection` its triangles with edges, and `panel` its part of
+//! the user interface, with the tree of nodes from `tree`.
 
 mod inspection;
 mod panel;

@@ -1,4 +1,5 @@
-//! A scene on the GPU: vertices and materials are uploaded once, indices when they change, poses in each frame.
+//! A scene on the GPU: vertices and materials are uploaded once, indices when they change, poses in each
+//! frame.
 
 use striata_gpu::glam::DMat4;
 use striata_gpu::{
@@ -69,8 +70,8 @@ impl SceneResources {
         })
     }
 
-    /// Uploads the indices that have changed, and remembers places and lights; or uploads individual triangles.
-    /// Returns the uploaded bytes.
+    /// Uploads the indices that have changed, and remembers places and lights; or uploads individual
+    /// triangles. Returns the uploaded bytes.
     ///
     /// # Errors
     /// If a buffer exceeds the device's limit.
