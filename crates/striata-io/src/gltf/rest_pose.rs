@@ -73,12 +73,12 @@ impl RestPoses {
         let mut inverse_binds = Vec::new();
         if let Some(number) = at.unsigned("inverseBindMatrices")? {
             let found = accessor(document, number, &at)?;
-            if found.component_count != 16 {
-                return Err(found.fault("inverse bind matrices must be MAT4"));
+            // Without usable matrices the joints move the mesh from the origin, as if there were none.
+            if found.component_count == 16 {
+                let numbers = found.floats();
+                let (matrices, _) = numbers.as_chunks::<16>();
+                inverse_binds.extend(matrices.iter().map(|m| DMat4::from_cols_array(&m.map(f64::from))));
             }
-            let numbers = found.floats();
-            let (matrices, _) = numbers.as_chunks::<16>();
-            inverse_binds.extend(matrices.iter().map(|m| DMat4::from_cols_array(&m.map(f64::from))));
         }
         let mut matrices = Vec::with_capacity(joints.len());
         for (joint, node) in joints.iter().enumerate() {
