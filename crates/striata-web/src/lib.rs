@@ -35,7 +35,7 @@ mod progress;
 #[cfg(feature = "stream")]
 mod scene_model;
 mod shown_level;
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 mod stored_model;
 mod stream_place;
 #[cfg(feature = "stream")]
