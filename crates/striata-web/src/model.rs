@@ -6,9 +6,11 @@ use std::fmt;
 use striata_io::Format;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 use crate::built_model::BuiltModel;
 use crate::leveled::Leveled;
+#[cfg(feature = "stream")]
+use crate::prefix_model::PrefixModel;
 #[cfg(feature = "files")]
 use crate::progress::{self, Sink};
 use crate::shown_level::{LevelRequest, ShownLevel};
@@ -27,7 +29,6 @@ pub(crate) enum Kind {
     Stream,
     #[cfg(feature = "files")]
     Striata,
-    #[cfg(feature = "build")]
     Mesh,
 }
 
@@ -38,7 +39,6 @@ impl Kind {
             Self::Stream => "stream",
             #[cfg(feature = "files")]
             Self::Striata => "striata",
-            #[cfg(feature = "build")]
             Self::Mesh => "mesh",
         }
     }
@@ -282,6 +282,13 @@ impl Model {
     pub(crate) fn of_stream(streamed: StreamedModel) -> Self {
         Self { levels: Box::new(streamed), kind: Kind::Stream, shown: ShownLevel::default() }
     }
+
+    /// A model of a mesh that was simplified by another module. Shows the full mesh.
+    pub(crate) fn of_prefixes(prefixes: PrefixModel) -> Self {
+        let mut model = Self { levels: Box::new(prefixes), kind: Kind::Mesh, shown: ShownLevel::default() };
+        model.show_detail(1.0);
+        model
+    }
 }
 
 #[cfg(feature = "files")]
@@ -304,17 +311,7 @@ impl Model {
     }
 }
 
-#[cfg(feature = "build")]
-impl Model {
-    /// A model that was built from a mesh.
-    pub(crate) fn of_built(built: BuiltModel) -> Self {
-        let mut model = Self { levels: boxed(built), kind: Kind::Mesh, shown: ShownLevel::default() };
-        model.show_detail(1.0);
-        model
-    }
-}
-
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 fn boxed(levels: impl Leveled + 'static) -> Box<dyn Leveled> {
     Box::new(levels)
 }
