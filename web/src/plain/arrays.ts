@@ -2,6 +2,7 @@
 
 import { type BufferAttribute, type BufferGeometry, type InterleavedBufferAttribute, type Mesh, type Object3D } from 'three';
 import type { MeshArrays } from '../scene/protocol.ts';
+import { noTriangles } from './read.ts';
 
 /** A mesh to build, and the geometries that its groups replace. */
 export interface Unit {
@@ -121,3 +122,23 @@ function copy(attribute: Attribute, count: number, into: Float32Array | Uint16Ar
     for (let i = 0; i < itemSize; i++) into[at + vertex * itemSize + i] = attribute.getComponent(vertex, i);
   }
 }
+
+/** Combines all meshes of a file in the pose that it states: positions, and the other attributes that all of them have. */
+export function mergedArrays({ scene }: { scene: Object3D | undefined }): MeshArrays {
+  scene?.updateMatrixWorld(true);
+  const meshes = scene ? meshesOf([scene]) : [];
+  if (meshes.length === 0) throw noTriangles();
+  const posed = meshes.map((mesh) => {
+    const geometry = mesh.geometry.clone().applyMatrix4(mesh.matrixWorld);
+    for (const name of Object.keys(geometry.attributes)) {
+      const isCommon = meshes.every(({ geometry: other }) => other.getAttribute(name)?.itemSize === geometry.getAttribute(name).itemSize);
+      if (!isCommon || !MERGED.includes(name)) geometry.deleteAttribute(name);
+    }
+    geometry.morphAttributes = {};
+    return geometry;
+  });
+  return arraysOf(posed, false);
+}
+
+/** Attributes that a single mesh draws. */
+const MERGED = ['position', 'normal', 'color', 'uv'];

@@ -1,7 +1,7 @@
 /** Reads plain files of meshes with the loaders of three.js, which are fetched when they are needed. */
 
 import {
-  type BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshStandardMaterial, type MeshPhongMaterial, type LoadingManager, type Object3D,
+  BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshStandardMaterial, type MeshPhongMaterial, type LoadingManager, type Object3D,
 } from 'three';
 import type { GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { StriataError } from '../error.ts';
@@ -129,8 +129,9 @@ function splitGroups(mesh: Mesh): void {
   const { geometry, material, parent } = mesh;
   mesh.removeFromParent();
   for (const { start, count, materialIndex = 0 } of geometry.groups) {
-    const own = geometry.clone().clearGroups();
-    Object.assign(own.attributes, geometry.attributes);
+    const own = new BufferGeometry();
+    // The parts share their vertices.
+    for (const [name, attribute] of Object.entries(geometry.attributes)) own.setAttribute(name, attribute);
     own.setIndex(Array.from({ length: count }, (_, at) => start + at));
     const part = new Mesh(own, material[materialIndex] ?? material[0]!);
     part.name = mesh.name;
