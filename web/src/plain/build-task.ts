@@ -59,7 +59,8 @@ export class BuildTask {
     scene.fill(file, this.#replaced(meshes, units));
     scene.name = options.name ?? '';
     const pixelError = loader.pixelError === undefined ? 1 : loader.pixelError;
-    if (pixelError !== null) scene.pixelError = pixelError;
+    if (pixelError === null) scene.detail = 1;
+    else scene.pixelError = pixelError;
     scene.end();
     return scene;
   }

@@ -77,6 +77,7 @@ function glb() {
 
 /** Checks that the scene shows coarser levels, and returns to the full mesh. */
 async function checkLevels(scene, full) {
+  await delay(60);
   assert.deepEqual([scene.fullTriangleCount, scene.triangleCount, scene.complete], [full, full, true]);
   scene.triangleBudget = full / 4;
   await delay(60);
@@ -96,6 +97,14 @@ test('every plain format becomes a scene with levels and normals', async () => {
     assert.equal(scene.lods[0].meshes[0].geometry.getAttribute('position').count >= (SIDE + 1) ** 2, true);
     scene.dispose();
   }
+});
+
+test('compressed files are decompressed', async () => {
+  const asset = readFileSync(new URL('../../../assets/spot.obj.zst', import.meta.url));
+  const scene = await loader.open(asset.buffer.slice(asset.byteOffset, asset.byteOffset + asset.length), { name: 'spot.obj.zst' });
+  assert.equal(scene.fullTriangleCount, 5856);
+  assert.ok(scene.lods[0].meshes[0].geometry.getAttribute('uv'), 'the asset has texture coordinates');
+  scene.dispose();
 });
 
 test('a GLB file keeps its nodes, materials and animations', async () => {
