@@ -1,8 +1,14 @@
 // Builds the library, web/src -> web/dist. three stays external; the worker is inlined as text.
-import { defineConfig } from 'vite';
+import { defineConfig, transformWithEsbuild } from 'vite';
 
 export default defineConfig({
   publicDir: false,
+  // Vite keeps the white space of libraries, a fifth of their size.
+  plugins: [{
+    name: 'minify',
+    enforce: 'post',
+    renderChunk: (code, { fileName }) => transformWithEsbuild(code, fileName, { minify: true, format: 'esm', target: 'es2022', sourcemap: false }),
+  }],
   worker: { format: 'iife' },
   build: {
     outDir: 'dist',

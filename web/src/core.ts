@@ -6,7 +6,7 @@
 
 export { StriataError, asStriataError } from './error.ts';
 export { SceneEngine } from './scene/scene-engine.ts';
-export type { MeshShare, MeshUpdate, NewLayer, SceneDocument, SceneOrder, SceneReport, SceneState, SceneTarget } from './scene/protocol.ts';
+export type { MeshArrays, MeshShare, MeshUpdate, NewLayer, SceneDocument, SceneOrder, SceneReport, SceneState, SceneTarget } from './scene/protocol.ts';
 export type { LevelRequest, NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
 export type { Coloring, ErrorCode, Kind, Phase } from './types.ts';
 export { Failure, Model, SceneModel, StreamPlace, VertexLayer, Vertices, View } from './wasm/striata.js';
@@ -19,7 +19,7 @@ let options: Pick<LoaderOptions, 'wasm' | 'builder'> = {};
 
 /**
  * Initializes the wasm module; must be called before anything else in this module is used. `builder` is the location of
- * striata-builder.wasm, which an engine fetches for files without a stream.
+ * striata-builder.wasm, which an engine fetches to build levels of meshes without a stream.
  */
 export async function initialize(wasm?: LoaderOptions['wasm'], builder?: LoaderOptions['builder']): Promise<void> {
   options = { ...(wasm === undefined ? {} : { wasm }), ...(builder === undefined ? {} : { builder }) };

@@ -6,10 +6,11 @@
  */
 
 import { Failure, Model, StreamPlace, View } from './wasm/striata.js';
-import { initSync as startBuilder, Failure as BuilderFailure, Model as BuiltModel, View as BuilderView } from './wasm/striata-builder.js';
+import { buildModel, startBuilder } from './build.ts';
 import { isContainer, isStream } from './magic.ts';
 import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
 import { requestOf, type LevelRequest, type NewVertices, type Order, type Report, type State, type Update } from './protocol.ts';
+import type { MeshArrays } from './scene/protocol.ts';
 import type { Coloring, Kind, Phase } from './types.ts';
 import { decompressed } from './unpack.ts';
 import { yieldToEventLoop } from './event-loop.ts';
@@ -22,10 +23,8 @@ const MIN_UPDATE_INTERVAL_MS = 60;
 /** Minimum time between two updates, as a multiple of the time the last one took. */
 const UPDATE_INTERVAL_FACTOR = 4;
 
-let isBuilderStarted = false;
-
 function noBuilder(): Promise<WebAssembly.Module> {
-  return Promise.reject(new StriataError('unsupported', 'files without a stream need striata-builder.wasm'));
+  return Promise.reject(new StriataError('unsupported', 'meshes without a stream need striata-builder.wasm'));
 }
 
 /** The stream that a file is or contains; undefined if it has none. */
@@ -36,6 +35,17 @@ function streamIn(bytes: Uint8Array): Uint8Array | undefined {
   const { offset, length } = place;
   place.free();
   return length > 0 ? bytes.subarray(offset, offset + length) : undefined;
+}
+
+/** Decodes a file that is or contains a stream. */
+async function streamFile(bytes: Uint8Array, name: string): Promise<Model> {
+  const file = await decompressed(bytes, name);
+  const stream = streamIn(file.bytes);
+  if (stream) return wholeStream(stream);
+  if (isContainer(file.bytes)) {
+    throw new StriataError('unsupported', `${name} contains no stream`, 'convert it with `striata encode`');
+  }
+  throw new StriataError('format', `${name}: the file contains no stream`, 'files that contain one: .stri and .striata, optionally .gz or .zst');
 }
 
 function wholeStream(bytes: Uint8Array): Model {
@@ -57,7 +67,7 @@ export class Engine {
   /** Longest uninterrupted decoding, milliseconds. */
   readonly #sliceMs: number;
   readonly #loadBuilder: () => Promise<WebAssembly.Module>;
-  #model: Model | BuiltModel = new Model();
+  #model = new Model();
   #queue: Uint8Array[] = [];
   #end: { error?: PlainError } | undefined;
   #isPumping = false;
@@ -101,7 +111,10 @@ export class Engine {
         void this.#pump();
         break;
       case 'file':
-        void this.#read(order.bytes, order.name, order.builder);
+        void this.#read(() => streamFile(order.bytes, order.name));
+        break;
+      case 'arrays':
+        void this.#read(() => this.#build(order.arrays, order.builder));
         break;
       case 'show':
         this.#request = requestOf(order);
@@ -201,16 +214,14 @@ export class Engine {
     }
   }
 
-  /** Reads a whole file and builds its model. */
-  async #read(bytes: Uint8Array, name: string, builder: WebAssembly.Module | undefined): Promise<void> {
+  /** Replaces the model by one that is read or built as a whole. */
+  async #read(read: () => Promise<Model>): Promise<void> {
     this.#phase = 'build';
     const start = performance.now();
-    let model: Model | BuiltModel | undefined;
+    let model: Model | undefined;
     let failure: unknown;
     try {
-      const file = await decompressed(bytes, name);
-      const stream = streamIn(file.bytes);
-      model = stream ? wholeStream(stream) : this.#build(await this.#builder(builder), file);
+      model = await read();
     } catch (thrown) {
       failure = thrown;
     }
@@ -226,15 +237,9 @@ export class Engine {
     });
   }
 
-  async #builder(module: WebAssembly.Module | undefined): Promise<typeof BuiltModel> {
-    if (!isBuilderStarted) startBuilder({ module: module ?? (await this.#loadBuilder()) });
-    isBuilderStarted = true;
-    return BuiltModel;
-  }
-
-  #build(builder: typeof BuiltModel, { bytes, name }: { bytes: Uint8Array; name: string }): BuiltModel {
-    const sink = { report: (_: string, share: number) => this.#report({ type: 'building', share }) };
-    return builder.from_file(bytes, name, sink);
+  async #build(arrays: MeshArrays, builder: WebAssembly.Module | undefined): Promise<Model> {
+    startBuilder(builder ?? (await this.#loadBuilder()));
+    return buildModel(arrays, (share) => this.#report({ type: 'building', share }));
   }
 
   /** Runs `work` and reports an error if it throws; the engine then accepts no more orders. */
@@ -291,11 +296,11 @@ export class Engine {
   #showView(camera: number[], pixels: number, limit: number): boolean {
     const numbers = Float64Array.from(camera);
     const model = this.#model;
-    const view = model instanceof Model ? new View(numbers, pixels, limit) : new BuilderView(numbers, pixels, limit);
+    const view = new View(numbers, pixels, limit);
     try {
-      return model instanceof Model ? model.show_view(view as View) : model.show_view(view as BuilderView);
+      return model.show_view(view);
     } catch (thrown) {
-      if (!(thrown instanceof Failure || thrown instanceof BuilderFailure)) throw thrown;
+      if (!(thrown instanceof Failure)) throw thrown;
       thrown.free();
       return true;
     } finally {

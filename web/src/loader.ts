@@ -6,7 +6,7 @@ import { contentOf } from './content.ts';
 import { aborted, asStriataError } from './error.ts';
 import type { StriataMesh } from './mesh.ts';
 import { MeshTask } from './mesh-task.ts';
-import { openGltf } from './register.ts';
+import { openPlain, wholeFile } from './plain/open.ts';
 import { sceneOfMesh } from './scene/mesh-scene.ts';
 import { SceneTask } from './scene/scene-task.ts';
 import type { StriataScene } from './scene/scene.ts';
@@ -108,8 +108,16 @@ class SceneLoader extends ThreeLoader<StriataScene> {
     const path = this.resourcePath || (typeof address === 'string' ? LoaderUtils.extractUrlBase(address) : '');
     const context = { module, loader, options, path, manager: this.manager, download };
     if (content.kind === 'scene') return new SceneTask({ ...context, kind: 'stream' }, content.byteCount).run(content.chunks);
-    if (content.kind === 'gltf') return openGltf({ ...context, kind: 'gltf' }, content);
-    const mesh = await new MeshTask(loader, options).runContent(module, opened, content, download);
+    if (content.kind === 'gltf' || content.kind === 'file') {
+      const total = opened.length;
+      const file = await wholeFile(content, opened.name, download.signal, (received) => options.onProgress?.({
+        bytesReceived: received, bytesTotal: total, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download',
+      }));
+      if (!file.stream) return openPlain(file, { ...context, kind: 'mesh' });
+      if (file.stream.kind === 'scene') return new SceneTask({ ...context, kind: 'stream' }, file.stream.byteCount).run(file.stream.chunks);
+      return sceneOfMesh(await new MeshTask(loader, options).runContent(module, file.stream, download), loader);
+    }
+    const mesh = await new MeshTask(loader, options).runContent(module, content, download);
     return sceneOfMesh(mesh, loader);
   }
 

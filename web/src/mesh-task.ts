@@ -1,10 +1,13 @@
 /** Loads a single mesh: passes bytes to the engine as they arrive, and creates a mesh as soon as there is something to draw. */
 
-import { concat, iterable, open, type OpenedSource } from './bytes.ts';
+import { LoadingManager } from 'three';
+import { iterable, open } from './bytes.ts';
 import { contentOf, type Content } from './content.ts';
 import { aborted, asPlain, asStriataError, fromPlain, StriataError } from './error.ts';
 import { connectEngine, type EngineConnection } from './connection.ts';
 import { StriataMesh, type LoaderHandle } from './mesh.ts';
+import { mergedArrays } from './plain/arrays.ts';
+import { readFile, wholeFile } from './plain/open.ts';
 import type { Order, Report } from './protocol.ts';
 import type { LoaderOptions, LoadOptions, Source } from './types.ts';
 import { builderModule, start, wasmModule } from './wasm.ts';
@@ -65,38 +68,43 @@ export class MeshTask {
     if (content.kind === 'scene') {
       throw new StriataError('unsupported', 'this is a scene, not a single mesh', 'use `loader.loadAsync(url)`');
     }
-    await this.#receive(module, opened, content);
+    if (content.kind === 'stream') return this.#receive(module, content);
+    const file = await wholeFile(content, opened.name, this.#download.signal, (received) => {
+      this.#received = received;
+      this.#progress();
+    });
+    if (file.stream) return this.#receive(module, file.stream);
+    const context = { module, loader: this.#loader, options: {}, path: '', manager: new LoadingManager(), kind: 'mesh' as const, download: this.#download };
+    const arrays = mergedArrays(await readFile(file, context));
+    const builder = await builderModule(this.#loader);
+    if (this.#stop.signal.aborted) return;
+    this.#total = this.#received;
+    this.#engine = connectEngine(module, this.#loader.worker ?? true, (report) => this.#onMessage(report));
+    this.#engine.send({ type: 'arrays', arrays, builder });
   }
 
   /** Loads a source that has been opened. */
-  runContent(module: WebAssembly.Module, opened: OpenedSource, content: Content, download: AbortController): Promise<StriataMesh> {
+  runContent(module: WebAssembly.Module, content: Content, download: AbortController): Promise<StriataMesh> {
     download.signal.addEventListener('abort', () => this.#download.abort());
     const loaded = this.#begin();
-    this.#receive(module, opened, content).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
+    this.#receive(module, content).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
     return loaded;
   }
 
-  async #receive(module: WebAssembly.Module, opened: OpenedSource, content: Content): Promise<void> {
+  async #receive(module: WebAssembly.Module, content: Content): Promise<void> {
+    this.#received = 0;
     this.#total = content.byteCount;
     this.#isInContainer = content.isInContainer;
     this.#engine = connectEngine(module, this.#loader.worker ?? true, (report) => this.#onMessage(report));
-    const parts: Uint8Array[] = [];
     for await (const bytes of iterable(content.chunks)) {
       if (this.#download.signal.aborted) return;
       this.#received += bytes.length;
-      if (content.kind === 'stream') this.#engine.send({ type: 'bytes', bytes });
-      else parts.push(bytes);
+      this.#engine.send({ type: 'bytes', bytes });
       this.#progress();
     }
     if (this.#download.signal.aborted) return;
     this.#total = this.#received;
-    if (content.kind === 'stream') {
-      this.#engine.send({ type: 'end' });
-    } else {
-      const builder = await builderModule(this.#loader);
-      if (this.#stop.signal.aborted) return;
-      this.#engine.send({ type: 'file', bytes: concat(parts), name: opened.name || 'file', builder });
-    }
+    this.#engine.send({ type: 'end' });
     this.#progress();
   }
 

@@ -1,6 +1,7 @@
 /** Messages between the page and the engine; all of them can be posted to a worker. */
 
 import type { PlainError } from './error.ts';
+import type { MeshArrays } from './scene/protocol.ts';
 import type { Coloring, Kind, Phase } from './types.ts';
 
 /** A request for a level of detail. */
@@ -22,8 +23,10 @@ export type Order =
   | { type: 'bytes'; bytes: Uint8Array }
   /** The end of the bytes; with an error if some are missing. */
   | { type: 'end'; error?: PlainError }
-  /** A complete file; files without a stream need the second wasm module. */
-  | { type: 'file'; bytes: Uint8Array; name: string; builder?: WebAssembly.Module }
+  /** A complete file that is or contains a stream, perhaps compressed. */
+  | { type: 'file'; bytes: Uint8Array; name: string }
+  /** A mesh whose levels are built by the second wasm module. */
+  | { type: 'arrays'; arrays: MeshArrays; builder?: WebAssembly.Module }
   /** A request to show a level. `wish` is the deprecated name of `request`. */
   | { type: 'show'; request: LevelRequest; coloring: Coloring; ticket: number }
   | { type: 'show'; wish: LevelRequest; coloring: Coloring; ticket: number };

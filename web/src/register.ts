@@ -2,13 +2,10 @@
 
 import type { Mesh, Object3D } from 'three';
 import type { GLTF, GLTFLoader, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
-import { concat, iterable } from './bytes.ts';
 import { connectSceneEngine, type EngineConnection } from './connection.ts';
-import type { Content } from './content.ts';
 import { fromPlain } from './error.ts';
 import type { SceneOrder, SceneReport } from './scene/protocol.ts';
 import { StriataScene } from './scene/scene.ts';
-import type { SceneContext } from './scene/scene-task.ts';
 import type { LoaderOptions } from './types.ts';
 import { wasmModule } from './wasm.ts';
 
@@ -160,32 +157,4 @@ class Refinement {
 
 function definitions(parser: GLTFParser): MeshDefinition[] {
   return (parser.json as { meshes?: MeshDefinition[] }).meshes ?? [];
-}
-
-/** Loads a glTF file. Its meshes are refined if they have streams. */
-export async function openGltf(context: SceneContext, content: Content): Promise<StriataScene> {
-  const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
-  const loader = registerStriata(new GLTFLoader(context.manager), { ...context.loader, wasm: context.module });
-  context.loader.configure?.(loader);
-  if (!loader.meshoptDecoder) {
-    const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
-    loader.setMeshoptDecoder(MeshoptDecoder);
-  }
-  const parts: Uint8Array[] = [];
-  for await (const bytes of iterable(content.chunks)) parts.push(bytes);
-  const bytes = concat(parts);
-  const gltf = await loader.parseAsync(bytes.slice().buffer as ArrayBuffer, context.path);
-  const scene = (gltf.userData['striata'] as StriataScene | undefined) ?? plainScene(bytes.length);
-  scene.fill(gltf, []);
-  scene.name = context.options.name ?? '';
-  return scene;
-}
-
-/** A scene without levels. */
-function plainScene(byteCount: number): StriataScene {
-  const bytes = () => ({ received: byteCount, total: byteCount });
-  const scene = new StriataScene([], 'gltf', { send: () => undefined, bytes, dispose: () => undefined });
-  scene.show([], { phase: 'done', complete: true, streamBytes: byteCount, decodeMs: 0, buildMs: 0, updateMs: 0 }, 0, true);
-  scene.end();
-  return scene;
 }

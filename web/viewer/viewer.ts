@@ -299,5 +299,5 @@ function noticeOf(error: unknown, title: string, source: ModelSource, retry: () 
 
 function kindOf(model: StriataScene): string {
   if (model.kind === 'mesh') return 'simplified in the browser';
-  return model.kind === 'stream' ? 'stream' : '.striata file';
+  return { stream: 'stream', gltf: 'glTF with levels', striata: '.striata file' }[model.kind];
 }

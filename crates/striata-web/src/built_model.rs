@@ -5,6 +5,7 @@ use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
 use striata::model::{FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use striata::view::{ScreenError, Sphere};
+#[cfg(feature = "files")]
 use striata_io::{Source, read_bytes};
 
 use crate::leveled::Leveled;
@@ -49,6 +50,7 @@ impl BuiltModel {
     ///
     /// # Errors
     /// If the bytes are damaged, of an unknown format, or the mesh is too large for a page.
+    #[cfg(feature = "files")]
     pub(crate) fn from_mesh_file(
         bytes: Vec<u8>,
         name: &str,

@@ -4,9 +4,9 @@
 //! renderer only needs a color for each number.
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 use striata::model::{FanIndices, fan_triangles_into};
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 use striata::strip::RESTART;
 use striata::strip::{strip_triangles, stripify};
 
@@ -41,7 +41,7 @@ pub(crate) fn by_strips(shown: &mut ShownLevel, vertex_count: usize) -> Result<V
 }
 
 /// Reorders triangles by fan and returns the fan number of each.
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 pub(crate) fn by_fans(shown: &mut ShownLevel, fans: &FanIndices) -> Vec<u32> {
     shown.triangles.clear();
     shown.group_counts.clear();

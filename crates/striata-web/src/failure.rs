@@ -3,7 +3,7 @@
 use striata::file::DecodeError;
 #[cfg(feature = "build")]
 use striata::simplify::SimplifyError;
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 use striata_io::ReadError;
 #[cfg(feature = "stream")]
 use striata_scene::stream::SceneStreamError;
@@ -110,7 +110,7 @@ impl From<SceneStreamError> for Failure {
     }
 }
 
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match &error {

@@ -19,44 +19,65 @@
 //! fit into a page's memory are rejected before they are decoded.
 
 #[cfg(feature = "build")]
+mod built_arrays;
+#[cfg(feature = "files")]
 mod built_model;
+#[cfg(any(feature = "stream", feature = "files"))]
 mod coloring;
 #[cfg(feature = "encode")]
 mod encoder;
 mod failure;
+mod layer_name;
+#[cfg(any(feature = "stream", feature = "files"))]
 mod leveled;
 mod limits;
 #[cfg(feature = "build")]
 mod mesh_builder;
+#[cfg(any(feature = "stream", feature = "files"))]
 mod model;
+#[cfg(any(feature = "stream", feature = "files"))]
 mod normals;
+#[cfg(feature = "stream")]
+mod prefix_model;
+#[cfg(feature = "stream")]
+mod prefix_parts;
 #[cfg(feature = "build")]
 mod progress;
 #[cfg(feature = "stream")]
 mod scene_model;
+#[cfg(any(feature = "stream", feature = "files"))]
 mod shown_level;
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 mod stored_model;
+#[cfg(any(feature = "stream", feature = "files"))]
 mod stream_place;
 #[cfg(feature = "stream")]
 mod stream_source;
 #[cfg(feature = "stream")]
 mod streamed_model;
 mod vertices;
+#[cfg(any(feature = "stream", feature = "files"))]
 mod view;
 
+#[cfg(feature = "build")]
+pub use built_arrays::BuiltArrays;
 #[cfg(feature = "encode")]
 pub use encoder::encode_file;
 pub use failure::Failure;
 #[cfg(feature = "build")]
 pub use mesh_builder::MeshBuilder;
+#[cfg(any(feature = "stream", feature = "files"))]
 pub use model::Model;
+#[cfg(feature = "stream")]
+pub use prefix_parts::PrefixParts;
 #[cfg(feature = "build")]
 pub use progress::Sink;
 #[cfg(feature = "stream")]
 pub use scene_model::{SceneDocument, SceneImage, SceneModel};
+#[cfg(any(feature = "stream", feature = "files"))]
 pub use stream_place::StreamPlace;
 pub use vertices::{VertexLayer, Vertices};
+#[cfg(any(feature = "stream", feature = "files"))]
 pub use view::View;
 
 /// Compiles the readme's example with the documentation tests.

@@ -12,9 +12,11 @@ use striata_stream::StreamInfo;
 use crate::Failure;
 
 /// Maximum number of vertices of a stream or a `.striata` file.
+#[cfg(any(feature = "stream", feature = "files"))]
 const MAX_VERTICES: usize = 8_000_000;
 
 /// Maximum number of triangles of a stream or a `.striata` file.
+#[cfg(any(feature = "stream", feature = "files"))]
 const MAX_TRIANGLES: usize = 16_000_000;
 
 /// Maximum number of triangles of a mesh to simplify, which takes several times as much memory.
@@ -22,6 +24,7 @@ const MAX_TRIANGLES: usize = 16_000_000;
 const MAX_BUILT_TRIANGLES: usize = 6_000_000;
 
 /// Maximum size of a file that is read as a whole, bytes.
+#[cfg(any(feature = "stream", feature = "files"))]
 pub(crate) const MAX_FILE_BYTES: usize = 1 << 30;
 
 /// Checks that a stream will fit into a page.
@@ -52,6 +55,7 @@ pub(crate) fn check_scene(info: &SceneStreamInfo) -> Result<(), Failure> {
 ///
 /// # Errors
 /// If it would not fit.
+#[cfg(any(feature = "stream", feature = "files"))]
 pub(crate) fn check_counts(vertex_count: usize, triangle_count: usize) -> Result<(), Failure> {
     check(vertex_count, MAX_VERTICES, "vertices")?;
     check(triangle_count, MAX_TRIANGLES, "triangles")
@@ -74,6 +78,7 @@ pub(crate) fn check_to_build(vertex_count: usize, triangle_count: usize) -> Resu
 ///
 /// # Errors
 /// If the file is too large.
+#[cfg(any(feature = "stream", feature = "files"))]
 pub(crate) fn check_file(byte_count: usize) -> Result<(), Failure> {
     check(byte_count, MAX_FILE_BYTES, "bytes")
 }

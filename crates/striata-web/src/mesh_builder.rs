@@ -1,10 +1,11 @@
 //! Builds a model from arrays that a page has: what another loader has read, or what a page has made.
 
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup};
+use striata::mesh::{IndexedMesh, LayerData, TriangleGroup};
+use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::built_model::BuiltModel;
-use crate::model::Model;
+use crate::built_arrays::BuiltArrays;
+use crate::layer_name::layer_of;
 use crate::progress::{self, Sink};
 use crate::{Failure, limits};
 
@@ -36,7 +37,9 @@ impl MeshBuilder {
     /// # Errors
     /// If the number of values does not fit the number of vertices.
     pub fn add_floats(&mut self, name: &str, component_count: u8, values: &[f32]) -> Result<(), Failure> {
-        self.add(name, component_count, false, LayerData::F32(values.to_vec()))
+        let data = LayerData::F32(values.to_vec());
+        self.mesh.layers.push(layer_of(name, component_count, data, self.mesh.vertex_count())?);
+        Ok(())
     }
 
     /// Adds an attribute with 16-bit integers.
@@ -44,7 +47,9 @@ impl MeshBuilder {
     /// # Errors
     /// As for [`add_floats`](Self::add_floats).
     pub fn add_shorts(&mut self, name: &str, component_count: u8, values: &[u16]) -> Result<(), Failure> {
-        self.add(name, component_count, false, LayerData::U16(values.to_vec()))
+        let data = LayerData::U16(values.to_vec());
+        self.mesh.layers.push(layer_of(name, component_count, data, self.mesh.vertex_count())?);
+        Ok(())
     }
 
     /// Adds the triangles of a group, three corners each.
@@ -70,73 +75,21 @@ impl MeshBuilder {
     ///
     /// # Errors
     /// If the mesh is inconsistent or too large for a page.
-    pub fn build(self, sink: &Sink) -> Result<Model, Failure> {
+    pub fn build(self, sink: &Sink) -> Result<BuiltArrays, Failure> {
         limits::check_to_build(self.mesh.vertex_count(), self.mesh.triangle_count())?;
         self.mesh.check().map_err(Failure::corrupt)?;
-        BuiltModel::simplify(self.mesh, &mut progress::reporter(sink)).map(Model::of_built)
-    }
-
-    fn add(
-        &mut self,
-        name: &str,
-        component_count: u8,
-        normalized: bool,
-        data: LayerData,
-    ) -> Result<(), Failure> {
-        let semantic = semantic_of(name);
-        if component_count == 0 || data.len() != usize::from(component_count) * self.mesh.vertex_count() {
-            return Err(Failure::unsupported(format!(
-                "{name} does not have as many values as there are vertices"
-            )));
+        if self.mesh.triangles.is_empty() {
+            return Err(Failure::unsupported("the mesh has no triangles"));
         }
-        self.mesh.layers.push(AttributeLayer { semantic, component_count, normalized, data });
-        Ok(())
-    }
-}
-
-/// The meaning of an attribute of glTF.
-fn semantic_of(name: &str) -> Semantic {
-    let generic = || Semantic::Generic(name.to_owned());
-    if let Some((target, morphed)) = name.split_once('/') {
-        let Ok(target) = target.parse() else { return generic() };
-        return match morphed {
-            "POSITION" => Semantic::MorphPosition(target),
-            "NORMAL" => Semantic::MorphNormal(target),
-            "TANGENT" => Semantic::MorphTangent(target),
-            _ => generic(),
-        };
-    }
-    let numbered = |prefix: &str| name.strip_prefix(prefix).and_then(|set| set.parse().ok());
-    match name {
-        "NORMAL" => Semantic::Normal,
-        "TANGENT" => Semantic::Tangent,
-        _ => None
-            .or_else(|| numbered("TEXCOORD_").map(Semantic::TexCoord))
-            .or_else(|| numbered("COLOR_").map(Semantic::Color))
-            .or_else(|| numbered("JOINTS_").map(Semantic::Joints))
-            .or_else(|| numbered("WEIGHTS_").map(Semantic::Weights))
-            .unwrap_or_else(generic),
+        let options = SequenceOptions::default();
+        let built = build_sequence_with_progress(&self.mesh, &options, &mut progress::reporter(sink))?;
+        Ok(BuiltArrays::new(built.refinable))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn names_of_attributes_have_their_meanings() {
-        let expected = [
-            ("NORMAL", Semantic::Normal),
-            ("TEXCOORD_1", Semantic::TexCoord(1)),
-            ("WEIGHTS_0", Semantic::Weights(0)),
-            ("12/POSITION", Semantic::MorphPosition(12)),
-            ("_FEATURE", Semantic::Generic("_FEATURE".to_owned())),
-            ("TEXCOORD_x", Semantic::Generic("TEXCOORD_x".to_owned())),
-        ];
-        for (name, semantic) in expected {
-            assert_eq!(semantic_of(name), semantic);
-        }
-    }
 
     #[test]
     fn arrays_that_do_not_fit_are_rejected() {

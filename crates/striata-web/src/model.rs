@@ -2,14 +2,16 @@
 
 use std::fmt;
 
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 use striata_io::Format;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 use crate::built_model::BuiltModel;
 use crate::leveled::Leveled;
-#[cfg(feature = "build")]
+#[cfg(feature = "stream")]
+use crate::prefix_model::PrefixModel;
+#[cfg(feature = "files")]
 use crate::progress::{self, Sink};
 use crate::shown_level::{LevelRequest, ShownLevel};
 #[cfg(feature = "stream")]
@@ -17,7 +19,7 @@ use crate::streamed_model::StreamedModel;
 use crate::vertices::Vertices;
 use crate::view::View;
 use crate::{Failure, coloring};
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 use crate::{limits, stored_model};
 
 /// Kind of input.
@@ -25,9 +27,8 @@ use crate::{limits, stored_model};
 pub(crate) enum Kind {
     #[cfg(feature = "stream")]
     Stream,
-    #[cfg(feature = "build")]
+    #[cfg(feature = "files")]
     Striata,
-    #[cfg(feature = "build")]
     Mesh,
 }
 
@@ -36,9 +37,8 @@ impl Kind {
         match self {
             #[cfg(feature = "stream")]
             Self::Stream => "stream",
-            #[cfg(feature = "build")]
+            #[cfg(feature = "files")]
             Self::Striata => "striata",
-            #[cfg(feature = "build")]
             Self::Mesh => "mesh",
         }
     }
@@ -67,7 +67,7 @@ impl Model {
     }
 }
 
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 #[wasm_bindgen]
 impl Model {
     /// Reads a whole uncompressed file and builds its model. Plain meshes are simplified, which takes a
@@ -282,9 +282,16 @@ impl Model {
     pub(crate) fn of_stream(streamed: StreamedModel) -> Self {
         Self { levels: Box::new(streamed), kind: Kind::Stream, shown: ShownLevel::default() }
     }
+
+    /// A model of a mesh that was simplified by another module. Shows the full mesh.
+    pub(crate) fn of_prefixes(prefixes: PrefixModel) -> Self {
+        let mut model = Self { levels: Box::new(prefixes), kind: Kind::Mesh, shown: ShownLevel::default() };
+        model.show_detail(1.0);
+        model
+    }
 }
 
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 impl Model {
     /// Reads a whole file like [`from_file`](Self::from_file), with a Rust callback.
     ///
@@ -302,22 +309,15 @@ impl Model {
         model.show_detail(1.0);
         Ok(model)
     }
-
-    /// A model that was built from a mesh.
-    pub(crate) fn of_built(built: BuiltModel) -> Self {
-        let mut model = Self { levels: boxed(built), kind: Kind::Mesh, shown: ShownLevel::default() };
-        model.show_detail(1.0);
-        model
-    }
 }
 
-#[cfg(feature = "build")]
+#[cfg(feature = "files")]
 fn boxed(levels: impl Leveled + 'static) -> Box<dyn Leveled> {
     Box::new(levels)
 }
 
 /// Reads a `.striata` file: its stream if there is one, else its models.
-#[cfg(all(feature = "build", feature = "stream"))]
+#[cfg(all(feature = "files", feature = "stream"))]
 fn striata_file(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
     let file = striata_stream::open_truncated(bytes)?;
     limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
@@ -328,7 +328,7 @@ fn striata_file(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
 }
 
 /// Reads a `.striata` file without a stream; those with one are read by the module that decodes streams.
-#[cfg(all(feature = "build", not(feature = "stream")))]
+#[cfg(all(feature = "files", not(feature = "stream")))]
 fn striata_file(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
     let file = striata::file::StriataFile::parse(bytes)?;
     limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
@@ -336,7 +336,7 @@ fn striata_file(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
 }
 
 /// Decodes a complete stream.
-#[cfg(all(feature = "build", feature = "stream"))]
+#[cfg(all(feature = "files", feature = "stream"))]
 fn whole_stream(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
     let mut streaming = StreamedModel::default();
     streaming.push(bytes)?;

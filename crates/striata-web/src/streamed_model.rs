@@ -264,7 +264,11 @@ fn split_count_for(decoder: &StreamDecoder, request: LevelRequest, available: us
 }
 
 /// Sorts triangles with their indices by group and counts each group's.
-fn by_group(numbered: &[(u32, [u32; 3])], groups: &[u32], group_count: usize) -> (Vec<[u32; 3]>, Vec<u32>) {
+pub(crate) fn by_group(
+    numbered: &[(u32, [u32; 3])],
+    groups: &[u32],
+    group_count: usize,
+) -> (Vec<[u32; 3]>, Vec<u32>) {
     if groups.is_empty() || group_count < 2 {
         return (numbered.iter().map(|&(_, corners)| corners).collect(), vec![numbered.len() as u32]);
     }

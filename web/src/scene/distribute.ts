@@ -48,7 +48,8 @@ function sumOf(participants: Participant[], splits: number[], count: Count): num
 
 /** Levels of the least common error whose counts add up to at most `limit`, then refined as far as the limit allows. */
 function largestWithin(participants: Participant[], splitsAt: (error: number) => number[], limit: number, count: Count): number[] {
-  const full = splitsAt(0);
+  // The last steps may have no error at all.
+  const full = participants.map(({ model }) => model.step_count);
   if (sumOf(participants, full, count) <= limit) return full;
   let high = participants.reduce((most, { model, scale }) => Math.max(most, model.error_at(0) * scale), 0);
   let low = 0;

@@ -32,10 +32,21 @@ export type SceneOrder =
   | { type: 'bytes'; bytes: Uint8Array; mesh?: number }
   /** The end of the bytes; with an error if some are missing. */
   | { type: 'end'; error?: PlainError }
-  /** A file whose meshes are built here. */
+  /** Meshes whose levels are built by the second wasm module. */
+  | { type: 'build'; meshes: MeshArrays[]; builder: WebAssembly.Module }
   | { type: 'target'; target: SceneTarget; coloring: Coloring; ticket: number }
   /** A request for the indices of a level that is not shown. */
   | { type: 'indices'; mesh: number; request: LevelRequest; id: number };
+
+/** A mesh without levels. */
+export interface MeshArrays {
+  /** Attributes; one of them is `POSITION`. */
+  layers: NewLayer[];
+  /** Corners of the triangles of each group. */
+  groups: Uint32Array[];
+  /** Whether smooth normals are to be computed. */
+  isSmooth: boolean;
+}
 
 /** Values of one attribute of new vertices. Names are those of glTF; morph targets have a number in front: `0/POSITION`. */
 export interface NewLayer {
@@ -104,6 +115,10 @@ export type SceneReport =
   /** The document again, now with animations. */
   | { type: 'animations'; document: SceneDocument }
   | { type: 'indices'; id: number; lists: Uint32Array[] }
+  /** Completed share of building all meshes. */
+  | { type: 'building'; share: number }
+  /** A mesh that cannot have levels. */
+  | { type: 'unbuilt'; mesh: number; error: PlainError }
   | { type: 'failed'; error: PlainError }
   | { type: 'finished' };
 

@@ -9,8 +9,9 @@ import { Failure, Model, SceneModel, View, type SceneDocument as WasmDocument, t
 import { asPlain, asStriataError, StriataError, type PlainError } from '../error.ts';
 import type { LevelRequest } from '../protocol.ts';
 import type { Coloring, Phase } from '../types.ts';
+import { buildModel, startBuilder } from '../build.ts';
 import { distribute } from './distribute.ts';
-import type { MeshUpdate, NewLayer, SceneDocument, SceneImage, SceneOrder, SceneReport, SceneState, SceneTarget } from './protocol.ts';
+import type { MeshArrays, MeshUpdate, NewLayer, SceneDocument, SceneImage, SceneOrder, SceneReport, SceneState, SceneTarget } from './protocol.ts';
 import { yieldToEventLoop } from '../event-loop.ts';
 
 /** Bytes decoded between two checks of the clock. */
@@ -31,6 +32,8 @@ interface EngineMesh {
   sentLevel: string;
   /** Whether a view can be refined further. */
   isSettled: boolean;
+  /** Whether smooth normals are computed. */
+  isSmooth?: boolean;
 }
 
 /** Decodes one scene. Pass orders to `take`; reports are delivered to the callback. */
@@ -53,6 +56,7 @@ export class SceneEngine {
   #ticket = 0;
   #phase: Phase = 'download';
   #decodeMs = 0;
+  #buildMs = 0;
   #updateMs = 0;
   #nextUpdate = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -75,6 +79,9 @@ export class SceneEngine {
         if (this.#hasEnded) break;
         this.#end = order.error ? { error: order.error } : {};
         void this.#pump();
+        break;
+      case 'build':
+        void this.#build(order.meshes, order.builder);
         break;
       case 'target':
         this.#target = order.target;
@@ -105,6 +112,38 @@ export class SceneEngine {
 
   get #isComplete(): boolean {
     return this.#scene ? this.#scene.is_complete : this.#meshes.every((mesh) => mesh === undefined || mesh.model.is_complete);
+  }
+
+  /** Builds the levels of all meshes. Those that cannot have any are reported, unless that concerns all of them. */
+  async #build(meshes: MeshArrays[], builder: WebAssembly.Module): Promise<void> {
+    this.#phase = 'build';
+    const start = performance.now();
+    const sizes = meshes.map(({ groups }) => groups.reduce((sum, { length }) => sum + length, 0));
+    const total = sizes.reduce((sum, size) => sum + size, 0) || 1;
+    const failures: [number, PlainError][] = [];
+    let done = 0;
+    startBuilder(builder);
+    for (const [index, mesh] of meshes.entries()) {
+      if (this.#isDisposed) return;
+      try {
+        const model = buildModel(mesh, (share) => this.#report({ type: 'building', share: (done + share * sizes[index]!) / total }));
+        this.#meshes[index] = { model, sentVertexCount: 0, sentLevel: '', isSettled: true, isSmooth: mesh.isSmooth };
+      } catch (thrown) {
+        failures.push([index, asPlain(asStriataError(thrown))]);
+      }
+      done += sizes[index]!;
+      await yieldToEventLoop();
+    }
+    if (this.#isDisposed) return;
+    this.#buildMs = performance.now() - start;
+    this.#hasEnded = true;
+    this.#phase = 'done';
+    if (failures.length > 0 && failures.length === meshes.length) return this.#report({ type: 'failed', error: failures[0]![1] });
+    for (const [mesh, error] of failures) this.#report({ type: 'unbuilt', mesh, error });
+    this.#reportErrors(() => {
+      this.#postMeshes();
+      this.#report({ type: 'finished' });
+    });
   }
 
   /** Decodes the queued bytes, then finishes if no more are coming. */
@@ -277,6 +316,7 @@ export class SceneEngine {
     const numbers = withIndices ? this.#triangleNumbers(model) : undefined;
     const first = mesh.sentVertexCount;
     const layers = model.vertex_count > first ? newLayers(model, first) : [];
+    if (mesh.isSmooth && layers.length > 0) layers.push({ name: 'NORMAL', itemSize: 3, normalized: false, values: model.smooth_normals() });
     mesh.sentVertexCount = model.vertex_count;
     return {
       mesh: index,
@@ -325,7 +365,7 @@ export class SceneEngine {
       complete: this.#isComplete,
       streamBytes: this.#scene?.stream_bytes ?? 0,
       decodeMs: this.#decodeMs,
-      buildMs: 0,
+      buildMs: this.#buildMs,
       updateMs: this.#updateMs,
     };
   }

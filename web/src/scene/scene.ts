@@ -1,6 +1,6 @@
 /** A scene whose meshes can switch to any level of detail while it streams in. */
 
-import { Group, type AnimationClip, type Camera, type Material, type Mesh, type Object3D } from 'three';
+import { Box3, Group, Matrix4, Vector3, type AnimationClip, type Camera, type Material, type Mesh, type Object3D } from 'three';
 import { StriataError } from '../error.ts';
 import type { LevelRequest } from '../protocol.ts';
 import type { Coloring, Kind, Phase, StriataEvents, StriataLod, StriataSceneLike, Timings } from '../types.ts';
@@ -179,7 +179,8 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
 
   /** Largest error of the shown levels, in units of the scene. */
   get error(): number {
-    return this.#own.reduce((most, lod) => Math.max(most, lod.shownError * lod.worldScale), 0);
+    const largest = this.#own.reduce((most, lod) => Math.max(most, lod.shownError * lod.worldScale), 0);
+    return largest / (Math.max(...this.getWorldScale(new Vector3())) || 1);
   }
 
   get complete(): boolean {
@@ -198,9 +199,14 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
     return this.#handle.bytes().total ?? (this.state.streamBytes || null);
   }
 
-  /** Diagonal of the bounding box of all meshes, in units of the scene. */
+  /** Diagonal of the bounding box of all meshes in their current pose, in units of the scene. */
   get diagonal(): number {
-    return this.#own.reduce((most, lod) => Math.max(most, lod.worldScale * lod.geometry.box.min.distanceTo(lod.geometry.box.max)), 0);
+    const [box, part, toScene, matrix] = [new Box3(), new Box3(), this.matrixWorld.clone().invert(), new Matrix4()];
+    this.traverse((object) => {
+      const own = boundsOf(object as Mesh);
+      if (own && !own.isEmpty()) box.union(part.copy(own).applyMatrix4(matrix.multiplyMatrices(toScene, object.matrixWorld)));
+    });
+    return box.isEmpty() ? 0 : box.min.distanceTo(box.max);
   }
 
   get timings(): Readonly<Timings> {
@@ -367,6 +373,17 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
     for (const scene of this.scenes) scene.traverse((object) => [(object as Mesh).material ?? []].flat().forEach((material) => found.add(material)));
     return found;
   }
+}
+
+/** Bounds of a mesh in its own space; those of skinned and instanced meshes are their own instead of their geometry's. */
+function boundsOf(mesh: Mesh & { boundingBox?: Box3 | null; computeBoundingBox?: () => void }): Box3 | null {
+  if (!mesh.isMesh) return null;
+  if (mesh.boundingBox === undefined) {
+    if (!mesh.geometry.boundingBox) mesh.geometry.computeBoundingBox();
+    return mesh.geometry.boundingBox;
+  }
+  if (mesh.boundingBox === null) mesh.computeBoundingBox?.();
+  return mesh.boundingBox;
 }
 
 function isTexture(value: unknown): value is { dispose(): void } {

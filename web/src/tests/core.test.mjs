@@ -138,8 +138,8 @@ test('damaged bytes end with an error and never with a trap', async () => {
   }
 });
 
-test('files compressed with gzip and zstd are decompressed', async () => {
-  for (const [name, bytes] of [['spot.obj.zst', asset('spot.obj.zst')], ['x.stri.gz', gzipSync(stream)]]) {
+test('compressed streams are decompressed', async () => {
+  for (const [name, bytes] of [['x.stri.gz', gzipSync(stream)], ['x.stri.gz.gz', gzipSync(gzipSync(stream))]]) {
     const { reports, engine } = await reportsTo([{ type: 'file', bytes: new Uint8Array(bytes), name }]);
     assert.equal(reports.at(-1).type, 'finished', JSON.stringify(reports.at(-1)));
     const update = reports.find(({ type }) => type === 'update');

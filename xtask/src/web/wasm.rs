@@ -41,7 +41,7 @@ pub(super) struct Module {
 
 /// What every page loads, and what only pages load that read files without a stream.
 pub(super) const MODULES: [Module; 2] = [
-    Module { name: "striata", feature: "stream", profile: "web", optimization: "-O2" },
+    Module { name: "striata", feature: "stream", profile: "web", optimization: "-Os" },
     Module { name: "striata-builder", feature: "build", profile: "web-builder", optimization: "-Oz" },
 ];
 

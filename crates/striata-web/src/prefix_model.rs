@@ -1,0 +1,178 @@
+//! A whole simplified mesh whose levels are prefixes of its vertices and triangles.
+
+use striata::mesh::{AttributeLayer, Bounds};
+use striata_stream::{GrowingHierarchy, HierarchyCut, PrefixMesh};
+
+use crate::leveled::Leveled;
+use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::streamed_model::by_group;
+use crate::vertices::Vertices;
+use crate::view::View;
+use crate::{Failure, coloring, normals};
+
+/// Arrays of the mesh, and the hierarchy for views.
+#[derive(Debug, Default)]
+pub(crate) struct PrefixModel {
+    pub(crate) positions: Vec<[f32; 3]>,
+    pub(crate) layers: Vec<AttributeLayer>,
+    first_vertices: Vec<u32>,
+    targets: Vec<u32>,
+    triangles: Vec<[u32; 3]>,
+    added_counts: Vec<u8>,
+    errors: Vec<f32>,
+    groups: Vec<u32>,
+    group_count: usize,
+    hierarchy: GrowingHierarchy,
+    cut: HierarchyCut,
+}
+
+impl PrefixModel {
+    /// Checks the arrays of vertices and steps.
+    ///
+    /// # Errors
+    /// If they do not fit each other.
+    pub(crate) fn new(
+        positions: Vec<[f32; 3]>,
+        first_vertices: Vec<u32>,
+        targets: Vec<u32>,
+        added_counts: Vec<u8>,
+        errors: Vec<f32>,
+    ) -> Result<Self, Failure> {
+        let vertex_count = positions.len() as u32;
+        let rises = first_vertices.first() == Some(&0) && first_vertices.is_sorted_by(|a, b| a < b);
+        let base = first_vertices.len().checked_sub(1 + added_counts.len());
+        let base_vertices = base.and_then(|base| first_vertices.get(base)).copied().unwrap_or(u32::MAX);
+        let fits = rises
+            && first_vertices.last() == Some(&vertex_count)
+            && errors.len() == added_counts.len()
+            && u32::try_from(targets.len())
+                .is_ok_and(|count| base_vertices.checked_add(count) == Some(vertex_count))
+            && (base_vertices..).zip(&targets).all(|(vertex, &target)| target < vertex);
+        if !fits {
+            return Err(Failure::corrupt("the arrays of the simplified mesh do not fit each other"));
+        }
+        Ok(Self { positions, first_vertices, targets, added_counts, errors, ..Self::default() })
+    }
+
+    /// Adds the triangles, and builds the hierarchy.
+    ///
+    /// # Errors
+    /// If a corner is not a vertex, or the steps add another number of triangles.
+    pub(crate) fn with_triangles(
+        mut self,
+        triangles: Vec<[u32; 3]>,
+        groups: Vec<u32>,
+        group_count: usize,
+    ) -> Result<Self, Failure> {
+        let added: usize = self.added_counts.iter().map(|&count| usize::from(count)).sum();
+        let fits = groups.len() == triangles.len()
+            && added <= triangles.len()
+            && groups.iter().all(|&group| (group as usize) < group_count)
+            && triangles.as_flattened().iter().all(|&corner| (corner as usize) < self.positions.len());
+        if !fits {
+            return Err(Failure::corrupt("the triangles of the simplified mesh do not fit its vertices"));
+        }
+        (self.triangles, self.groups, self.group_count) = (triangles, groups, group_count);
+        let mut hierarchy = GrowingHierarchy::new();
+        hierarchy.grow(&self.prefix(), &[], |step| self.error_at(step));
+        self.hierarchy = hierarchy;
+        self.cut.limit_steps(self.step_count());
+        Ok(self)
+    }
+
+    fn prefix(&self) -> PrefixMesh<'_> {
+        PrefixMesh {
+            positions: &self.positions,
+            first_vertices: &self.first_vertices,
+            targets: &self.targets,
+            triangles: &self.triangles,
+            added_triangle_counts: &self.added_counts,
+        }
+    }
+
+    fn shown(&self, numbered: &[(u32, [u32; 3])], split_count: usize, coarsest: usize) -> ShownLevel {
+        let (triangles, group_counts) = by_group(numbered, &self.groups, self.group_count);
+        ShownLevel { triangles, group_counts, split_count, error: self.error_at(coarsest) }
+    }
+}
+
+impl Leveled for PrefixModel {
+    fn is_complete(&self) -> bool {
+        true
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.positions.len()
+    }
+
+    fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    fn full_counts(&self) -> (usize, usize) {
+        (self.vertex_count(), self.triangle_count())
+    }
+
+    fn step_count(&self) -> usize {
+        self.added_counts.len()
+    }
+
+    fn group_count(&self) -> usize {
+        self.group_count.max(1)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Bounds::of(&self.positions)
+    }
+
+    fn vertices(&self, first: usize) -> Vertices {
+        let first = first.min(self.vertex_count());
+        Vertices::new(&self.positions[first..], &self.layers, first)
+    }
+
+    fn smooth_normals(&self) -> Vec<[f32; 3]> {
+        normals::of_vertices(&self.positions, &self.triangles, &self.first_vertices)
+    }
+
+    fn split_count_for(&self, request: LevelRequest) -> usize {
+        match request {
+            LevelRequest::Detail(detail) => {
+                let exact = detail.clamp(0.0, 1.0) * self.step_count() as f64;
+                // The small term keeps `k / step_count` from rounding down to k - 1.
+                ((exact + 1e-9 * exact.max(1.0)) as usize).min(self.step_count())
+            }
+            LevelRequest::Triangles(limit) => self.prefix().split_count_for_triangles(limit),
+            // Errors never rise with the split count.
+            LevelRequest::Error(limit) => self.errors.partition_point(|&error| f64::from(error) > limit),
+        }
+    }
+
+    fn triangle_count_at(&self, split_count: usize) -> usize {
+        self.prefix().triangle_count_at(split_count.min(self.step_count()))
+    }
+
+    fn error_at(&self, split_count: usize) -> f32 {
+        self.errors.get(split_count).copied().unwrap_or(0.0)
+    }
+
+    fn show(&mut self, request: LevelRequest) -> ShownLevel {
+        let split_count = self.split_count_for(request);
+        let mut triangles = Vec::new();
+        self.prefix().triangles_at_into(split_count, &mut triangles);
+        self.shown(&triangles, split_count, split_count)
+    }
+
+    fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
+        let criterion = view.criterion()?;
+        let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
+        self.cut.refine(&self.hierarchy, &criterion, limit);
+        let mut triangles = Vec::new();
+        self.cut.triangles_into(&self.hierarchy, &self.prefix(), &mut triangles);
+        let coarsest = self.cut.first_coarse_step(&self.hierarchy);
+        Ok((self.shown(&triangles, self.cut.split_count(), coarsest), true))
+    }
+
+    fn color_fans(&mut self, shown: &mut ShownLevel) -> Vec<u32> {
+        coloring::by_pivots(shown)
+    }
+}

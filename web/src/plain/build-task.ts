@@ -1,0 +1,129 @@
+/** Builds levels for a file that three.js' loaders have read, and shows them in its meshes. */
+
+import type { BufferGeometry, Mesh } from 'three';
+import { connectSceneEngine, type EngineConnection } from '../connection.ts';
+import { aborted, fromPlain, type StriataError } from '../error.ts';
+import type { SceneOrder, SceneReport } from '../scene/protocol.ts';
+import { StriataScene } from '../scene/scene.ts';
+import type { SceneContext } from '../scene/scene-task.ts';
+import { builderModule } from '../wasm.ts';
+import { meshesOf, unitsOf, type Unit } from './arrays.ts';
+import { noTriangles, type ReadFile } from './read.ts';
+
+/** Builds one scene. */
+export class BuildTask {
+  readonly #context: SceneContext;
+  readonly #byteCount: number;
+  #engine: EngineConnection<SceneOrder> | undefined;
+  #scene: StriataScene | undefined;
+  /** Built meshes, by their index. */
+  readonly #built = new Set<number>();
+  #resolve!: () => void;
+  #reject!: (error: StriataError) => void;
+
+  constructor(context: SceneContext, byteCount: number) {
+    this.#context = context;
+    this.#byteCount = byteCount;
+  }
+
+  /** Resolves when all levels have been built. */
+  async run(file: ReadFile): Promise<StriataScene> {
+    const { module, loader, options, download } = this.#context;
+    const meshes = meshesOf(file.scenes);
+    const units = unitsOf(meshes, keysOf(file), !file.gltf);
+    if (units.length === 0 && !file.gltf) throw noTriangles();
+    const builder = await builderModule(loader);
+    if (download.signal.aborted) throw aborted();
+    this.#engine = connectSceneEngine(module, loader.worker ?? true, (report) => this.#take(report, units));
+    const scene = new StriataScene(units.map(({ geometries }) => geometries.length), 'mesh', {
+      send: (order) => this.#engine?.send(order),
+      bytes: () => ({ received: this.#byteCount, total: this.#byteCount }),
+      dispose: () => this.#engine?.dispose(),
+    });
+    this.#scene = scene;
+    const built = new Promise<void>((resolve, reject) => {
+      this.#resolve = resolve;
+      this.#reject = reject;
+    });
+    const abort = () => this.#reject(aborted());
+    download.signal.addEventListener('abort', abort, { once: true });
+    this.#engine.send({ type: 'build', meshes: units.map(({ arrays }) => arrays), builder });
+    try {
+      await built;
+    } catch (thrown) {
+      this.#engine.dispose();
+      throw thrown;
+    } finally {
+      download.signal.removeEventListener('abort', abort);
+    }
+    scene.fill(file, this.#replaced(meshes, units));
+    scene.name = options.name ?? '';
+    const pixelError = loader.pixelError === undefined ? 1 : loader.pixelError;
+    if (pixelError === null) scene.detail = 1;
+    else scene.pixelError = pixelError;
+    scene.end();
+    return scene;
+  }
+
+  /** Gives meshes the geometries with levels. */
+  *#replaced(meshes: readonly Mesh[], units: readonly Unit[]): Generator<[Mesh, number]> {
+    const places = new Map<BufferGeometry, [number, number]>();
+    units.forEach(({ geometries }, unit) => geometries.forEach((geometry, group) => places.set(geometry, [unit, group])));
+    for (const mesh of meshes) {
+      const [unit, group] = places.get(mesh.geometry) ?? [-1, 0];
+      const geometry = this.#built.has(unit) ? this.#scene?.lodOf(unit)?.geometry.primitives[group] : undefined;
+      if (!geometry) continue;
+      mesh.geometry = geometry;
+      yield [mesh, unit];
+    }
+    for (const geometry of places.keys()) geometry.dispose();
+  }
+
+  #take(report: SceneReport, units: readonly Unit[]): void {
+    const scene = this.#scene!;
+    switch (report.type) {
+      case 'building':
+        this.#progress(report.share);
+        break;
+      case 'unbuilt':
+        console.warn(`striata: mesh ${report.mesh} of ${units.length} has no levels: ${report.error.message}`);
+        break;
+      case 'meshes':
+        for (const { mesh } of report.meshes) this.#built.add(mesh);
+        scene.show(report.meshes, report.state, report.ticket, report.settled);
+        break;
+      case 'indices':
+        scene.answer(report.id, report.lists);
+        break;
+      case 'failed':
+        this.#reject(fromPlain(report.error));
+        scene.end(fromPlain(report.error));
+        break;
+      case 'finished':
+        this.#resolve();
+        this.#progress(1);
+        break;
+    }
+  }
+
+  #progress(share: number): void {
+    const { complete, phase } = this.#scene!.state;
+    const [triangleCount, vertexCount] = [this.#scene!.fullTriangleCount, this.#scene!.vertexCount];
+    const progress = { bytesReceived: this.#byteCount, bytesTotal: this.#byteCount, triangleCount, vertexCount, complete, phase: complete ? phase : 'build' as const, share };
+    try {
+      this.#context.options.onProgress?.(progress);
+    } catch (thrown) {
+      // An error in the caller's callback is reported as uncaught; loading continues.
+      queueMicrotask(() => {
+        throw thrown;
+      });
+    }
+  }
+}
+
+/** What meshes must have in common to be built together: the mesh of the file. */
+function keysOf({ gltf }: ReadFile): (mesh: Mesh) => unknown {
+  if (!gltf) return (mesh) => mesh.userData['striataMesh'];
+  const associations = gltf.parser.associations as Map<unknown, { meshes?: number }>;
+  return (mesh) => associations.get(mesh)?.meshes;
+}
