@@ -53,10 +53,11 @@ impl RestPoses {
         mesh: &JsonNode<'_>,
     ) -> Result<RestPose, Fault> {
         let skin = node.get("skin").map(|at| self.skin(document, &at)).transpose()?;
-        let of_node = node.get("weights").is_some();
-        let weights = if of_node { node.values("weights")? } else { mesh.values("weights")? };
+        // Like the poses of scenes, malformed weights count as none.
+        let weights = node.get("weights").or_else(|| mesh.get("weights"));
+        let weights = weights.and_then(|at| at.value.as_array()).into_iter().flatten();
         let mut morph_weights: Vec<f32> =
-            weights.iter().map(|weight| weight.as_f64().unwrap_or(0.0) as f32).collect();
+            weights.map(|weight| weight.as_f64().unwrap_or(0.0) as f32).collect();
         if morph_weights.iter().all(|&weight| weight == 0.0) {
             morph_weights.clear();
         }
