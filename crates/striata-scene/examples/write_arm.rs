@@ -36,9 +36,10 @@ fn arm() -> IndexedMesh {
     let mut mesh = shapes::uv_cylinder(48, 64);
     let [height, radius] = ARM;
     let (mut joints, mut weights) = (Vec::new(), Vec::new());
+    // The cylinder lies along z, and the arm stands along y.
     for position in &mut mesh.positions {
-        let along = (position[1] * 0.5 + 0.5).clamp(0.0, 1.0);
-        *position = [position[0] * radius, along * height, position[2] * radius];
+        let [x, y, along] = *position;
+        *position = [x * radius, along * height, -y * radius];
         let at = along * (JOINTS - 1) as f32;
         let lower = (at as usize).min(JOINTS - 2);
         let shares = [lower as f32 + 1.0 - at, at - lower as f32];
@@ -46,6 +47,11 @@ fn arm() -> IndexedMesh {
         let joint = |which: usize| if shares[which] > 0.0 { (lower + which) as u16 } else { 0 };
         joints.extend([joint(0), joint(1), 0, 0]);
         weights.extend([shares[0], shares[1], 0.0, 0.0]);
+    }
+    for layer in mesh.layers.iter_mut().filter(|layer| layer.semantic == Semantic::Normal) {
+        if let LayerData::F32(normals) = &mut layer.data {
+            normals.as_chunks_mut::<3>().0.iter_mut().for_each(|[_, y, z]| (*y, *z) = (*z, -*y));
+        }
     }
     let layer = |semantic, data| AttributeLayer { semantic, component_count: 4, normalized: false, data };
     mesh.layers.push(layer(Semantic::Joints(0), LayerData::U16(joints)));
