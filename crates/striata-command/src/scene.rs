@@ -302,7 +302,7 @@ fn entries<'v>(document: &'v Value, key: &str) -> &'v [Value] {
     document.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
 }
 
-/// Re-encodes the images of a scene, and tells the user what became of them.
+/// Re-encodes the images of a scene, and reports which have changed.
 ///
 /// # Errors
 /// If an encoder fails.
@@ -318,7 +318,7 @@ pub fn with_textures(
     Ok(scene)
 }
 
-/// Re-encodes the images of a mesh, and tells the user what became of them.
+/// Re-encodes the images of a mesh, and reports which have changed.
 ///
 /// # Errors
 /// If an encoder fails.

@@ -1,6 +1,6 @@
 //! Levels of skinned and morphing meshes: their vertices keep all data, and their errors hold in poses.
 
-use std::collections::BTreeMap;
+mod vertices;
 
 use striata::mesh::{IndexedMesh, Semantic, TriangleTree};
 use striata::simplify::{AttributeWeights, BatchOptions, SequenceOptions};
@@ -9,6 +9,7 @@ use striata_io::{Scene, SceneInstance, Source, read_scene_bytes};
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamOptions, encode_scene};
 use striata_scene::{Deformation, GlbStreamOptions, LodScene, Pose, Poser, ScenePoses, read_glb_with_stream};
 use striata_testing::scenes::{self, TestScene};
+use vertices::vertex_data;
 
 const SHARES: [usize; 3] = [10, 25, 50];
 /// Fractions of the duration of an animation, none of which is examined when meshes are simplified.
@@ -106,18 +107,6 @@ fn shown(lod: &Lod, level: &Level) -> IndexedMesh {
 
 fn lods(lods: &LodScene) -> Vec<(usize, Lod)> {
     lods.lods().iter().enumerate().filter_map(|(index, lod)| Some((index, lod.clone()?))).collect()
-}
-
-/// Everything that is known of each position: one entry for each vertex there.
-fn vertex_data(mesh: &IndexedMesh) -> BTreeMap<[u32; 3], Vec<Vec<u32>>> {
-    let mut found: BTreeMap<_, Vec<Vec<u32>>> = BTreeMap::new();
-    for (vertex, position) in mesh.positions.iter().enumerate() {
-        let data = mesh.layers.iter().flat_map(|layer| {
-            (0..layer.component_count as usize).map(move |c| layer.get(vertex, c).to_bits())
-        });
-        found.entry(position.map(|x| (x + 0.0).to_bits())).or_default().push(data.collect());
-    }
-    found
 }
 
 #[test]

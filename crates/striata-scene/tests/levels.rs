@@ -202,24 +202,3 @@ fn long_orders_are_found_block_by_block() {
         assert_eq!(level.split_counts, oracle.0[taken].0);
     }
 }
-
-/// Run by hand: `cargo test --release -p striata-scene --test levels -- --ignored --nocapture`.
-#[test]
-#[ignore = "measures time"]
-fn merging_is_fast() {
-    for (mesh_count, step_count) in [(65, 100_000), (10_000, 100)] {
-        let steps: Vec<Step> = (0..step_count).map(|step| (2, (step * 7 % 3) as u8)).collect();
-        let weight = |mesh: usize| MeshWeight { scale: 1.0 + mesh as f64 / 7.0, instance_count: 1 };
-        let samples: Vec<_> = (0..mesh_count).map(|m| Some(sample(4, &steps, false, weight(m)))).collect();
-        let start = std::time::Instant::now();
-        let levels = merged(&samples);
-        let merging = start.elapsed();
-        let start = std::time::Instant::now();
-        let level = levels.resolve(Target::Triangles(levels.triangle_count() / 10));
-        let resolving = start.elapsed();
-        eprintln!(
-            "{mesh_count} x {step_count}: merged in {merging:?}, resolved in {resolving:?}: {}",
-            level.error
-        );
-    }
-}

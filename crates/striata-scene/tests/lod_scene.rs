@@ -1,6 +1,7 @@
 //! Levels of test scenes: groups, vertices and their data, options in units of the scene.
 
-use std::collections::BTreeMap;
+mod vertices;
+
 use std::ops::ControlFlow;
 
 use striata::mesh::{IndexedMesh, Semantic};
@@ -9,6 +10,7 @@ use striata::{LodOptions, Target};
 use striata_io::{Format, Scene, Source, read_scene_bytes, scene_to_bytes};
 use striata_scene::{LodScene, MeshWeight, SceneMismatch};
 use striata_testing::scenes::{self, TestScene};
+use vertices::vertex_data;
 
 fn read(scene: &TestScene) -> Scene {
     read_scene_bytes(&scene.to_glb(), &Source::new("test.glb")).unwrap()
@@ -16,18 +18,6 @@ fn read(scene: &TestScene) -> Scene {
 
 fn build(scene: &TestScene) -> LodScene {
     LodScene::build(&read(scene), &LodOptions::default()).unwrap()
-}
-
-/// Everything that is known of each position: one entry for each vertex there.
-fn vertex_data(mesh: &IndexedMesh) -> BTreeMap<[u32; 3], Vec<Vec<u32>>> {
-    let mut found: BTreeMap<_, Vec<Vec<u32>>> = BTreeMap::new();
-    for (vertex, position) in mesh.positions.iter().enumerate() {
-        let data = mesh.layers.iter().flat_map(|layer| {
-            (0..layer.component_count as usize).map(move |c| layer.get(vertex, c).to_bits())
-        });
-        found.entry(position.map(|x| (x + 0.0).to_bits())).or_default().push(data.collect());
-    }
-    found
 }
 
 #[test]
