@@ -50,9 +50,9 @@ export interface LoaderOptions {
   /** Whether to decode and build in a worker. Default: true. */
   worker?: boolean;
   /**
-     * URL, bytes or compiled module of striata.wasm. Default: the contents of `<script type="text/plain" id="striata-wasm">` in base64
-     * if present, else the file next to this script.
-     */
+   * URL, bytes or compiled module of striata.wasm. Default: the contents of `<script type="text/plain" id="striata-wasm">` in base64,
+   * compressed by gzip or not, if present, else the file next to this script.
+   */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
   /** Location of striata-builder.wasm, which is fetched only for files without a stream. Default: next to striata.wasm. */
   builder?: string | URL | BufferSource | WebAssembly.Module;

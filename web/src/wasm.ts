@@ -49,7 +49,7 @@ async function compile(name: ModuleName, source: WasmSource | undefined): Promis
   if (source !== undefined && typeof source !== 'string' && !(source instanceof URL)) {
     return WebAssembly.compile(source);
   }
-  const embedded = source === undefined ? embeddedBytes(name) : undefined;
+  const embedded = source === undefined ? await embeddedBytes(name) : undefined;
   if (embedded) return WebAssembly.compile(embedded);
   return WebAssembly.compile(await fetchModule(name, source ?? nextToScript(name)));
 }
@@ -82,8 +82,12 @@ async function fetchModule(name: ModuleName, url: string | URL): Promise<ArrayBu
   return response.arrayBuffer();
 }
 
-function embeddedBytes(name: ModuleName): Uint8Array<ArrayBuffer> | undefined {
+/** A module that the page embeds in base64, compressed by gzip or not. */
+async function embeddedBytes(name: ModuleName): Promise<BufferSource | undefined> {
   if (typeof document === 'undefined') return undefined;
   const text = document.getElementById(`${name}-wasm`)?.textContent?.trim();
-  return text ? Uint8Array.from(atob(text), (character) => character.charCodeAt(0)) : undefined;
+  if (!text) return undefined;
+  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }

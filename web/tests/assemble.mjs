@@ -5,6 +5,7 @@
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { viewerFolder } from './harness.mjs';
 
 /** Returns the page with script, style, wasm and model inlined. */
@@ -13,7 +14,7 @@ export function assemble(model, name) {
   const named = (start, end) => names.find((name) => new RegExp(`^${start}-[0-9a-f]+\\.${end}$`).test(name));
   const [scriptName, styleName] = [named('viewer', 'js'), named('viewer', 'css')];
   const read = (file) => readFileSync(join(viewerFolder, file), 'utf8');
-  const wasm = (start) => readFileSync(join(viewerFolder, named(start, 'wasm'))).toString('base64');
+  const wasm = (start) => gzipSync(readFileSync(join(viewerFolder, named(start, 'wasm')))).toString('base64');
   // The code must not contain the end tag of its own element.
   const script = read(scriptName).replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
   const data = (id, attributes, text) => `<script type="text/plain" id="${id}"${attributes}>${text}</script>`;

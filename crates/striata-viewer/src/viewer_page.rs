@@ -1,10 +1,15 @@
 //! The embedded web viewer: its files, and a self-contained page with a model inside.
 //!
-//! The page needs neither a server nor a network: scripts and styles are inlined, and the decoder and the
-//! model are embedded as base64, where the viewer looks for them. Cost: memory of about three times the page.
+//! The page needs neither a server nor a network: scripts and styles are inlined, and the modules (compressed)
+//! and the model are embedded as base64, where the viewer looks for them. Cost: memory of about three times
+//! the page.
+
+use std::io::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use rust_embed::RustEmbed;
 
 use striata_command::failure::Failure;
@@ -47,7 +52,7 @@ impl Files<'_> {
         let mut inlined = String::new();
         for (start, id) in MODULES {
             let name = self.name(start, ".wasm").ok_or_else(|| lacks(start))?;
-            let wasm = BASE64.encode(self.bytes(name)?);
+            let wasm = BASE64.encode(gzipped(&self.bytes(name)?)?);
             inlined += &format!("<script type=\"text/plain\" id=\"{id}\">{wasm}</script>\n");
         }
         if let Some((name, bytes)) = model {
@@ -76,6 +81,14 @@ impl Files<'_> {
         String::from_utf8(self.bytes(name)?)
             .map_err(|_| Failure::internal(format!("{name} of the embedded viewer is not valid UTF-8")))
     }
+}
+
+fn gzipped(bytes: &[u8]) -> Result<Vec<u8>, Failure> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder
+        .write_all(bytes)
+        .and_then(|()| encoder.finish())
+        .map_err(|error| Failure::internal(format!("cannot compress the embedded viewer: {error}")))
 }
 
 fn lacks(name: &str) -> Failure {
@@ -109,6 +122,8 @@ fn escape_end_tags(code: &str, element: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::io::Read as _;
+
     use super::*;
 
     const NAMES: [&str; 5] =
@@ -138,11 +153,23 @@ mod tests {
     fn scripts_styles_decoder_and_model_move_into_the_page() {
         let page = files("", &fixture).assemble(Some(("a\"b<c>.stri", b"foobar"))).expect("all parts");
         let expected = "<head><link rel=\"icon\" href=\"data:,\"><style>p { color: red }</style>\
-             <script type=\"text/plain\" id=\"striata-wasm\">AGFzbQ==</script>\n\
-             <script type=\"text/plain\" id=\"striata-builder-wasm\">AGFzbTI=</script>\n\
+             <script type=\"text/plain\" id=\"striata-wasm\">{decoder}</script>\n\
+             <script type=\"text/plain\" id=\"striata-builder-wasm\">{encoder}</script>\n\
              <script type=\"text/plain\" id=\"striata-model\" data-name=\"a&quot;b&lt;c&gt;.stri\">Zm9vYmFy</script>\n\
              <script type=\"module\">const end = '<\\/script>', note = '<\\!--';</script></head>";
-        assert_eq!(page, expected);
+        let embedded = |wasm: &[u8]| BASE64.encode(gzipped(wasm).expect("compresses"));
+        let expected = expected.replace("{decoder}", &embedded(b"\0asm"));
+        assert_eq!(page, expected.replace("{encoder}", &embedded(b"\0asm2")));
+    }
+
+    #[test]
+    fn embedded_modules_are_compressed_without_loss() {
+        let bytes: Vec<u8> = (0..100_000u32).map(|i| (i / 100) as u8).collect();
+        let compressed = gzipped(&bytes).expect("compresses");
+        assert!(compressed.len() < bytes.len() / 10);
+        let mut read = Vec::new();
+        flate2::read::GzDecoder::new(compressed.as_slice()).read_to_end(&mut read).expect("gzip");
+        assert_eq!(read, bytes);
     }
 
     #[test]

@@ -73,7 +73,7 @@ pub(super) fn build(module: Module) -> Result<BuiltFiles> {
     bindgen.omit_default_module_path(true).remove_producers_section(true);
     let mut output = bindgen.generate_output().context("wasm-bindgen failed")?;
     let wasm = optimized(&output.wasm_mut().emit_wasm(), optimization)?;
-    let (script, types) = (output.js().to_owned(), output.ts().unwrap_or_default().to_owned());
+    let (script, types) = (output.js().to_owned(), without_raw_exports(output.ts().unwrap_or_default()));
     Ok(BuiltFiles { name, wasm, script, types })
 }
 
@@ -93,6 +93,17 @@ pub(super) fn write(built: &BuiltFiles, dist: &Path, scripts: &Path) -> Result<(
         std::fs::write(&path, bytes).with_context(|| path.display().to_string())?;
     }
     Ok(())
+}
+
+/// Types of a script without those of the wasm's own functions, which nobody calls, and which are as long as
+/// the rest.
+fn without_raw_exports(types: &str) -> String {
+    const START: &str = "export interface InitOutput {\n";
+    let Some((before, rest)) = types.split_once(START) else { return types.to_owned() };
+    let Some((exports, after)) = rest.split_once("}\n") else { return types.to_owned() };
+    let memory: String =
+        exports.lines().filter(|line| line.contains("memory:")).map(|line| format!("{line}\n")).collect();
+    format!("{before}{START}{memory}}}\n{after}")
 }
 
 /// Returns compiler flags that enable the features and remove paths of this machine.
