@@ -32,6 +32,29 @@ function serveFolders(folders) {
 
 /** Returns three.js' pictures of a model as PNG files, one for each shot. */
 export async function referencePictures(context, model, shots) {
+  return withPage(context, model, async (page, url) => {
+    const pictures = [];
+    for (const shot of shots) {
+      const whole = { up: [0, 1, 0], background: 0, animation: 0, time: null, ...shot, url };
+      const address = await page.evaluate((what) => window.draw(what), whole);
+      pictures.push(Buffer.from(address.split(',')[1], 'base64'));
+    }
+    return pictures;
+  });
+}
+
+/** Shots of a whole model from several directions. */
+export async function framedShots(context, model, directions, size = 512, fov = 30) {
+  const { middle, radius } = await withPage(context, model, (page, url) => page.evaluate((from) => window.extent(from), url));
+  const distance = radius / Math.sin((fov / 2) * (Math.PI / 180));
+  return directions.map((direction) => {
+    const scale = distance / Math.hypot(...direction);
+    return { eye: middle.map((x, k) => x + scale * direction[k]), lookAt: middle, fov, width: size, height: size };
+  });
+}
+
+/** Calls `use` with the page that draws, and the address of a model. */
+async function withPage(context, model, use) {
   const folders = { three: join(here, '../node_modules/three'), page: join(here, 'reference'), model: dirname(resolve(model)) };
   const server = await serveFolders(folders);
   const page = await context.newPage();
@@ -39,13 +62,7 @@ export async function referencePictures(context, model, shots) {
     const origin = `http://127.0.0.1:${server.address().port}`;
     await page.goto(`${origin}/page/page.html`);
     await page.waitForFunction(() => window.isReady === true);
-    const pictures = [];
-    for (const shot of shots) {
-      const whole = { up: [0, 1, 0], background: 0, animation: 0, time: null, ...shot, url: `${origin}/model/${encodeURIComponent(basename(model))}` };
-      const address = await page.evaluate((what) => window.draw(what), whole);
-      pictures.push(Buffer.from(address.split(',')[1], 'base64'));
-    }
-    return pictures;
+    return await use(page, `${origin}/model/${encodeURIComponent(basename(model))}`);
   } finally {
     await page.close();
     server.close();
