@@ -56,6 +56,16 @@ export default function files(world) {
     assert.equal((await state(page)).kind, 'striata');
   });
 
+  pageTest(world, 'a file of a scene, which has no stream, is encoded in the browser', {}, async (page) => {
+    await page.goto(world.url);
+    await page.locator('#cards a').first().waitFor();
+    await drop(page, 'arm.striata', readFileSync(join(world.folder, 'arm.striata')));
+    await untilWhole(page);
+    await page.waitForFunction(() => window.striataViewer.playback.isAvailable);
+    assert.equal(await page.locator('#title').innerText(), 'arm.striata');
+    assert.ok((await drawnPixels(page)) > 10_000, 'the model is visible');
+  });
+
   pageTest(world, 'a self-contained page works without a server', {}, async (page) => {
     const out = join(world.folder, 'viewer.html');
     writeFileSync(out, assemble(readFileSync(join(world.folder, 'icosphere.stri')), 'icosphere.stri'));

@@ -43,6 +43,7 @@ export function makeModels(folder) {
   run('build', '-q', join(workspace, 'assets/spot.obj.zst'), '-o', at('spot.striata'));
   const arm = join(workspace, 'assets/arm.glb');
   run('encode', '-q', arm, '-o', at('arm.stri'));
+  run('build', '-q', arm, '-o', at('arm.striata'));
   // Without compression, as most exporters write it.
   run('convert', '-q', arm, at('plain-arm.glb'));
   run('convert', '-q', 'shape:torus', at('torus.obj'));

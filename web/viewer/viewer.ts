@@ -11,6 +11,7 @@ import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoad
 import { Bounds, boundsOf } from './bounds.ts';
 import { Comparison } from './comparison.ts';
 import { DetailControls } from './detail-controls.ts';
+import { encodeModel } from './encoder.ts';
 import { describeProgress, Stats } from './stats.ts';
 import { Framing } from './framing.ts';
 import { FrozenView } from './frozen-view.ts';
@@ -28,6 +29,8 @@ import { wasmUrls } from './wasm-urls.ts';
 
 /** Poses of an animation that are measured to frame the model. */
 const MEASURED_POSES = 8;
+
+const NO_PROGRESS: Progress = { bytesReceived: 0, bytesTotal: null, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download' };
 
 /** Appearance of the model. */
 export interface Look {
@@ -85,14 +88,10 @@ export class Viewer {
     this.#abort = abort;
     this.#isOpening = true;
     dismissAll();
-    this.#stats.progress({ bytesReceived: 0, bytesTotal: null, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download' });
+    this.#stats.progress(NO_PROGRESS);
     announce(`Opening ${source.name}`);
     try {
-      const model = await this.#loader.open(source.data, {
-        name: source.name,
-        signal: abort.signal,
-        onProgress: (progress) => this.#onProgress(abort, progress, source),
-      });
+      const model = await this.#load(source, abort);
       if (abort.signal.aborted) return model.dispose();
       this.#show(model, source, keepsCamera);
     } catch (error) {
@@ -105,6 +104,22 @@ export class Viewer {
       if (this.model) this.#update(this.model);
       else this.onEmpty();
     }
+  }
+
+  /** Loads a model. A `.striata` file without a stream, as scenes have, is encoded as one first. */
+  async #load(source: ModelSource, abort: AbortController): Promise<StriataScene> {
+    const load = (data: ModelSource['data'] | Blob): Promise<StriataScene> => this.#loader.open(data, {
+      name: source.name,
+      signal: abort.signal,
+      onProgress: (progress) => this.#onProgress(abort, progress, source),
+    });
+    try {
+      return await load(source.data);
+    } catch (error) {
+      if (!(error instanceof StriataError && error.code === 'unsupported' && /\.striata(\.|$)/i.test(source.name))) throw error;
+    }
+    const stream = await encodeModel(source, 'stri', abort.signal, (_, share) => this.#onProgress(abort, { ...NO_PROGRESS, phase: 'build', share }, source));
+    return load(stream);
   }
 
   /** Applies the chosen appearance to the model. */
