@@ -74,7 +74,7 @@ fn files_and_streams_look_like_their_scene() {
 fn other_colorings_show_the_posed_triangles() {
     let bench = bench();
     let (lit, _) = picture(&bench, "arm.glb --time 0.5 --background none");
-    for flags in ["--colors triangles", "--colors strips", "--wireframe", "--heat --triangles 2%", "--flat"] {
+    for flags in ["--colors triangles", "--colors strips", "--wireframe", "--heat --triangles 2%"] {
         let (other, _) = picture(&bench, &format!("arm.glb --time 0.5 --background none {flags}"));
         // Materials hide the backs of triangles; these pictures show them.
         let pairs = lit.pixels.iter().zip(&other.pixels);
@@ -84,6 +84,14 @@ fn other_colorings_show_the_posed_triangles() {
     }
     let (triangles, _) = picture(&bench, "arm.glb --time 0.5 --background none --colors triangles");
     assert!(color_count(&triangles) > color_count(&lit), "{} colors", color_count(&triangles));
+}
+
+#[test]
+fn coarse_levels_show_their_facets_if_they_are_flat() {
+    let bench = bench();
+    let [smooth, flat] =
+        ["", "--flat"].map(|flag| picture(&bench, &format!("arm.glb --triangles 2% {flag}")).0);
+    assert!(smooth.differing(&flat) > 60, "{} pixels differ", smooth.differing(&flat));
 }
 
 #[test]
