@@ -88,9 +88,10 @@ fn other_colorings_show_the_posed_triangles() {
 
 #[test]
 fn coarse_levels_show_their_facets_if_they_are_flat() {
-    let bench = bench();
-    let [smooth, flat] =
-        ["", "--flat"].map(|flag| picture(&bench, &format!("arm.glb --triangles 2% {flag}")).0);
+    let bench = Workbench::new();
+    bench.write("amphora.glb", include_bytes!("../../assets/amphora.glb"));
+    let drawn = |flag: &str| picture(&bench, &format!("amphora.glb --triangles 3% {flag}")).0;
+    let [smooth, flat] = ["", "--flat"].map(drawn);
     assert!(smooth.differing(&flat) > 60, "{} pixels differ", smooth.differing(&flat));
 }
 
