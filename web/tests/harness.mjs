@@ -40,7 +40,7 @@ export function makeModels(folder) {
   run('encode', '-q', bust, '-o', at('nefertiti.stri'), '--bits', '18');
   run('encode', '-q', 'shape:icosphere', '-o', at('icosphere.stri'));
   run('encode', '-q', 'shape:terrain', '-o', at('sub', 'terrain.stri'));
-  run('build', '-q', join(workspace, 'assets/spot.obj.zst'), '-o', at('spot.striata'));
+  run('build', '-q', join(workspace, 'assets/spot.obj.zst'), '--stream', '-o', at('spot.striata'));
   const arm = join(workspace, 'assets/arm.glb');
   run('encode', '-q', arm, '-o', at('arm.stri'));
   run('build', '-q', arm, '-o', at('arm.striata'));
