@@ -1,7 +1,7 @@
 //! Locates the stream in a `.striata` file from the file's first bytes, so that a page can fetch only the
 //! stream.
 
-use striata::file::FileHead;
+use striata::file::{DecodeError, FileHead};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::Failure;
@@ -24,16 +24,21 @@ pub struct StreamPlace {
 
 #[wasm_bindgen]
 impl StreamPlace {
-    /// Locates the stream of a `.striata` file.
+    /// Locates the stream of a `.striata` file. A file of a scene has none.
     ///
     /// # Errors
     /// If the bytes do not begin a `.striata` file, or its header is damaged.
     pub fn find(head: &[u8]) -> Result<Self, Failure> {
-        let Some(read) = FileHead::read(head)? else {
+        let whole = head.len() as f64;
+        let read = match FileHead::read(head) {
+            Err(DecodeError::Scene) => return Ok(Self { needed: whole, offset: 0.0, length: 0.0 }),
+            read => read?,
+        };
+        let Some(read) = read else {
             let needed = FIRST_BYTES.max(2 * head.len()) as f64;
             return Ok(Self { needed, offset: 0.0, length: 0.0 });
         };
         let (offset, length) = read.stream().map_or((0, 0), |section| (section.offset, section.bytes));
-        Ok(Self { needed: head.len() as f64, offset: offset as f64, length: length as f64 })
+        Ok(Self { needed: whole, offset: offset as f64, length: length as f64 })
     }
 }
