@@ -22,6 +22,16 @@ export function picture(page) {
   });
 }
 
+/** The picture when it no longer changes: textures are decoded after the model has loaded. */
+async function steadyPicture(page) {
+  for (let last = await picture(page); ;) {
+    await page.waitForTimeout(500);
+    const next = await picture(page);
+    if (differing(last, next) === 0) return next;
+    last = next;
+  }
+}
+
 /** Number of pixels that differ between two pictures of the same size, in the columns from `from` to `to` (fractions of the width). */
 function differing(one, other, from = 0, to = 1) {
   const [first, last] = [Math.round(from * one.width), Math.round(to * one.width)];
@@ -163,7 +173,7 @@ export default function sceneViewer(world) {
     for (const model of ['arm.stri', 'nefertiti.stri']) {
       await openModel(world, page, model);
       const { fullTriangleCount: full } = await state(page);
-      const plain = await picture(page);
+      const plain = await steadyPicture(page);
       const toggle = page.locator('#compare');
       assert.equal(await page.locator('#divider').isVisible(), false);
       await toggle.check();
