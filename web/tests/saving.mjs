@@ -70,7 +70,8 @@ export default function saving(world) {
   });
 
   pageTest(world, 'saving can be canceled', {}, async (page) => {
-    await openModel(world, page, 'spot.striata');
+    // Large enough that it is not saved before it is canceled.
+    await openModel(world, page, 'nefertiti.stri');
     await page.evaluate(() => document.getElementById('save-glb').click());
     await page.locator('#cancel-saving').click();
     await page.locator('#saving').waitFor({ state: 'hidden' });
