@@ -182,7 +182,7 @@ export default function sceneViewer(world) {
       const second = await page.evaluate(() => window.striataViewer.comparison.triangleCount);
       assert.ok(second < full / 4 && second > 0, `${second} of ${full} triangles`);
       const both = await picture(page);
-      assert.equal(differing(plain, both, 0, 0.49), 0, 'the left part is as before');
+      assert.equal(differing(plain, both, 0, 0.49), 0, `${model}: the left part is as before`);
       assert.ok(differing(plain, both, 0.5, 1) > 500, 'the right part shows another level');
       assert.match((await page.locator('#right-side').innerText()).replaceAll(',', ''), new RegExp(`^${second} triangles`));
       await shot(page, `compared-${model}`);
