@@ -32,6 +32,8 @@ interface EngineMesh {
   sentLevel: string;
   /** Whether a view can be refined further. */
   isSettled: boolean;
+  /** Whether fewer steps than wanted had arrived when the level was sent. */
+  isShort?: boolean;
   /** Whether smooth normals are computed. */
   isSmooth?: boolean;
 }
@@ -292,22 +294,23 @@ export class SceneEngine {
     ready.forEach((mesh, index) => {
       if (!mesh) return;
       const isNew = mesh.model.vertex_count !== mesh.sentVertexCount;
-      const hasChanged = this.#show(mesh, requests.get(index), splits.get(index) ?? 0);
+      const hasChanged = this.#show(mesh, requests.get(index), splits.get(index) ?? 0, isNew);
       if (isNew || hasChanged) updates.push(this.#updateOf(index, mesh, hasChanged));
     });
     return updates;
   }
 
-  /** Shows a level; returns whether it differs from the one that was sent last. */
-  #show(mesh: EngineMesh, request: LevelRequest | undefined, splitCount: number): boolean {
+  /** Shows a level; returns whether it differs from the one that was sent last. `isNew` if vertices have arrived since. */
+  #show(mesh: EngineMesh, request: LevelRequest | undefined, splitCount: number, isNew: boolean): boolean {
     const { model } = mesh;
     const what = request ? JSON.stringify(request) : `split ${splitCount}`;
     const level = `${this.#coloring} ${what} ${request ? model.vertex_count : ''}`;
-    if (level === mesh.sentLevel && mesh.isSettled) return false;
+    if (level === mesh.sentLevel && mesh.isSettled && !(isNew && mesh.isShort)) return false;
     mesh.sentLevel = level;
     mesh.isSettled = true;
     if (request) mesh.isSettled = showRequest(model, request);
     else model.show_detail(model.step_count > 0 ? splitCount / model.step_count : 1);
+    mesh.isShort = !request && model.shown_split_count < splitCount;
     return true;
   }
 

@@ -62,6 +62,31 @@ test('a scene arrives with its document, images and the coarse level of every me
   engine.dispose();
 });
 
+test('the full level is shown as it arrives', async () => {
+  const levels = new Map();
+  let end;
+  const ended = new Promise((resolve) => (end = resolve));
+  const engine = new SceneEngine((report) => {
+    if (report.type === 'document') {
+      queueMicrotask(() => engine.take({ type: 'target', target: target({ detail: 1 }), coloring: 'surface', ticket: 1 }));
+    }
+    for (const { mesh, splitCount, stepCount, indices } of report.meshes ?? []) {
+      if (indices) levels.set(mesh, [splitCount, stepCount]);
+    }
+    if (report.type === 'finished' || report.type === 'failed') end(report.type);
+  }, 5);
+  for (const bytes of pieces(stream, 1500)) {
+    engine.take({ type: 'bytes', bytes });
+    // Longer than the engine waits between two updates.
+    await new Promise((resolve) => setTimeout(resolve, 80));
+  }
+  engine.take({ type: 'end' });
+  assert.equal(await ended, 'finished');
+  for (const [mesh, [splitCount, stepCount]] of levels) assert.equal(splitCount, stepCount, `mesh ${mesh}`);
+  assert.equal(levels.size, 2);
+  engine.dispose();
+});
+
 test('targets of a scene are distributed by one priority', async () => {
   const { reports, engine } = await reportsTo([stream]);
   const full = await shown(engine, reports, { tolerance: 0 }, 1);
