@@ -38,10 +38,10 @@ pub(crate) fn distance(
 #[pyfunction]
 pub(crate) fn vertex_distances<'py>(
     py: Python<'py>,
-    from: &MeshData,
+    from_: &MeshData,
     to: &MeshData,
 ) -> Outcome<Bound<'py, PyArray1<f64>>> {
-    let (from, to) = (Arc::clone(&from.mesh), Arc::clone(&to.mesh));
+    let (from, to) = (Arc::clone(&from_.mesh), Arc::clone(&to.mesh));
     let size = from.vertex_count() + to.triangle_count();
     let distances = job::run(py, size, None, move |_| measured(&from, &to))?;
     Ok(distances.into_pyarray(py))

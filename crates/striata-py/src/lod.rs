@@ -16,10 +16,10 @@ use striata::{Lod, Target};
 use crate::arrays::{rows_to_array, signed, signed_rows};
 use crate::errors::{Outcome, simplify_error, value_error};
 use crate::job;
-use crate::mesh::MeshData;
-use crate::one_level::{LevelRequest, simplify_one_level};
+use crate::mesh::{MeshData, is_internal, without_internal_layers};
+use crate::one_level::{LevelRequest, check_locked, simplify_one_level};
 use crate::options::{SimplifyArguments, reason, target};
-use crate::sources::{Sources, level_triangles, representatives, take_position_of_source};
+use crate::sources::{Sources, level_triangles, representatives};
 use crate::view::ViewData;
 
 /// Every level of a mesh, and where its vertices come from.
@@ -96,8 +96,9 @@ pub(crate) fn build(
 ) -> Outcome<LodData> {
     let (mesh, options) = (Arc::clone(&mesh.mesh), options.sequence()?);
     job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
-        let mut welded = weld(&mesh).map_err(value_error)?;
-        let position_of_source = take_position_of_source(&mut welded);
+        options.check().and_then(|()| check_locked(&options, &mesh)).map_err(simplify_error)?;
+        let welded = weld(&mesh).map_err(value_error)?;
+        let position_of_source = welded.position_of_source.clone();
         let built =
             build_welded_sequence_with_progress(welded, &options, progress).map_err(simplify_error)?;
         let sequence = &built.refinable.sequence;
@@ -139,7 +140,7 @@ impl LodData {
     }
 
     fn mesh(&self) -> MeshData {
-        MeshData::from(self.lod.mesh().clone())
+        MeshData::from(without_internal_layers(self.lod.mesh()))
     }
 
     /// Split count of the level that a target selects, and how well it is met.
@@ -185,7 +186,8 @@ impl LodData {
 
     /// Level as a mesh of its own, with all layers, groups and materials.
     fn level_mesh(&self, py: Python<'_>, split_count: usize) -> MeshData {
-        MeshData::from(py.detach(|| self.lod.level(Target::SplitCount(split_count)).to_mesh()))
+        let level = py.detach(|| self.lod.level(Target::SplitCount(split_count)).to_mesh());
+        MeshData::from(without_internal_layers(&level))
     }
 
     /// For each vertex, the vertex that represents it at a level.
@@ -219,7 +221,7 @@ impl LodData {
         let lod = self.lod.clone();
         let size = lod.mesh().triangle_count();
         let bytes = job::run(py, size, None, move |_| {
-            moved(lod, offset).to_striata(&WriteOptions::default()).map_err(value_error)
+            stored(lod, offset).to_striata(&WriteOptions::default()).map_err(value_error)
         })?;
         Ok(PyBytes::new(py, &bytes))
     }
@@ -255,12 +257,12 @@ impl LodData {
     }
 }
 
-/// Levels whose points are moved by an offset.
-pub(crate) fn moved(lod: Lod, offset: [f64; 3]) -> Lod {
-    if offset == [0.0; 3] {
+/// Levels as a file stores them: points moved by an offset, without layers that exist only for simplification.
+fn stored(lod: Lod, offset: [f64; 3]) -> Lod {
+    if offset == [0.0; 3] && !lod.mesh().layers.iter().any(is_internal) {
         return lod;
     }
-    let mut mesh = lod.mesh().clone();
+    let mut mesh = without_internal_layers(lod.mesh());
     for position in &mut mesh.positions {
         for (x, offset) in position.iter_mut().zip(offset) {
             *x = (f64::from(*x) + offset) as f32;

@@ -96,6 +96,14 @@ impl MeshData {
         images.map(tuple).collect()
     }
 
+    /// The mesh without layers that exist only for simplification.
+    fn stored(&self) -> Self {
+        match self.mesh.layers.iter().any(is_internal) {
+            true => Self::from(without_internal_layers(&self.mesh)),
+            false => self.clone(),
+        }
+    }
+
     /// A copy whose points are moved by an offset.
     fn moved(&self, offset: [f64; 3]) -> Self {
         let mut mesh = IndexedMesh::clone(&self.mesh);
@@ -112,6 +120,27 @@ impl From<IndexedMesh> for MeshData {
     fn from(mesh: IndexedMesh) -> Self {
         Self { mesh: Arc::new(mesh) }
     }
+}
+
+/// Color sets from this number on only count in the cost; the Python half makes them.
+const FIRST_COST_SET: u8 = 200;
+/// Prefix of layers that only tell vertices apart; the Python half makes them.
+const ID_PREFIX: &str = "striata:id:";
+
+/// Whether a layer exists only for simplification, so that files must not store it.
+pub(crate) fn is_internal(layer: &AttributeLayer) -> bool {
+    match &layer.semantic {
+        Semantic::Color(set) => *set >= FIRST_COST_SET,
+        Semantic::Generic(name) => name.starts_with(ID_PREFIX),
+        _ => false,
+    }
+}
+
+/// A copy of a mesh without layers that exist only for simplification.
+pub(crate) fn without_internal_layers(mesh: &IndexedMesh) -> IndexedMesh {
+    let mut mesh = mesh.clone();
+    mesh.layers.retain(|layer| !is_internal(layer));
+    mesh
 }
 
 fn layer_of((kind, set, name, normalized, values): LayerArguments<'_>) -> Outcome<AttributeLayer> {

@@ -11,7 +11,7 @@ use striata::simplify::{
     certify_collapses_with_progress,
 };
 
-use crate::sources::{Sources, UNUSED, level_triangles, representatives, take_position_of_source};
+use crate::sources::{Sources, UNUSED, level_triangles, representatives};
 
 /// What a level must satisfy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,8 +50,9 @@ pub fn simplify_one_level(
     progress: &mut ProgressFn<'_>,
 ) -> Result<OneLevel, SimplifyError> {
     options.check()?;
-    let mut welded = weld(mesh)?;
-    let position_of_source = take_position_of_source(&mut welded);
+    check_locked(options, mesh)?;
+    let welded = weld(mesh)?;
+    let position_of_source = welded.position_of_source.clone();
     let options = options_up_to(request, options);
     let built = build_welded_sequence_with_progress(welded, &options, progress)?;
     let sources =
@@ -62,6 +63,22 @@ pub fn simplify_one_level(
     };
     let (split_count, stop_reason) = resolve(&refinable, request, built.stop_reason);
     Ok(OneLevel { stop_reason, ..level_of(&refinable, &sources, split_count) })
+}
+
+/// Checks that all locked vertices are vertices of the mesh.
+///
+/// # Errors
+/// [`SimplifyError::Option`] with the first one that is not.
+pub fn check_locked(options: &SequenceOptions, mesh: &IndexedMesh) -> Result<(), SimplifyError> {
+    let count = mesh.vertex_count();
+    match options.locked_vertices.iter().find(|&&v| v as usize >= count) {
+        None => Ok(()),
+        Some(vertex) => Err(SimplifyError::Option {
+            option: "locked_vertices",
+            value: format!("vertex {vertex} of {count}"),
+            expected: "a vertex of the mesh",
+        }),
+    }
 }
 
 /// Options that do not simplify farther than the request needs.
@@ -159,6 +176,18 @@ mod tests {
             let ours = IndexedMesh::new(positions, ours.triangles);
             assert_eq!(corners(&ours), corners(&theirs.mesh), "{target:?}");
         }
+    }
+
+    #[test]
+    fn locked_vertices_stay() {
+        let mesh = shapes::terrain(24, 7);
+        let options = SequenceOptions::default().with_locked_vertices(vec![3, 300]);
+        let level =
+            simplify_one_level(&mesh, request(Target::Triangles(20)), &options, &mut ignore_progress).unwrap();
+        assert!([3, 300].iter().all(|v| level.kept.contains(v)));
+        let options = SequenceOptions::default().with_locked_vertices(vec![99_999]);
+        let level = simplify_one_level(&mesh, request(Target::Triangles(20)), &options, &mut ignore_progress);
+        assert!(level.is_err());
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! each input vertex knows its representative. Simplification merges equal vertices, drops unused ones and
 //! sorts the rest in refinement order; [`Sources`] keeps track of all three. Time and memory O(vertices).
 
-use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Welded};
+use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData};
 
 /// Marks an input vertex that no level contains, because no triangle uses it.
 pub const UNUSED: u32 = u32::MAX;
@@ -21,8 +21,8 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Derives the correspondence of a mesh, its welded form (only `position_of_source` is needed) and the
-    /// sequence built from that form.
+    /// Derives the correspondence from a mesh, `position_of_source` of its welded form, and the sequence built
+    /// from that form.
     pub fn new(
         input: &IndexedMesh,
         position_of_source: &[u32],
@@ -82,11 +82,6 @@ fn kept_triangles(input: &IndexedMesh, position_of_source: &[u32]) -> Vec<u32> {
     (0..input.triangles.len() as u32).filter(is_kept).collect()
 }
 
-/// Takes from a welded mesh what [`Sources::new`] needs, before the mesh is consumed.
-pub fn take_position_of_source(welded: &mut Welded) -> Vec<u32> {
-    std::mem::take(&mut welded.position_of_source)
-}
-
 /// For each vertex of the full mesh, the vertex that represents it at a level.
 ///
 /// # Panics
@@ -123,8 +118,8 @@ mod tests {
     use super::*;
 
     fn check(mesh: &IndexedMesh) {
-        let mut welded = weld(mesh).expect("a consistent mesh");
-        let position_of_source = take_position_of_source(&mut welded);
+        let welded = weld(mesh).expect("a consistent mesh");
+        let position_of_source = welded.position_of_source.clone();
         let built = build_welded_sequence(welded, &SequenceOptions::default()).expect("a sequence");
         let sequence = &built.refinable.sequence;
         let sources = Sources::new(mesh, &position_of_source, sequence, built.source_vertex);

@@ -96,7 +96,7 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
     file = os.fspath(path)
     kind = _striata.format_of(file)
     if isinstance(model, Level):
-        model = Mesh._of(model.lod._data.level_mesh(model.split_count))
+        model = Mesh._of(model.lod._placed(model.split_count))
     elif isinstance(model, SceneLevel):
         model = model.to_scene()
     if kind in ("striata", "stri"):
@@ -109,7 +109,7 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
     elif isinstance(model, Scene):
         _striata.write_scene(file, model._data)
     else:
-        data = model._data.mesh() if isinstance(model, Lod) else mesh_data_of(model)
+        data = model._placed() if isinstance(model, Lod) else mesh_data_of(model)
         _striata.write_mesh(file, data, ascii)
 
 
@@ -118,7 +118,7 @@ def mesh_data_of(mesh: Any) -> _striata.MeshData:
     if isinstance(mesh, Mesh):
         return mesh._data
     found = input_of(mesh)
-    data, _ = found.mesh_data()
+    data = found.mesh_data()[0].stored()
     return data if found.points.offset == (0.0, 0.0, 0.0) else data.moved(found.points.offset)
 
 

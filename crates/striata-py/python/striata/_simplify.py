@@ -17,7 +17,7 @@ from ._progress import Progress, reporting
 from ._targets import Request, options_of, request_of
 
 
-class Simplified(tuple[AnyArray, ...]):
+class Simplified(tuple[Any, ...]):
     """Result of `simplify` for arrays: unpacks to points and faces, and to attributes if some were passed.
 
     Attributes

@@ -71,9 +71,9 @@ def encode(
         if isinstance(mesh, Scene):
             return _striata.encode_scene(mesh._data, quality, int(preview_side), callback)
         if isinstance(mesh, Level):
-            data = mesh.lod._data.level_mesh(mesh.split_count)
+            data = mesh.lod._placed(mesh.split_count)
         elif isinstance(mesh, Lod):
-            data = mesh._data.mesh()
+            data = mesh._placed()
         else:
             data = mesh_data_of(mesh if faces is None else (mesh, faces))
         return _striata.encode_mesh(data, quality, callback)

@@ -67,7 +67,7 @@ def view(mesh: Any, *, path: str | None = None, open_browser: bool = True) -> Pa
 
 def html_of_lod(lod: Lod) -> str:
     """Return what a notebook shows for all levels."""
-    rows = [("level", "faces", "points", "error")]
+    rows: list[tuple[str, ...]] = [("level", "faces", "points", "error")]
     for share in (1.0, 0.5, 0.25, 0.1, 0.01):
         level = lod.level(ratio=share)
         rows.append((f"{share:.0%}", f"{level.triangle_count:,}", f"{level.vertex_count:,}", f"{level.error:.3g}"))

@@ -11,7 +11,7 @@ from .._inputs import Input, Result, arrays_input
 
 def take_apart(mesh: Any) -> Input:
     """Take a mesh apart; polygons become triangles first."""
-    if not hasattr(mesh, "n_faces_strict") and not hasattr(mesh, "strips"):
+    if not any(base.__name__ == "PolyData" for base in type(mesh).__mro__):
         hint = "extract its surface first, with extract_surface()"
         raise ValueError(f"pyvista.{type(mesh).__name__} is not a PolyData: {hint}")
     if mesh.n_points and not mesh.is_all_triangles:
@@ -43,16 +43,16 @@ def _rebuilt(mesh: Any, result: Result) -> Any:
         made.field_data[name] = mesh.field_data[name]
     for source, target in ((mesh.point_data, made.point_data), (mesh.cell_data, made.cell_data)):
         for kind in ("active_scalars_name", "active_vectors_name", "active_normals_name"):
-            name = getattr(source, kind, None)
-            if name is not None and name in target:
-                setattr(target, kind, name)
+            active = getattr(source, kind, None)
+            if active is not None and active in target:
+                setattr(target, kind, active)
         coordinates = getattr(source, "active_texture_coordinates_name", None)
         if coordinates is not None and coordinates in target:
             target.active_texture_coordinates_name = coordinates
     association = getattr(mesh.active_scalars_info, "association", None)
-    name = mesh.active_scalars_name
-    if name is not None and association is not None:
-        data = made.point_data if name in made.point_data else made.cell_data
-        if name in data:
-            made.set_active_scalars(name, preference=association.name.lower())
+    active = mesh.active_scalars_name
+    if active is not None and association is not None:
+        data = made.point_data if association.name == "POINT" else made.cell_data
+        if active in data:
+            made.set_active_scalars(active, preference=association.name.lower())
     return made
