@@ -217,8 +217,9 @@ class Lod:
         vertex_of_input = self._data.vertex_of_input()
         if vertex_of_input is None:
             return representative
-        coarse = self.vertices[representative[vertex_of_input]]
-        coarse[vertex_of_input < 0] = -1
+        coarse = np.full(len(vertex_of_input), -1, dtype=np.int32)
+        used = vertex_of_input >= 0
+        coarse[used] = self.vertices[representative[vertex_of_input[used]]]
         return coarse
 
     def view(self) -> View:
