@@ -225,7 +225,7 @@ def _placed(
     layers = iter(made.layers())
     attributes = {}
     for name, values in found.attributes.items():
-        columns = int(np.prod(values.shape[1:]))
+        columns = values.size
         rows = next(layers)[4] if columns else np.empty((len(points), 0))
         if values.dtype.kind in "iub" and rows.dtype.kind == "f":
             rows = np.rint(rows)
