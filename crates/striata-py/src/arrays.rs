@@ -4,7 +4,8 @@
 //! interpreter. What goes out is moved: the array owns the memory of the vector.
 
 use numpy::{
-    Element, IntoPyArray as _, PyArray1, PyArray2, PyArrayMethods as _, PyReadonlyArray2, PyUntypedArrayMethods as _,
+    Element, IntoPyArray as _, PyArray1, PyArray2, PyArrayMethods as _, PyReadonlyArray2,
+    PyUntypedArrayMethods as _,
 };
 use pyo3::prelude::*;
 

@@ -157,5 +157,6 @@ pub(crate) fn format_of(path: PathBuf) -> Option<&'static str> {
 /// Self-contained HTML page of the viewer that shows a stream.
 #[pyfunction]
 pub(crate) fn viewer_page(name: &str, stream: &[u8]) -> Outcome<String> {
-    striata_viewer::viewer_page::for_stream(name, stream).map_err(|failure| crate::errors::internal_error(failure.message()))
+    striata_viewer::viewer_page::for_stream(name, stream)
+        .map_err(|failure| crate::errors::internal_error(failure.message()))
 }

@@ -165,7 +165,8 @@ impl LodData {
         split_count: usize,
     ) -> (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>) {
         let (triangles, origins) = py.detach(|| {
-            let (triangles, mut origins) = level_triangles(self.lod.mesh(), &self.representatives(split_count));
+            let (triangles, mut origins) =
+                level_triangles(self.lod.mesh(), &self.representatives(split_count));
             if let Some(sources) = &self.sources {
                 origins.iter_mut().for_each(|t| *t = sources.input_of_triangle[*t as usize]);
             }

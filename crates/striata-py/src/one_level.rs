@@ -55,8 +55,7 @@ pub fn simplify_one_level(
     let position_of_source = welded.position_of_source.clone();
     let options = options_up_to(request, options);
     let built = build_welded_sequence_with_progress(welded, &options, progress)?;
-    let sources =
-        Sources::new(mesh, &position_of_source, &built.refinable.sequence, built.source_vertex);
+    let sources = Sources::new(mesh, &position_of_source, &built.refinable.sequence, built.source_vertex);
     let refinable = match request.is_guaranteed {
         true => certify_collapses_with_progress(&built.refinable, progress)?,
         false => built.refinable,
@@ -166,7 +165,8 @@ mod tests {
     #[test]
     fn equals_the_library_and_keeps_the_order() {
         let mesh = shapes::terrain(24, 7);
-        for target in [Target::Triangles(200), Target::Vertices(90), Target::Error(0.01), Target::Detail(0.3)] {
+        for target in [Target::Triangles(200), Target::Vertices(90), Target::Error(0.01), Target::Detail(0.3)]
+        {
             let ours =
                 simplify_one_level(&mesh, request(target), &SequenceOptions::default(), &mut ignore_progress)
                     .expect("a level");
@@ -182,8 +182,8 @@ mod tests {
     fn locked_vertices_stay() {
         let mesh = shapes::terrain(24, 7);
         let options = SequenceOptions::default().with_locked_vertices(vec![3, 300]);
-        let level =
-            simplify_one_level(&mesh, request(Target::Triangles(20)), &options, &mut ignore_progress).unwrap();
+        let level = simplify_one_level(&mesh, request(Target::Triangles(20)), &options, &mut ignore_progress)
+            .unwrap();
         assert!([3, 300].iter().all(|v| level.kept.contains(v)));
         let options = SequenceOptions::default().with_locked_vertices(vec![99_999]);
         let level = simplify_one_level(&mesh, request(Target::Triangles(20)), &options, &mut ignore_progress);

@@ -61,7 +61,8 @@ impl SimplifyArguments {
         options.max_error = self.max_error;
         options.pair_distance = self.pair_distance;
         if let Some([normal, texcoord, color]) = self.weights {
-            options.attribute_weights = AttributeWeights { normal, texcoord, color, ..AttributeWeights::default() };
+            options.attribute_weights =
+                AttributeWeights { normal, texcoord, color, ..AttributeWeights::default() };
         }
         Ok(options)
     }

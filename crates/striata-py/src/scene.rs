@@ -189,7 +189,9 @@ impl LodSceneData {
                 let encoded = encode_scene_with_progress(&lods.full_scene(), &options, progress);
                 Ok(encoded.map_err(value_error)?.bytes)
             }
-            _ => Err(value_error(format!("cannot store all levels as {format:?}, only as striata, stri or glb"))),
+            _ => Err(value_error(format!(
+                "cannot store all levels as {format:?}, only as striata, stri or glb"
+            ))),
         })?;
         Ok(PyBytes::new(py, &bytes))
     }

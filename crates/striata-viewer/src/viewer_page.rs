@@ -147,7 +147,8 @@ mod tests {
 
     #[test]
     fn scripts_styles_decoder_and_model_move_into_the_page() {
-        let page = files("", &fixture).assemble(Some(("a\"b<c>.stri", b"foobar")), &MODULES).expect("all parts");
+        let page =
+            files("", &fixture).assemble(Some(("a\"b<c>.stri", b"foobar")), &MODULES).expect("all parts");
         let expected = "<head><link rel=\"icon\" href=\"data:,\"><style>p { color: red }</style>\
              <script type=\"text/plain\" id=\"striata-wasm\">AGFzbQ==</script>\n\
              <script type=\"text/plain\" id=\"striata-builder-wasm\">AGFzbTI=</script>\n\
