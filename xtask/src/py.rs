@@ -22,7 +22,9 @@ struct Environment {
 /// If a step fails.
 pub(crate) fn run() -> Result<()> {
     let lint = ["clippy", "-p", "striata-py", "--features", "python", "--", "-D", "warnings"];
-    steps::run(cargo(&lint).env("PYO3_NO_PYTHON", "1"))?;
+    // Without an interpreter, and without linking to one.
+    let variables = [("PYO3_NO_PYTHON", "1"), ("PYO3_BUILD_EXTENSION_MODULE", "1")];
+    steps::run(cargo(&lint).envs(variables))?;
     let environment = Environment::new(target_folder()?.join("py/venv"))?;
     let package = package();
     environment.install(&["-r", "tests/requirements.txt"])?;

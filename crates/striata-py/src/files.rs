@@ -97,7 +97,7 @@ fn decoded(bytes: &[u8], allow_truncated: bool) -> Result<Content, String> {
         }
         let refinable = file.refinable_mesh().map_err(|e| text(&e))?;
         refinable.mesh.check().map_err(|e| text(&e))?;
-        return Ok(Content::Lod(LodData::from(Lod::from_refinable(refinable))));
+        return Ok(Content::Lod(LodData::from(refinable)));
     }
     if is_scene_file(bytes) {
         let lods = SceneFile::parse(bytes).and_then(|file| file.lod_scene()).map_err(|e| text(&e))?;

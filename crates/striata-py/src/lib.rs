@@ -2,16 +2,17 @@
 //!
 //! The package is `python/striata`; it converts what users pass (arrays of any kind, meshes of other packages)
 //! and calls the module `striata._striata`, which this crate builds with the feature `python`. Without that
-//! feature only [`sources`] and [`one_level`] are compiled, which need no Python and are tested like any
-//! other crate.
+//! feature only [`sources`], [`one_level`] and [`levels`] are compiled, which need no Python and are tested like
+//! any other crate.
 //!
 //! In reading order: `sources` says which vertex of the input each vertex of a level comes from, `one_level`
-//! simplifies to a single level; `job` runs long calls so that Ctrl-C works, `pool` gives them threads that
+//! simplifies to a single level, `levels` has all of them; `job` runs long calls so that Ctrl-C works, `pool` gives them threads that
 //! survive a fork, `arrays` and `errors` convert; the remaining modules are the classes and functions of the
 //! module, one file each.
 //!
 //! Arrays are untrusted: every call succeeds or raises an exception that names the place.
 
+pub mod levels;
 pub mod one_level;
 pub mod sources;
 

@@ -5,35 +5,42 @@ use std::sync::Arc;
 use numpy::{IntoPyArray as _, PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use striata::Lod;
 use striata::file::WriteOptions;
-use striata::mesh::weld;
+use striata::mesh::{RefinableMesh, weld};
 use striata::simplify::{
     Placement, SimplifyOptions, build_welded_sequence_with_progress,
     certify_collapses_in_any_state_with_progress, simplify_with_progress,
 };
-use striata::{Lod, Target};
 
 use crate::arrays::{rows_to_array, signed, signed_rows};
 use crate::errors::{Outcome, simplify_error, value_error};
 use crate::job;
+use crate::levels::Levels;
 use crate::mesh::{MeshData, is_internal, without_internal_layers};
 use crate::one_level::{LevelRequest, check_locked, simplify_one_level};
 use crate::options::{SimplifyArguments, reason, target};
-use crate::sources::{Sources, level_triangles, representatives};
+use crate::sources::{Sources, level_triangles};
 use crate::view::ViewData;
 
 /// Every level of a mesh, and where its vertices come from.
 #[pyclass(frozen, module = "striata._striata")]
 #[derive(Clone, Debug)]
 pub(crate) struct LodData {
-    pub(crate) lod: Lod,
+    levels: Levels,
     /// `None` if the levels were read from a file.
     sources: Option<Arc<Sources>>,
 }
 
 impl From<Lod> for LodData {
     fn from(lod: Lod) -> Self {
-        Self { lod, sources: None }
+        Self { levels: lod.into(), sources: None }
+    }
+}
+
+impl From<RefinableMesh> for LodData {
+    fn from(refinable: RefinableMesh) -> Self {
+        Self { levels: Levels::new(refinable, false), sources: None }
     }
 }
 
@@ -103,13 +110,13 @@ pub(crate) fn build(
             build_welded_sequence_with_progress(welded, &options, progress).map_err(simplify_error)?;
         let sequence = &built.refinable.sequence;
         let sources = Sources::new(&mesh, &position_of_source, sequence, built.source_vertex);
-        let lod = if guaranteed {
+        let refinable = if guaranteed {
             let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress);
-            Lod::from_certified(certified.map_err(|error| simplify_error(error.into()))?)
+            certified.map_err(|error| simplify_error(error.into()))?
         } else {
-            Lod::from_refinable(built.refinable)
+            built.refinable
         };
-        Ok(LodData { lod, sources: Some(Arc::new(sources)) })
+        Ok(LodData { levels: Levels::new(refinable, guaranteed), sources: Some(Arc::new(sources)) })
     })
 }
 
@@ -117,12 +124,12 @@ pub(crate) fn build(
 impl LodData {
     #[getter]
     fn step_count(&self) -> usize {
-        self.lod.step_count()
+        self.levels.sequence().step_count()
     }
 
     #[getter]
     fn has_guaranteed_errors(&self) -> bool {
-        self.lod.has_guaranteed_errors()
+        self.levels.has_guaranteed_errors()
     }
 
     /// Input vertex of each vertex, or `None` for levels read from a file.
@@ -136,22 +143,22 @@ impl LodData {
     }
 
     fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f32>> {
-        rows_to_array(py, self.lod.positions().to_vec())
+        rows_to_array(py, self.levels.mesh().positions.clone())
     }
 
     fn mesh(&self) -> MeshData {
-        MeshData::from(without_internal_layers(self.lod.mesh()))
+        MeshData::from(without_internal_layers(self.levels.mesh()))
     }
 
     /// Split count of the level that a target selects, and how well it is met.
     fn resolve(&self, target: (String, f64)) -> Outcome<(usize, &'static str)> {
-        let (split_count, stop_reason) = self::target((&target.0, target.1))?.resolve(self.lod.sequence());
+        let (split_count, stop_reason) = self::target((&target.0, target.1))?.resolve(self.levels.sequence());
         Ok((split_count, reason(stop_reason)))
     }
 
     /// Number of triangles and of vertices, and the error of a level.
     fn level_facts(&self, split_count: usize) -> (usize, usize, f32) {
-        let sequence = self.lod.sequence();
+        let sequence = self.levels.sequence();
         let split_count = split_count.min(sequence.step_count());
         let counts = (sequence.triangle_count_at(split_count), sequence.vertex_count_at(split_count));
         (counts.0, counts.1, sequence.error_at(split_count))
@@ -166,7 +173,7 @@ impl LodData {
     ) -> (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>) {
         let (triangles, origins) = py.detach(|| {
             let (triangles, mut origins) =
-                level_triangles(self.lod.mesh(), &self.representatives(split_count));
+                level_triangles(self.levels.mesh(), &self.levels.representatives(split_count));
             if let Some(sources) = &self.sources {
                 origins.iter_mut().for_each(|t| *t = sources.input_of_triangle[*t as usize]);
             }
@@ -177,30 +184,27 @@ impl LodData {
 
     /// Level as strips with the restart index -1.
     fn level_strips<'py>(&self, py: Python<'py>, split_count: usize) -> Outcome<Bound<'py, PyArray1<i32>>> {
-        let lod = self.lod.clone();
-        let size = self.level_facts(split_count).0;
-        let indices = job::run(py, size, None, move |_| {
-            Ok(lod.level(Target::SplitCount(split_count)).strips().indices)
-        })?;
+        let levels = self.levels.clone();
+        let indices = job::run(py, self.size(), None, move |_| Ok(levels.level_strips(split_count)))?;
         Ok(signed(py, indices))
     }
 
     /// Level as a mesh of its own, with all layers, groups and materials.
     fn level_mesh(&self, py: Python<'_>, split_count: usize) -> MeshData {
-        let level = py.detach(|| self.lod.level(Target::SplitCount(split_count)).to_mesh());
+        let level = py.detach(|| self.levels.level_mesh(split_count));
         MeshData::from(without_internal_layers(&level))
     }
 
     /// For each vertex, the vertex that represents it at a level.
     fn representative<'py>(&self, py: Python<'py>, split_count: usize) -> Bound<'py, PyArray1<i32>> {
-        signed(py, py.detach(|| self.representatives(split_count)))
+        signed(py, py.detach(|| self.levels.representatives(split_count)))
     }
 
     /// Collapses in the order in which they coarsen the mesh: removed vertex, target, step, error after the
     /// step, and number of triangles after it.
     fn sequence<'py>(&self, py: Python<'py>) -> CollapseArrays<'py> {
         let [removed, targets, steps] = py.detach(|| self.collapses());
-        let sequence = self.lod.sequence();
+        let sequence = self.levels.sequence();
         let at = |step: &u32| sequence.step_count() - 1 - *step as usize;
         let errors: Vec<f32> = steps.iter().map(|step| sequence.error_at(at(step))).collect();
         let faces: Vec<i32> = steps.iter().map(|step| sequence.triangle_count_at(at(step)) as i32).collect();
@@ -213,16 +217,16 @@ impl LodData {
         )
     }
 
-    fn view(&self) -> ViewData {
-        ViewData::new(&self.lod)
+    fn view(&self, py: Python<'_>) -> Outcome<ViewData> {
+        let levels = self.levels.clone();
+        job::run(py, self.size(), None, move |_| Ok(ViewData::new(levels.lod())))
     }
 
     /// Bytes of a `.striata` file, with all points moved by an offset.
     fn to_striata<'py>(&self, py: Python<'py>, offset: [f64; 3]) -> Outcome<Bound<'py, PyBytes>> {
-        let lod = self.lod.clone();
-        let size = lod.mesh().triangle_count();
-        let bytes = job::run(py, size, None, move |_| {
-            stored(lod, offset).to_striata(&WriteOptions::default()).map_err(value_error)
+        let levels = self.levels.clone();
+        let bytes = job::run(py, self.size(), None, move |_| {
+            stored(levels.lod().clone(), offset).to_striata(&WriteOptions::default()).map_err(value_error)
         })?;
         Ok(PyBytes::new(py, &bytes))
     }
@@ -238,13 +242,14 @@ type CollapseArrays<'py> = (
 );
 
 impl LodData {
-    fn representatives(&self, split_count: usize) -> Vec<u32> {
-        representatives(self.lod.sequence(), split_count.min(self.lod.step_count()))
+    /// Number of triangles of the full mesh.
+    fn size(&self) -> usize {
+        self.levels.mesh().triangle_count()
     }
 
     /// Removed vertices, their targets and the number of each step, in the order of coarsening.
     fn collapses(&self) -> [Vec<u32>; 3] {
-        let sequence = self.lod.sequence();
+        let sequence = self.levels.sequence();
         let count = sequence.targets().len();
         let [mut removed, mut targets, mut steps] = [(); 3].map(|()| Vec::with_capacity(count));
         for step in (0..sequence.step_count()).rev() {

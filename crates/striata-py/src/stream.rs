@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use striata::ProgressFn;
 use striata::simplify::{BatchOptions, build_batches_with_progress};
-use striata::{Lod, ProgressFn};
 use striata_io::Scene;
 use striata_scene::stream::{SceneStreamOptions, encode_scene_with_progress};
 use striata_stream::{
@@ -134,7 +134,7 @@ impl DecoderData {
             let mesh = decoder.lock().unwrap_or_else(PoisonError::into_inner).refinable_mesh();
             let Some(mesh) = mesh else { return Ok(None) };
             mesh.mesh.check().map_err(internal_error)?;
-            Ok(Some(LodData::from(Lod::from_refinable(mesh))))
+            Ok(Some(LodData::from(mesh)))
         })
     }
 
