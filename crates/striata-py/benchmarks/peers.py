@@ -1,6 +1,6 @@
 """Compares striata with other packages: time, error and memory of one level and of ten levels.
 
-    python benchmarks/peers.py [--repeat N] [--share 0.1] [--rust PROGRAM] MESH...
+    python benchmarks/peers.py MESH... [--repeat N] [--repeat-ten N] [--only NAME...] [--rust PROGRAM]
 
 Each package simplifies each mesh to a share of its triangles, from arrays to arrays, conversion included. Ten
 levels are 100 %, 90 %, ... 10 % of the triangles; packages that make one level at a time make each from the
@@ -178,6 +178,7 @@ def is_installed(module):
 def table(path, arguments):
     points, faces = load(path)
     tools = [(name, tool) for name, module, tool in TOOLS if is_installed(module)]
+    tools = [(name, tool) for name, tool in tools if name in (arguments.only or [name]) or name == "striata"]
     print(f"\n{Path(path).name}: {len(points):,} points, {len(faces):,} triangles\n", flush=True)
     one = {name: [] for name, _ in tools}
     ten = {name: [] for name, _ in tools}
@@ -202,9 +203,9 @@ def table(path, arguments):
         cells = [
             name,
             spread(one[name]),
-            f"{min(one[name]) / min(one['striata']):.2f}",
+            ratio_of(one[name], one["striata"]),
             spread(ten[name]),
-            f"{min(ten[name]) / min(ten['striata']):.2f}",
+            ratio_of(ten[name], ten["striata"]),
             f"{len(small[1]):,}",
             f"{rms:.1f}",
             f"{memory(path, name, arguments.share):.0f}",
@@ -214,8 +215,14 @@ def table(path, arguments):
         report_overhead(one["striata"], [run[0][0] for run in rust])
 
 
+def ratio_of(times, reference):
+    return f"{min(times) / min(reference):.2f}" if times and reference else "-"
+
+
 def spread(times):
     """Best, and mean with standard deviation, in milliseconds."""
+    if not times:
+        return "-"
     milliseconds = [1000 * took for took in times]
     deviation = statistics.stdev(milliseconds) if len(milliseconds) > 1 else 0.0
     return f"{min(milliseconds):.0f} ({statistics.mean(milliseconds):.0f} ± {deviation:.0f})"
@@ -231,6 +238,7 @@ def main():
     parser.add_argument("meshes", nargs="+")
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--repeat-ten", type=int, default=2)
+    parser.add_argument("--only", nargs="+", help="names of the packages, besides striata")
     parser.add_argument("--share", type=float, default=0.1)
     parser.add_argument("--rust", help="program of the benchmark `one_level`")
     parser.add_argument("--memory-of", help=argparse.SUPPRESS)

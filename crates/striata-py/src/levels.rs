@@ -20,7 +20,7 @@ pub struct Levels {
 #[derive(Debug)]
 enum Shared {
     /// Built here; the models follow if they are needed.
-    Built { refinable: RefinableMesh, has_guaranteed_errors: bool, lod: OnceLock<Lod> },
+    Built { refinable: Box<RefinableMesh>, has_guaranteed_errors: bool, lod: OnceLock<Lod> },
     /// Came with its models.
     Opened(Lod),
 }
@@ -28,6 +28,7 @@ enum Shared {
 impl Levels {
     /// Wraps a mesh with its sequence.
     pub fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
+        let refinable = Box::new(refinable);
         Self { shared: Arc::new(Shared::Built { refinable, has_guaranteed_errors, lod: OnceLock::new() }) }
     }
 
@@ -37,8 +38,8 @@ impl Levels {
             Shared::Opened(lod) => lod,
             Shared::Built { refinable, has_guaranteed_errors, lod } => {
                 lod.get_or_init(|| match has_guaranteed_errors {
-                    true => Lod::from_certified(refinable.clone()),
-                    false => Lod::from_refinable(refinable.clone()),
+                    true => Lod::from_certified(RefinableMesh::clone(refinable)),
+                    false => Lod::from_refinable(RefinableMesh::clone(refinable)),
                 })
             }
         }

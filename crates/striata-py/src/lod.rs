@@ -50,6 +50,7 @@ type LevelArrays<'py> =
 
 /// Simplifies a mesh to one level, in terms of its vertices and triangles.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
 pub(crate) fn simplify<'py>(
     py: Python<'py>,
     mesh: &MeshData,
@@ -72,6 +73,7 @@ pub(crate) fn simplify<'py>(
 
 /// Simplifies a mesh with its groups to one level of its own vertices, or of freely placed ones.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
 pub(crate) fn simplify_mesh(
     py: Python<'_>,
     mesh: &MeshData,
