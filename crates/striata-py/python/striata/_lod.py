@@ -208,7 +208,7 @@ class Lod:
         Returns
         -------
         ndarray of int32
-            For each input point, an index into the input; -1 for points that no face uses.
+            For each input point, an index into the input; -1 for points whose position no face uses.
             Any array that belongs to the points of a level, such as a prediction of a network, goes back to
             the full mesh by this index.
         """
