@@ -41,7 +41,9 @@ pub(crate) fn run() -> Result<()> {
     let guide = "../../docs/guide";
     environment.python(&["-m", "pytest", "--doctest-glob=python*.md", "--rootdir", guide, guide])?;
     environment.python(&["-m", "mypy", "--config-file", "pyproject.toml"])?;
-    environment.python(&["-m", "mypy.stubtest", "striata", "--mypy-config-file", "pyproject.toml"])
+    // Every subclass of a tuple counts as a disjoint base, which stubs cannot say before Python 3.15.
+    let options = ["--ignore-disjoint-bases", "--mypy-config-file", "pyproject.toml"];
+    environment.python(&[&["-m", "mypy.stubtest", "striata"], options.as_slice()].concat())
 }
 
 /// Folder of the package.

@@ -15,7 +15,32 @@ _Image = tuple[str, str, str, bytes]
 _Quality = tuple[int | None, float | None, str]
 _Path = str | PathLike[str]
 
-__all__: list[str]
+__all__ = [
+    "DecodeError",
+    "DecoderData",
+    "LodData",
+    "LodSceneData",
+    "MeshData",
+    "SceneData",
+    "ViewData",
+    "__version__",
+    "build",
+    "decode",
+    "distance",
+    "encode_mesh",
+    "encode_scene",
+    "format_of",
+    "open_file",
+    "simplify",
+    "simplify_mesh",
+    "strip",
+    "vertex_distances",
+    "viewer_page",
+    "write_bytes",
+    "write_mesh",
+    "write_scene",
+]
+
 __version__: str
 
 class DecodeError(ValueError): ...
