@@ -20,16 +20,22 @@ enum Evidence {
     InPath(&'static [&'static str]),
     /// The dynamic linker finds this library.
     Library(&'static str),
+    /// Python can import these modules.
+    PythonModules(&'static str),
     /// This folder is not empty.
     NonEmptyFolder(&'static str),
 }
 
-const REQUIREMENTS: [Requirement; 12] = [
+const REQUIREMENTS: [Requirement; 14] = [
     // A dev-dependency that the simplifier is compared with is written in C++.
     Requirement { evidence: Evidence::Program(&["c++", "g++", "clang++"]), package: "g++" },
     // The glTF validator and the browser tests run on Node.js.
     Requirement { evidence: Evidence::Program(&["node"]), package: "nodejs" },
     Requirement { evidence: Evidence::Program(&["npm"]), package: "npm" },
+    // The Python package is tested in a virtual environment.
+    Requirement { evidence: Evidence::PythonModules("venv, ensurepip"), package: "python3-venv" },
+    // Open3D, whose meshes the Python package accepts, is linked with it.
+    Requirement { evidence: Evidence::Library("libusb-1.0.so.0"), package: "libusb-1.0-0" },
     // The viewer page is tested in a browser.
     Requirement { evidence: Evidence::InPath(&["chromium"]), package: "chromium" },
     // Pictures are tested with a graphics driver that renders on the CPU.
@@ -56,6 +62,10 @@ impl Requirement {
                 let known = Command::new("ldconfig").arg("-p").env("PATH", "/usr/sbin:/sbin").output();
                 known.is_ok_and(|o| String::from_utf8_lossy(&o.stdout).contains(name))
             }
+            Evidence::PythonModules(names) => {
+                let import = Command::new("python3").args(["-c", &format!("import {names}")]).output();
+                import.is_ok_and(|o| o.status.success())
+            }
             Evidence::NonEmptyFolder(folder) => {
                 std::fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
             }
@@ -70,7 +80,7 @@ impl Requirement {
 pub(crate) fn prepare() -> Result<()> {
     let missing: Vec<&str> = REQUIREMENTS.iter().filter(|r| !r.is_installed()).map(|r| r.package).collect();
     if missing.is_empty() {
-        say("compilers, node, chromium, a display and a graphics driver are available");
+        say("compilers, node, python, chromium, a display and a graphics driver are available");
         return Ok(());
     }
     if !starts("apt-get") {

@@ -11,6 +11,7 @@ mod links;
 mod machine;
 mod oldest_rust;
 mod packages;
+mod py;
 mod results;
 mod steps;
 mod test;
@@ -48,6 +49,8 @@ enum Task {
     },
     /// Run only the web checks: build and test the npm package, check that the viewer is up to date
     WebCheck,
+    /// Run only the checks of the Python package: build the wheel, install it, test it, check its types
+    Py,
     /// Run only the package check: pack the published crates, check that no file is missing
     Packages,
     /// Run only the license check: `cargo deny` for all dependencies
@@ -67,6 +70,7 @@ fn main() -> ExitCode {
         Task::Web { package: true } => web::prepare_library(),
         Task::Web { package: false } => web::build(),
         Task::WebCheck => web::check(),
+        Task::Py => py::run(),
         Task::Packages => packages::run(),
         Task::Licenses => licenses::check(),
         Task::OldestRust => oldest_rust::check(),

@@ -9,7 +9,7 @@ use anyhow::Result;
 use crate::command::FULL;
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
-use crate::{bare, browser, golden, licenses, oldest_rust, packages, web};
+use crate::{bare, browser, golden, licenses, oldest_rust, packages, py, web};
 
 /// Crates and feature sets that must compile separately.
 const FEATURES_ALONE: &[(&str, &str)] = &[
@@ -34,6 +34,7 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-cli", "gpu"),
     ("striata-cli", "window"),
     ("striata-cli", "serve"),
+    ("striata-py", ""),
     ("striata-lab", ""),
     ("striata-lab", "peers"),
 ];
@@ -86,6 +87,7 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     steps.step("web assets", web::check)?;
     steps.step("fuzz targets", check_fuzz)?;
     steps.step("golden", golden::run)?;
+    steps.step("Python", py::run)?;
     steps.step("browser", browser::run)
 }
 

@@ -32,7 +32,18 @@ const MODULES: [(&str, &str); 2] =
 pub fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
     let names: Vec<String> = ViewerFiles::iter().map(|name| name.into_owned()).collect();
     let read = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
-    Files { names, read: &read }.assemble(model)
+    Files { names, read: &read }.assemble(model, &MODULES)
+}
+
+/// Returns the viewer as a single page that shows a stream. It lacks the module that reads other files, which
+/// is most of the page: it cannot open files that are dropped on it, except for streams.
+///
+/// # Errors
+/// If the embedded viewer is incomplete.
+pub fn for_stream(name: &str, stream: &[u8]) -> Result<String, Failure> {
+    let names: Vec<String> = ViewerFiles::iter().map(|name| name.into_owned()).collect();
+    let read = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
+    Files { names, read: &read }.assemble(Some((name, stream)), &MODULES[..1])
 }
 
 /// Files of a page, whose names contain hashes.
@@ -42,7 +53,7 @@ struct Files<'a> {
 }
 
 impl Files<'_> {
-    fn assemble(&self, model: Option<(&str, &[u8])>) -> Result<String, Failure> {
+    fn assemble(&self, model: Option<(&str, &[u8])>, modules: &[(&str, &str)]) -> Result<String, Failure> {
         let mut page = self.text("index.html")?;
         let name = self.name("viewer-", ".css").ok_or_else(|| lacks("viewer-*.css"))?;
         let tag = tag_naming(&page, "link", name).ok_or_else(|| not_loaded(name))?;
@@ -50,7 +61,7 @@ impl Files<'_> {
         let name = self.name("viewer-", ".js").ok_or_else(|| lacks("viewer-*.js"))?;
         let tag = tag_naming(&page, "script", name).ok_or_else(|| not_loaded(name))?;
         let mut inlined = String::new();
-        for (start, id) in MODULES {
+        for (start, id) in modules {
             let name = self.name(start, ".wasm").ok_or_else(|| lacks(start))?;
             let wasm = BASE64.encode(gzipped(&self.bytes(name)?)?);
             inlined += &format!("<script type=\"text/plain\" id=\"{id}\">{wasm}</script>\n");
@@ -151,7 +162,8 @@ mod tests {
 
     #[test]
     fn scripts_styles_decoder_and_model_move_into_the_page() {
-        let page = files("", &fixture).assemble(Some(("a\"b<c>.stri", b"foobar"))).expect("all parts");
+        let page =
+            files("", &fixture).assemble(Some(("a\"b<c>.stri", b"foobar")), &MODULES).expect("all parts");
         let expected = "<head><link rel=\"icon\" href=\"data:,\"><style>p { color: red }</style>\
              <script type=\"text/plain\" id=\"striata-wasm\">{decoder}</script>\n\
              <script type=\"text/plain\" id=\"striata-builder-wasm\">{encoder}</script>\n\
@@ -176,19 +188,21 @@ mod tests {
     fn missing_parts_are_reported() {
         for missing in ["index.html", "viewer-34cd.js", "viewer-12ab.css"] {
             let read = |name: &str| fixture(name).filter(|_| name != missing);
-            assert!(files("", &read).assemble(None).is_err(), "{missing} is not reported");
+            assert!(files("", &read).assemble(None, &MODULES).is_err(), "{missing} is not reported");
         }
         for missing in ["viewer-34cd.js", "viewer-12ab.css"] {
-            assert!(files(missing, &fixture).assemble(None).is_err(), "{missing} is not listed");
+            assert!(files(missing, &fixture).assemble(None, &MODULES).is_err(), "{missing} is not listed");
         }
         let empty = |name: &str| fixture(name).map(|_| b"<p>".to_vec());
-        assert!(files("", &empty).assemble(None).is_err(), "a page without tags");
+        assert!(files("", &empty).assemble(None, &MODULES).is_err(), "a page without tags");
     }
 
     #[test]
     fn the_embedded_viewer_assembles() {
         let page = self_contained(Some(("ball.stri", b"1234"))).expect("all parts");
         assert!(page.contains("data-name=\"ball.stri\">MTIzNA==</script>"));
+        let smaller = for_stream("ball.stri", b"1234").expect("all parts");
+        assert!(smaller.contains("striata-wasm") && smaller.len() < page.len() / 2);
         for name in ViewerFiles::iter().filter(|name| name.ends_with(".js") || name.ends_with(".css")) {
             assert!(!page.contains(&format!("\"./{name}\"")), "{name} is inlined");
         }

@@ -1,0 +1,57 @@
+"""Simplification, levels of detail and progressive streams of triangle meshes: arrays in, arrays out.
+
+>>> import striata
+>>> points, faces = striata.shapes.terrain(40)              # or any arrays, files, meshes of other packages
+>>> points, faces = striata.simplify(points, faces, ratio=0.1)
+>>> lod = striata.build(points, faces)                      # every level at once
+>>> lod.level(triangles=100).faces.shape
+(100, 3)
+"""
+
+from . import plot, shapes
+from ._distance import Distance, OneSidedDistance, distance
+from ._files import convert, open, save
+from ._lod import Level, Lod, Sequence, View, build
+from ._mesh import Group, Image, Material, Mesh
+from ._scene import Instance, LodScene, Scene, SceneLevel
+from ._simplify import Simplified, simplify
+from ._stream import StreamDecoder, decode, encode
+from ._striata import DecodeError, __version__
+from ._strips import RESTART, Strips, strip
+from ._viewer import page, view
+
+__all__ = [
+    "RESTART",
+    "DecodeError",
+    "Distance",
+    "Group",
+    "Image",
+    "Instance",
+    "Level",
+    "Lod",
+    "LodScene",
+    "Material",
+    "Mesh",
+    "OneSidedDistance",
+    "Scene",
+    "SceneLevel",
+    "Sequence",
+    "Simplified",
+    "StreamDecoder",
+    "Strips",
+    "View",
+    "__version__",
+    "build",
+    "convert",
+    "decode",
+    "distance",
+    "encode",
+    "open",
+    "page",
+    "plot",
+    "save",
+    "shapes",
+    "simplify",
+    "strip",
+    "view",
+]

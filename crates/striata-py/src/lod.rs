@@ -1,0 +1,284 @@
+//! The class `LodData` and simplification to one level.
+
+use std::sync::Arc;
+
+use numpy::{IntoPyArray as _, PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use striata::Lod;
+use striata::file::WriteOptions;
+use striata::mesh::{RefinableMesh, weld};
+use striata::simplify::{
+    Placement, SimplifyOptions, build_welded_sequence_with_progress,
+    certify_collapses_in_any_state_with_progress, simplify_with_progress,
+};
+
+use crate::arrays::{rows_to_array, signed, signed_rows};
+use crate::errors::{Outcome, simplify_error, value_error};
+use crate::job;
+use crate::levels::Levels;
+use crate::mesh::{MeshData, is_internal, without_internal_layers};
+use crate::one_level::{LevelRequest, check_locked, simplify_one_level};
+use crate::options::{SimplifyArguments, reason, target};
+use crate::sources::{Sources, level_triangles};
+use crate::view::ViewData;
+
+/// Every level of a mesh, and where its vertices come from.
+#[pyclass(frozen, module = "striata._striata")]
+#[derive(Clone, Debug)]
+pub(crate) struct LodData {
+    levels: Levels,
+    /// `None` if the levels were read from a file.
+    sources: Option<Arc<Sources>>,
+}
+
+impl From<Lod> for LodData {
+    fn from(lod: Lod) -> Self {
+        Self { levels: lod.into(), sources: None }
+    }
+}
+
+impl From<RefinableMesh> for LodData {
+    fn from(refinable: RefinableMesh) -> Self {
+        Self { levels: Levels::new(refinable, false), sources: None }
+    }
+}
+
+/// One level as faces, kept input vertices, input triangle of each face, error and stop reason.
+type LevelArrays<'py> =
+    (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i32>>, f64, &'static str);
+
+/// Simplifies a mesh to one level, in terms of its vertices and triangles.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
+pub(crate) fn simplify<'py>(
+    py: Python<'py>,
+    mesh: &MeshData,
+    target: (String, f64),
+    max_error: Option<f64>,
+    guaranteed: bool,
+    options: SimplifyArguments,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Outcome<LevelArrays<'py>> {
+    let target = self::target((&target.0, target.1))?;
+    let request = LevelRequest { target, max_error, is_guaranteed: guaranteed };
+    let (mesh, options) = (Arc::clone(&mesh.mesh), options.sequence()?);
+    let level = job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
+        simplify_one_level(&mesh, request, &options, progress).map_err(simplify_error)
+    })?;
+    let faces = signed_rows(py, level.triangles);
+    let (kept, origins) = (signed(py, level.kept), signed(py, level.origins));
+    Ok((faces, kept, origins, level.error, reason(level.stop_reason)))
+}
+
+/// Simplifies a mesh with its groups to one level of its own vertices, or of freely placed ones.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
+pub(crate) fn simplify_mesh(
+    py: Python<'_>,
+    mesh: &MeshData,
+    target: (String, f64),
+    max_error: Option<f64>,
+    free_placement: bool,
+    options: SimplifyArguments,
+    progress: Option<Bound<'_, PyAny>>,
+) -> Outcome<(MeshData, f64, &'static str)> {
+    let target = self::target((&target.0, target.1))?;
+    let mut all = SimplifyOptions::default().with_target(target).with_sequence(options.sequence()?);
+    all.tolerance = max_error;
+    all.placement = if free_placement { Placement::Optimal } else { Placement::Subset };
+    let mesh = Arc::clone(&mesh.mesh);
+    let level = job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
+        simplify_with_progress(&mesh, &all, progress).map_err(simplify_error)
+    })?;
+    Ok((MeshData::from(level.mesh), level.error, reason(level.stop_reason)))
+}
+
+/// Builds every level of a mesh.
+#[pyfunction]
+pub(crate) fn build(
+    py: Python<'_>,
+    mesh: &MeshData,
+    guaranteed: bool,
+    options: SimplifyArguments,
+    progress: Option<Bound<'_, PyAny>>,
+) -> Outcome<LodData> {
+    let (mesh, options) = (Arc::clone(&mesh.mesh), options.sequence()?);
+    job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
+        options.check().and_then(|()| check_locked(&options, &mesh)).map_err(simplify_error)?;
+        let welded = weld(&mesh).map_err(value_error)?;
+        let position_of_source = welded.position_of_source.clone();
+        let built =
+            build_welded_sequence_with_progress(welded, &options, progress).map_err(simplify_error)?;
+        let sequence = &built.refinable.sequence;
+        let sources = Sources::new(&mesh, &position_of_source, sequence, built.source_vertex);
+        let refinable = if guaranteed {
+            let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress);
+            certified.map_err(|error| simplify_error(error.into()))?
+        } else {
+            built.refinable
+        };
+        Ok(LodData { levels: Levels::new(refinable, guaranteed), sources: Some(Arc::new(sources)) })
+    })
+}
+
+#[pymethods]
+impl LodData {
+    #[getter]
+    fn step_count(&self) -> usize {
+        self.levels.sequence().step_count()
+    }
+
+    #[getter]
+    fn has_guaranteed_errors(&self) -> bool {
+        self.levels.has_guaranteed_errors()
+    }
+
+    /// Input vertex of each vertex, or `None` for levels read from a file.
+    fn vertices<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<i32>>> {
+        Some(signed(py, self.sources.as_ref()?.input_of_vertex.clone()))
+    }
+
+    /// Vertex of each input vertex; -1 if no level contains it. `None` for levels read from a file.
+    fn vertex_of_input<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<i32>>> {
+        Some(signed(py, self.sources.as_ref()?.vertex_of_input.clone()))
+    }
+
+    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f32>> {
+        rows_to_array(py, self.levels.mesh().positions.clone())
+    }
+
+    fn mesh(&self) -> MeshData {
+        MeshData::from(without_internal_layers(self.levels.mesh()))
+    }
+
+    /// Split count of the level that a target selects, and how well it is met.
+    fn resolve(&self, target: (String, f64)) -> Outcome<(usize, &'static str)> {
+        let (split_count, stop_reason) = self::target((&target.0, target.1))?.resolve(self.levels.sequence());
+        Ok((split_count, reason(stop_reason)))
+    }
+
+    /// Number of triangles and of vertices, and the error of a level.
+    fn level_facts(&self, split_count: usize) -> (usize, usize, f32) {
+        let sequence = self.levels.sequence();
+        let split_count = split_count.min(sequence.step_count());
+        let counts = (sequence.triangle_count_at(split_count), sequence.vertex_count_at(split_count));
+        (counts.0, counts.1, sequence.error_at(split_count))
+    }
+
+    /// Triangles of a level, and the input triangle of each (the triangle of the full mesh, for levels read
+    /// from a file).
+    fn level_faces<'py>(
+        &self,
+        py: Python<'py>,
+        split_count: usize,
+    ) -> (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>) {
+        let (triangles, origins) = py.detach(|| {
+            let (triangles, mut origins) =
+                level_triangles(self.levels.mesh(), &self.levels.representatives(split_count));
+            if let Some(sources) = &self.sources {
+                origins.iter_mut().for_each(|t| *t = sources.input_of_triangle[*t as usize]);
+            }
+            (triangles, origins)
+        });
+        (signed_rows(py, triangles), signed(py, origins))
+    }
+
+    /// Level as strips with the restart index -1.
+    fn level_strips<'py>(&self, py: Python<'py>, split_count: usize) -> Outcome<Bound<'py, PyArray1<i32>>> {
+        let levels = self.levels.clone();
+        let indices = job::run(py, self.size(), None, move |_| Ok(levels.level_strips(split_count)))?;
+        Ok(signed(py, indices))
+    }
+
+    /// Level as a mesh of its own, with all layers, groups and materials.
+    fn level_mesh(&self, py: Python<'_>, split_count: usize) -> MeshData {
+        let level = py.detach(|| self.levels.level_mesh(split_count));
+        MeshData::from(without_internal_layers(&level))
+    }
+
+    /// For each vertex, the vertex that represents it at a level.
+    fn representative<'py>(&self, py: Python<'py>, split_count: usize) -> Bound<'py, PyArray1<i32>> {
+        signed(py, py.detach(|| self.levels.representatives(split_count)))
+    }
+
+    /// Collapses in the order in which they coarsen the mesh: removed vertex, target, step, error after the
+    /// step, and number of triangles after it.
+    fn sequence<'py>(&self, py: Python<'py>) -> CollapseArrays<'py> {
+        let [removed, targets, steps] = py.detach(|| self.collapses());
+        let sequence = self.levels.sequence();
+        let at = |step: &u32| sequence.step_count() - 1 - *step as usize;
+        let errors: Vec<f32> = steps.iter().map(|step| sequence.error_at(at(step))).collect();
+        let faces: Vec<i32> = steps.iter().map(|step| sequence.triangle_count_at(at(step)) as i32).collect();
+        (
+            signed(py, removed),
+            signed(py, targets),
+            signed(py, steps),
+            errors.into_pyarray(py),
+            faces.into_pyarray(py),
+        )
+    }
+
+    fn view(&self, py: Python<'_>) -> Outcome<ViewData> {
+        let levels = self.levels.clone();
+        job::run(py, self.size(), None, move |_| Ok(ViewData::new(levels.lod())))
+    }
+
+    /// Bytes of a `.striata` file, with all points moved by an offset.
+    fn to_striata<'py>(&self, py: Python<'py>, offset: [f64; 3]) -> Outcome<Bound<'py, PyBytes>> {
+        let levels = self.levels.clone();
+        let bytes = job::run(py, self.size(), None, move |_| {
+            stored(levels.lod().clone(), offset).to_striata(&WriteOptions::default()).map_err(value_error)
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+}
+
+/// Removed vertices, targets, steps, errors and triangle counts.
+type CollapseArrays<'py> = (
+    Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyArray1<f32>>,
+    Bound<'py, PyArray1<i32>>,
+);
+
+impl LodData {
+    /// Number of triangles of the full mesh.
+    fn size(&self) -> usize {
+        self.levels.mesh().triangle_count()
+    }
+
+    /// Removed vertices, their targets and the number of each step, in the order of coarsening.
+    fn collapses(&self) -> [Vec<u32>; 3] {
+        let sequence = self.levels.sequence();
+        let count = sequence.targets().len();
+        let [mut removed, mut targets, mut steps] = [(); 3].map(|()| Vec::with_capacity(count));
+        for step in (0..sequence.step_count()).rev() {
+            for vertex in sequence.step_vertices(step) {
+                removed.push(vertex);
+                targets.push(sequence.target(vertex));
+                steps.push((sequence.step_count() - 1 - step) as u32);
+            }
+        }
+        [removed, targets, steps]
+    }
+}
+
+/// Levels as a file stores them: points moved by an offset, without layers that exist only for simplification.
+fn stored(lod: Lod, offset: [f64; 3]) -> Lod {
+    if offset == [0.0; 3] && !lod.mesh().layers.iter().any(is_internal) {
+        return lod;
+    }
+    let mut mesh = without_internal_layers(lod.mesh());
+    for position in &mut mesh.positions {
+        for (x, offset) in position.iter_mut().zip(offset) {
+            *x = (f64::from(*x) + offset) as f32;
+        }
+    }
+    let refinable = striata::mesh::RefinableMesh { mesh, sequence: lod.sequence().clone() };
+    match lod.has_guaranteed_errors() {
+        true => Lod::from_certified(refinable),
+        false => Lod::from_refinable(refinable),
+    }
+}

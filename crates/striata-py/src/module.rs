@@ -1,0 +1,40 @@
+//! The module `striata._striata`.
+
+use pyo3::prelude::*;
+
+use crate::errors::DecodeError;
+use crate::lod::LodData;
+use crate::mesh::MeshData;
+use crate::scene::{LodSceneData, SceneData};
+use crate::stream::DecoderData;
+use crate::view::ViewData;
+use crate::{distance, files, lod, stream, strips};
+
+/// All classes are immutable or guarded by a mutex, so the module is safe without the global lock.
+#[pymodule(gil_used = false)]
+fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("DecodeError", module.py().get_type::<DecodeError>())?;
+    module.add_class::<MeshData>()?;
+    module.add_class::<LodData>()?;
+    module.add_class::<ViewData>()?;
+    module.add_class::<SceneData>()?;
+    module.add_class::<LodSceneData>()?;
+    module.add_class::<DecoderData>()?;
+    module.add_function(wrap_pyfunction!(lod::simplify, module)?)?;
+    module.add_function(wrap_pyfunction!(lod::simplify_mesh, module)?)?;
+    module.add_function(wrap_pyfunction!(lod::build, module)?)?;
+    module.add_function(wrap_pyfunction!(distance::distance, module)?)?;
+    module.add_function(wrap_pyfunction!(distance::vertex_distances, module)?)?;
+    module.add_function(wrap_pyfunction!(strips::strip, module)?)?;
+    module.add_function(wrap_pyfunction!(stream::encode_mesh, module)?)?;
+    module.add_function(wrap_pyfunction!(stream::encode_scene, module)?)?;
+    module.add_function(wrap_pyfunction!(files::open_file, module)?)?;
+    module.add_function(wrap_pyfunction!(files::decode, module)?)?;
+    module.add_function(wrap_pyfunction!(files::write_mesh, module)?)?;
+    module.add_function(wrap_pyfunction!(files::write_scene, module)?)?;
+    module.add_function(wrap_pyfunction!(files::write_bytes, module)?)?;
+    module.add_function(wrap_pyfunction!(files::format_of, module)?)?;
+    module.add_function(wrap_pyfunction!(files::viewer_page, module)?)?;
+    Ok(())
+}

@@ -1,0 +1,198 @@
+//! The classes `SceneData` and `LodSceneData`: whole glTF scenes.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use striata::file::WriteOptions;
+use striata::{LodOptions, simplify::SimplifyError};
+use striata_io::{Format, Scene, scene_to_bytes};
+use striata_scene::stream::{SceneStreamOptions, encode_scene_with_progress};
+use striata_scene::{GlbStreamOptions, LodScene};
+
+use crate::errors::{Outcome, simplify_error, value_error, write_error};
+use crate::job;
+use crate::lod::LodData;
+use crate::mesh::MeshData;
+use crate::options::{SimplifyArguments, reason, target};
+
+/// A glTF scene.
+#[pyclass(frozen, module = "striata._striata")]
+#[derive(Clone, Debug)]
+pub(crate) struct SceneData {
+    pub(crate) scene: Arc<Scene>,
+}
+
+/// A scene with all levels of its meshes.
+#[pyclass(frozen, module = "striata._striata")]
+#[derive(Clone, Debug)]
+pub(crate) struct LodSceneData {
+    pub(crate) lods: LodScene,
+}
+
+/// Node, mesh and transform (16 numbers in column order) of an instance.
+type Instance = (Option<usize>, usize, [f64; 16]);
+
+#[pymethods]
+impl SceneData {
+    /// Scene of a single mesh.
+    #[staticmethod]
+    fn of_mesh(mesh: &MeshData) -> Outcome<Self> {
+        Ok(Self::from(Scene::from_mesh(striata::mesh::IndexedMesh::clone(&mesh.mesh)).map_err(value_error)?))
+    }
+
+    /// The document as JSON.
+    fn document(&self) -> String {
+        self.scene.document().to_string()
+    }
+
+    /// Mesh of each entry of the document, or `None`.
+    fn meshes(&self) -> Vec<Option<MeshData>> {
+        self.scene.meshes().iter().map(|mesh| mesh.clone().map(MeshData::from)).collect()
+    }
+
+    fn mesh_names(&self) -> Vec<String> {
+        (0..self.scene.meshes().len()).map(|mesh| self.scene.mesh_name(mesh).to_owned()).collect()
+    }
+
+    /// Images as tuples of name, location, MIME type and contents.
+    fn images<'py>(&self, py: Python<'py>) -> Vec<(String, String, String, Bound<'py, PyBytes>)> {
+        let tuple = |image: &striata::mesh::Image| {
+            let bytes = PyBytes::new(py, &image.bytes);
+            (image.name.clone(), image.uri.clone(), image.mime_type.clone(), bytes)
+        };
+        self.scene.images().iter().map(tuple).collect()
+    }
+
+    fn instances(&self) -> Vec<Instance> {
+        self.scene.instances().iter().map(|i| (i.node, i.mesh, i.transform)).collect()
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.scene.warnings().iter().map(|w| format!("{}: {}: {}", w.file, w.place, w.reason)).collect()
+    }
+
+    #[getter]
+    fn face_count(&self) -> usize {
+        self.scene.triangle_count()
+    }
+
+    #[getter]
+    fn diagonal(&self) -> f64 {
+        self.scene.diagonal()
+    }
+
+    /// One mesh of everything shown, with all transforms applied.
+    fn flattened(&self, py: Python<'_>) -> Outcome<MeshData> {
+        let scene = Arc::clone(&self.scene);
+        let size = scene.triangle_count();
+        job::run(py, size, None, move |_| Ok(MeshData::from(scene.flattened().map_err(write_error)?)))
+    }
+
+    /// Builds all levels of all meshes.
+    fn build(
+        &self,
+        py: Python<'_>,
+        guaranteed: bool,
+        options: SimplifyArguments,
+        progress: Option<Bound<'_, PyAny>>,
+    ) -> Outcome<LodSceneData> {
+        let options =
+            LodOptions::default().with_sequence(options.sequence()?).with_guaranteed_errors(guaranteed);
+        let scene = Arc::clone(&self.scene);
+        let size = scene.triangle_count().max(usize::from(u16::MAX));
+        let lods = job::run(py, size, progress.as_ref(), move |progress| {
+            LodScene::build_with_progress(&scene, &options, progress).map_err(|error| match error.error {
+                SimplifyError::Cancelled(_) => simplify_error(error.error),
+                _ => value_error(error),
+            })
+        })?;
+        Ok(LodSceneData { lods })
+    }
+
+    /// Bytes of a GLB file.
+    fn to_glb<'py>(&self, py: Python<'py>) -> Outcome<Bound<'py, PyBytes>> {
+        let scene = Arc::clone(&self.scene);
+        let size = scene.triangle_count().max(usize::from(u16::MAX));
+        let bytes = job::run(py, size, None, move |_| {
+            scene_to_bytes(Format::Glb, &scene, &striata_io::WriteOptions::default()).map_err(write_error)
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+}
+
+impl From<Scene> for SceneData {
+    fn from(scene: Scene) -> Self {
+        Self { scene: Arc::new(scene) }
+    }
+}
+
+/// Split counts, triangles, vertices, error and stop reason of a level.
+type LevelFacts = (Vec<usize>, usize, usize, f64, &'static str);
+
+#[pymethods]
+impl LodSceneData {
+    #[getter]
+    fn face_count(&self) -> usize {
+        self.lods.triangle_count()
+    }
+
+    #[getter]
+    fn has_guaranteed_errors(&self) -> bool {
+        self.lods.has_guaranteed_errors()
+    }
+
+    #[getter]
+    fn diagonal(&self) -> f64 {
+        self.lods.full_scene().diagonal()
+    }
+
+    /// Levels of each mesh, or `None`.
+    fn lods(&self) -> Vec<Option<LodData>> {
+        self.lods.lods().iter().map(|lod| lod.clone().map(LodData::from)).collect()
+    }
+
+    fn full_scene(&self) -> SceneData {
+        SceneData::from(self.lods.full_scene())
+    }
+
+    fn level(&self, py: Python<'_>, target: (String, f64)) -> Outcome<LevelFacts> {
+        let target = self::target((&target.0, target.1))?;
+        let level = py.detach(|| self.lods.level(target));
+        let reason = reason(level.stop_reason);
+        Ok((level.split_counts, level.triangle_count, level.vertex_count, level.error, reason))
+    }
+
+    /// Scene of a level, given by the split count of each mesh.
+    fn level_scene(&self, py: Python<'_>, target: (String, f64)) -> Outcome<SceneData> {
+        let target = self::target((&target.0, target.1))?;
+        let lods = self.lods.clone();
+        let size = lods.triangle_count();
+        let scene = job::run(py, size, None, move |_| Ok(lods.level_scene(&lods.level(target))))?;
+        Ok(SceneData::from(scene))
+    }
+
+    /// Bytes of a file with all levels: `striata`, `stri` or `glb`.
+    fn to_bytes<'py>(
+        &self,
+        py: Python<'py>,
+        format: String,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> Outcome<Bound<'py, PyBytes>> {
+        let lods = self.lods.clone();
+        let size = lods.triangle_count().max(usize::from(u16::MAX));
+        let bytes = job::run(py, size, progress.as_ref(), move |progress| match format.as_str() {
+            "striata" => lods.to_striata(&WriteOptions::default()).map_err(value_error),
+            "glb" => lods.to_glb_with_stream(&GlbStreamOptions::default()).map_err(value_error),
+            "stri" => {
+                let options = SceneStreamOptions::default();
+                let encoded = encode_scene_with_progress(&lods.full_scene(), &options, progress);
+                Ok(encoded.map_err(value_error)?.bytes)
+            }
+            _ => Err(value_error(format!(
+                "cannot store all levels as {format:?}, only as striata, stri or glb"
+            ))),
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+}

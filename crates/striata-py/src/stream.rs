@@ -1,0 +1,155 @@
+//! Encoding and decoding of progressive streams.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use numpy::PyArray2;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use striata::ProgressFn;
+use striata::simplify::{BatchOptions, build_batches_with_progress};
+use striata_io::Scene;
+use striata_scene::stream::{SceneStreamOptions, encode_scene_with_progress};
+use striata_stream::{
+    Effort, Precision, SHAPE_STEPS, StreamDecoder as Decoder, StreamOptions, StreamUpdate, encode_stream,
+};
+
+use crate::arrays::{rows_to_array, signed_rows};
+use crate::errors::{Outcome, decode_error, internal_error, simplify_error, value_error};
+use crate::job;
+use crate::lod::LodData;
+use crate::mesh::MeshData;
+use crate::options::choice;
+use crate::scene::SceneData;
+
+/// Precision as bits or a tolerance; lossless if neither is given. And the effort.
+type Quality = (Option<u32>, Option<f64>, String);
+
+fn stream_options((bits, tolerance, effort): Quality) -> Outcome<StreamOptions> {
+    let precision = match (bits, tolerance) {
+        (Some(bits), _) => Precision::Bits(bits),
+        (None, Some(tolerance)) => Precision::Tolerance(tolerance),
+        (None, None) => Precision::Lossless,
+    };
+    let efforts = [("fast", Effort::Fast), ("default", Effort::Default), ("small", Effort::Small)];
+    let effort = choice("effort", &effort, &efforts)?;
+    Ok(StreamOptions::default().with_precision(precision).with_effort(effort))
+}
+
+/// Encodes a mesh as a progressive stream.
+#[pyfunction]
+pub(crate) fn encode_mesh<'py>(
+    py: Python<'py>,
+    mesh: &MeshData,
+    quality: Quality,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Outcome<Bound<'py, PyBytes>> {
+    let (mesh, options) = (Arc::clone(&mesh.mesh), stream_options(quality)?);
+    let bytes = job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
+        let step = options.grid_step(&mesh).map_err(value_error)?;
+        let batches = BatchOptions::default().with_shape_step(Some(SHAPE_STEPS * step));
+        let built = build_batches_with_progress(&mesh, &batches, progress).map_err(simplify_error)?;
+        stop_if_cancelled(progress)?;
+        let encoded = encode_stream(&built.built.refinable, &built.batches, &options);
+        Ok(encoded.map_err(value_error)?.bytes)
+    })?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// Encodes a scene as one progressive stream.
+#[pyfunction]
+pub(crate) fn encode_scene<'py>(
+    py: Python<'py>,
+    scene: &SceneData,
+    quality: Quality,
+    preview_side: u32,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Outcome<Bound<'py, PyBytes>> {
+    let options = stream_options(quality)?;
+    let options = SceneStreamOptions::default().with_stream(options).with_preview_side(preview_side);
+    let scene: Arc<Scene> = Arc::clone(&scene.scene);
+    let size = scene.triangle_count().max(usize::from(u16::MAX));
+    let bytes = job::run(py, size, progress.as_ref(), move |progress| {
+        Ok(encode_scene_with_progress(&scene, &options, progress).map_err(value_error)?.bytes)
+    })?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+fn stop_if_cancelled(progress: &mut ProgressFn<'_>) -> Outcome<()> {
+    match progress(striata::Progress { phase: "encode", done: 0, total: 1 }) {
+        std::ops::ControlFlow::Continue(()) => Ok(()),
+        std::ops::ControlFlow::Break(()) => Err(simplify_error(striata::Cancelled.into())),
+    }
+}
+
+/// A decoder of a stream that arrives in pieces.
+#[pyclass(frozen, module = "striata._striata")]
+#[derive(Debug)]
+pub(crate) struct DecoderData {
+    /// `None` only while a call decodes.
+    decoder: Arc<Mutex<Decoder>>,
+}
+
+impl DecoderData {
+    fn lock(&self) -> MutexGuard<'_, Decoder> {
+        self.decoder.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[pymethods]
+impl DecoderData {
+    #[new]
+    fn new() -> Self {
+        Self { decoder: Arc::new(Mutex::new(Decoder::new())) }
+    }
+
+    /// Decodes the next bytes; returns the number of new points, and whether faces changed.
+    fn push(&self, py: Python<'_>, bytes: Vec<u8>) -> Outcome<usize> {
+        let decoder = Arc::clone(&self.decoder);
+        job::run(py, bytes.len(), None, move |_| {
+            let mut decoder = decoder.lock().unwrap_or_else(PoisonError::into_inner);
+            new_points(decoder.push(&bytes).map_err(decode_error)?)
+        })
+    }
+
+    /// Decodes what it can of a stream that will not go on.
+    fn finish(&self, py: Python<'_>) -> Outcome<usize> {
+        let update = py.detach(|| self.lock().finish());
+        new_points(update.map_err(decode_error)?)
+    }
+
+    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f32>> {
+        let points = py.detach(|| self.lock().positions().to_vec());
+        rows_to_array(py, points)
+    }
+
+    fn faces<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<i32>> {
+        let triangles = py.detach(|| self.lock().triangles().to_vec());
+        signed_rows(py, triangles)
+    }
+
+    /// The levels decoded so far; `None` before the base mesh has arrived.
+    fn lod(&self, py: Python<'_>) -> Outcome<Option<LodData>> {
+        let decoder = Arc::clone(&self.decoder);
+        job::run(py, usize::MAX, None, move |_| {
+            let mesh = decoder.lock().unwrap_or_else(PoisonError::into_inner).refinable_mesh();
+            let Some(mesh) = mesh else { return Ok(None) };
+            mesh.mesh.check().map_err(internal_error)?;
+            Ok(Some(LodData::from(mesh)))
+        })
+    }
+
+    /// Whether the stream is complete, number of splits decoded, number of all splits, error now, and length
+    /// of the stream in bytes; `None` for what the header has not told yet.
+    fn facts(&self, py: Python<'_>) -> (bool, usize, Option<usize>, Option<f32>, Option<u64>) {
+        py.detach(|| {
+            let decoder = self.lock();
+            let length = decoder.info().map(|info| info.stream_bytes);
+            let (done, all) = (decoder.split_count(), decoder.step_count());
+            (decoder.is_complete(), done, all, decoder.error(), length)
+        })
+    }
+}
+
+fn new_points(update: StreamUpdate) -> Outcome<usize> {
+    Ok(update.vertices.len())
+}
