@@ -5,11 +5,12 @@ use std::process::{Command, Output};
 
 use crate::workbench::{NO_DRIVERS, Workbench, asset};
 
-/// Returns the guides with their names, sorted.
+/// Returns the guides to the command with their names, sorted. Those to the Python package are tested with it.
 fn guides() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide");
     let entries = std::fs::read_dir(folder).expect("the guides are in the repository");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    paths.retain(|path| !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("python")));
     paths.sort();
     let read = |path: &PathBuf| std::fs::read_to_string(path).expect("a guide is text");
     paths
