@@ -39,7 +39,9 @@ pub(crate) fn run() -> Result<()> {
     environment.python(&["-m", "pytest", "tests"])?;
     environment.python(&["-m", "pytest", "--doctest-modules", "--pyargs", "striata"])?;
     let guide = "../../docs/guide";
-    environment.python(&["-m", "pytest", "--doctest-glob=python*.md", "--rootdir", guide, guide])?;
+    // Without the cache, which would be a folder among the guides.
+    let options = ["-p", "no:cacheprovider", "--doctest-glob=python*.md", "--rootdir", guide, guide];
+    environment.python(&[&["-m", "pytest"], options.as_slice()].concat())?;
     environment.python(&["-m", "mypy", "--config-file", "pyproject.toml"])?;
     // Every subclass of a tuple counts as a disjoint base, which stubs cannot say before Python 3.15.
     let options = ["--ignore-disjoint-bases", "--mypy-config-file", "pyproject.toml"];

@@ -10,7 +10,10 @@ fn guides() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide");
     let entries = std::fs::read_dir(folder).expect("the guides are in the repository");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
-    paths.retain(|path| !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("python")));
+    paths.retain(|path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.ends_with(".md") && !name.starts_with("python")
+    });
     paths.sort();
     let read = |path: &PathBuf| std::fs::read_to_string(path).expect("a guide is text");
     paths
