@@ -165,7 +165,7 @@ export default function scenes(world) {
 
   pageTest(world, 'a throttled scene is recognizable after a part of its bytes', {}, async (page) => {
     await open(page);
-    server.state.rate = 4000;
+    server.state.rate = 2000;
     const seen = await page.evaluate(async () => {
       const model = await new StriataLoader().open('/models/arm.stri');
       scene.add(model);
