@@ -114,7 +114,7 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
 
 
 def mesh_data_of(mesh: Any) -> _striata.MeshData:
-    """Return the mesh for the extension, at the place where the user has it."""
+    """Return the mesh for the extension, in the coordinates of the user."""
     if isinstance(mesh, Mesh):
         return mesh._data
     found = input_of(mesh)

@@ -237,7 +237,7 @@ class Lod:
         save(path, self)
 
     def _placed(self, split_count: int | None = None) -> _striata.MeshData:
-        """Return a level (or the full mesh) for the extension, at the place where the user has it."""
+        """Return a level (or the full mesh) for the extension, in the coordinates of the user."""
         data = self._data.mesh() if split_count is None else self._data.level_mesh(split_count)
         offset = self._offset()
         return data if offset == (0.0, 0.0, 0.0) else data.moved(offset)

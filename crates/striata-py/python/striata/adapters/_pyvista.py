@@ -17,7 +17,7 @@ def take_apart(mesh: Any) -> Input:
     if mesh.n_points and not mesh.is_all_triangles:
         mesh = mesh.triangulate()
     if mesh.n_lines or mesh.n_verts:
-        # A mesh of points only has a vertex cell per point; what remains of others could not be told.
+        # A mesh of points only has a vertex cell per point; which of the others remain is unknown.
         raise ValueError(f"the PolyData has {mesh.n_lines} lines and {mesh.n_verts} vertices besides its faces")
     faces = mesh.regular_faces if mesh.n_cells else np.empty((0, 3), dtype=np.int64)
     attributes = {name: np.asarray(mesh.point_data[name]) for name in mesh.point_data.keys()}
