@@ -139,7 +139,7 @@ impl DecoderData {
     }
 
     /// Whether the stream is complete, number of splits decoded, number of all splits, error now, and length
-    /// of the stream in bytes; `None` for what the header has not told yet.
+    /// of the stream in bytes; `None` until the header has arrived.
     fn facts(&self, py: Python<'_>) -> (bool, usize, Option<usize>, Option<f32>, Option<u64>) {
         py.detach(|| {
             let decoder = self.lock();
