@@ -202,7 +202,9 @@ mod tests {
         let page = self_contained(Some(("ball.stri", b"1234"))).expect("all parts");
         assert!(page.contains("data-name=\"ball.stri\">MTIzNA==</script>"));
         let smaller = for_stream("ball.stri", b"1234").expect("all parts");
-        assert!(smaller.contains("striata-wasm") && smaller.len() < page.len() / 2);
+        assert!(page.contains("id=\"striata-wasm\"") && page.contains("id=\"striata-builder-wasm\""));
+        assert!(smaller.contains("id=\"striata-wasm\"") && !smaller.contains("id=\"striata-builder-wasm\""));
+        assert!(smaller.len() < page.len() * 2 / 3, "{} and {} bytes", smaller.len(), page.len());
         for name in ViewerFiles::iter().filter(|name| name.ends_with(".js") || name.ends_with(".css")) {
             assert!(!page.contains(&format!("\"./{name}\"")), "{name} is inlined");
         }
