@@ -7,6 +7,7 @@ use std::fmt::Display;
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::{PyErr, create_exception};
+use striata::Cancelled;
 use striata::simplify::SimplifyError;
 use striata_io::{ReadError, WriteError};
 
@@ -30,11 +31,16 @@ pub(crate) fn internal_error(what: impl Display) -> PyErr {
     PyRuntimeError::new_err(format!("internal error: {what}"))
 }
 
-/// Errors of simplification; a cancelled one is a `KeyboardInterrupt`, which the caller has usually raised
-/// already.
+/// A `KeyboardInterrupt`. The caller has raised the exception that cancelled the work already, so nobody
+/// sees this one.
+pub(crate) fn cancelled(reason: Cancelled) -> PyErr {
+    PyKeyboardInterrupt::new_err(reason.to_string())
+}
+
+/// Errors of simplification.
 pub(crate) fn simplify_error(error: SimplifyError) -> PyErr {
     match error {
-        SimplifyError::Cancelled(_) => PyKeyboardInterrupt::new_err("cancelled"),
+        SimplifyError::Cancelled(reason) => cancelled(reason),
         SimplifyError::Sequence(_) | SimplifyError::Fragments(_) => internal_error(error),
         _ => value_error(error),
     }

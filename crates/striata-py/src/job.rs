@@ -1,9 +1,10 @@
 //! Runs long calls on a worker thread, so that Python goes on and Ctrl-C works.
 //!
 //! The calling thread releases the interpreter and wakes every 20 ms to look for signals and to report
-//! progress. Work that has a progress callback stops at its next report. Other work is abandoned: it finishes
-//! in the background, and its result is dropped. Work therefore owns what it uses. Calls that take less than
-//! about a millisecond run on the calling thread.
+//! progress. If a signal handler or the caller's progress function raises an exception, the caller gets it at
+//! once. The work goes on in the background until it reports progress next, stops there, and its result is
+//! dropped; work therefore owns what it uses. Calls that take less than about a millisecond run on the calling
+//! thread.
 
 use std::any::Any;
 use std::ops::ControlFlow;

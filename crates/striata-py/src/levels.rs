@@ -4,10 +4,10 @@
 //! progressive fans, which take about half as long to build as the sequence itself; many callers want only
 //! levels.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use striata::mesh::{CollapseSequence, IndexedMesh, RefinableMesh, replay};
-use striata::{Lod, Target};
+use striata::{Cancelled, Lod, ProgressFn, Target};
 
 use crate::sources::representatives;
 
@@ -20,35 +20,61 @@ pub struct Levels {
 #[derive(Debug)]
 enum Shared {
     /// Built here; the models follow if they are needed.
-    Built { refinable: Box<RefinableMesh>, has_guaranteed_errors: bool, lod: OnceLock<Lod> },
+    Built(Built),
     /// Came with its models.
     Opened(Lod),
+}
+
+#[derive(Debug)]
+struct Built {
+    refinable: Box<RefinableMesh>,
+    has_guaranteed_errors: bool,
+    lod: OnceLock<Lod>,
+    /// Held by the call that builds the models, so that others wait for it.
+    building: Mutex<()>,
+}
+
+impl Built {
+    fn lod(&self, progress: &mut ProgressFn<'_>) -> Result<&Lod, Cancelled> {
+        if let Some(lod) = self.lod.get() {
+            return Ok(lod);
+        }
+        let _guard = self.building.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(lod) = self.lod.get() {
+            return Ok(lod);
+        }
+        let refinable = RefinableMesh::clone(&self.refinable);
+        let lod = match self.has_guaranteed_errors {
+            true => Lod::from_certified_with_progress(refinable, progress)?,
+            false => Lod::from_refinable_with_progress(refinable, progress)?,
+        };
+        Ok(self.lod.get_or_init(|| lod))
+    }
 }
 
 impl Levels {
     /// Wraps a mesh with its sequence.
     pub fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
         let refinable = Box::new(refinable);
-        Self { shared: Arc::new(Shared::Built { refinable, has_guaranteed_errors, lod: OnceLock::new() }) }
+        let (lod, building) = (OnceLock::new(), Mutex::new(()));
+        Self { shared: Arc::new(Shared::Built(Built { refinable, has_guaranteed_errors, lod, building })) }
     }
 
     /// Levels with models for views and files, which are built by the first call.
-    pub fn lod(&self) -> &Lod {
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels.
+    pub fn lod(&self, progress: &mut ProgressFn<'_>) -> Result<&Lod, Cancelled> {
         match &*self.shared {
-            Shared::Opened(lod) => lod,
-            Shared::Built { refinable, has_guaranteed_errors, lod } => {
-                lod.get_or_init(|| match has_guaranteed_errors {
-                    true => Lod::from_certified(RefinableMesh::clone(refinable)),
-                    false => Lod::from_refinable(RefinableMesh::clone(refinable)),
-                })
-            }
+            Shared::Opened(lod) => Ok(lod),
+            Shared::Built(built) => built.lod(progress),
         }
     }
 
     /// The full mesh, in refinement order.
     pub fn mesh(&self) -> &IndexedMesh {
         match &*self.shared {
-            Shared::Built { refinable, .. } => &refinable.mesh,
+            Shared::Built(built) => &built.refinable.mesh,
             Shared::Opened(lod) => lod.mesh(),
         }
     }
@@ -56,7 +82,7 @@ impl Levels {
     /// The collapses.
     pub fn sequence(&self) -> &CollapseSequence {
         match &*self.shared {
-            Shared::Built { refinable, .. } => &refinable.sequence,
+            Shared::Built(built) => &built.refinable.sequence,
             Shared::Opened(lod) => lod.sequence(),
         }
     }
@@ -64,7 +90,7 @@ impl Levels {
     /// Whether errors are bounds rather than estimates.
     pub fn has_guaranteed_errors(&self) -> bool {
         match &*self.shared {
-            Shared::Built { has_guaranteed_errors, .. } => *has_guaranteed_errors,
+            Shared::Built(built) => built.has_guaranteed_errors,
             Shared::Opened(lod) => lod.has_guaranteed_errors(),
         }
     }
@@ -78,16 +104,24 @@ impl Levels {
     /// A level as a mesh of its own, with only the vertices that it uses.
     pub fn level_mesh(&self, split_count: usize) -> IndexedMesh {
         match &*self.shared {
-            Shared::Built { refinable, .. } => {
-                replay(refinable, split_count.min(self.sequence().step_count())).without_unused_vertices()
+            Shared::Built(built) => {
+                let split_count = split_count.min(self.sequence().step_count());
+                replay(&built.refinable, split_count).without_unused_vertices()
             }
             Shared::Opened(lod) => lod.level(Target::SplitCount(split_count)).to_mesh(),
         }
     }
 
     /// A level as strips with restart indices, over the vertices of the full mesh.
-    pub fn level_strips(&self, split_count: usize) -> Vec<u32> {
-        self.lod().level(Target::SplitCount(split_count)).strips().indices
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels.
+    pub fn level_strips(
+        &self,
+        split_count: usize,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Vec<u32>, Cancelled> {
+        Ok(self.lod(progress)?.level(Target::SplitCount(split_count)).strips().indices)
     }
 }
 
@@ -99,6 +133,9 @@ impl From<Lod> for Levels {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
+    use striata::ignore_progress;
     use striata::mesh::{canonical_triangles, shapes};
     use striata::simplify::{SequenceOptions, build_sequence};
 
@@ -113,9 +150,20 @@ mod tests {
             let [ours, theirs] = [&built, &opened].map(|levels| levels.level_mesh(split_count));
             assert_eq!(canonical_triangles(&ours.triangles), canonical_triangles(&theirs.triangles));
             assert_eq!(ours.positions, theirs.positions);
-            assert_eq!(built.level_strips(split_count), opened.level_strips(split_count));
+            let strips =
+                [&built, &opened].map(|levels| levels.level_strips(split_count, &mut ignore_progress));
+            assert_eq!(strips[0], strips[1]);
             assert_eq!(built.representatives(split_count), opened.representatives(split_count));
         }
         assert!(!built.has_guaranteed_errors() && !opened.has_guaranteed_errors());
+    }
+
+    #[test]
+    fn models_that_were_cancelled_are_built_by_the_next_call() {
+        let built = build_sequence(&shapes::terrain(16, 3), &SequenceOptions::default()).unwrap();
+        let levels = Levels::new(built.refinable, true);
+        assert_eq!(levels.lod(&mut |_| ControlFlow::Break(())).map(drop), Err(Cancelled));
+        assert!(levels.lod(&mut ignore_progress).unwrap().has_guaranteed_errors());
+        assert!(levels.lod(&mut |_| ControlFlow::Break(())).is_ok());
     }
 }

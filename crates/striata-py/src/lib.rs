@@ -6,9 +6,9 @@
 //! any other crate.
 //!
 //! In reading order: `sources` says which vertex of the input each vertex of a level comes from, `one_level`
-//! simplifies to a single level, `levels` has all of them; `job` runs long calls so that Ctrl-C works, `pool` gives them threads that
-//! survive a fork, `arrays` and `errors` convert; the remaining modules are the classes and functions of the
-//! module, one file each.
+//! simplifies to a single level, `levels` has all of them; `job` runs long calls so that Ctrl-C works, `pool`
+//! gives them threads that survive a fork, `arrays` and `errors` convert; the remaining modules are the classes
+//! and functions of the module, one file each.
 //!
 //! Arrays are untrusted: every call succeeds or raises an exception that names the place.
 
@@ -18,6 +18,10 @@ pub mod sources;
 
 #[cfg(feature = "python")]
 mod arrays;
+#[cfg(feature = "python")]
+mod content;
+#[cfg(feature = "python")]
+mod decode;
 #[cfg(feature = "python")]
 mod distance;
 #[cfg(feature = "python")]
@@ -38,6 +42,8 @@ mod options;
 mod pool;
 #[cfg(feature = "python")]
 mod scene;
+#[cfg(feature = "python")]
+mod simplify;
 #[cfg(feature = "python")]
 mod stream;
 #[cfg(feature = "python")]

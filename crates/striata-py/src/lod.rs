@@ -1,24 +1,21 @@
-//! The class `LodData` and simplification to one level.
+//! The class `LodData`: every level of a mesh.
 
 use std::sync::Arc;
 
 use numpy::{IntoPyArray as _, PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use striata::Lod;
 use striata::file::WriteOptions;
 use striata::mesh::{RefinableMesh, weld};
-use striata::simplify::{
-    Placement, SimplifyOptions, build_welded_sequence_with_progress,
-    certify_collapses_in_any_state_with_progress, simplify_with_progress,
-};
+use striata::simplify::{build_welded_sequence_with_progress, certify_collapses_in_any_state_with_progress};
+use striata::{Cancelled, Lod, ProgressFn};
 
 use crate::arrays::{rows_to_array, signed, signed_rows};
-use crate::errors::{Outcome, simplify_error, value_error};
+use crate::errors::{Outcome, cancelled, simplify_error, value_error};
 use crate::job;
 use crate::levels::Levels;
-use crate::mesh::{MeshData, is_internal, without_internal_layers};
-use crate::one_level::{LevelRequest, check_locked, simplify_one_level};
+use crate::mesh::{MeshData, is_internal, move_points, without_internal_layers};
+use crate::one_level::check_locked;
 use crate::options::{SimplifyArguments, reason, target};
 use crate::sources::{Sources, level_triangles};
 use crate::view::ViewData;
@@ -42,56 +39,6 @@ impl From<RefinableMesh> for LodData {
     fn from(refinable: RefinableMesh) -> Self {
         Self { levels: Levels::new(refinable, false), sources: None }
     }
-}
-
-/// One level as faces, kept input vertices, input triangle of each face, error and stop reason.
-type LevelArrays<'py> =
-    (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i32>>, f64, &'static str);
-
-/// Simplifies a mesh to one level, in terms of its vertices and triangles.
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
-pub(crate) fn simplify<'py>(
-    py: Python<'py>,
-    mesh: &MeshData,
-    target: (String, f64),
-    max_error: Option<f64>,
-    guaranteed: bool,
-    options: SimplifyArguments,
-    progress: Option<Bound<'py, PyAny>>,
-) -> Outcome<LevelArrays<'py>> {
-    let target = self::target((&target.0, target.1))?;
-    let request = LevelRequest { target, max_error, is_guaranteed: guaranteed };
-    let (mesh, options) = (Arc::clone(&mesh.mesh), options.sequence()?);
-    let level = job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
-        simplify_one_level(&mesh, request, &options, progress).map_err(simplify_error)
-    })?;
-    let faces = signed_rows(py, level.triangles);
-    let (kept, origins) = (signed(py, level.kept), signed(py, level.origins));
-    Ok((faces, kept, origins, level.error, reason(level.stop_reason)))
-}
-
-/// Simplifies a mesh with its groups to one level of its own vertices, or of freely placed ones.
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
-pub(crate) fn simplify_mesh(
-    py: Python<'_>,
-    mesh: &MeshData,
-    target: (String, f64),
-    max_error: Option<f64>,
-    free_placement: bool,
-    options: SimplifyArguments,
-    progress: Option<Bound<'_, PyAny>>,
-) -> Outcome<(MeshData, f64, &'static str)> {
-    let target = self::target((&target.0, target.1))?;
-    let mut all = SimplifyOptions::default().with_target(target).with_sequence(options.sequence()?);
-    all.tolerance = max_error;
-    all.placement = if free_placement { Placement::Optimal } else { Placement::Subset };
-    let mesh = Arc::clone(&mesh.mesh);
-    let level = job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
-        simplify_with_progress(&mesh, &all, progress).map_err(simplify_error)
-    })?;
-    Ok((MeshData::from(level.mesh), level.error, reason(level.stop_reason)))
 }
 
 /// Builds every level of a mesh.
@@ -187,7 +134,9 @@ impl LodData {
     /// Level as strips with the restart index -1.
     fn level_strips<'py>(&self, py: Python<'py>, split_count: usize) -> Outcome<Bound<'py, PyArray1<i32>>> {
         let levels = self.levels.clone();
-        let indices = job::run(py, self.size(), None, move |_| Ok(levels.level_strips(split_count)))?;
+        let indices = job::run(py, self.size(), None, move |progress| {
+            levels.level_strips(split_count, progress).map_err(cancelled)
+        })?;
         Ok(signed(py, indices))
     }
 
@@ -221,14 +170,18 @@ impl LodData {
 
     fn view(&self, py: Python<'_>) -> Outcome<ViewData> {
         let levels = self.levels.clone();
-        job::run(py, self.size(), None, move |_| Ok(ViewData::new(levels.lod())))
+        job::run(py, self.size(), None, move |progress| {
+            Ok(ViewData::new(levels.lod(progress).map_err(cancelled)?))
+        })
     }
 
     /// Bytes of a `.striata` file, with all points moved by an offset.
     fn to_striata<'py>(&self, py: Python<'py>, offset: [f64; 3]) -> Outcome<Bound<'py, PyBytes>> {
         let levels = self.levels.clone();
-        let bytes = job::run(py, self.size(), None, move |_| {
-            stored(levels.lod().clone(), offset).to_striata(&WriteOptions::default()).map_err(value_error)
+        let bytes = job::run(py, self.size(), None, move |progress| {
+            let lod = levels.lod(progress).map_err(cancelled)?.clone();
+            let lod = stored(lod, offset, progress).map_err(cancelled)?;
+            lod.to_striata(&WriteOptions::default()).map_err(value_error)
         })?;
         Ok(PyBytes::new(py, &bytes))
     }
@@ -266,19 +219,15 @@ impl LodData {
 }
 
 /// Levels as a file stores them: points moved by an offset, without layers that exist only for simplification.
-fn stored(lod: Lod, offset: [f64; 3]) -> Lod {
+fn stored(lod: Lod, offset: [f64; 3], progress: &mut ProgressFn<'_>) -> Result<Lod, Cancelled> {
     if offset == [0.0; 3] && !lod.mesh().layers.iter().any(is_internal) {
-        return lod;
+        return Ok(lod);
     }
     let mut mesh = without_internal_layers(lod.mesh());
-    for position in &mut mesh.positions {
-        for (x, offset) in position.iter_mut().zip(offset) {
-            *x = (f64::from(*x) + offset) as f32;
-        }
-    }
-    let refinable = striata::mesh::RefinableMesh { mesh, sequence: lod.sequence().clone() };
+    move_points(&mut mesh, offset);
+    let refinable = RefinableMesh { mesh, sequence: lod.sequence().clone() };
     match lod.has_guaranteed_errors() {
-        true => Lod::from_certified(refinable),
-        false => Lod::from_refinable(refinable),
+        true => Lod::from_certified_with_progress(refinable, progress),
+        false => Lod::from_refinable_with_progress(refinable, progress),
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+use striata::mesh::{AttributeLayer, Image, IndexedMesh, LayerData, Semantic};
 
 use crate::arrays::{flat_to_array, rows_of, rows_to_array, signed_rows};
 use crate::errors::{Outcome, value_error};
@@ -87,13 +87,8 @@ impl MeshData {
     }
 
     /// Images as tuples of name, location, MIME type and contents.
-    fn images<'py>(&self, py: Python<'py>) -> Vec<(String, String, String, Bound<'py, PyBytes>)> {
-        let images = self.mesh.appearance.images.iter();
-        let tuple = |image: &striata::mesh::Image| {
-            let bytes = PyBytes::new(py, &image.bytes);
-            (image.name.clone(), image.uri.clone(), image.mime_type.clone(), bytes)
-        };
-        images.map(tuple).collect()
+    fn images<'py>(&self, py: Python<'py>) -> Vec<ImageTuple<'py>> {
+        image_tuples(py, &self.mesh.appearance.images)
     }
 
     /// The mesh without layers that exist only for simplification.
@@ -104,14 +99,13 @@ impl MeshData {
         }
     }
 
-    /// A copy whose points are moved by an offset.
+    /// The mesh with its points moved by an offset.
     fn moved(&self, offset: [f64; 3]) -> Self {
-        let mut mesh = IndexedMesh::clone(&self.mesh);
-        for position in &mut mesh.positions {
-            for (x, offset) in position.iter_mut().zip(offset) {
-                *x = (f64::from(*x) + offset) as f32;
-            }
+        if offset == [0.0; 3] {
+            return self.clone();
         }
+        let mut mesh = IndexedMesh::clone(&self.mesh);
+        move_points(&mut mesh, offset);
         Self::from(mesh)
     }
 }
@@ -120,6 +114,27 @@ impl From<IndexedMesh> for MeshData {
     fn from(mesh: IndexedMesh) -> Self {
         Self { mesh: Arc::new(mesh) }
     }
+}
+
+/// Adds an offset to all points.
+pub(crate) fn move_points(mesh: &mut IndexedMesh, offset: [f64; 3]) {
+    for position in &mut mesh.positions {
+        for (x, offset) in position.iter_mut().zip(offset) {
+            *x = (f64::from(*x) + offset) as f32;
+        }
+    }
+}
+
+/// Name, location, MIME type and contents of an image.
+pub(crate) type ImageTuple<'py> = (String, String, String, Bound<'py, PyBytes>);
+
+/// Images as tuples.
+pub(crate) fn image_tuples<'py>(py: Python<'py>, images: &[Image]) -> Vec<ImageTuple<'py>> {
+    let tuple = |image: &Image| {
+        let bytes = PyBytes::new(py, &image.bytes);
+        (image.name.clone(), image.uri.clone(), image.mime_type.clone(), bytes)
+    };
+    images.iter().map(tuple).collect()
 }
 
 /// Color sets from this number on only count in the cost; the Python half makes them.

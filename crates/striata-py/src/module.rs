@@ -8,7 +8,7 @@ use crate::mesh::MeshData;
 use crate::scene::{LodSceneData, SceneData};
 use crate::stream::DecoderData;
 use crate::view::ViewData;
-use crate::{distance, files, lod, stream, strips};
+use crate::{decode, distance, files, lod, simplify, stream, strips};
 
 /// All classes are immutable or guarded by a mutex, so the module is safe without the global lock.
 #[pymodule(gil_used = false)]
@@ -21,8 +21,8 @@ fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<SceneData>()?;
     module.add_class::<LodSceneData>()?;
     module.add_class::<DecoderData>()?;
-    module.add_function(wrap_pyfunction!(lod::simplify, module)?)?;
-    module.add_function(wrap_pyfunction!(lod::simplify_mesh, module)?)?;
+    module.add_function(wrap_pyfunction!(simplify::simplify, module)?)?;
+    module.add_function(wrap_pyfunction!(simplify::simplify_mesh, module)?)?;
     module.add_function(wrap_pyfunction!(lod::build, module)?)?;
     module.add_function(wrap_pyfunction!(distance::distance, module)?)?;
     module.add_function(wrap_pyfunction!(distance::vertex_distances, module)?)?;
@@ -30,7 +30,7 @@ fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(stream::encode_mesh, module)?)?;
     module.add_function(wrap_pyfunction!(stream::encode_scene, module)?)?;
     module.add_function(wrap_pyfunction!(files::open_file, module)?)?;
-    module.add_function(wrap_pyfunction!(files::decode, module)?)?;
+    module.add_function(wrap_pyfunction!(decode::decode, module)?)?;
     module.add_function(wrap_pyfunction!(files::write_mesh, module)?)?;
     module.add_function(wrap_pyfunction!(files::write_scene, module)?)?;
     module.add_function(wrap_pyfunction!(files::write_bytes, module)?)?;

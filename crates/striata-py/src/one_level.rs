@@ -1,11 +1,11 @@
-//! Simplification to one level that keeps the correspondence with the input.
+//! Simplification to one level, with guaranteed errors if they are asked for.
 //!
-//! Does what [`striata::simplify::simplify`] does, and also returns which input vertices are kept and which
-//! input triangle each triangle comes from, so that callers can carry data of any type along. Kept vertices
-//! stay in the order of the input.
+//! [`simplify_one_level`] keeps the correspondence with the input: it returns which input vertices are kept and
+//! which input triangle each triangle comes from, so that callers can carry data of any type along. Kept
+//! vertices stay in the order of the input. [`simplify_whole_mesh`] returns a mesh with its groups.
 
 use striata::ProgressFn;
-use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::mesh::{IndexedMesh, RefinableMesh, Welded, replay, weld};
 use striata::simplify::{
     SequenceOptions, SimplifyError, StopReason, Target, build_welded_sequence_with_progress,
     certify_collapses_with_progress,
@@ -53,15 +53,54 @@ pub fn simplify_one_level(
     check_locked(options, mesh)?;
     let welded = weld(mesh)?;
     let position_of_source = welded.position_of_source.clone();
+    let level = resolved_level(welded, request, options, progress)?;
+    let sequence = &level.refinable.sequence;
+    let sources = Sources::new(mesh, &position_of_source, sequence, level.source_vertex);
+    Ok(OneLevel { stop_reason: level.stop_reason, ..level_of(&level.refinable, &sources, level.split_count) })
+}
+
+/// Simplifies a mesh to one level as a mesh of its own, with groups, layers and materials; also returns the
+/// error and the stop reason.
+///
+/// # Errors
+/// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
+pub fn simplify_whole_mesh(
+    mesh: &IndexedMesh,
+    request: LevelRequest,
+    options: &SequenceOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<(IndexedMesh, f64, StopReason), SimplifyError> {
+    options.check()?;
+    check_locked(options, mesh)?;
+    let level = resolved_level(weld(mesh)?, request, options, progress)?;
+    let error = f64::from(level.refinable.sequence.error_at(level.split_count));
+    let mesh = replay(&level.refinable, level.split_count).without_unused_vertices();
+    Ok((mesh, error, level.stop_reason))
+}
+
+/// A sequence, and the level of it that was asked for.
+struct ResolvedLevel {
+    refinable: RefinableMesh,
+    /// Input vertex of each vertex.
+    source_vertex: Vec<u32>,
+    split_count: usize,
+    stop_reason: StopReason,
+}
+
+fn resolved_level(
+    welded: Welded,
+    request: LevelRequest,
+    options: &SequenceOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<ResolvedLevel, SimplifyError> {
     let options = options_up_to(request, options);
     let built = build_welded_sequence_with_progress(welded, &options, progress)?;
-    let sources = Sources::new(mesh, &position_of_source, &built.refinable.sequence, built.source_vertex);
     let refinable = match request.is_guaranteed {
         true => certify_collapses_with_progress(&built.refinable, progress)?,
         false => built.refinable,
     };
     let (split_count, stop_reason) = resolve(&refinable, request, built.stop_reason);
-    Ok(OneLevel { stop_reason, ..level_of(&refinable, &sources, split_count) })
+    Ok(ResolvedLevel { refinable, source_vertex: built.source_vertex, split_count, stop_reason })
 }
 
 /// Checks that all locked vertices are vertices of the mesh.
@@ -199,5 +238,9 @@ mod tests {
             simplify_one_level(&mesh, request, &SequenceOptions::default(), &mut ignore_progress).unwrap();
         assert!(level.error <= 0.05 && level.triangles.len() > 2);
         assert_eq!(level.stop_reason, StopReason::ErrorLimit);
+        let (whole, error, stop_reason) =
+            simplify_whole_mesh(&mesh, request, &SequenceOptions::default(), &mut ignore_progress).unwrap();
+        assert_eq!((whole.triangle_count(), error), (level.triangles.len(), level.error));
+        assert_eq!(stop_reason, StopReason::ErrorLimit);
     }
 }

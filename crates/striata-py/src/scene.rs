@@ -7,14 +7,17 @@ use pyo3::types::PyBytes;
 use striata::file::WriteOptions;
 use striata::{LodOptions, simplify::SimplifyError};
 use striata_io::{Format, Scene, scene_to_bytes};
-use striata_scene::stream::{SceneStreamOptions, encode_scene_with_progress};
+use striata_scene::glb_stream::GlbStreamError;
+use striata_scene::stream::SceneStreamOptions;
 use striata_scene::{GlbStreamOptions, LodScene};
 
-use crate::errors::{Outcome, simplify_error, value_error, write_error};
+use crate::errors::{Outcome, cancelled, simplify_error, value_error, write_error};
+use crate::files::warning_texts;
 use crate::job;
 use crate::lod::LodData;
-use crate::mesh::MeshData;
+use crate::mesh::{ImageTuple, MeshData, image_tuples};
 use crate::options::{SimplifyArguments, reason, target};
+use crate::stream::scene_bytes;
 
 /// A glTF scene.
 #[pyclass(frozen, module = "striata._striata")]
@@ -56,12 +59,8 @@ impl SceneData {
     }
 
     /// Images as tuples of name, location, MIME type and contents.
-    fn images<'py>(&self, py: Python<'py>) -> Vec<(String, String, String, Bound<'py, PyBytes>)> {
-        let tuple = |image: &striata::mesh::Image| {
-            let bytes = PyBytes::new(py, &image.bytes);
-            (image.name.clone(), image.uri.clone(), image.mime_type.clone(), bytes)
-        };
-        self.scene.images().iter().map(tuple).collect()
+    fn images<'py>(&self, py: Python<'py>) -> Vec<ImageTuple<'py>> {
+        image_tuples(py, self.scene.images())
     }
 
     fn instances(&self) -> Vec<Instance> {
@@ -69,7 +68,7 @@ impl SceneData {
     }
 
     fn warnings(&self) -> Vec<String> {
-        self.scene.warnings().iter().map(|w| format!("{}: {}: {}", w.file, w.place, w.reason)).collect()
+        warning_texts(self.scene.warnings())
     }
 
     #[getter]
@@ -183,12 +182,14 @@ impl LodSceneData {
         let size = lods.triangle_count().max(usize::from(u16::MAX));
         let bytes = job::run(py, size, progress.as_ref(), move |progress| match format.as_str() {
             "striata" => lods.to_striata(&WriteOptions::default()).map_err(value_error),
-            "glb" => lods.to_glb_with_stream(&GlbStreamOptions::default()).map_err(value_error),
-            "stri" => {
-                let options = SceneStreamOptions::default();
-                let encoded = encode_scene_with_progress(&lods.full_scene(), &options, progress);
-                Ok(encoded.map_err(value_error)?.bytes)
+            "glb" => {
+                let bytes = lods.to_glb_with_stream_and_progress(&GlbStreamOptions::default(), progress);
+                bytes.map_err(|error| match error {
+                    GlbStreamError::Cancelled(reason) => cancelled(reason),
+                    error => value_error(error),
+                })
             }
+            "stri" => scene_bytes(&lods.full_scene(), &SceneStreamOptions::default(), progress),
             _ => Err(value_error(format!(
                 "cannot store all levels as {format:?}, only as striata, stri or glb"
             ))),

@@ -5,16 +5,17 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use striata::ProgressFn;
 use striata::simplify::{BatchOptions, build_batches_with_progress};
+use striata::{Cancelled, ProgressFn};
 use striata_io::Scene;
-use striata_scene::stream::{SceneStreamOptions, encode_scene_with_progress};
+use striata_scene::stream::{SceneEncodeError, SceneStreamOptions, encode_scene_with_progress};
 use striata_stream::{
-    Effort, Precision, SHAPE_STEPS, StreamDecoder as Decoder, StreamOptions, StreamUpdate, encode_stream,
+    Effort, Precision, SHAPE_STEPS, StreamDecoder as Decoder, StreamError, StreamOptions,
+    encode_stream_with_progress,
 };
 
 use crate::arrays::{rows_to_array, signed_rows};
-use crate::errors::{Outcome, decode_error, internal_error, simplify_error, value_error};
+use crate::errors::{Outcome, cancelled, decode_error, internal_error, simplify_error, value_error};
 use crate::job;
 use crate::lod::LodData;
 use crate::mesh::MeshData;
@@ -48,9 +49,8 @@ pub(crate) fn encode_mesh<'py>(
         let step = options.grid_step(&mesh).map_err(value_error)?;
         let batches = BatchOptions::default().with_shape_step(Some(SHAPE_STEPS * step));
         let built = build_batches_with_progress(&mesh, &batches, progress).map_err(simplify_error)?;
-        stop_if_cancelled(progress)?;
-        let encoded = encode_stream(&built.built.refinable, &built.batches, &options);
-        Ok(encoded.map_err(value_error)?.bytes)
+        let encoded = encode_stream_with_progress(&built.built.refinable, &built.batches, &options, progress);
+        Ok(encoded.map_err(stream_error)?.bytes)
     })?;
     Ok(PyBytes::new(py, &bytes))
 }
@@ -68,16 +68,49 @@ pub(crate) fn encode_scene<'py>(
     let options = SceneStreamOptions::default().with_stream(options).with_preview_side(preview_side);
     let scene: Arc<Scene> = Arc::clone(&scene.scene);
     let size = scene.triangle_count().max(usize::from(u16::MAX));
-    let bytes = job::run(py, size, progress.as_ref(), move |progress| {
-        Ok(encode_scene_with_progress(&scene, &options, progress).map_err(value_error)?.bytes)
-    })?;
+    let bytes =
+        job::run(py, size, progress.as_ref(), move |progress| scene_bytes(&scene, &options, progress))?;
     Ok(PyBytes::new(py, &bytes))
 }
 
-fn stop_if_cancelled(progress: &mut ProgressFn<'_>) -> Outcome<()> {
-    match progress(striata::Progress { phase: "encode", done: 0, total: 1 }) {
-        std::ops::ControlFlow::Continue(()) => Ok(()),
-        std::ops::ControlFlow::Break(()) => Err(simplify_error(striata::Cancelled.into())),
+/// Encodes a scene in a worker.
+pub(crate) fn scene_bytes(
+    scene: &Scene,
+    options: &SceneStreamOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Outcome<Vec<u8>> {
+    match encode_scene_with_progress(scene, options, progress) {
+        Ok(encoded) => Ok(encoded.bytes),
+        Err(SceneEncodeError::Cancelled) => Err(cancelled(Cancelled)),
+        Err(error) => Err(value_error(error)),
+    }
+}
+
+fn stream_error(error: StreamError) -> PyErr {
+    match error {
+        StreamError::Cancelled(reason) => cancelled(reason),
+        error => value_error(error),
+    }
+}
+
+/// A decoder, and the bytes that it has not seen yet because a call was interrupted.
+#[derive(Debug, Default)]
+struct Feed {
+    decoder: Decoder,
+    waiting: Vec<u8>,
+}
+
+impl Feed {
+    /// Decodes the bytes that wait; what is left when the caller cancels goes on waiting.
+    fn decode(&mut self, progress: &mut ProgressFn<'_>) -> Outcome<()> {
+        let mut bytes = std::mem::take(&mut self.waiting);
+        let accepted = self.decoder.push_with_progress(&bytes, progress).map_err(decode_error)?;
+        if accepted == bytes.len() {
+            return Ok(());
+        }
+        bytes.drain(..accepted);
+        self.waiting = bytes;
+        Err(cancelled(Cancelled))
     }
 }
 
@@ -85,53 +118,61 @@ fn stop_if_cancelled(progress: &mut ProgressFn<'_>) -> Outcome<()> {
 #[pyclass(frozen, module = "striata._striata")]
 #[derive(Debug)]
 pub(crate) struct DecoderData {
-    /// `None` only while a call decodes.
-    decoder: Arc<Mutex<Decoder>>,
+    feed: Arc<Mutex<Feed>>,
 }
 
 impl DecoderData {
-    fn lock(&self) -> MutexGuard<'_, Decoder> {
-        self.decoder.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> MutexGuard<'_, Feed> {
+        locked(&self.feed)
     }
+}
+
+fn locked(feed: &Mutex<Feed>) -> MutexGuard<'_, Feed> {
+    feed.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[pymethods]
 impl DecoderData {
     #[new]
     fn new() -> Self {
-        Self { decoder: Arc::new(Mutex::new(Decoder::new())) }
+        Self { feed: Arc::default() }
     }
 
-    /// Decodes the next bytes; returns the number of new points, and whether faces changed.
-    fn push(&self, py: Python<'_>, bytes: Vec<u8>) -> Outcome<usize> {
-        let decoder = Arc::clone(&self.decoder);
-        job::run(py, bytes.len(), None, move |_| {
-            let mut decoder = decoder.lock().unwrap_or_else(PoisonError::into_inner);
-            new_points(decoder.push(&bytes).map_err(decode_error)?)
+    /// Decodes the next bytes. If the call is interrupted, the next one decodes the rest.
+    fn push(&self, py: Python<'_>, bytes: Vec<u8>) -> Outcome<()> {
+        let feed = Arc::clone(&self.feed);
+        job::run(py, bytes.len(), None, move |progress| {
+            let mut feed = locked(&feed);
+            feed.waiting.extend_from_slice(&bytes);
+            feed.decode(progress)
         })
     }
 
     /// Decodes what it can of a stream that will not go on.
-    fn finish(&self, py: Python<'_>) -> Outcome<usize> {
-        let update = py.detach(|| self.lock().finish());
-        new_points(update.map_err(decode_error)?)
+    fn finish(&self, py: Python<'_>) -> Outcome<()> {
+        let feed = Arc::clone(&self.feed);
+        job::run(py, usize::MAX, None, move |progress| {
+            let mut feed = locked(&feed);
+            feed.decode(progress)?;
+            feed.decoder.finish().map(drop).map_err(decode_error)
+        })
     }
 
     fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f32>> {
-        let points = py.detach(|| self.lock().positions().to_vec());
+        let points = py.detach(|| self.lock().decoder.positions().to_vec());
         rows_to_array(py, points)
     }
 
     fn faces<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<i32>> {
-        let triangles = py.detach(|| self.lock().triangles().to_vec());
+        let triangles = py.detach(|| self.lock().decoder.triangles().to_vec());
         signed_rows(py, triangles)
     }
 
     /// The levels decoded so far; `None` before the base mesh has arrived.
     fn lod(&self, py: Python<'_>) -> Outcome<Option<LodData>> {
-        let decoder = Arc::clone(&self.decoder);
+        let feed = Arc::clone(&self.feed);
         job::run(py, usize::MAX, None, move |_| {
-            let mesh = decoder.lock().unwrap_or_else(PoisonError::into_inner).refinable_mesh();
+            let mesh = locked(&feed).decoder.refinable_mesh();
             let Some(mesh) = mesh else { return Ok(None) };
             mesh.mesh.check().map_err(internal_error)?;
             Ok(Some(LodData::from(mesh)))
@@ -142,14 +183,10 @@ impl DecoderData {
     /// of the stream in bytes; `None` until the header has arrived.
     fn facts(&self, py: Python<'_>) -> (bool, usize, Option<usize>, Option<f32>, Option<u64>) {
         py.detach(|| {
-            let decoder = self.lock();
+            let decoder = &self.lock().decoder;
             let length = decoder.info().map(|info| info.stream_bytes);
             let (done, all) = (decoder.split_count(), decoder.step_count());
             (decoder.is_complete(), done, all, decoder.error(), length)
         })
     }
-}
-
-fn new_points(update: StreamUpdate) -> Outcome<usize> {
-    Ok(update.vertices.len())
 }

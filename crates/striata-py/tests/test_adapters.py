@@ -93,6 +93,52 @@ def test_pyvista_examples():
             striata.simplify(refused, ratio=0.5)
 
 
+def test_pyvista_keeps_the_faces_of_mixed_cells():
+    pv = package("pyvista")
+    plane = pv.Plane(i_resolution=8, j_resolution=8).triangulate()
+    mixed = pv.PolyData(
+        plane.points,
+        faces=plane.faces,
+        lines=[2, 0, 1, 3, 2, 3, 4],
+        verts=[1, 0, 1, 5, 2, 7, 8],
+    )
+    mixed.cell_data["zone"] = np.arange(mixed.n_cells)
+    mixed.point_data["label"] = np.arange(mixed.n_points)
+    mixed.field_data["note"] = ["mixed"]
+    with pytest.warns(UserWarning, match="2 lines and 3 vertex cells") as caught:
+        made = striata.simplify(mixed, ratio=1.0)
+    assert caught[0].filename == __file__
+    assert made.n_cells == plane.n_cells and made.n_lines == made.n_verts == 0
+    assert np.array_equal(made.cell_data["zone"], np.arange(5, mixed.n_cells))
+    assert made.field_data["note"][0] == "mixed"
+    assert np.array_equal(mixed.points[made.point_data["label"]], made.points)
+    assert mixed.n_lines == 2 and mixed.n_verts == 3
+    for without_faces in (pv.Line(), pv.PolyData(plane.points)):
+        with pytest.raises(ValueError, match="no faces"):
+            striata.simplify(without_faces, ratio=0.5)
+
+
+def test_pyvista_strips_become_triangles():
+    pv = package("pyvista")
+    sphere = pv.Sphere()
+    strips = sphere.strip()
+    assert strips.n_strips > 0
+    strips.cell_data["zone"] = np.arange(strips.n_cells)
+    made = striata.simplify(strips, ratio=1.0)
+    assert made.n_strips == 0 and made.n_cells == sphere.n_cells
+    assert set(made.cell_data["zone"]) == set(range(strips.n_cells))
+    assert made.volume == pytest.approx(sphere.volume)
+    # A vertex cell, a line, a quad and a strip of two triangles.
+    points = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0], [2, 1, 0]])
+    every = pv.PolyData(points, faces=[4, 0, 1, 2, 3], lines=[2, 0, 1], verts=[1, 0], strips=[4, 1, 4, 2, 5])
+    every.cell_data["zone"] = [10, 11, 12, 13]
+    with pytest.warns(UserWarning, match="1 line and 1 vertex cell of"):
+        made = striata.simplify(every, ratio=1.0)
+    assert sorted(made.cell_data["zone"]) == [12, 12, 13, 13]
+    centers = made.cell_centers().points[:, 0]
+    assert ((centers > 1) == (made.cell_data["zone"] == 13)).all()
+
+
 def test_open3d_legacy(terrain):
     o3d = package("open3d")
     points, faces = terrain

@@ -37,7 +37,7 @@ pub use deformation::{Deformation, ScenePoses};
 pub use error::{BuildError, SceneMismatch};
 #[cfg(not(target_family = "wasm"))]
 pub use file::{open, save};
-pub use glb_stream::{GlbStreamOptions, read_glb_with_stream};
+pub use glb_stream::{GlbStreamOptions, read_glb_with_stream, read_glb_with_stream_and_progress};
 pub use levels::{MeshWeight, SceneLevel, SceneLevels};
 pub use lod_chain::{LodChainOptions, lod_chain};
 pub use lod_scene::LodScene;

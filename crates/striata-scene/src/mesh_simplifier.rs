@@ -56,10 +56,11 @@ impl<'s> MeshSimplifier<'s> {
             deformation.finish_with_progress(refinable, &mut stage(progress, (stages - 1, stages)))?;
         let first = first_level(&refinable, &sequence);
         let refinable = if first > 0 { refinable.without_levels_below(first) } else { refinable };
+        let mut finished = |_| progress(Progress { phase: "poses", done: 1, total: 1 });
         Ok(if options.has_guaranteed_errors {
-            Lod::from_certified(refinable)
+            Lod::from_certified_with_progress(refinable, &mut finished)?
         } else {
-            Lod::from_refinable(refinable)
+            Lod::from_refinable_with_progress(refinable, &mut finished)?
         })
     }
 
@@ -132,7 +133,7 @@ impl<'s> MeshSimplifier<'s> {
 }
 
 /// Returns a callback for one of several stages, each of which reports progress from its own beginning.
-fn stage(
+pub(crate) fn stage(
     progress: &mut ProgressFn<'_>,
     (index, count): (u64, u64),
 ) -> impl FnMut(Progress) -> ControlFlow<()> {

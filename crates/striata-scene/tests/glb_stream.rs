@@ -1,11 +1,15 @@
 //! GLB files with the extension `STRIATA_lod`: what other viewers see, what ours see, damage.
 
+use std::ops::ControlFlow;
+
 use serde_json::Value;
 use striata::file::STREAM_MAGIC;
 use striata::mesh::IndexedMesh;
 use striata::{LodOptions, Target};
 use striata_io::{Format, Scene, Source, mesh_data, read_scene_bytes, scene_to_bytes};
-use striata_scene::glb_stream::{GlbStreamReadError, STREAM_EXTENSION};
+use striata_scene::glb_stream::{
+    GlbStreamError, GlbStreamReadError, STREAM_EXTENSION, read_glb_with_stream_and_progress,
+};
 use striata_scene::{GlbStreamOptions, LodScene, read_glb_with_stream};
 use striata_stream::{Precision, StreamOptions};
 use striata_testing::scenes::{self, TestScene};
@@ -229,4 +233,36 @@ fn no_change_of_a_byte_panics() {
     for length in (0..glb.len()).step_by(101) {
         assert!(read_glb_with_stream(&glb[..length], &source()).is_err(), "{length}");
     }
+}
+
+/// Calls `work` with callbacks that cancel at the first, the second, ... report, until none is left.
+fn cancel_at_each_report(mut work: impl FnMut(&mut striata::ProgressFn<'_>) -> Result<(), bool>) {
+    for last in 1.. {
+        let mut calls = 0;
+        let outcome = work(&mut |_| {
+            calls += 1;
+            if calls < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        match outcome {
+            Ok(()) => {
+                assert!(calls < last && last > 2, "{calls} reports");
+                return;
+            }
+            Err(is_cancelled) => assert!(is_cancelled && calls == last, "report {last} of {calls}"),
+        }
+    }
+}
+
+#[test]
+fn writing_and_reading_can_be_cancelled_at_each_report() {
+    let scene = build(&scenes::without_nodes());
+    let glb = scene.to_glb_with_stream(&lossless()).unwrap();
+    cancel_at_each_report(|progress| {
+        let made = scene.to_glb_with_stream_and_progress(&lossless(), progress);
+        made.map(|bytes| assert_eq!(bytes, glb)).map_err(|e| matches!(e, GlbStreamError::Cancelled(_)))
+    });
+    cancel_at_each_report(|progress| {
+        let read = read_glb_with_stream_and_progress(&glb, &source(), progress);
+        read.map(|scene| assert!(scene.is_some())).map_err(|e| matches!(e, GlbStreamReadError::Cancelled(_)))
+    });
 }

@@ -8,8 +8,8 @@ use striata::mesh::{IndexedMesh, LayerData, Random, Semantic, shapes};
 use striata::simplify::BatchOptions;
 use striata_io::{Format, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
 use striata_scene::stream::{
-    EncodedScene, ImageState, SceneStreamDecoder, SceneStreamError, SceneStreamInfo, SceneStreamOptions,
-    encode_scene, encode_scene_with_progress,
+    EncodedScene, ImageState, SceneEncodeError, SceneStreamDecoder, SceneStreamError, SceneStreamInfo,
+    SceneStreamOptions, encode_scene, encode_scene_with_progress,
 };
 use striata_stream::{LayerOptions, Precision, StreamOptions};
 
@@ -443,8 +443,21 @@ fn encoding_is_deterministic_reports_progress_and_can_be_cancelled() {
     });
     assert_eq!(stream.unwrap().bytes, encoded(&scene).bytes);
     assert!(last > 0);
-    let mut cancel = |_| std::ops::ControlFlow::Break(());
-    assert!(encode_scene_with_progress(&scene, &options(), &mut cancel).is_err());
+    let mut phases = Vec::new();
+    let count = encode_scene_with_progress(&scene, &options(), &mut |now| {
+        phases.push(now.phase);
+        std::ops::ControlFlow::Continue(())
+    });
+    assert!(count.is_ok() && phases.contains(&"encode") && phases.contains(&"previews"), "{phases:?}");
+    for last in 1..=phases.len() {
+        let mut calls = 0;
+        let stopped = encode_scene_with_progress(&scene, &options(), &mut |_| {
+            calls += 1;
+            if calls < last { std::ops::ControlFlow::Continue(()) } else { std::ops::ControlFlow::Break(()) }
+        });
+        assert!(matches!(stopped, Err(SceneEncodeError::Cancelled)), "report {last}");
+        assert_eq!(calls, last);
+    }
     let mut bad = BatchOptions::default();
     bad.share = 2.0;
     let error = encode_scene(&scene, &options().with_batches(bad)).unwrap_err();

@@ -103,6 +103,7 @@ pub use topology::surface::SurfaceDefect;
 pub use writer::defect::{BatchDefect, StepDefect};
 pub use writer::encode::{
     EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
+    encode_stream_with_progress,
 };
 
 /// Compiles the README's example with the documentation tests.

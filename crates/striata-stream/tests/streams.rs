@@ -1,5 +1,7 @@
 //! Progressive streams: decoded meshes equal the encoded ones at any prefix, and damaged bytes do no harm.
 
+use std::ops::ControlFlow;
+
 use striata_testing::meshes;
 use striata_testing::support;
 
@@ -11,7 +13,7 @@ use striata::mesh::{
 use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batches, build_sequence};
 use striata_stream::{
     DecodeError, Effort, EncodedStream, Precision, StreamDecoder, StreamError, StreamOptions, StreamVersion,
-    encode_stream,
+    encode_stream, encode_stream_with_progress,
 };
 use support::{Random, RandomSequenceOptions, random_refinable, soup, with_seams_and_groups};
 
@@ -529,4 +531,39 @@ proptest! {
         let options = kinds().nth(seed as usize % 6).unwrap();
         check(&mesh, &options, seed);
     }
+}
+
+#[test]
+fn encoding_and_decoding_report_progress_and_can_be_cancelled() {
+    let built = build_batches(&shapes::terrain(150, 1), &BatchOptions::default()).unwrap();
+    let (refinable, batches) = (&built.built.refinable, &built.batches);
+    let options = StreamOptions::default();
+    let mut seen = Vec::new();
+    let stream = encode_stream_with_progress(refinable, batches, &options, &mut |now| {
+        assert!(now.done <= now.total && seen.last().is_none_or(|&last| last <= now.done), "{now:?}");
+        seen.push(now.done);
+        ControlFlow::Continue(())
+    });
+    let bytes = stream.unwrap().bytes;
+    assert_eq!(bytes, encode_stream(refinable, batches, &options).unwrap().bytes);
+    for last in 1..=seen.len() {
+        let mut calls = 0;
+        let stopped = encode_stream_with_progress(refinable, batches, &options, &mut |_| {
+            calls += 1;
+            if calls < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        assert!(matches!(stopped, Err(StreamError::Cancelled(_))), "report {last}");
+        assert_eq!(calls, last);
+    }
+    let mut decoder = StreamDecoder::new();
+    let mut calls = 0;
+    let accepted = decoder.push_with_progress(&bytes, &mut |_| {
+        calls += 1;
+        if calls < 2 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    let accepted = accepted.unwrap();
+    assert!(0 < accepted && accepted < bytes.len() && !decoder.is_complete(), "{accepted}");
+    let rest = decoder.push_with_progress(&bytes[accepted..], &mut striata::ignore_progress);
+    assert_eq!(rest, Ok(bytes.len() - accepted));
+    assert!(decoder.is_complete());
 }

@@ -1,14 +1,27 @@
 //! Entry points of all stripifiers.
 
 use striata::mesh::{DualGraph, IndexedMesh, MeshError};
-use striata::strip::{StripLinks, StripSet, join_greedily, write_strips};
+use striata::strip::{StripLinks, StripSet, join_greedily_with_progress, write_strips};
+use striata::{Cancelled, ProgressFn};
 
 use crate::cache::cheapest_for_cache;
 use crate::options::StripOptions;
 use crate::stripifier::Stripifier;
-use crate::task::{SpentFn, Task};
+use crate::task::{Budget, Limits, Reported, SpentFn, Task};
 use crate::tunnel::Identity;
 use crate::{cheapest, fewest, stripe, tunnel};
+
+/// Why no strips could be made.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StripifyError {
+    /// The mesh is inconsistent.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The progress callback asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
 
 /// Covers each triangle of a mesh by exactly one strip. Degenerate triangles (two equal corners) are left
 /// out.
@@ -20,6 +33,19 @@ use crate::{cheapest, fewest, stripe, tunnel};
 pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
     let allowed = options.allowed_moves(mesh.triangle_count());
     stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
+}
+
+/// Runs [`stripify`] and reports progress, in moves of the search or in triangles; the callback can cancel.
+///
+/// # Errors
+/// See [`stripify`]; also [`StripifyError::Cancelled`] if the callback cancels.
+pub fn stripify_with_progress(
+    mesh: &IndexedMesh,
+    options: &StripOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<StripSet, StripifyError> {
+    let allowed = options.allowed_moves(mesh.triangle_count());
+    run(mesh, &StripSet::new(), options, &mut Reported::new(progress, allowed))
 }
 
 /// Makes strips like [`stripify`], but starts from existing strips and runs until the caller's budget is
@@ -38,6 +64,19 @@ pub fn stripify_from(
     options: &StripOptions,
     spent: &mut SpentFn<'_>,
 ) -> Result<StripSet, MeshError> {
+    match run(mesh, start, options, &mut Budget(spent)) {
+        Ok(strips) => Ok(strips),
+        Err(StripifyError::Mesh(error)) => Err(error),
+        Err(StripifyError::Cancelled(_)) => unreachable!("a budget never cancels"),
+    }
+}
+
+fn run(
+    mesh: &IndexedMesh,
+    start: &StripSet,
+    options: &StripOptions,
+    limits: &mut dyn Limits,
+) -> Result<StripSet, StripifyError> {
     mesh.check()?;
     let graph = DualGraph::of_vertices(mesh);
     let groups: Vec<_> = mesh.groups_or_whole().iter().map(|group| group.range()).collect();
@@ -49,25 +88,28 @@ pub fn stripify_from(
     links.cut_loops();
     let mut out = StripSet::new();
     match options.stripifier {
-        Stripifier::Greedy => join_greedily(task.triangles, task.groups, &mut links),
-        Stripifier::Stripe => stripe::run(&task, &mut links),
+        Stripifier::Greedy => {
+            join_greedily_with_progress(task.triangles, task.groups, &mut links, &mut |now| {
+                limits.report(now)
+            })?;
+        }
+        Stripifier::Stripe => stripe::run(&task, &mut links, &mut |now| limits.report(now))?,
         Stripifier::Tunnel { max_length } => {
-            tunnel::run(&task, &mut links, max_length, Identity::Dynamic, spent);
+            tunnel::run(&task, &mut links, max_length, Identity::Dynamic, &mut |moves| limits.spent(moves));
         }
         Stripifier::StaticTunnel { max_length } => {
-            tunnel::run(&task, &mut links, max_length, Identity::Static, spent);
+            tunnel::run(&task, &mut links, max_length, Identity::Static, &mut |moves| limits.spent(moves));
         }
-        Stripifier::Fewest => fewest::run(&task, &graph, &mut links, spent),
-        Stripifier::Cheapest => {
-            cheapest::run(&task, &mut links, spent, &mut out);
-        }
+        Stripifier::Fewest => fewest::run(&task, &graph, &mut links, &mut |moves| limits.spent(moves)),
+        Stripifier::Cheapest => cheapest::run(&task, &mut links, limits, &mut out)?,
     }
+    limits.check()?;
     debug_assert_eq!(links.clone().cut_loops(), 0, "{} closed a loop", options.stripifier);
     if options.stripifier != Stripifier::Cheapest {
         write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
     }
     if options.cache_weight > 0.0 {
-        out = cheapest_for_cache(&task, &links, out);
+        out = cheapest_for_cache(&task, &links, out, limits)?;
     }
     Ok(out)
 }

@@ -4,7 +4,7 @@
 //! adds the others:
 //!
 //! * [`stripify`] makes strips with any [`Stripifier`]: the classic local algorithm, tunneling, fewest
-//!   strips or fewest indices. [`stripify_from`] starts from existing strips and runs until the caller's
+//!   strips or fewest indices. [`stripify_with_progress`] can be cancelled. [`stripify_from`] starts from existing strips and runs until the caller's
 //!   budget is spent.
 //! * A [`StripOptions::cache_weight`] above 0 reorders strips for a vertex cache, or grows new strips for it.
 //! * [`strip_count_bound`] proves a lower bound for the number of strips.
@@ -58,7 +58,7 @@ pub use blocks::{
     Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
     WriteStripFn, block_length, stripify_blocks, stripify_blocks_with_progress,
 };
-pub use entry::{stripify, stripify_from};
+pub use entry::{StripifyError, stripify, stripify_from, stripify_with_progress};
 pub use fewest::strip_count_bound;
 pub use options::StripOptions;
 pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};

@@ -10,22 +10,37 @@
 //! Linear in time and memory.
 
 use striata::strip::{FreeTriangles, Seeds, StripLinks, next_side, prev_side};
+use striata::{Cancelled, Progress, ProgressFn};
 
 use crate::task::Task;
 
+/// Number of strips between two calls of the progress callback.
+const STRIPS_PER_REPORT: u64 = 1 << 10;
+
 /// Joins isolated triangles into strips; existing strips stay as they are.
-pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
+pub(crate) fn run(
+    task: &Task<'_>,
+    links: &mut StripLinks<'_>,
+    progress: &mut ProgressFn<'_>,
+) -> Result<(), Cancelled> {
     let mut free = FreeTriangles::new(task.triangles, links);
     let mut strip = Vec::new();
+    let (mut strip_count, mut done, total) = (0u64, 0, task.triangles.len() as u64);
     for group in task.groups {
         let mut seeds = Seeds::new(&free, group.clone());
         while let Some(seed) = seeds.pop(&free) {
+            if strip_count.is_multiple_of(STRIPS_PER_REPORT) {
+                Progress { phase: "strip", done, total }.report(progress)?;
+            }
             grow(seed, &mut free, &mut strip, links);
             for &triangle in &strip {
                 seeds.push_around(triangle, &free);
             }
+            strip_count += 1;
+            done += strip.len() as u64;
         }
     }
+    Ok(())
 }
 
 /// Grows a strip from both ends of a seed and puts its triangles into `strip`, in no particular order.

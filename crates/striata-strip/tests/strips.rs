@@ -1,10 +1,15 @@
 //! Every stripifier on every kind of mesh: each proper triangle once, with its winding and group, and
 //! correct costs.
 
+use std::ops::ControlFlow;
+
 use proptest::prelude::*;
 use striata::mesh::{DualGraph, IndexedMesh, Random, TriangleGroup, canonical_triangles, shapes};
 use striata::strip::{RESTART, StripSet, restart_triangles_into, strip_triangles};
-use striata_strip::{StripOptions, Stripifier, strip_count_bound, stripify, stripify_from};
+use striata_strip::{
+    StripOptions, Stripifier, StripifyError, strip_count_bound, stripify, stripify_from,
+    stripify_with_progress,
+};
 use striata_testing::meshes;
 
 /// One spelling of each stripifier, with relevant parameters.
@@ -220,5 +225,31 @@ proptest! {
     #[test]
     fn bounds_hold_on_random_soups(seed in any::<u64>(), vertices in 5u32..12, triangles in 1u32..13) {
         check_bound(&soup(vertices, triangles, seed));
+    }
+}
+
+#[test]
+fn every_stripifier_can_be_cancelled_at_each_report() {
+    let mesh = shapes::terrain(100, 1);
+    for (spec, cache_weight) in SPECS.map(|spec| (spec, 0.0)).into_iter().chain([("greedy", 1.0)]) {
+        let options = options(spec).with_cache_weight(cache_weight);
+        let expected = stripify(&mesh, &options).unwrap();
+        let mut reports = 0;
+        let strips = stripify_with_progress(&mesh, &options, &mut |now| {
+            assert!(now.phase == "strip" && now.done <= now.total, "{now:?}");
+            reports += 1;
+            ControlFlow::Continue(())
+        });
+        assert!(reports > 0, "{spec}");
+        assert_eq!(strips.unwrap().indices(), expected.indices(), "{spec}");
+        for last in [1, reports.div_ceil(2), reports] {
+            let mut calls = 0;
+            let stopped = stripify_with_progress(&mesh, &options, &mut |_| {
+                calls += 1;
+                if calls < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            });
+            assert!(matches!(stopped, Err(StripifyError::Cancelled(_))), "{spec}, report {last}");
+            assert_eq!(calls, last, "{spec} goes on");
+        }
     }
 }

@@ -15,7 +15,10 @@ pub struct Progress {
 
 impl Progress {
     /// Hands itself to the caller's callback.
-    pub(crate) fn report(self, progress: &mut ProgressFn<'_>) -> Result<(), Cancelled> {
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback asks to stop.
+    pub fn report(self, progress: &mut ProgressFn<'_>) -> Result<(), Cancelled> {
         match progress(self) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(Cancelled),

@@ -9,15 +9,20 @@
 """
 
 from . import plot, shapes
+from ._build import build
 from ._distance import Distance, OneSidedDistance, distance
 from ._files import convert, open, save
-from ._lod import Level, Lod, Sequence, View, build
+from ._level import Level
+from ._lod import Lod
 from ._mesh import Group, Image, Material, Mesh
 from ._scene import Instance, LodScene, Scene, SceneLevel
-from ._simplify import Simplified, simplify
+from ._sequence import Sequence
+from ._simplified import Simplified
+from ._simplify import simplify
 from ._stream import StreamDecoder, decode, encode
 from ._striata import DecodeError, __version__
 from ._strips import RESTART, Strips, strip
+from ._view import View
 from ._viewer import page, view
 
 __all__ = [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,7 @@ MAX_COUNT = (2**32 - 1) // 4
 _FAR = 16.0
 
 AnyArray = NDArray[Any]
+SharedArray = TypeVar("SharedArray", bound=AnyArray)
 
 
 @dataclass
@@ -28,6 +29,11 @@ class PointSet:
     values: NDArray[np.float32]
     #: What was subtracted before rounding to single precision.
     offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def restored(self, points: NDArray[np.float32]) -> AnyArray:
+        """Return other points in the coordinates and the dtype of these."""
+        wide = points.astype(self.original.dtype, copy=False)
+        return wide if self.offset == (0.0, 0.0, 0.0) else wide + np.array(self.offset)
 
 
 @dataclass
@@ -43,6 +49,12 @@ class FaceSet:
     def like_input(self, faces: AnyArray) -> AnyArray:
         """Return faces of shape (k, 3) in the dtype and form of the input."""
         return flat(faces, self.dtype) if self.is_flat else as_dtype(faces, self.dtype)
+
+
+def frozen(array: SharedArray) -> SharedArray:
+    """Make an array read-only, since it is shared."""
+    array.flags.writeable = False
+    return array
 
 
 def as_dtype(values: AnyArray, dtype: np.dtype[Any]) -> AnyArray:

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _striata
-from ._files import mesh_data_of
-from ._inputs import input_of
-from ._lod import Level, Lod
-from ._mesh import Mesh
+from ._any_mesh import input_of
+from ._level import Level
+from ._lod import Lod
+from ._progress import Progress, reporting
 from ._targets import count
 
 
@@ -67,7 +67,7 @@ class Distance:
         return f"<striata.Distance: rms {self.rms:.3g}, max {self.max:.3g}, diagonal {self.diagonal:.3g}>"
 
 
-def distance(a: Any, b: Any, *, samples: int = 500_000, seed: int = 0) -> Distance:
+def distance(a: Any, b: Any, *, samples: int = 500_000, seed: int = 0, progress: Progress = False) -> Distance:
     """Measure the distance between two surfaces by sampling, in both directions.
 
     Parameters
@@ -78,6 +78,8 @@ def distance(a: Any, b: Any, *, samples: int = 500_000, seed: int = 0) -> Distan
         Number of points on each surface, besides all vertices.
     seed : int
         Offsets the samples.
+    progress : bool or callable
+        See `simplify`.
 
     Returns
     -------
@@ -96,9 +98,10 @@ def distance(a: Any, b: Any, *, samples: int = 500_000, seed: int = 0) -> Distan
     array([0.5, 0.5, 0.5])
     """
     first, second = _pair(a, b)
-    forward, backward, diagonal, sample_count = _striata.distance(
-        first, second, count(samples, "samples"), count(seed, "seed")
-    )
+    with reporting(progress) as callback:
+        forward, backward, diagonal, sample_count = _striata.distance(
+            first, second, count(samples, "samples"), count(seed, "seed"), callback
+        )
     sides = OneSidedDistance(*forward), OneSidedDistance(*backward)
     return Distance(*sides, diagonal, sample_count, (first, second))
 
@@ -106,18 +109,15 @@ def distance(a: Any, b: Any, *, samples: int = 500_000, seed: int = 0) -> Distan
 def _pair(a: Any, b: Any) -> tuple[_striata.MeshData, _striata.MeshData]:
     """Return both meshes relative to one origin, so that no digits are lost far away from it."""
     (first, offset), (second, other) = _placed(a), _placed(b)
-    if offset != other:
-        x, y, z = (q - p for p, q in zip(offset, other, strict=True))
-        second = second.moved((x, y, z))
-    return first, second
+    x, y, z = (q - p for p, q in zip(offset, other, strict=True))
+    return first, second.moved((x, y, z))
 
 
 def _placed(mesh: Any) -> tuple[_striata.MeshData, tuple[float, float, float]]:
+    """Return a mesh and what must be added to its points."""
     if isinstance(mesh, Level):
-        return mesh.lod._data.level_mesh(mesh.split_count), mesh.lod._offset()
+        return mesh.lod._data.level_mesh(mesh.split_count), mesh.lod._offset
     if isinstance(mesh, Lod):
-        return mesh._data.mesh(), mesh._offset()
-    if isinstance(mesh, Mesh):
-        return mesh_data_of(mesh), (0.0, 0.0, 0.0)
+        return mesh._data.mesh(), mesh._offset
     found = input_of(mesh)
     return found.mesh_data()[0], found.points.offset

@@ -3,30 +3,26 @@
 from __future__ import annotations
 
 import os
-import warnings
 from typing import Any
 
 from . import _striata
-from ._inputs import input_of
-from ._lod import Level, Lod
+from ._any_mesh import mesh_data_of
+from ._build import build
+from ._level import Level
+from ._lod import Lod
 from ._mesh import Mesh
 from ._progress import Progress
+from ._read import read
 from ._scene import LodScene, Scene, SceneLevel
+from ._write import Path, write_lod, write_lod_scene, write_mesh, write_scene
 
-Path = str | os.PathLike[str]
-
-_WRAPPERS: dict[type, Any] = {
-    _striata.MeshData: Mesh._of,
-    _striata.SceneData: Scene._of,
-    _striata.LodData: Lod._of,
-    _striata.LodSceneData: LodScene._of,
+#: Class of each object that a file can contain.
+_CLASSES: dict[type, Any] = {
+    _striata.MeshData: Mesh,
+    _striata.SceneData: Scene,
+    _striata.LodData: Lod,
+    _striata.LodSceneData: LodScene,
 }
-
-
-def wrap(data: Any) -> Mesh | Scene | Lod | LodScene:
-    """Return the public object for one of the extension."""
-    wrapped: Mesh | Scene | Lod | LodScene = _WRAPPERS[type(data)](data)
-    return wrapped
 
 
 def open(path: Path) -> Any:
@@ -56,10 +52,8 @@ def open(path: Path) -> Any:
     Traceback (most recent call last):
     FileNotFoundError: [Errno 2] No such file or directory: 'missing.ply'
     """
-    data, texts = _striata.open_file(os.fspath(path))
-    for text in texts:
-        warnings.warn(text, stacklevel=2)
-    return wrap(data)
+    data = read(path)
+    return _CLASSES[type(data)]._of(data)
 
 
 def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = False) -> None:
@@ -69,8 +63,8 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
     ----------
     path : str or path-like
         The extension decides the format. ``.striata`` and ``.stri`` keep all levels, and a `LodScene` also in
-        ``.glb``; other formats get one mesh. ``.gz`` or ``.zst`` after the extension compresses (except for
-        files with levels, which are not written so).
+        ``.glb``; other formats get one mesh. ``.gz`` or ``.zst`` after the extension compresses meshes and
+        scenes; files with levels are refused, since they are compressed already.
     model : Mesh, Scene, Lod, Level, LodScene, SceneLevel, or any mesh that `build` takes
         What to write.
     ascii : bool
@@ -93,50 +87,20 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
     ...     striata.open(path)
     <striata.Lod: 128 points, 256 faces, ...>
     """
-    file = os.fspath(path)
-    kind = _striata.format_of(file)
-    if isinstance(model, Level):
-        model = Mesh._of(model.lod._placed(model.split_count))
-    elif isinstance(model, SceneLevel):
+    if isinstance(model, SceneLevel):
         model = model.to_scene()
-    if kind in ("striata", "stri"):
-        _write_levels(file, kind, model, progress)
-    elif isinstance(model, LodScene):
-        if kind == "glb":
-            _striata.write_bytes(file, model._data.to_bytes("glb", None))
-        else:
-            _striata.write_scene(file, model._data.full_scene())
-    elif isinstance(model, Scene):
-        _striata.write_scene(file, model._data)
-    else:
-        data = model._placed() if isinstance(model, Lod) else mesh_data_of(model)
-        _striata.write_mesh(file, data, ascii)
-
-
-def mesh_data_of(mesh: Any) -> _striata.MeshData:
-    """Return the mesh for the extension, in the coordinates of the user."""
-    if isinstance(mesh, Mesh):
-        return mesh._data
-    found = input_of(mesh)
-    data = found.mesh_data()[0].stored()
-    return data if found.points.offset == (0.0, 0.0, 0.0) else data.moved(found.points.offset)
-
-
-def _write_levels(file: str, kind: str, model: Any, progress: Progress) -> None:
-    from ._lod import build
-    from ._stream import encode
-
-    if kind == "stri":
-        _striata.write_bytes(file, encode(model, progress=progress))
-        return
-    if isinstance(model, Scene):
-        model = model.build(progress=progress)
-    if isinstance(model, LodScene):
-        _striata.write_bytes(file, model._data.to_bytes("striata", None))
-        return
-    if not isinstance(model, Lod):
+    elif _striata.format_of(os.fspath(path)) == "striata" and not isinstance(model, (Mesh, Lod, Level, Scene, LodScene)):
+        # Points in double precision keep their digits until they are stored.
         model = build(model, progress=progress)
-    _striata.write_bytes(file, model._data.to_striata(model._offset()))
+    if isinstance(model, Lod):
+        write_lod(path, model._data, model._offset, ascii=ascii, progress=progress)
+    elif isinstance(model, LodScene):
+        write_lod_scene(path, model._data, progress=progress)
+    elif isinstance(model, Scene):
+        write_scene(path, model._data, progress=progress)
+    else:
+        data = model._mesh_data() if isinstance(model, Level) else mesh_data_of(model)
+        write_mesh(path, data, ascii=ascii, progress=progress)
 
 
 def convert(source: Path, target: Path, *, ascii: bool = False, progress: Progress = False) -> None:

@@ -71,19 +71,50 @@ def layers_of(
     return [layer for layer in layers if layer[4].shape[1]], None if is_default else ordered
 
 
+def check_storable(layers: list[Layer]) -> None:
+    """Refuse attributes that only tell points apart, since no file stores them."""
+    for _, _, name, _, _ in layers:
+        if name.startswith(_ID_PREFIX):
+            shown = name.removeprefix(_ID_PREFIX)
+            raise ValueError(f"attributes[{shown!r}] cannot be stored: its values are not numbers of 32 bits")
+
+
+def file_weights(weights: Weights) -> tuple[float, float, float] | None:
+    """Return the weights for a mesh of a file, whose layers are named normal, texcoord and color."""
+    if weights is None:
+        return None
+    if not isinstance(weights, Mapping):
+        _check_number(weights)
+        return (0.0, 0.0, 0.0)
+    named = dict(DEFAULT_WEIGHTS)
+    for name, weight in weights.items():
+        if name not in named:
+            raise ValueError(f"weights[{name!r}]: meshes and scenes of files have weights for {sorted(named)}")
+        named[name] = _checked_weight(name, weight)
+    return (named["normal"], named["texcoord"], named["color"])
+
+
 def _checked_weights(attributes: Mapping[str, AnyArray], weights: Weights) -> dict[str, float]:
     if weights is None:
         return {}
     if not isinstance(weights, Mapping):
-        if weights != 0:
-            raise ValueError(f"weights is {weights!r}, but must be a dict of names and weights, or 0 for geometry only")
+        _check_number(weights)
         return {}
-    for name, weight in weights.items():
+    for name in weights:
         if name not in attributes:
             raise ValueError(f"weights[{name!r}]: there is no such attribute, only {sorted(attributes)}")
-        if not (np.isfinite(weight) and weight >= 0):
-            raise ValueError(f"weights[{name!r}] is {weight}, but must be a finite number of at least 0")
-    return {name: float(weight) for name, weight in weights.items()}
+    return {name: _checked_weight(name, weight) for name, weight in weights.items()}
+
+
+def _check_number(weights: float) -> None:
+    if weights != 0:
+        raise ValueError(f"weights is {weights!r}, but must be a dict of names and weights, or 0 for geometry only")
+
+
+def _checked_weight(name: str, weight: float) -> float:
+    if not (np.isfinite(weight) and weight >= 0):
+        raise ValueError(f"weights[{name!r}] is {weight}, but must be a finite number of at least 0")
+    return float(weight)
 
 
 def _meaning(name: str, values: AnyArray) -> str | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,8 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _striata
-from ._arrays import AnyArray, FaceSet, PointSet
-from ._inputs import Input, Result, input_of
+from ._arrays import AnyArray
+from ._display import counted
+from ._input import arrays_input
+from ._layers import check_storable, layers_of
+from ._write import write_mesh
 
 
 @dataclass(frozen=True)
@@ -61,7 +65,7 @@ class Mesh:
     faces : array_like, shape (m, 3)
         Indices of points, counterclockwise when seen from outside.
     attributes : dict of array_like, optional
-        Arrays with a row for each point.
+        Arrays with a row for each point, of numbers that fit into 32 bits.
 
     Examples
     --------
@@ -77,9 +81,13 @@ class Mesh:
         self,
         points: ArrayLike,
         faces: ArrayLike,
-        attributes: dict[str, ArrayLike] | None = None,
+        attributes: Mapping[str, ArrayLike] | None = None,
     ) -> None:
-        self._data, _ = input_of(points, faces, attributes).mesh_data()
+        found = arrays_input(points, faces, attributes)
+        layers, _ = layers_of(found.attributes)
+        check_storable(layers)
+        data = _striata.MeshData(found.points.values, found.faces.values, layers)
+        self._data = data.moved(found.points.offset)
 
     @classmethod
     def _of(cls, data: _striata.MeshData) -> Mesh:
@@ -133,21 +141,10 @@ class Mesh:
 
     def save(self, path: str | os.PathLike[str], *, ascii: bool = False) -> None:
         """Write the mesh in the format of the extension; see `striata.save`."""
-        from ._files import save
-
-        save(path, self, ascii=ascii)
-
-    def _input(self) -> Input:
-        points, faces = self.points, self.faces
-        as_faces = FaceSet(faces.view(np.uint32), np.dtype(np.int32))
-        return Input(PointSet(points, points), as_faces, {}, _rebuilt, self._data)
+        write_mesh(path, self._data, ascii=ascii)
 
     def __repr__(self) -> str:
         return f"<striata.Mesh: {counted(self.point_count, 'point')}, {counted(self.face_count, 'face')}>"
-
-
-def _rebuilt(result: Result) -> Mesh:
-    return Mesh(result.points, result.faces, dict(result.attributes))
 
 
 def _layer_name(kind: str, number: int) -> str:
@@ -156,8 +153,3 @@ def _layer_name(kind: str, number: int) -> str:
     if kind.startswith("morph_"):
         return f"morph_{number}_{kind[len('morph_') :]}"
     return f"{kind}_{number}"
-
-
-def counted(count: int, noun: str) -> str:
-    """Return text such as ``1 face`` or ``1,234 faces``."""
-    return f"{count:,} {noun}" + ("" if count == 1 else "s")

@@ -12,10 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _striata
+from ._display import counted
+from ._layers import Weights, file_weights
 from ._lod import Lod
-from ._mesh import Image, Mesh, counted
+from ._mesh import Image, Mesh
+from ._options import Boundary, Cost, Seams, Topology, options_of
 from ._progress import Progress, reporting
-from ._targets import options_of, request_of
+from ._targets import Target, Targets, level_within
+from ._write import write_lod_scene, write_scene
 
 
 @dataclass(frozen=True)
@@ -96,29 +100,34 @@ class Scene:
         self,
         *,
         guaranteed: bool = False,
-        cost: str = "memoryless",
-        boundary: str = "keep",
-        seams: str = "cross",
-        topology: str = "change",
+        weights: Weights = None,
+        cost: Cost = "memoryless",
+        boundary: Boundary = "keep",
+        seams: Seams = "cross",
+        topology: Topology = "change",
         pair_distance: float | None = None,
+        coarsest: int = 0,
         progress: Progress = False,
     ) -> LodScene:
-        """Build all levels of all meshes; see `striata.build`."""
+        """Build all levels of all meshes; see `striata.build`. `coarsest` applies to each mesh."""
         options = options_of(
-            cost=cost, boundary=boundary, seams=seams, topology=topology, pair_distance=pair_distance
+            cost=cost,
+            boundary=boundary,
+            seams=seams,
+            topology=topology,
+            pair_distance=pair_distance,
+            coarsest=coarsest,
+            weights=file_weights(weights),
         )
         with reporting(progress) as callback:
             return LodScene._of(self._data.build(guaranteed, options, callback))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the scene; see `striata.save`."""
-        from ._files import save
-
-        save(path, self)
+        write_scene(path, self._data)
 
     def __repr__(self) -> str:
-        meshes, images = counted(len(self._data.mesh_names()), "mesh"), counted(len(self.images), "image")
-        meshes = meshes.replace("meshs", "meshes")
+        meshes, images = counted(len(self.mesh_names), "mesh"), counted(len(self.images), "image")
         return f"<striata.Scene: {meshes}, {images}, {counted(self.triangle_count, 'face')}>"
 
 
@@ -137,7 +146,7 @@ class LodScene:
         return lods
 
     @cached_property
-    def lods(self) -> list[Lod | None]:
+    def lods(self) -> list[Lod[Mesh] | None]:
         """Levels of each mesh of the document; `None` for meshes without triangles."""
         return [None if data is None else Lod._of(data) for data in self._data.lods()]
 
@@ -169,25 +178,22 @@ class LodScene:
         target_count: int | None = None,
     ) -> SceneLevel:
         """Return a level of the scene, whose meshes all have the same error; see `Lod.level`."""
-        arguments = {
-            "triangles": triangles,
-            "vertices": vertices,
-            "ratio": ratio,
-            "detail": detail,
-            "error": error,
-            "max_error": max_error,
-            "target_reduction": target_reduction,
-            "target_count": target_count,
-        }
-        request = request_of(arguments, self.triangle_count, self.diagonal)
-        if request.guaranteed and not self.has_guaranteed_errors:
-            raise ValueError("max_error needs levels with guaranteed errors: build them with guaranteed=True")
-        target = request.target
-        facts = self._data.level(target)
-        if request.limit is not None and facts[3] > request.limit:
-            target = ("error", request.limit)
-            facts = self._data.level(target)
-        return SceneLevel(self, target, *facts[1:])
+        targets = Targets(
+            triangles=triangles,
+            vertices=vertices,
+            ratio=ratio,
+            detail=detail,
+            error=error,
+            max_error=max_error,
+            target_reduction=target_reduction,
+            target_count=target_count,
+        )
+        request = targets.request(self.triangle_count, self.diagonal)
+        return level_within(request, self._level, self.has_guaranteed_errors)
+
+    def _level(self, target: Target) -> SceneLevel:
+        _, triangles, vertices, error, reason = self._data.level(target)
+        return SceneLevel(self, target, triangles, vertices, error, reason)
 
     def full_scene(self) -> Scene:
         """Return the scene with all of its triangles."""
@@ -195,9 +201,7 @@ class LodScene:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all levels to a ``.striata``, ``.stri`` or ``.glb`` file; see `striata.save`."""
-        from ._files import save
-
-        save(path, self)
+        write_lod_scene(path, self._data)
 
     def __repr__(self) -> str:
         return f"<striata.LodScene: {counted(self.triangle_count, 'face')}>"
@@ -207,7 +211,7 @@ class SceneLevel:
     """One level of detail of a `LodScene`."""
 
     def __init__(
-        self, lods: LodScene, target: tuple[str, float], triangles: int, vertices: int, error: float, reason: str
+        self, lods: LodScene, target: Target, triangles: int, vertices: int, error: float, reason: str
     ) -> None:
         self._lods, self._target = lods, target
         #: Number of faces; those of a mesh count once for each instance.

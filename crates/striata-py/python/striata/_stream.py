@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _striata
-from ._files import mesh_data_of, wrap
-from ._lod import Level, Lod
+from ._any_mesh import mesh_data_of
+from ._level import Level
+from ._lod import Lod
+from ._mesh import Mesh
 from ._progress import Progress, reporting
 from ._scene import LodScene, Scene
-from ._targets import length
+from ._targets import count, length
+
+#: Trade-off between speed of decoding and size.
+Effort = Literal["fast"] | Literal["default"] | Literal["small"]
 
 
 def encode(
     mesh: Any,
-    faces: Any = None,
+    faces: ArrayLike | None = None,
     *,
     bits: int = 14,
     tolerance: float | None = None,
     lossless: bool = False,
-    effort: str = "default",
+    effort: Effort = "default",
     preview_side: int = 128,
     progress: Progress = False,
 ) -> bytes:
@@ -62,20 +67,15 @@ def encode(
     """
     if lossless and tolerance is not None:
         raise ValueError("tolerance and lossless exclude each other")
-    quality = (None if lossless or tolerance is not None else _bits(bits), tolerance, effort)
-    if tolerance is not None:
-        quality = (None, length(tolerance, 0.0, "tolerance"), effort)
+    step = None if tolerance is None else length(tolerance, 0.0, "tolerance")
+    quality = (None if lossless or tolerance is not None else _bits(bits), step, effort)
+    side = count(preview_side, "preview_side")
     if isinstance(mesh, LodScene):
         mesh = mesh.full_scene()
     with reporting(progress) as callback:
         if isinstance(mesh, Scene):
-            return _striata.encode_scene(mesh._data, quality, int(preview_side), callback)
-        if isinstance(mesh, Level):
-            data = mesh.lod._placed(mesh.split_count)
-        elif isinstance(mesh, Lod):
-            data = mesh._placed()
-        else:
-            data = mesh_data_of(mesh if faces is None else (mesh, faces))
+            return _striata.encode_scene(mesh._data, quality, side, callback)
+        data = mesh._mesh_data() if isinstance(mesh, (Lod, Level)) else mesh_data_of(mesh, faces)
         return _striata.encode_mesh(data, quality, callback)
 
 
@@ -85,7 +85,9 @@ def _bits(bits: int) -> int:
     return int(bits)
 
 
-def decode(data: bytes | bytearray | memoryview, *, allow_truncated: bool = False) -> Lod | LodScene:
+def decode(
+    data: bytes | bytearray | memoryview, *, allow_truncated: bool = False, progress: Progress = False
+) -> Lod[Mesh] | LodScene:
     """Decode a stream or the content of a ``.striata`` file.
 
     Parameters
@@ -94,6 +96,8 @@ def decode(data: bytes | bytearray | memoryview, *, allow_truncated: bool = Fals
         The bytes.
     allow_truncated : bool
         Whether a stream may end early; what is there is decoded.
+    progress : bool or callable
+        See `simplify`.
 
     Returns
     -------
@@ -112,9 +116,9 @@ def decode(data: bytes | bytearray | memoryview, *, allow_truncated: bool = Fals
     Traceback (most recent call last):
     striata.DecodeError: ...
     """
-    model = wrap(_striata.decode(bytes(data), allow_truncated))
-    assert isinstance(model, (Lod, LodScene))
-    return model
+    with reporting(progress) as callback:
+        found = _striata.decode(bytes(data), allow_truncated, callback)
+    return LodScene._of(found) if isinstance(found, _striata.LodSceneData) else Lod._of(found)
 
 
 class StreamDecoder:
@@ -138,6 +142,8 @@ class StreamDecoder:
 
     def push(self, data: bytes | bytearray | memoryview) -> None:
         """Accept the next bytes, and decode all chunks that are complete.
+
+        If the call is interrupted, the next call decodes the rest of these bytes first.
 
         Raises
         ------
@@ -185,7 +191,7 @@ class StreamDecoder:
         """Length of the whole stream; `None` until the header has arrived."""
         return self._data.facts()[4]
 
-    def lod(self) -> Lod | None:
+    def lod(self) -> Lod[Mesh] | None:
         """Return all levels decoded so far; `None` before the coarsest one has arrived."""
         data = self._data.lod()
         return None if data is None else Lod._of(data)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _striata
-from ._files import mesh_data_of
+from ._any_mesh import mesh_data_of
+from ._progress import Progress, reporting
 from ._targets import count, number
 
 #: Index that separates strips.
@@ -25,7 +27,7 @@ class Strips:
     #: Number of strips.
     count: int
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Iterator[NDArray[np.int32]]:
         """Iterate over the strips, each an array of indices."""
         ends = np.flatnonzero(self.indices == RESTART)
         for part in np.split(self.indices, ends):
@@ -42,7 +44,7 @@ class Strips:
 
 def strip(
     mesh: Any,
-    faces: Any = None,
+    faces: ArrayLike | None = None,
     *,
     method: str = "greedy",
     seed: int = 0,
@@ -50,6 +52,7 @@ def strip(
     cache_weight: float = 0.0,
     cache_size: int = 16,
     stitched: bool = False,
+    progress: Progress = False,
 ) -> Strips:
     """Cover each triangle by exactly one strip.
 
@@ -71,6 +74,8 @@ def strip(
         Number of entries of that cache.
     stitched : bool
         Whether strips are joined by repeated indices instead of restarts.
+    progress : bool or callable
+        See `simplify`.
 
     Examples
     --------
@@ -79,14 +84,16 @@ def strip(
     >>> sum(len(strip) - 2 for strip in strips) >= 32  # strips may repeat an index to turn
     True
     """
-    data = mesh_data_of(mesh if faces is None else (mesh, faces))
-    indices, strip_count = _striata.strip(
-        data,
-        method,
-        count(seed, "seed"),
-        number(effort, "effort"),
-        number(cache_weight, "cache_weight"),
-        count(cache_size, "cache_size"),
-        stitched,
-    )
+    data = mesh_data_of(mesh, faces)
+    with reporting(progress) as callback:
+        indices, strip_count = _striata.strip(
+            data,
+            method,
+            count(seed, "seed"),
+            number(effort, "effort"),
+            number(cache_weight, "cache_weight"),
+            count(cache_size, "cache_size"),
+            stitched,
+            callback,
+        )
     return Strips(indices, strip_count)

@@ -1,51 +1,57 @@
-"""Targets and options: keyword arguments of every function that simplifies."""
+"""Targets: which level a caller asks for, in the words of any package."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Any, Protocol, TypeVar
 
-_NAMES = (
-    "triangles",
-    "vertices",
-    "ratio",
-    "error",
-    "max_error",
-    "detail",
-    "target_reduction",
-    "target_count",
-)
+#: Kind and value, as the extension takes them.
+Target = tuple[str, float]
 
 
 @dataclass(frozen=True)
 class Request:
     """What a level must satisfy, as the extension takes it."""
 
-    target: tuple[str, float]
+    target: Target
     #: Limit of the error in mesh units, whatever the target.
     limit: float | None
     #: Whether errors must be guaranteed bounds.
     guaranteed: bool
 
 
-def request_of(arguments: Mapping[str, Any], triangle_count: int, diagonal: float) -> Request:
-    """Turn the keyword arguments of a call into one request."""
-    given = {name: arguments[name] for name in _NAMES if arguments.get(name) is not None}
-    limit = length(given.pop("max_error"), diagonal, "max_error") if "max_error" in given else None
-    if len(given) > 1:
-        raise ValueError(f"more than one target: {' and '.join(given)}; pass one of them (and max_error, if wanted)")
-    if not given:
-        if limit is None:
-            names = "triangles, vertices, ratio, error, max_error, detail, target_reduction or target_count"
-            raise ValueError(f"no target: pass one of {names}")
-        return Request(("error", limit), limit, True)
-    ((name, value),) = given.items()
-    return Request(_target(name, value, triangle_count, diagonal), limit, limit is not None)
+@dataclass(frozen=True, kw_only=True)
+class Targets:
+    """The targets among the arguments of a call; all but one, besides `max_error`, must be `None`."""
+
+    triangles: int | None = None
+    vertices: int | None = None
+    ratio: float | None = None
+    error: float | str | None = None
+    max_error: float | str | None = None
+    detail: float | None = None
+    target_reduction: float | None = None
+    target_count: int | None = None
+
+    def request(self, triangle_count: int, diagonal: float) -> Request:
+        """Return the one request for a model with this number of triangles and this diagonal."""
+        named = {field.name: getattr(self, field.name) for field in fields(self)}
+        given = {name: value for name, value in named.items() if value is not None}
+        limit = length(given.pop("max_error"), diagonal, "max_error") if "max_error" in given else None
+        if len(given) > 1:
+            raise ValueError(f"more than one target: {' and '.join(given)}; pass one of them (and max_error, if wanted)")
+        if not given:
+            if limit is None:
+                names = list(named)
+                raise ValueError(f"no target: pass one of {', '.join(names[:-1])} or {names[-1]}")
+            return Request(("error", limit), limit, True)
+        ((name, value),) = given.items()
+        return Request(_target(name, value, triangle_count, diagonal), limit, limit is not None)
 
 
-def _target(name: str, value: Any, triangle_count: int, diagonal: float) -> tuple[str, float]:
+def _target(name: str, value: Any, triangle_count: int, diagonal: float) -> Target:
     if name in ("triangles", "target_count"):
         return ("triangles", float(count(value, name)))
     if name == "vertices":
@@ -61,6 +67,27 @@ def _target(name: str, value: Any, triangle_count: int, diagonal: float) -> tupl
     kept = value if name == "ratio" else 1.0 - value
     # The small term keeps products such as 0.29 * 100 from rounding down to one less.
     return ("triangles", float(math.floor(kept * triangle_count + 1e-9 * triangle_count)))
+
+
+class HasError(Protocol):
+    """A level, as far as requests know it."""
+
+    error: float
+    stop_reason: str
+
+
+AnyLevel = TypeVar("AnyLevel", bound=HasError)
+
+
+def level_within(request: Request, level_of: Callable[[Target], AnyLevel], has_guaranteed_errors: bool) -> AnyLevel:
+    """Return the level that satisfies a request, by a function that finds the level of one target."""
+    if request.guaranteed and not has_guaranteed_errors:
+        raise ValueError("max_error needs levels with guaranteed errors: build them with guaranteed=True")
+    level = level_of(request.target)
+    if request.limit is not None and level.error > request.limit:
+        level = level_of(("error", request.limit))
+        level.stop_reason = "error_limit"
+    return level
 
 
 def number(value: Any, name: str) -> float:
@@ -94,29 +121,3 @@ def length(value: Any, diagonal: float, name: str) -> float:
     if converted < 0:
         raise ValueError(f"{name} is {converted}, but must be at least 0")
     return converted
-
-
-def options_of(
-    *,
-    cost: str,
-    boundary: str,
-    seams: str,
-    topology: str,
-    max_error: float | None = None,
-    pair_distance: float | None = None,
-    coarsest: int = 0,
-    locked: list[int] | None = None,
-    weights: tuple[float, float, float] | None = None,
-) -> dict[str, Any]:
-    """Gather options of simplification for the extension, which checks the values."""
-    return {
-        "cost": cost,
-        "boundary": boundary,
-        "seams": seams,
-        "topology": topology,
-        "max_error": max_error,
-        "pair_distance": pair_distance,
-        "coarsest": count(coarsest, "coarsest"),
-        "locked": locked or [],
-        "weights": weights,
-    }

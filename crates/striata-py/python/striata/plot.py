@@ -9,7 +9,7 @@ import numpy as np
 from ._lod import Lod
 
 
-def error(lod: Lod, *, ax: Any = None, relative: bool = True) -> Any:
+def error(lod: Lod[Any], *, ax: Any = None, relative: bool = True) -> Any:
     """Draw the error of all levels over their number of faces.
 
     Parameters

@@ -10,7 +10,6 @@ use striata::mesh::{CollapseSequence, IndexedMesh, RefinableMesh, TriangleTree, 
 use striata::{Cancelled, Progress, ProgressFn};
 
 use super::pose_choice::PosedInstance;
-use super::unless_cancelled;
 use crate::pose::Poser;
 
 /// Ratio of the steps of one measured level to those of the next finer one.
@@ -75,7 +74,7 @@ pub(super) fn measured_levels(
     let mut split_count = step_count;
     while split_count > 0 {
         let (done, total) = ((step_count - split_count) as u64, step_count as u64);
-        unless_cancelled(progress(Progress { phase: "poses", done, total }))?;
+        Progress { phase: "poses", done, total }.report(progress)?;
         split_count = ((split_count as f64 * ratio) as usize).min(split_count - 1);
         measured.push(MeasuredLevel { split_count, distance: meter.measure(split_count) });
     }

@@ -22,8 +22,6 @@ mod pose_choice;
 mod raised_errors;
 mod scene_poses;
 
-use std::ops::ControlFlow;
-
 use striata::mesh::{AttributeLayer, IndexedMesh, RefinableMesh, Semantic};
 use striata::{Cancelled, ProgressFn, ignore_progress};
 use striata_io::Scene;
@@ -123,13 +121,5 @@ impl<'s> Deformation<'s> {
         self.remove_layers(&mut refinable.mesh);
         let measured = measured_levels(&refinable, self.poser, &self.poses, progress)?;
         Ok(with_raised_errors(refinable, &measured))
-    }
-}
-
-/// Turns the answer of a progress callback into a result.
-fn unless_cancelled(answer: ControlFlow<()>) -> Result<(), Cancelled> {
-    match answer {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(Cancelled),
     }
 }

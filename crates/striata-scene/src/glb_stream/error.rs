@@ -1,5 +1,6 @@
 //! Errors of GLB files with streams.
 
+use striata::Cancelled;
 use striata::file::DecodeError;
 use striata_io::{ReadError, WriteError};
 use striata_stream::StreamError;
@@ -25,6 +26,9 @@ pub enum GlbStreamError {
     /// glTF cannot store a mesh of the scene.
     #[error(transparent)]
     Write(#[from] WriteError),
+    /// The progress callback cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// Why the streams of a file cannot be read; its coarse level may still be readable by
@@ -64,4 +68,7 @@ pub enum GlbStreamReadError {
     /// A mesh without a stream is inconsistent.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// The progress callback cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }

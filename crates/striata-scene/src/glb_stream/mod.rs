@@ -28,7 +28,7 @@ mod write;
 
 pub use error::{GlbStreamError, GlbStreamReadError};
 pub use options::GlbStreamOptions;
-pub use read::read_glb_with_stream;
+pub use read::{read_glb_with_stream, read_glb_with_stream_and_progress};
 
 /// Name of the extension.
 pub const STREAM_EXTENSION: &str = "STRIATA_lod";

@@ -2,9 +2,10 @@
 
 use serde_json::Value;
 use striata::file::DecodeError;
-use striata::simplify::SequenceOptions;
-use striata::{Lod, LodOptions};
+use striata::simplify::{SequenceOptions, SimplifyError};
+use striata::{Cancelled, Lod, LodOptions, ProgressFn, ignore_progress};
 use striata_io::{MeshData, Scene, Source, mesh_data, read_scene_bytes};
+use striata_stream::StreamDecoder;
 
 use super::{GlbStreamReadError, STREAM_EXTENSION, STREAM_EXTENSION_VERSION};
 use crate::error::BuildError;
@@ -22,6 +23,18 @@ pub fn read_glb_with_stream(
     bytes: &[u8],
     source: &Source<'_>,
 ) -> Result<Option<LodScene>, GlbStreamReadError> {
+    read_glb_with_stream_and_progress(bytes, source, &mut ignore_progress)
+}
+
+/// Runs [`read_glb_with_stream`] and reports progress, in bytes or steps of each mesh; the callback can cancel.
+///
+/// # Errors
+/// See [`read_glb_with_stream`]; also [`GlbStreamReadError::Cancelled`] if the callback cancels.
+pub fn read_glb_with_stream_and_progress(
+    bytes: &[u8],
+    source: &Source<'_>,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Option<LodScene>, GlbStreamReadError> {
     let streams = mesh_data(bytes, source, STREAM_EXTENSION)?;
     if streams.iter().all(Option::is_none) {
         return Ok(None);
@@ -35,18 +48,27 @@ pub fn read_glb_with_stream(
             continue;
         };
         lods.push(Some(match stream {
-            Some(stream) => decoded(&coarse, mesh, stream)?,
+            Some(stream) => decoded(&coarse, mesh, stream, progress)?,
             None => {
                 let options = SequenceOptions::default().with_base_triangle_count(usize::MAX);
-                let lod = Lod::build(triangles, &LodOptions::default().with_sequence(options));
-                lod.map_err(|error| BuildError::new(mesh, coarse.mesh_name(mesh).to_owned(), error))?
+                let options = LodOptions::default().with_sequence(options);
+                let lod = Lod::build_with_progress(triangles, &options, progress);
+                lod.map_err(|error| match error {
+                    SimplifyError::Cancelled(reason) => GlbStreamReadError::from(reason),
+                    error => BuildError::new(mesh, coarse.mesh_name(mesh).to_owned(), error).into(),
+                })?
             }
         }));
     }
     Ok(Some(LodScene::from_lods(coarse.without_meshes(), lods)?))
 }
 
-fn decoded(scene: &Scene, mesh: usize, data: &MeshData) -> Result<Lod, GlbStreamReadError> {
+fn decoded(
+    scene: &Scene,
+    mesh: usize,
+    data: &MeshData,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Lod, GlbStreamReadError> {
     let version = data.extension.get("version").unwrap_or(&Value::Null);
     if version.as_u64() != Some(STREAM_EXTENSION_VERSION) {
         return Err(GlbStreamReadError::Version { mesh, found: version.to_string() });
@@ -57,7 +79,13 @@ fn decoded(scene: &Scene, mesh: usize, data: &MeshData) -> Result<Lod, GlbStream
         return Err(GlbStreamReadError::Truncated { mesh });
     }
     check_groups(scene, mesh, file.summary().group_count)?;
-    let mut refinable = file.refinable_mesh().map_err(in_stream)?;
+    let mut decoder = StreamDecoder::new();
+    if decoder.push_with_progress(&data.bytes, progress).map_err(|e| in_stream(e.into()))? < data.bytes.len()
+    {
+        return Err(Cancelled.into());
+    }
+    let mut refinable = decoder.refinable_mesh().ok_or(GlbStreamReadError::Truncated { mesh })?;
+    refinable.mesh.check().map_err(|error| in_stream(error.into()))?;
     normalize_weights(&mut refinable.mesh);
-    Ok(Lod::from_refinable(refinable))
+    Ok(Lod::from_refinable_with_progress(refinable, progress)?)
 }

@@ -3,9 +3,9 @@
 use serde_json::{Map, Value, json};
 use striata::mesh::IndexedMesh;
 use striata::simplify::SimplifyError;
-use striata::{Lod, Target, ignore_progress};
+use striata::{Lod, ProgressFn, Target, ignore_progress};
 use striata_io::{Format, Scene, SceneWriter, WriteOptions};
-use striata_stream::{Precision, SHAPE_STEPS, StreamError, StreamOptions, encode_stream};
+use striata_stream::{Precision, SHAPE_STEPS, StreamError, StreamOptions, encode_stream_with_progress};
 
 use super::{GlbStreamError, GlbStreamOptions, STREAM_EXTENSION, STREAM_EXTENSION_VERSION};
 use crate::document::{extension_slot, use_extension};
@@ -26,8 +26,22 @@ impl LodScene {
     /// [`GlbStreamError`] if an option is out of range, a mesh contains numbers that glTF cannot store, or
     /// the file would be larger than 4 GiB.
     pub fn to_glb_with_stream(&self, options: &GlbStreamOptions) -> Result<Vec<u8>, GlbStreamError> {
+        self.to_glb_with_stream_and_progress(options, &mut ignore_progress)
+    }
+
+    /// Runs [`to_glb_with_stream`](Self::to_glb_with_stream) and reports progress of each mesh; the callback
+    /// can cancel.
+    ///
+    /// # Errors
+    /// See [`to_glb_with_stream`](Self::to_glb_with_stream); also [`GlbStreamError::Cancelled`] if the callback
+    /// cancels.
+    pub fn to_glb_with_stream_and_progress(
+        &self,
+        options: &GlbStreamOptions,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Vec<u8>, GlbStreamError> {
         let coarse = self.drawable_level(options.coarse_target(self.triangle_count()));
-        let streams = self.streams(options)?;
+        let streams = self.streams(options, progress)?;
         let mut parts = self.level_scene(&coarse).into_parts();
         for (mesh, stream) in streams.iter().enumerate() {
             let (Some(_), Some(lod)) = (stream, &self.lods()[mesh]) else { continue };
@@ -61,23 +75,33 @@ impl LodScene {
     }
 
     /// Encodes a stream for each mesh that shows anything.
-    fn streams(&self, options: &GlbStreamOptions) -> Result<Vec<Option<Vec<u8>>>, GlbStreamError> {
+    fn streams(
+        &self,
+        options: &GlbStreamOptions,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Vec<Option<Vec<u8>>>, GlbStreamError> {
         let simplifier = MeshSimplifier::new(self.scene());
         let weights = MeshWeight::of_scene(self.scene());
         let encode = |(mesh, lod): (usize, &Option<Lod>)| {
             let Some(lod) = lod.as_ref().filter(|lod| lod.mesh().triangle_count() > 0) else {
                 return Ok(None);
             };
-            let failed =
-                |error: SimplifyError| BuildError::new(mesh, self.scene().mesh_name(mesh).to_owned(), error);
-            let in_stream = |error: StreamError| GlbStreamError::Stream { mesh, error };
+            let failed = |error: SimplifyError| match error {
+                SimplifyError::Cancelled(reason) => reason.into(),
+                error => BuildError::new(mesh, self.scene().mesh_name(mesh).to_owned(), error).into(),
+            };
+            let in_stream = |error: StreamError| match error {
+                StreamError::Cancelled(reason) => reason.into(),
+                error => GlbStreamError::Stream { mesh, error },
+            };
             let own = in_mesh_units(&options.stream, &weights[mesh]);
             let step = own.grid_step(lod.mesh()).map_err(|error| in_stream(error.into()))?;
             let shape_step = options.batches.shape_step.unwrap_or(SHAPE_STEPS * step);
             let batches = options.batches.clone().with_shape_step(Some(shape_step));
-            let built =
-                simplifier.batches((mesh, lod.mesh()), &batches, &mut ignore_progress).map_err(failed)?;
-            let stream = encode_stream(&built.built.refinable, &built.batches, &own);
+            let built: Result<_, GlbStreamError> =
+                simplifier.batches((mesh, lod.mesh()), &batches, progress).map_err(failed);
+            let built = built?;
+            let stream = encode_stream_with_progress(&built.built.refinable, &built.batches, &own, progress);
             Ok(Some(stream.map_err(in_stream)?.bytes))
         };
         self.lods().iter().enumerate().map(encode).collect()

@@ -1,11 +1,11 @@
 //! The writer: encodes every mesh, then distributes all bytes over packets.
 
 use striata::mesh::IndexedMesh;
-use striata::simplify::{BatchOptions, SimplifyError};
-use striata::{Progress, ProgressFn, ignore_progress};
+use striata::simplify::{BatchOptions, BuiltBatches, SimplifyError};
+use striata::{Cancelled, Progress, ProgressFn, ignore_progress};
 use striata_io::Scene;
 use striata_stream::{
-    ChunkInfo, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream,
+    ChunkInfo, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream_with_progress,
 };
 
 use super::SceneStreamOptions;
@@ -18,7 +18,7 @@ use super::layout::Body;
 use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
 use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
 use super::schedule::MeshCosts;
-use crate::mesh_simplifier::MeshSimplifier;
+use crate::mesh_simplifier::{MeshSimplifier, stage};
 
 /// A scene as a stream.
 #[derive(Clone, Debug)]
@@ -72,7 +72,11 @@ pub fn encode_scene_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<EncodedScene, SceneEncodeError> {
     let meshes = encode_meshes(scene, options, progress)?;
-    let images = prepare(scene, options.preview_side);
+    let total: u64 = scene.meshes().iter().flatten().map(|mesh| mesh.triangle_count() as u64).sum();
+    // Images are not measured in triangles, so their progress is that all meshes are done.
+    let mut previews = |_| progress(Progress { phase: "previews", done: total, total });
+    let images = prepare(scene, options.preview_side, &mut previews)
+        .map_err(|Cancelled| SceneEncodeError::Cancelled)?;
     let tolerance = scene_tolerance(scene, options.stream.precision).zip(longest_side(scene));
     let (document, buffer) = match tolerance {
         Some((tolerance, side)) => round_animations(scene, tolerance, side),
@@ -193,6 +197,9 @@ enum MeshFault {
 impl MeshFault {
     fn in_mesh(self, mesh: usize) -> SceneEncodeError {
         match self {
+            Self::Simplify(SimplifyError::Cancelled(_)) | Self::Stream(StreamError::Cancelled(_)) => {
+                SceneEncodeError::Cancelled
+            }
             Self::Simplify(source) => SceneEncodeError::Simplify { mesh, source },
             Self::Stream(source) => SceneEncodeError::Stream { mesh, source },
         }
@@ -210,8 +217,11 @@ fn encode_mesh(
         let step = options.grid_step(mesh).map_err(|error| MeshFault::Stream(error.into()))?;
         batches.shape_step = Some(SHAPE_STEPS * step);
     }
-    let built = simplifier.batches((index, mesh), &batches, progress).map_err(MeshFault::Simplify)?;
-    let stream = encode_stream(&built.built.refinable, &built.batches, options).map_err(MeshFault::Stream)?;
+    let built = simplifier.batches((index, mesh), &batches, &mut stage(progress, (0, 2)));
+    let BuiltBatches { built, batches, .. } = built.map_err(MeshFault::Simplify)?;
+    let encoding = &mut stage(progress, (1, 2));
+    let stream = encode_stream_with_progress(&built.refinable, &batches, options, encoding);
+    let stream = stream.map_err(MeshFault::Stream)?;
     // A stream that was just written has a valid header.
     let info = StreamInfo::read(&stream.bytes).ok().flatten().unwrap_or_default();
     Ok((stream.bytes, info))

@@ -8,7 +8,7 @@ use striata_stream::{DecodeError, StreamError};
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneEncodeError {
-    /// A mesh cannot be simplified, or the progress callback cancelled.
+    /// A mesh cannot be simplified.
     #[error("meshes[{mesh}]: {source}")]
     Simplify {
         /// Index of the mesh.

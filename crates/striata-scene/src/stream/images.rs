@@ -1,5 +1,6 @@
 //! Images of a stream: previews for the writer, and what the reader has of each image.
 
+use striata::{Cancelled, Progress, ProgressFn};
 use striata_io::Scene;
 
 use super::head::ImageEntry;
@@ -31,7 +32,14 @@ const EARLY_BYTES: usize = 1024;
 const UNKNOWN_CONTRAST: f64 = 0.1;
 
 /// Makes previews of all images.
-pub(super) fn prepare(scene: &Scene, preview_side: u32) -> Vec<PreparedImage> {
+///
+/// # Errors
+/// [`Cancelled`] if the callback cancels.
+pub(super) fn prepare(
+    scene: &Scene,
+    preview_side: u32,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Vec<PreparedImage>, Cancelled> {
     let roles = image_roles(scene.document());
     let areas = image_areas(scene);
     let prepare = |(index, image): (usize, &striata::mesh::Image)| {
@@ -65,7 +73,12 @@ pub(super) fn prepare(scene: &Scene, preview_side: u32) -> Vec<PreparedImage> {
         entry.preview_bytes = preview.len() as u64;
         PreparedImage { entry, preview, is_early: false, area, lost_contrast }
     };
-    scene.images().iter().enumerate().map(prepare).collect()
+    let total = scene.images().len() as u64;
+    let images = scene.images().iter().enumerate().map(|(index, image)| {
+        Progress { phase: "previews", done: index as u64, total }.report(progress)?;
+        Ok(prepare((index, image)))
+    });
+    images.collect()
 }
 
 #[cfg(feature = "textures")]

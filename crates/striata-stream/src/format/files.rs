@@ -4,14 +4,11 @@ use striata::file::{
     self, EncodeError, FileModel, StoredStream, StreamCodec, StreamHead, StreamMesh, StriataFile, Summary,
     Verify,
 };
+use striata::ignore_progress;
 
 use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::info::StreamInfo;
 use crate::reader::decode::StreamDecoder;
-
-/// Number of bytes passed to a decoder at a time. The decoder moves pending bytes after each chunk, so
-/// large pieces would be slow.
-const PIECE_BYTES: usize = 1 << 16;
 
 /// Decodes the streams inside a [`StriataFile`].
 #[derive(Clone, Copy, Debug)]
@@ -117,9 +114,7 @@ fn read_head(bytes: &[u8]) -> Result<StreamHead, DecodeError> {
 
 fn decode(bytes: &[u8], is_truncated: bool) -> Result<StreamMesh, DecodeError> {
     let mut decoder = StreamDecoder::new();
-    for piece in bytes.chunks(PIECE_BYTES) {
-        decoder.push(piece)?;
-    }
+    decoder.push_with_progress(bytes, &mut ignore_progress)?;
     let malformed = |reason| DecodeError::Malformed { offset: bytes.len(), reason };
     if !decoder.is_complete() {
         if !is_truncated {

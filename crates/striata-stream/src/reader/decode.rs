@@ -5,6 +5,7 @@ use std::ops::Range;
 use striata::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
 };
+use striata::{Progress, ProgressFn};
 
 use crate::base::coder::BaseLimits;
 use crate::base::mesh::Base;
@@ -20,6 +21,10 @@ use crate::refine::growth::GrowingMesh;
 use crate::refine::parameters::StreamParameters;
 use crate::refine::refiner::{CodingResult, MeshRefiner};
 use crate::refine::source::ReaderSource;
+
+/// Number of bytes passed to a decoder at a time. The decoder moves pending bytes after each chunk, so large
+/// pieces would be slow.
+pub(crate) const PIECE_BYTES: usize = 1 << 16;
 
 /// The changes that one call to the decoder made. To apply them, append [`vertices`](Self::vertices) to
 /// the vertex buffer, rewrite [`changed_triangles`](Self::changed_triangles) in the index buffer and
@@ -99,6 +104,28 @@ impl StreamDecoder {
         self.waiting = waiting;
         result?;
         Ok(self.update_since(before))
+    }
+
+    /// Accepts bytes like [`push`](Self::push), piece by piece, and reports progress in bytes; the callback can
+    /// cancel. Returns the number of bytes that were accepted: all of them, unless the callback cancelled.
+    ///
+    /// # Errors
+    /// See [`push`](Self::push).
+    pub fn push_with_progress(
+        &mut self,
+        bytes: &[u8],
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<usize, DecodeError> {
+        let mut accepted = 0;
+        for piece in bytes.chunks(PIECE_BYTES) {
+            let now = Progress { phase: "decode", done: accepted as u64, total: bytes.len() as u64 };
+            if progress(now).is_break() {
+                break;
+            }
+            self.push(piece)?;
+            accepted += piece.len();
+        }
+        Ok(accepted)
     }
 
     /// Decodes the header and every complete chunk.

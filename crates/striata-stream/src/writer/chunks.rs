@@ -1,6 +1,7 @@
 //! Encodes the batches of a sequence as compressed chunks.
 
 use striata::mesh::RefinableMesh;
+use striata::{Progress, ProgressFn};
 
 use crate::base::coder::BaseLimits;
 use crate::base::mesh::Base;
@@ -11,6 +12,7 @@ use crate::refine::parameters::StreamParameters;
 use crate::refine::refiner::MeshRefiner;
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
+use crate::writer::encode::StreamError;
 use crate::writer::reference_mesh::{ReferenceMesh, VertexData, base_of};
 
 /// Maximum number of splits per chunk, the unit of checksums and of requests.
@@ -51,14 +53,15 @@ pub(crate) fn encode_chunks(
     refinable: &RefinableMesh,
     (descent, batches): (&Descent, &[u32]),
     (points, parameters): (&VertexData, &StreamParameters),
-) -> Result<Chunks, BatchDefect> {
+    progress: &mut ProgressFn<'_>,
+) -> Result<Chunks, StreamError> {
     let (base, reference) = base_of(descent, batches, points, refinable);
     let parameters = StreamParameters {
         max_patch: descent.max_patch(),
         has_general: descent.has_general(),
         ..parameters.clone()
     };
-    write(base, reference, (&parameters, refinable.sequence.step_count()))
+    write(base, reference, (&parameters, refinable.sequence.step_count()), progress)
 }
 
 /// Checks that batch boundaries rise from 0 to the number of steps.
@@ -78,7 +81,8 @@ fn write(
     base: Base,
     mut reference: ReferenceMesh<'_>,
     (parameters, step_count): (&StreamParameters, usize),
-) -> Result<Chunks, BatchDefect> {
+    progress: &mut ProgressFn<'_>,
+) -> Result<Chunks, StreamError> {
     let limits = BaseLimits {
         triangle_count: base.triangles.len() as u32,
         position_count: base.grid_points.len() as u32,
@@ -93,6 +97,9 @@ fn write(
         .unwrap_or_else(|defect| panic!("collapses keep a surface closed: {defect}"));
     push(&mut chunks, writer, (&refiner.level.growth, base.triangles.len()), &mut spent);
     while reference.order.len() < step_count {
+        // The descent was the first half of the work.
+        let (done, total) = ((step_count + reference.order.len()) as u64, 2 * step_count as u64);
+        Progress { phase: "encode", done, total }.report(progress)?;
         let mut writer = RangeWriter::new();
         code_chunk(&mut refiner, &mut writer, &mut reference, step_count)?;
         push(&mut chunks, writer, (&refiner.level.growth, 0), &mut spent);

@@ -7,9 +7,11 @@
 use std::ops::Range;
 
 use striata::mesh::RefinableMesh;
+use striata::{Progress, ProgressFn};
 
 use crate::format::version::StreamVersion;
 use crate::writer::defect::BatchDefect;
+use crate::writer::encode::StreamError;
 use crate::writer::general_stage::GeneralStage;
 use crate::writer::level::{LevelTriangles, check_base};
 use crate::writer::surface_stage::SurfaceStage;
@@ -45,18 +47,19 @@ impl Descent {
     ///
     /// # Errors
     /// [`BatchDefect`] if a step is invalid, or if the version does not support general batches and one
-    /// would be required.
+    /// would be required; also if the callback cancels.
     pub(crate) fn new(
         refinable: &RefinableMesh,
         batches: &[u32],
         version: StreamVersion,
-    ) -> Result<Self, BatchDefect> {
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, StreamError> {
         let mut must_be_general = vec![false; batches.len() - 1];
         // A rebuilt surface may differ from the collapsed one if the sequence was not made by a
         // simplifier that considers all copies of a position. We turn the affected batches into general
         // ones and start again.
         loop {
-            match Self::attempt(refinable, batches, (version, &must_be_general))? {
+            match Self::attempt(refinable, batches, (version, &must_be_general), progress)? {
                 Attempt::Complete(descent) => return Ok(descent),
                 Attempt::SurfaceDiffers(range) => must_be_general[range].fill(true),
             }
@@ -67,12 +70,16 @@ impl Descent {
         refinable: &RefinableMesh,
         batches: &[u32],
         (version, must_be_general): (StreamVersion, &[bool]),
-    ) -> Result<Attempt, BatchDefect> {
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Attempt, StreamError> {
         let mut level = LevelTriangles::new(refinable);
         let mut stage = SurfaceStage::new(&level, refinable, batches.len() - 1);
         let mut stages = Vec::new();
         let mut visits = vec![0; batches.len() - 1];
+        let step_count = refinable.sequence.step_count() as u64;
         for batch in (0..batches.len() - 1).rev() {
+            let done = step_count.saturating_sub(u64::from(batches[batch + 1]));
+            Progress { phase: "encode", done, total: 2 * step_count }.report(progress)?;
             let steps = batches[batch] as usize..batches[batch + 1] as usize;
             let result = match must_be_general[batch] {
                 true => Err(BatchDefect::Dependent { batch }),
@@ -80,8 +87,8 @@ impl Descent {
             };
             match result {
                 Ok(()) => visits[batch] = stage.vertex_count() as u64,
-                Err(defect @ BatchDefect::Wedges { .. }) => return Err(defect),
-                Err(defect) if version == StreamVersion::One => return Err(defect),
+                Err(defect @ BatchDefect::Wedges { .. }) => return Err(defect.into()),
+                Err(defect) if version == StreamVersion::One => return Err(defect.into()),
                 Err(_) => {
                     stage.finish(&mut level);
                     if !stage.batches().is_empty() && !stage.matches_rebuilt(&level, refinable) {

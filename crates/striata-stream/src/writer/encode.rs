@@ -2,6 +2,7 @@
 
 use striata::file::EncodeError;
 use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
+use striata::{Cancelled, ProgressFn, ignore_progress};
 
 use crate::base::coder::BaseLimits;
 use crate::format::grid::{GridError, PositionGrid};
@@ -169,6 +170,9 @@ pub enum StreamError {
     /// A metadata text is too long.
     #[error(transparent)]
     Text(#[from] EncodeError),
+    /// The progress callback asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// Encodes a mesh with its collapse sequence as a progressive stream.
@@ -183,6 +187,19 @@ pub fn encode_stream(
     refinable: &RefinableMesh,
     batches: &[u32],
     options: &StreamOptions,
+) -> Result<EncodedStream, StreamError> {
+    encode_stream_with_progress(refinable, batches, options, &mut ignore_progress)
+}
+
+/// Runs [`encode_stream`] and reports progress; the callback can cancel.
+///
+/// # Errors
+/// See [`encode_stream`]; also [`StreamError::Cancelled`] if the callback cancels.
+pub fn encode_stream_with_progress(
+    refinable: &RefinableMesh,
+    batches: &[u32],
+    options: &StreamOptions,
+    progress: &mut ProgressFn<'_>,
 ) -> Result<EncodedStream, StreamError> {
     refinable.mesh.check()?;
     check_batches(batches, refinable.sequence.step_count())?;
@@ -211,16 +228,16 @@ pub fn encode_stream(
         group_count: refinable.mesh.groups.len() as u32,
         layers: forms,
     };
-    let mut descent = Descent::new(refinable, batches, parameters.version)?;
+    let mut descent = Descent::new(refinable, batches, parameters.version, progress)?;
     let first = first_batch(&parameters, &descent);
     let shortened = (first > 0).then(|| refinable.clone().without_levels_below(batches[first] as usize));
     let refinable = shortened.as_ref().unwrap_or(refinable);
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
     if first > 0 {
-        descent = Descent::new(refinable, batches, parameters.version)?;
+        descent = Descent::new(refinable, batches, parameters.version, progress)?;
     }
-    let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters))?;
+    let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters), progress)?;
     let header = header_of(refinable, batches, &chunks, (options, &parameters)).to_bytes()?;
     let mut bytes = header;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));

@@ -12,6 +12,7 @@
 //! Cost: linear, some 15 microseconds per triangle for 32 states; about 40 bytes per triangle.
 
 use striata::strip::{StripLinks, StripPath, StripSet};
+use striata::{Cancelled, Progress, ProgressFn};
 
 use super::adjacency::Adjacency;
 use super::beam_state::{BeamState, Prices, ScoredMove, SearchContext, Step, mixed};
@@ -29,19 +30,32 @@ const STARTER_COUNT: usize = 4;
 const START_COUNT: usize = 3;
 /// Number of steps between searches for what all states share.
 const FINALIZE_INTERVAL: u32 = 32;
+/// Number of steps between two calls of the progress callback: some milliseconds.
+const STEPS_PER_REPORT: u32 = 1 << 10;
 /// Number of final triangles near which a distant start is searched, the last first.
 const TRAIL_LENGTH: usize = 256;
 /// Largest cache that the search simulates; strips for it also suit larger caches.
 const MAX_CACHE_SIZE: usize = 64;
 
 /// Covers the mesh by strips grown for the cache in the options.
-pub(super) fn grow(task: &Task<'_>, links: &StripLinks<'_>) -> StripSet {
+///
+/// # Errors
+/// [`Cancelled`] if the callback cancels.
+pub(super) fn grow(
+    task: &Task<'_>,
+    links: &StripLinks<'_>,
+    progress: &mut ProgressFn<'_>,
+) -> Result<StripSet, Cancelled> {
     let mut search = Search::new(task, links);
     let mut writer = Writer { path: None, links, triangles: task.triangles, out: StripSet::new() };
     for group in task.groups {
         search.begin(group.start as u32..group.end as u32);
         let step_count = search.context.group.clone().filter(|&t| task.is_proper(t)).count() as u32;
         for step_index in 0..step_count {
+            if step_index % STEPS_PER_REPORT == 0 {
+                let done = group.start as u64 + u64::from(step_index);
+                Progress { phase: "strip", done, total: task.triangles.len() as u64 }.report(progress)?;
+            }
             search.rank_moves();
             search.advance(step_index);
             if step_index % FINALIZE_INTERVAL == FINALIZE_INTERVAL - 1 || search.is_full() {
@@ -53,7 +67,7 @@ pub(super) fn grow(task: &Task<'_>, links: &StripLinks<'_>) -> StripSet {
         writer.end_strip();
         writer.out.end_group();
     }
-    writer.out
+    Ok(writer.out)
 }
 
 /// Beam search over one mesh.

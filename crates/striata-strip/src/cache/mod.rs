@@ -16,9 +16,10 @@ mod grow;
 mod reorder;
 mod step_tree;
 
+use striata::Cancelled;
 use striata::strip::{StripLinks, StripSet, fifo_cache_cost};
 
-use crate::task::Task;
+use crate::task::{Limits, Task};
 
 /// Lowest weight for which new strips are tried; below it they were never cheaper than reordered strips.
 const LEAST_WEIGHT_TO_GROW: f64 = 0.1;
@@ -27,13 +28,21 @@ const LEAST_WEIGHT_TO_GROW: f64 = 0.1;
 /// or new ones.
 ///
 /// A cache of fewer than three vertices cannot contain a triangle, so the strips stay as they are.
-pub(crate) fn cheapest_for_cache(task: &Task<'_>, links: &StripLinks<'_>, strips: StripSet) -> StripSet {
+pub(crate) fn cheapest_for_cache(
+    task: &Task<'_>,
+    links: &StripLinks<'_>,
+    strips: StripSet,
+    limits: &mut dyn Limits,
+) -> Result<StripSet, Cancelled> {
     let options = task.options;
     if options.cache_size < 3 {
-        return strips;
+        return Ok(strips);
     }
     let ordered = reorder::reorder(&strips, options.cache_weight, options.cache_size);
-    let grown = (options.cache_weight >= LEAST_WEIGHT_TO_GROW).then(|| grow::grow(task, links));
+    let grown = match options.cache_weight >= LEAST_WEIGHT_TO_GROW {
+        true => Some(grow::grow(task, links, &mut |now| limits.report(now))?),
+        false => None,
+    };
     let price = |strips: &StripSet| {
         let indices = strips.to_restart_indices().indices;
         let misses = fifo_cache_cost(&indices, 1, options.cache_size).miss_count;
@@ -46,5 +55,5 @@ pub(crate) fn cheapest_for_cache(task: &Task<'_>, links: &StripLinks<'_>, strips
             best = (price, other);
         }
     }
-    best.1
+    Ok(best.1)
 }

@@ -13,9 +13,10 @@ mod anneal;
 mod stitch;
 mod strip_state;
 
-use striata::strip::{StripLinks, StripOrder, StripSet, join_greedily};
+use striata::Cancelled;
+use striata::strip::{StripLinks, StripOrder, StripSet, join_greedily_with_progress};
 
-use crate::task::{SpentFn, Task};
+use crate::task::{Limits, Task};
 use anneal::{Annealer, COLD, HOT_TO_COLD};
 use strip_state::StripState;
 
@@ -27,8 +28,13 @@ const COOLING_SHARE: f64 = 0.8;
 /// On a regular mesh, whose initial strips are nearly optimal, a hot search loses more than it can win back
 /// in time. If the strips that the search began with were cheaper, the search starts again from those and
 /// stays cold.
-pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>, out: &mut StripSet) {
-    join_greedily(task.triangles, task.groups, links);
+pub(crate) fn run(
+    task: &Task<'_>,
+    links: &mut StripLinks<'_>,
+    limits: &mut dyn Limits,
+    out: &mut StripSet,
+) -> Result<(), Cancelled> {
+    join_greedily_with_progress(task.triangles, task.groups, links, &mut |now| limits.report(now))?;
     let mut start = StripSet::new();
     stitch::write(task, links, &mut start);
     let mut order = Vec::with_capacity(task.triangles.len());
@@ -38,20 +44,23 @@ pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, spent: &mut Spent
     }
     let mut state = StripState::new(order, task.triangles, links);
     let mut annealer = Annealer::new(&mut state, task.options.seed);
-    let cost = annealer.anneal(HOT_TO_COLD, &mut |moves| spent(moves) / COOLING_SHARE);
+    let cost = annealer.anneal(HOT_TO_COLD, &mut |moves| limits.spent(moves) / COOLING_SHARE);
+    limits.check()?;
     if cost <= 0 {
-        annealer.anneal(COLD, spent);
+        annealer.anneal(COLD, &mut |moves| limits.spent(moves));
         state.write_links(links);
     } else {
         let mut state = StripState::new(state.into_order(), task.triangles, links);
         let mut annealer = Annealer::new(&mut state, task.options.seed);
-        if annealer.anneal(COLD, spent) < 0 {
+        if annealer.anneal(COLD, &mut |moves| limits.spent(moves)) < 0 {
             state.write_links(links);
         }
     }
+    limits.check()?;
     stitch::write(task, links, out);
     // The search's cost differs slightly from the written one: not all ends that meet can be joined.
     if start.cost().index_count < out.cost().index_count {
         *out = start;
     }
+    Ok(())
 }

@@ -35,6 +35,9 @@ use trace::Step;
 /// On the bunny, tunnels of 17 links leave 165 strips without such a round, 99 with one, and 87 with two.
 const MOVE_ROUND_COUNT: usize = 1;
 
+/// Number of searches between two looks at the budget.
+const SEARCHES_PER_CHECK: u64 = 256;
+
 /// Applies tunnels until no end has one of at most `max_length` links, or the budget is spent.
 pub(crate) fn run(
     task: &Task<'_>,
@@ -59,7 +62,9 @@ pub(crate) fn run(
             ends = shuffled_ends(task, joiner.links, &mut joiner.random);
         }
         if moves_left > 0 {
-            joiner.move_ends(&ends);
+            if !joiner.move_ends(&ends, spent) {
+                return;
+            }
             ends = shuffled_ends(task, joiner.links, &mut joiner.random);
         }
     }
@@ -96,7 +101,7 @@ impl TunnelJoiner<'_, '_> {
         for &end in ends {
             while self.links.solid_degree(end) < 2 {
                 self.search_count += 1;
-                if self.search_count.is_multiple_of(256) && spent(self.search_count) >= 1.0 {
+                if self.search_count.is_multiple_of(SEARCHES_PER_CHECK) && spent(self.search_count) >= 1.0 {
                     return None;
                 }
                 let Some(last) = self.search.find(end, self.links, &self.locations, &mut self.random) else {
@@ -111,9 +116,12 @@ impl TunnelJoiner<'_, '_> {
     }
 
     /// Moves every end that has no tunnel to a random triangle that a search from it reaches. The number of
-    /// strips stays the same.
-    fn move_ends(&mut self, ends: &[u32]) {
-        for &end in ends {
+    /// strips stays the same. Returns whether some of the budget is left.
+    fn move_ends(&mut self, ends: &[u32], spent: &mut SpentFn<'_>) -> bool {
+        for (index, &end) in ends.iter().enumerate() {
+            if index % SEARCHES_PER_CHECK as usize == 0 && spent(self.search_count) >= 1.0 {
+                return false;
+            }
             let is_end = self.links.solid_degree(end) < 2;
             if is_end && self.search.find(end, self.links, &self.locations, &mut self.random).is_none() {
                 self.search.pick_move(&mut self.random);
@@ -121,6 +129,7 @@ impl TunnelJoiner<'_, '_> {
                 self.locations.renumber(self.search.steps(), None, self.links);
             }
         }
+        true
     }
 }
 

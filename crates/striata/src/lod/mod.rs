@@ -43,7 +43,7 @@ use crate::mesh::{CollapseSequence, IndexedMesh, RefinableMesh};
 use crate::simplify::{
     SimplifyError, Target, build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
 };
-use crate::{ProgressFn, ignore_progress};
+use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
 
 /// Every level of detail of one mesh: the vertices in refinement order, the collapse sequence, and the
 /// tables that turn any level or view into triangles.
@@ -63,7 +63,8 @@ impl Lod {
         Self::build_with_progress(mesh, options, &mut ignore_progress)
     }
 
-    /// Builds the levels like [`build`](Self::build) and reports progress; the callback can cancel.
+    /// Builds the levels like [`build`](Self::build) and reports progress; the callback can cancel. The fans,
+    /// which are built last, have no phase of their own.
     ///
     /// # Errors
     /// [`SimplifyError`] under the conditions of [`build`](Self::build), or if the callback cancels.
@@ -74,16 +75,29 @@ impl Lod {
     ) -> Result<Self, SimplifyError> {
         let built = build_sequence_with_progress(mesh, &options.sequence, progress)?;
         if !options.has_guaranteed_errors {
-            return Ok(Self::from_refinable(built.refinable));
+            let mut finished = |_| progress(Progress { phase: "simplify", done: 1, total: 1 });
+            return Ok(Self::from_refinable_with_progress(built.refinable, &mut finished)?);
         }
         let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress)?;
-        Ok(Self::from_certified(certified))
+        let mut finished = |_| progress(Progress { phase: "certify", done: 1, total: 1 });
+        Ok(Self::from_certified_with_progress(certified, &mut finished)?)
     }
 
     /// Wraps a mesh that already has a collapse sequence, such as a decoded stream; its errors count as
     /// estimates.
     pub fn from_refinable(refinable: RefinableMesh) -> Self {
         Self { tables: Arc::new(Tables::new(refinable, false)) }
+    }
+
+    /// Wraps a mesh like [`from_refinable`](Self::from_refinable) and reports progress; the callback can cancel.
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels.
+    pub fn from_refinable_with_progress(
+        refinable: RefinableMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, Cancelled> {
+        Ok(Self { tables: Arc::new(Tables::new_with_progress(refinable, false, progress)?) })
     }
 
     /// Returns the levels with at least `split_count` vertex splits; the first of them becomes the base mesh.
@@ -99,6 +113,17 @@ impl Lod {
     /// [`certify_collapses_in_any_state`](crate::simplify::certify_collapses_in_any_state).
     pub fn from_certified(refinable: RefinableMesh) -> Self {
         Self { tables: Arc::new(Tables::new(refinable, true)) }
+    }
+
+    /// Wraps a mesh like [`from_certified`](Self::from_certified) and reports progress; the callback can cancel.
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels.
+    pub fn from_certified_with_progress(
+        refinable: RefinableMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, Cancelled> {
+        Ok(Self { tables: Arc::new(Tables::new_with_progress(refinable, true, progress)?) })
     }
 
     /// Reads the levels from a `.striata` file.

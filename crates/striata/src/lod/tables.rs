@@ -4,6 +4,7 @@ use crate::file::{DecodeError, EncodeError, FileModel, StriataFile, WriteOptions
 use crate::mesh::RefinableMesh;
 use crate::model::{FanScene, Fans};
 use crate::view::Sphere;
+use crate::{Cancelled, ProgressFn};
 
 /// Metadata key and value by which a file records that its errors are guaranteed bounds.
 const GUARANTEED_ERRORS: (&str, &str) = ("errors", "guaranteed");
@@ -22,6 +23,15 @@ impl Tables {
     pub(super) fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
         let fans = Fans::build(&refinable);
         Self::from_parts(refinable, fans, has_guaranteed_errors)
+    }
+
+    pub(super) fn new_with_progress(
+        refinable: RefinableMesh,
+        has_guaranteed_errors: bool,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, Cancelled> {
+        let fans = Fans::build_with_progress(&refinable, progress)?;
+        Ok(Self::from_parts(refinable, fans, has_guaranteed_errors))
     }
 
     pub(super) fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {

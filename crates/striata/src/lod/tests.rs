@@ -1,3 +1,5 @@
+use std::ops::ControlFlow;
+
 use super::*;
 use crate::file::WriteOptions;
 use crate::mesh::{canonical_triangles, replay, shapes};
@@ -98,7 +100,28 @@ fn inconsistent_meshes_are_rejected() {
 #[test]
 fn the_callback_can_cancel() {
     let mesh = shapes::terrain(100, 1);
-    let cancelled =
-        Lod::build_with_progress(&mesh, &LodOptions::default(), &mut |_| std::ops::ControlFlow::Break(()));
+    let cancelled = Lod::build_with_progress(&mesh, &LodOptions::default(), &mut |_| ControlFlow::Break(()));
     assert!(matches!(cancelled, Err(SimplifyError::Cancelled(_))), "{cancelled:?}");
+}
+
+#[test]
+fn the_fans_report_progress_and_can_be_cancelled() {
+    let refinable = Lod::build(&shapes::terrain(100, 1), &LodOptions::default()).unwrap();
+    let refinable = RefinableMesh { mesh: refinable.mesh().clone(), sequence: refinable.sequence().clone() };
+    let mut phases = Vec::new();
+    let lod = Lod::from_certified_with_progress(refinable.clone(), &mut |now| {
+        assert!(now.done <= now.total, "{now:?}");
+        phases.push(now.phase);
+        ControlFlow::Continue(())
+    });
+    assert!(lod.unwrap().has_guaranteed_errors());
+    assert!(phases.is_sorted_by_key(|&phase| phase != "fans"), "{phases:?}");
+    for last in 1..=phases.len() {
+        let mut calls = 0;
+        let stopped = Lod::from_refinable_with_progress(refinable.clone(), &mut |_| {
+            calls += 1;
+            if calls < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        assert_eq!((stopped.map(drop), calls), (Err(Cancelled), last));
+    }
 }

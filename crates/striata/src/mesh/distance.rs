@@ -12,11 +12,17 @@
 //! Cost: O(n log n) for the trees of n triangles, then O(log n) per sample; no sample is stored. Results
 //! are the same for any number of threads and on every machine.
 
+use std::ops::Range;
+
 use crate::setters::setters;
+use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
 use glam::DVec3;
 
-use super::surface_samples::{Strata, SurfaceSamples, low_discrepancy_point, map_chunks};
+use super::surface_samples::{CHUNK_SIZE, Strata, SurfaceSamples, low_discrepancy_point, map_chunks};
 use super::{IndexedMesh, MeshError, TriangleTree};
+
+/// Number of chunks that each thread measures between two calls of the progress callback: some 50 ms.
+const CHUNKS_PER_REPORT: usize = 8;
 
 /// Options of [`surface_distance`].
 #[derive(Clone, Debug, PartialEq)]
@@ -93,6 +99,9 @@ pub enum DistanceError {
     /// The sample count is 0.
     #[error("the sample count is 0, but must be at least 1")]
     NoSamples,
+    /// The progress callback asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// Measures the distance between two surfaces in both directions.
@@ -113,15 +122,32 @@ pub fn surface_distance(
     b: &IndexedMesh,
     options: &DistanceOptions,
 ) -> Result<SurfaceDistance, DistanceError> {
+    surface_distance_with_progress(a, b, options, &mut ignore_progress)
+}
+
+/// Runs [`surface_distance`] and reports progress in samples; the callback can cancel.
+///
+/// # Errors
+/// See [`surface_distance`]; also [`DistanceError::Cancelled`] if the callback cancels.
+pub fn surface_distance_with_progress(
+    a: &IndexedMesh,
+    b: &IndexedMesh,
+    options: &DistanceOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<SurfaceDistance, DistanceError> {
     if options.sample_count == 0 {
         return Err(DistanceError::NoSamples);
     }
+    let mut meter = Meter { progress, done: 0, total: 0 };
+    meter.report()?;
     let tree_a = surface_tree(a, "first")?;
     let tree_b = surface_tree(b, "second")?;
     let from_a = SurfaceSamples::new(a, options.sample_count, options.seed);
     let from_b = SurfaceSamples::new(b, options.sample_count, options.seed);
-    let a_to_b = from_a.measure(&tree_b);
-    let b_to_a = from_b.measure(&tree_a);
+    let sample_count = from_a.point_count() + from_b.point_count();
+    meter.total = sample_count as u64;
+    let a_to_b = from_a.measure(&tree_b, &mut meter)?;
+    let b_to_a = from_b.measure(&tree_a, &mut meter)?;
     Ok(SurfaceDistance {
         a_to_b,
         b_to_a,
@@ -129,8 +155,21 @@ pub fn surface_distance(
         rms: a_to_b.rms.max(b_to_a.rms),
         mean: a_to_b.mean.max(b_to_a.mean),
         diagonal: a.diagonal(),
-        sample_count: from_a.point_count() + from_b.point_count(),
+        sample_count,
     })
+}
+
+/// The progress of a measurement, in samples.
+struct Meter<'a, 'p> {
+    progress: &'a mut ProgressFn<'p>,
+    done: u64,
+    total: u64,
+}
+
+impl Meter<'_, '_> {
+    fn report(&mut self) -> Result<(), Cancelled> {
+        Progress { phase: "measure", done: self.done, total: self.total }.report(self.progress)
+    }
 }
 
 fn surface_tree(mesh: &IndexedMesh, which: &'static str) -> Result<TriangleTree, DistanceError> {
@@ -141,8 +180,8 @@ fn surface_tree(mesh: &IndexedMesh, which: &'static str) -> Result<TriangleTree,
 impl SurfaceSamples<'_> {
     /// Measures all samples. Means are over the area or, if the area is 0, over the edges or else the
     /// vertices.
-    fn measure(&self, tree: &TriangleTree) -> OneSidedDistance {
-        let vertices = sum_chunks(self.used_vertices.len(), |range, sums| {
+    fn measure(&self, tree: &TriangleTree, meter: &mut Meter<'_, '_>) -> Result<OneSidedDistance, Cancelled> {
+        let vertices = sum_chunks(self.used_vertices.len(), meter, |range, sums| {
             let mut hint = usize::MAX;
             for &v in &self.used_vertices[range] {
                 sums.add(tree.distance_within(
@@ -151,25 +190,26 @@ impl SurfaceSamples<'_> {
                     &mut hint,
                 ));
             }
-        });
-        let sides = self.measure_strata(&self.sides, tree, |t, [u, _]| self.point_on_side(t, u));
-        let areas = self.measure_strata(&self.areas, tree, |t, uv| self.point_on_triangle(t, uv));
+        })?;
+        let sides = self.measure_strata(&self.sides, tree, meter, |t, [u, _]| self.point_on_side(t, u))?;
+        let areas = self.measure_strata(&self.areas, tree, meter, |t, uv| self.point_on_triangle(t, uv))?;
         let means = [areas, sides, vertices].into_iter().find(|s| s.count > 0).unwrap_or_default();
         let count = means.count.max(1) as f64;
-        OneSidedDistance {
+        Ok(OneSidedDistance {
             max: vertices.max.max(sides.max).max(areas.max),
             rms: (means.squares / count).sqrt(),
             mean: means.sum / count,
-        }
+        })
     }
 
     fn measure_strata(
         &self,
         strata: &Strata,
         tree: &TriangleTree,
+        meter: &mut Meter<'_, '_>,
         point: impl Fn(usize, [f64; 2]) -> DVec3 + Sync,
-    ) -> Sums {
-        sum_chunks(strata.count(), |range, sums| {
+    ) -> Result<Sums, Cancelled> {
+        sum_chunks(strata.count(), meter, |range, sums| {
             let mut hint = usize::MAX;
             for (k, t) in strata.samples(range) {
                 sums.add(tree.distance_within(
@@ -209,17 +249,38 @@ impl Sums {
 }
 
 /// Accumulates `0..count` in chunks and joins the chunks in order, on several threads if enabled.
-fn sum_chunks(count: usize, measure: impl Fn(std::ops::Range<usize>, &mut Sums) + Sync) -> Sums {
-    let chunks = map_chunks(count, |range| {
-        let mut sums = Sums::default();
-        measure(range, &mut sums);
-        sums
-    });
-    chunks.into_iter().fold(Sums::default(), Sums::join)
+fn sum_chunks(
+    count: usize,
+    meter: &mut Meter<'_, '_>,
+    measure: impl Fn(Range<usize>, &mut Sums) + Sync,
+) -> Result<Sums, Cancelled> {
+    let mut total = Sums::default();
+    let step = CHUNK_SIZE * CHUNKS_PER_REPORT * thread_count();
+    for start in (0..count).step_by(step) {
+        meter.report()?;
+        let end = count.min(start.saturating_add(step));
+        let chunks = map_chunks(start..end, |range| {
+            let mut sums = Sums::default();
+            measure(range, &mut sums);
+            sums
+        });
+        total = chunks.into_iter().fold(total, Sums::join);
+        meter.done += (end - start) as u64;
+    }
+    Ok(total)
+}
+
+fn thread_count() -> usize {
+    #[cfg(feature = "parallel")]
+    return rayon::current_num_threads();
+    #[cfg(not(feature = "parallel"))]
+    1
 }
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
     use super::*;
 
     fn square(z: f32) -> IndexedMesh {
@@ -263,6 +324,18 @@ mod tests {
         assert_eq!(error.to_string(), "the first mesh: vertex 1 has the coordinate NaN on axis 2");
         let none = DistanceOptions::default().with_sample_count(0);
         assert_eq!(surface_distance(&empty, &empty, &none), Err(DistanceError::NoSamples));
+    }
+
+    #[test]
+    fn the_callback_can_cancel() {
+        let options = DistanceOptions::default().with_sample_count(1 << 40);
+        let mut calls = 0;
+        let stopped = surface_distance_with_progress(&square(0.0), &square(1.0), &options, &mut |now| {
+            assert!(now.phase == "measure" && now.done <= now.total);
+            calls += 1;
+            if calls < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        assert_eq!((stopped, calls), (Err(DistanceError::Cancelled(Cancelled)), 4));
     }
 
     #[test]

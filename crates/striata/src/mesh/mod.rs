@@ -33,7 +33,10 @@ pub use attributes::{AttributeLayer, LayerData, Semantic};
 pub(crate) use box_tree::{AxisBox, BoxTree};
 pub use defect::{Defect, DefectKind};
 pub use disjoint_sets::DisjointSets;
-pub use distance::{DistanceError, DistanceOptions, OneSidedDistance, SurfaceDistance, surface_distance};
+pub use distance::{
+    DistanceError, DistanceOptions, OneSidedDistance, SurfaceDistance, surface_distance,
+    surface_distance_with_progress,
+};
 pub use dual_graph::{DualGraph, NO_TWIN};
 pub use fragments::{
     Face, Fragment, FragmentError, FragmentSequence, FragmentedMesh, fragment_faces, replay_fragments,

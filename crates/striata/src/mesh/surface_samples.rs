@@ -15,7 +15,7 @@ use super::{IndexedMesh, Random};
 const AREA_SAMPLES_PER_EDGE_SAMPLE: usize = 4;
 
 /// Number of samples that one task measures; fixed, so that sums do not depend on the number of threads.
-const CHUNK_SIZE: usize = 4_096;
+pub(super) const CHUNK_SIZE: usize = 4_096;
 
 /// A sample point on the area of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ impl<'a> SurfaceSamples<'a> {
             let point = self.point_on_triangle(triangle, uv).to_array();
             SurfaceSample { point, triangle, weights: weights_on_triangle(uv) }
         };
-        map_chunks(self.areas.count(), |range| measure(&mut self.areas.samples(range).map(sample)))
+        map_chunks(0..self.areas.count(), |range| measure(&mut self.areas.samples(range).map(sample)))
     }
 
     pub(super) fn point_count(&self) -> usize {
@@ -172,16 +172,19 @@ impl Strata {
     }
 }
 
-/// Calls `measure` for `0..count` in chunks, on several threads if enabled; returns the results in order.
-pub(super) fn map_chunks<T: Send>(count: usize, measure: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let chunk = |index: usize| measure(index * CHUNK_SIZE..((index + 1) * CHUNK_SIZE).min(count));
+/// Calls `measure` for a range in chunks, on several threads if enabled; returns the results in order.
+pub(super) fn map_chunks<T: Send>(all: Range<usize>, measure: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let chunk = |index: usize| {
+        let start = all.start + index * CHUNK_SIZE;
+        measure(start..(start + CHUNK_SIZE).min(all.end))
+    };
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
-        (0..count.div_ceil(CHUNK_SIZE)).into_par_iter().map(chunk).collect()
+        (0..all.len().div_ceil(CHUNK_SIZE)).into_par_iter().map(chunk).collect()
     }
     #[cfg(not(feature = "parallel"))]
-    (0..count.div_ceil(CHUNK_SIZE)).map(chunk).collect()
+    (0..all.len().div_ceil(CHUNK_SIZE)).map(chunk).collect()
 }
 
 #[cfg(test)]

@@ -9,6 +9,10 @@ use glam::{DVec3, Vec3};
 
 use super::ModelError;
 use crate::view::{NormalCone, Part, Sphere};
+use crate::{Cancelled, Progress, ProgressFn};
+
+/// Number of steps between two calls of the progress callback.
+const STEPS_PER_REPORT: usize = 1 << 12;
 
 /// Marks a step that has no parent.
 pub(in crate::model) const NO_STEP: u32 = u32::MAX;
@@ -27,7 +31,13 @@ pub(in crate::model) trait Bounded {
 
 /// Computes the records of all steps; each bounds what its step changes and the records of all its
 /// descendants.
-pub(in crate::model) fn bound(steps: &mut impl Bounded) -> Vec<PartRecord> {
+///
+/// # Errors
+/// [`Cancelled`] if the callback cancels.
+pub(in crate::model) fn bound(
+    steps: &mut impl Bounded,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Vec<PartRecord>, Cancelled> {
     let parents = steps.parents();
     let mut records = vec![PartRecord::default(); parents.len()];
     let mut normals = vec![DVec3::ZERO; parents.len()];
@@ -35,6 +45,10 @@ pub(in crate::model) fn bound(steps: &mut impl Bounded) -> Vec<PartRecord> {
     let mut changed = Vec::new();
     // Descendants are finer, so their bounds are known by then; and children are linked in ascending order.
     for step in (0..parents.len()).rev() {
+        if step % STEPS_PER_REPORT == 0 {
+            let (done, total) = ((parents.len() - step) as u64, parents.len() as u64);
+            Progress { phase: "bounds", done, total }.report(progress)?;
+        }
         let children =
             || std::iter::successors(some_step(first_child[step]), |&c| some_step(next_child[c as usize]));
         changed.clear();
@@ -59,7 +73,7 @@ pub(in crate::model) fn bound(steps: &mut impl Bounded) -> Vec<PartRecord> {
             next_child[step] = std::mem::replace(&mut first_child[parent as usize], step as u32);
         }
     }
-    records
+    Ok(records)
 }
 
 fn some_step(step: u32) -> Option<u32> {

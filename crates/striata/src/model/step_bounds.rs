@@ -3,6 +3,7 @@
 use super::ModelError;
 use super::part_record::{Bounded, PartRecord, bound};
 use crate::view::Part;
+use crate::{Cancelled, ProgressFn};
 
 /// For each step, a sphere and a normal cone that enclose everything changed by the step and its
 /// descendants in the tree of steps, plus the error that remains while the step is collapsed.
@@ -13,8 +14,14 @@ pub(in crate::model) struct StepBounds {
 
 impl StepBounds {
     /// Computes the bounds of all steps, nested along their tree.
-    pub(in crate::model) fn build(steps: &mut impl Bounded) -> Self {
-        Self { records: bound(steps).into() }
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels.
+    pub(in crate::model) fn build(
+        steps: &mut impl Bounded,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, Cancelled> {
+        Ok(Self { records: bound(steps, progress)?.into() })
     }
 
     /// Reads the bounds of `step_count` steps from stored records. If `errors` is given, the error of each

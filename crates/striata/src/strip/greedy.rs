@@ -13,6 +13,10 @@ use super::seeds::{FreeTriangles, Seeds};
 use super::strip_set::StripSet;
 use super::write::write_strips;
 use crate::mesh::{DualGraph, IndexedMesh, MeshError, NO_TWIN};
+use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
+
+/// Number of triangles joined between two calls of the progress callback.
+const TRIANGLES_PER_REPORT: u64 = 1 << 14;
 
 /// Covers each triangle of a mesh by exactly one strip, quickly and with few indices.
 ///
@@ -50,15 +54,48 @@ pub fn stripify(mesh: &IndexedMesh) -> Result<StripSet, MeshError> {
 /// # Panics
 /// If `triangles` are not those of the links' graph, or if a group extends past them.
 pub fn join_greedily(triangles: &[[u32; 3]], groups: &[Range<usize>], links: &mut StripLinks<'_>) {
+    join_greedily_with_progress(triangles, groups, links, &mut ignore_progress)
+        .expect("the default callback never cancels");
+}
+
+/// Runs [`join_greedily`] and reports progress in triangles; the callback can cancel, which leaves the strips
+/// made so far.
+///
+/// # Errors
+/// [`Cancelled`] if the callback cancels.
+///
+/// # Panics
+/// See [`join_greedily`].
+pub fn join_greedily_with_progress(
+    triangles: &[[u32; 3]],
+    groups: &[Range<usize>],
+    links: &mut StripLinks<'_>,
+    progress: &mut ProgressFn<'_>,
+) -> Result<(), Cancelled> {
     let last_walks = vec![0; triangles.len()];
     let free = FreeTriangles::new(triangles, links);
     let mut grower = StripGrower { free, twins: links.twins(), last_walks, walk_index: 0 };
+    let (mut done, mut reported) = (0, 0);
     for group in groups {
-        join_group(&mut grower, group.clone(), links);
+        join_group(&mut grower, group.clone(), links, &mut |triangle_count| {
+            done += triangle_count as u64;
+            if done < reported + TRIANGLES_PER_REPORT {
+                return Ok(());
+            }
+            reported = done;
+            Progress { phase: "strip", done, total: triangles.len() as u64 }.report(progress)
+        })?;
     }
+    Ok(())
 }
 
-fn join_group(grower: &mut StripGrower<'_>, group: Range<usize>, links: &mut StripLinks<'_>) {
+/// Joins the triangles of a group; `report` gets the number of triangles of each strip.
+fn join_group(
+    grower: &mut StripGrower<'_>,
+    group: Range<usize>,
+    links: &mut StripLinks<'_>,
+    report: &mut dyn FnMut(usize) -> Result<(), Cancelled>,
+) -> Result<(), Cancelled> {
     let mut seeds = Seeds::new(&grower.free, group);
     let (mut best, mut trial) = (Walk::default(), Walk::default());
     while let Some(seed) = seeds.pop(&grower.free) {
@@ -78,7 +115,9 @@ fn join_group(grower: &mut StripGrower<'_>, group: Range<usize>, links: &mut Str
         for &h in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
             seeds.push_around(h / 3, &grower.free);
         }
+        report(best.back.len() + best.front.len() + 1)?;
     }
+    Ok(())
 }
 
 /// A walk through a seed triangle, given by the sides through which the triangles after and before it are

@@ -25,7 +25,7 @@ mod strip_set;
 mod write;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
-pub use greedy::{join_greedily, stripify};
+pub use greedy::{join_greedily, join_greedily_with_progress, stripify};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into, stitch};
 pub use links::{StripLinks, Turn, next_side, prev_side};
 pub use seeds::{FreeTriangles, Seeds};

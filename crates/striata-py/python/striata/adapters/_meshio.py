@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any
 
 import numpy as np
 
 from .._arrays import AnyArray
-from .._inputs import Input, Result, arrays_input
+from .._input import Input, Result, arrays_input
+from .._warn import warn
 
 #: Cells that a surface may have besides faces; they are left out.
 _LOWER = ("vertex", "line")
@@ -49,7 +49,7 @@ def _faces(mesh: Any) -> tuple[AnyArray, AnyArray]:
             triangles.append(np.stack([data[:, [0, 1, 2]], data[:, [0, 2, 3]]], axis=1).reshape(-1, 3))
             cells.append(np.repeat(np.arange(count, count + len(data)), 2))
         elif block.type in _LOWER:
-            warnings.warn(f"{len(data)} cells of the type {block.type} are left out", stacklevel=4)
+            warn(f"{len(data)} cells of the type {block.type} are left out")
             continue
         else:
             raise ValueError(f"meshio cells of the type {block.type!r} are not triangles or quads")

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .._arrays import AnyArray
-from .._inputs import Input, Result, arrays_input
+from .._input import Input, Result, arrays_input
 
 #: Attributes that only this module uses.
 _UV, _POINT = "uv", "striata:point"

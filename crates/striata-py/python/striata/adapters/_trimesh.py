@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .._inputs import Input, Result, arrays_input
+from .._input import Input, Result, arrays_input
 
 #: Names under which parts of `Trimesh.visual` travel, which no user attribute has.
 _COLORS, _UV = "striata:vertex_colors", "uv"

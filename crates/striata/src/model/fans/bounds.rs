@@ -15,11 +15,19 @@ use super::Fans;
 use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::part_record::{Bounded, NO_STEP};
 use crate::model::step_bounds::StepBounds;
+use crate::{Cancelled, ProgressFn};
 
 impl StepBounds {
     /// Computes the bounds of a table's steps.
-    pub(super) fn of_fans(fans: &Fans, refinable: &RefinableMesh) -> Self {
-        Self::build(&mut FanSteps { fans, refinable, triangles: Vec::new() })
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels.
+    pub(super) fn of_fans(
+        fans: &Fans,
+        refinable: &RefinableMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, Cancelled> {
+        Self::build(&mut FanSteps { fans, refinable, triangles: Vec::new() }, progress)
     }
 }
 

@@ -6,6 +6,10 @@ use super::{Fans, MAX_ARCS};
 use crate::mesh::{CollapseSequence, RefinableMesh, is_proper};
 use crate::model::step_bounds::StepBounds;
 use crate::model::step_vertices::StepVertices;
+use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
+
+/// Number of steps or vertices between two calls of the progress callback.
+const STEPS_PER_REPORT: usize = 1 << 12;
 
 /// Marks the end of a linked list of triangles.
 const END: u32 = u32::MAX;
@@ -19,8 +23,23 @@ impl Fans {
     /// # Panics
     /// If the mesh uses vertices that the sequence does not have.
     pub fn build(refinable: &RefinableMesh) -> Self {
-        let fans = Self::build_without_bounds(refinable);
-        Self { bounds: Some(StepBounds::of_fans(&fans, refinable)), ..fans }
+        Self::build_with_progress(refinable, &mut ignore_progress)
+            .expect("the default callback never cancels")
+    }
+
+    /// Builds the table like [`build`](Self::build) and reports progress in steps; the callback can cancel.
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels.
+    ///
+    /// # Panics
+    /// See [`build`](Self::build).
+    pub fn build_with_progress(
+        refinable: &RefinableMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, Cancelled> {
+        let fans = Builder::table(refinable, progress)?;
+        Ok(Self { bounds: Some(StepBounds::of_fans(&fans, refinable, progress)?), ..fans })
     }
 
     /// Builds the table without bounds, which takes less time. That is sufficient for uniform levels and
@@ -29,11 +48,7 @@ impl Fans {
     /// # Panics
     /// If the mesh uses vertices that the sequence does not have.
     pub fn build_without_bounds(refinable: &RefinableMesh) -> Self {
-        let mut builder = Builder::new(refinable);
-        for step in (0..refinable.sequence.step_count()).rev() {
-            builder.remove(step);
-        }
-        builder.finish()
+        Builder::table(refinable, &mut ignore_progress).expect("the default callback never cancels")
     }
 }
 
@@ -67,6 +82,21 @@ struct Builder<'r> {
 }
 
 impl<'r> Builder<'r> {
+    /// Builds the table without bounds.
+    fn table(refinable: &'r RefinableMesh, progress: &mut ProgressFn<'_>) -> Result<Fans, Cancelled> {
+        let mut builder = Self::new(refinable);
+        let step_count = refinable.sequence.step_count();
+        for step in (0..step_count).rev() {
+            if step % STEPS_PER_REPORT == 0 {
+                // The other half of the work is in `finish`.
+                let (done, total) = ((step_count - step) as u64, 2 * step_count as u64);
+                Progress { phase: "fans", done, total }.report(progress)?;
+            }
+            builder.remove(step);
+        }
+        builder.finish(progress)
+    }
+
     fn new(refinable: &'r RefinableMesh) -> Self {
         let vertex_count = refinable.sequence.positions().vertex_count();
         let mut builder = Self {
@@ -176,7 +206,7 @@ impl<'r> Builder<'r> {
         tree
     }
 
-    fn finish(mut self) -> Fans {
+    fn finish(mut self, progress: &mut ProgressFn<'_>) -> Result<Fans, Cancelled> {
         // The remaining triangles form the base mesh; like all others, they are stored with their newest
         // vertex.
         for triangle in 0..self.triangles.len() {
@@ -191,7 +221,12 @@ impl<'r> Builder<'r> {
         let base = self.sequence.base_position_count() as u32;
         let mut tree = self.tree();
         let (mut arcs, mut fans) = (Vec::new(), Vec::new());
+        let vertex_count = self.entries.len();
         for (vertex, mut entry) in std::mem::take(&mut self.entries).into_iter().enumerate() {
+            if vertex % STEPS_PER_REPORT == 0 {
+                let (done, total) = ((vertex_count + vertex) as u64, 2 * vertex_count as u64);
+                Progress { phase: "fans", done, total }.report(progress)?;
+            }
             entry.sort_by_key(|&triangle| self.triangles[triangle as usize].group);
             let group_of = |&triangle: &u32| self.triangles[triangle as usize].group;
             fans.clear();
@@ -207,7 +242,7 @@ impl<'r> Builder<'r> {
         let waits = self.unlisted.iter().filter(|wait| wait.0 >= base);
         // They were found from the last step to the first.
         self.far.reverse();
-        Fans {
+        Ok(Fans {
             vertices: StepVertices::of_sequence(self.sequence).without_targets(),
             step_count: self.sequence.step_count(),
             group_count: self.group_count,
@@ -217,7 +252,7 @@ impl<'r> Builder<'r> {
             orphans: tree.orphans(),
             removed: self.sequence.removed_triangle_counts().into(),
             bounds: None,
-        }
+        })
     }
 }
 

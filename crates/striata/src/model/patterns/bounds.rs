@@ -6,6 +6,7 @@
 //! fragment's own floor or of a descendant's, whichever is larger; the certified error of a floor is valid
 //! wherever the floor is shown.
 
+use crate::ignore_progress;
 use crate::mesh::FragmentedMesh;
 use crate::model::part_record::{Bounded, NO_STEP};
 use crate::model::step_bounds::StepBounds;
@@ -13,7 +14,8 @@ use crate::model::step_bounds::StepBounds;
 impl StepBounds {
     /// Computes the bounds of a mesh's fragments.
     pub(super) fn of_fragments(mesh: &FragmentedMesh) -> Self {
-        Self::build(&mut FragmentSteps { mesh })
+        Self::build(&mut FragmentSteps { mesh }, &mut ignore_progress)
+            .expect("the default callback never cancels")
     }
 }
 

@@ -1,0 +1,28 @@
+//! What a file or a stream contains.
+
+use pyo3::IntoPyObjectExt as _;
+use pyo3::prelude::*;
+
+use crate::errors::Outcome;
+use crate::lod::LodData;
+use crate::mesh::MeshData;
+use crate::scene::{LodSceneData, SceneData};
+
+/// One of the classes of the module.
+pub(crate) enum Content {
+    Mesh(MeshData),
+    Scene(SceneData),
+    Lod(LodData),
+    LodScene(LodSceneData),
+}
+
+impl Content {
+    pub(crate) fn into_python(self, py: Python<'_>) -> Outcome<Bound<'_, PyAny>> {
+        match self {
+            Self::Mesh(data) => data.into_bound_py_any(py),
+            Self::Scene(data) => data.into_bound_py_any(py),
+            Self::Lod(data) => data.into_bound_py_any(py),
+            Self::LodScene(data) => data.into_bound_py_any(py),
+        }
+    }
+}
