@@ -25,6 +25,7 @@ type DistanceFacts = (OneSided, OneSided, f64, usize);
 
 /// Measures the distance between two surfaces by sampling.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
 pub(crate) fn distance(
     py: Python<'_>,
     a: &MeshData,

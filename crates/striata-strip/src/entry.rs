@@ -2,7 +2,7 @@
 
 use striata::mesh::{DualGraph, IndexedMesh, MeshError};
 use striata::strip::{StripLinks, StripSet, join_greedily_with_progress, write_strips};
-use striata::{Cancelled, ProgressFn};
+use striata::{Cancelled, Progress, ProgressFn};
 
 use crate::cache::cheapest_for_cache;
 use crate::options::StripOptions;
@@ -78,6 +78,9 @@ fn run(
     limits: &mut dyn Limits,
 ) -> Result<StripSet, StripifyError> {
     mesh.check()?;
+    // A search of a small mesh may end before its first report.
+    let _ = limits.report(Progress { phase: "strip", done: 0, total: mesh.triangle_count() as u64 });
+    limits.check()?;
     let graph = DualGraph::of_vertices(mesh);
     let groups: Vec<_> = mesh.groups_or_whole().iter().map(|group| group.range()).collect();
     let task = Task { triangles: &mesh.triangles, groups: &groups, options };

@@ -4,8 +4,8 @@
 //! adds the others:
 //!
 //! * [`stripify`] makes strips with any [`Stripifier`]: the classic local algorithm, tunneling, fewest
-//!   strips or fewest indices. [`stripify_with_progress`] can be cancelled. [`stripify_from`] starts from existing strips and runs until the caller's
-//!   budget is spent.
+//!   strips or fewest indices. [`stripify_with_progress`] can be cancelled. [`stripify_from`] starts from
+//!   existing strips and runs until the caller's budget is spent.
 //! * A [`StripOptions::cache_weight`] above 0 reorders strips for a vertex cache, or grows new strips for it.
 //! * [`strip_count_bound`] proves a lower bound for the number of strips.
 //! * [`LiveStrips`] follow a mesh between its levels of detail and are repaired at each step.

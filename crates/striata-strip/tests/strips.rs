@@ -234,7 +234,7 @@ fn every_stripifier_can_be_cancelled_at_each_report() {
     for (spec, cache_weight) in SPECS.map(|spec| (spec, 0.0)).into_iter().chain([("greedy", 1.0)]) {
         let options = options(spec).with_cache_weight(cache_weight);
         let expected = stripify(&mesh, &options).unwrap();
-        let mut reports = 0;
+        let mut reports = 0_usize;
         let strips = stripify_with_progress(&mesh, &options, &mut |now| {
             assert!(now.phase == "strip" && now.done <= now.total, "{now:?}");
             reports += 1;
