@@ -113,13 +113,13 @@ try:
     {call}
 except KeyboardInterrupt:
     raised = time.perf_counter()
+    used_before = time.process_time()
     is_busy = True
     while is_busy:
-        idle = time.perf_counter()
         used = time.process_time()
-        time.sleep(0.05)
+        time.sleep(0.2)
         is_busy = time.process_time() - used > 0.02
-    print(raised - sent[0], idle - raised)
+    print(raised - sent[0], used - used_before)
     sys.exit()
 sys.exit("not interrupted")
 """
@@ -136,7 +136,7 @@ def stream_path(tmp_path_factory):
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("name", CALLS)
 def test_interrupts_take_effect_at_once_and_end_the_work(name, stream_path):
-    """The exception comes within a tenth of a second; after another second, the work has ended."""
+    """The exception comes within a tenth of a second; the work ends at its next step, long before its end."""
     code = INTERRUPTED.replace("{call}", CALLS[name])
     # A busy machine may delay any program, so the best of several runs counts.
     times = []
@@ -145,7 +145,7 @@ def test_interrupts_take_effect_at_once_and_end_the_work(name, stream_path):
         run = subprocess.run(command, capture_output=True, text=True, timeout=120)
         assert run.returncode == 0, run.stderr
         times.append([float(word) for word in run.stdout.split()])
-        if times[-1][0] < 0.1 and times[-1][1] < 1.0:
+        if times[-1][0] < 0.1 and times[-1][1] < 2.5:
             return
     raise AssertionError(times)
 
