@@ -555,6 +555,9 @@ fn encoding_and_decoding_report_progress_and_can_be_cancelled() {
         assert!(matches!(stopped, Err(StreamError::Cancelled(_))), "report {last}");
         assert_eq!(calls, last);
     }
+    // Longer than the pieces that are decoded between two reports.
+    let built = build_batches(&shapes::terrain(250, 1), &BatchOptions::default()).unwrap();
+    let bytes = encode_stream(&built.built.refinable, &built.batches, &options).unwrap().bytes;
     let mut decoder = StreamDecoder::new();
     let mut calls = 0;
     let accepted = decoder.push_with_progress(&bytes, &mut |_| {
