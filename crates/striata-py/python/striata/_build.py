@@ -1,4 +1,4 @@
-"""The function `build`: every level of detail at once."""
+"""The function `build`: every level of detail at once. Its overloads are those of `simplify`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The function `simplify`: one coarser mesh."""
+"""The function `simplify`: one coarser mesh.
+
+Each overload lists all options, because stubtest does not understand them as one `Unpack` of a `TypedDict`.
+"""
 
 from __future__ import annotations
 

@@ -44,7 +44,8 @@ class Targets:
             raise ValueError(f"more than one target: {' and '.join(given)}; pass one of them (and max_error, if wanted)")
         if not given:
             if limit is None:
-                names = list(named)
+                # Not every function takes `detail`.
+                names = [name for name in named if name != "detail"]
                 raise ValueError(f"no target: pass one of {', '.join(names[:-1])} or {names[-1]}")
             return Request(("error", limit), limit, True)
         ((name, value),) = given.items()

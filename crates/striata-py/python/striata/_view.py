@@ -63,7 +63,7 @@ class View:
         pixels : float
             Largest error on the screen, in pixels.
         budget : int, optional
-            Largest number of faces, spent where the error is most visible.
+            Largest number of faces. They go where the error is most visible.
         """
         offset = self.lod._offset
         from_eye = _vector(eye, "eye", offset)
