@@ -15,6 +15,7 @@
 //! # Ok::<(), striata::simplify::SimplifyError>(())
 //! ```
 
+pub mod cells;
 mod certify;
 mod collapse;
 mod level;

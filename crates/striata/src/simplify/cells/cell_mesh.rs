@@ -1,0 +1,50 @@
+//! Triangles of one cell, with what finer levels say about them.
+
+use crate::mesh::AttributeLayer;
+
+/// The last step that changed a triangle, or that removed a neighbor of a vertex and left no triangle at it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct History {
+    /// Cost of the step, mesh units to the fourth power; at least that of every step it depends on.
+    pub key: f64,
+    /// Error of the step, mesh units: the root of the sum of its own squared error and the largest squared
+    /// error of the steps it depends on.
+    pub error: f32,
+}
+
+impl History {
+    /// Takes the larger key and the larger error.
+    pub fn join(self, other: Self) -> Self {
+        Self { key: self.key.max(other.key), error: self.error.max(other.error) }
+    }
+}
+
+/// Part of a mesh, as passed from one level of cells to the next.
+///
+/// Several parts can be appended to each other, so equal vertices may be repeated. A vertex without triangles is
+/// a wedge whose triangles were removed at a finer level; it is removed together with its position.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CellMesh {
+    /// Position of each vertex, in mesh units.
+    pub positions: Vec<[f32; 3]>,
+    /// Attribute layers, each with data for every vertex.
+    pub layers: Vec<AttributeLayer>,
+    /// Vertex indices of each triangle.
+    pub triangles: Vec<[u32; 3]>,
+    /// Group of each triangle; empty if all belong to group 0.
+    pub groups: Vec<u32>,
+    /// History of each triangle; empty if no triangle has been changed.
+    pub histories: Vec<History>,
+    /// History of each vertex: steps that must precede its removal although they left no triangle at it. Empty
+    /// if there are none.
+    pub waits: Vec<History>,
+}
+
+/// What a cell task reads.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cell {
+    /// Triangles whose corners all belong to the cell.
+    pub inside: CellMesh,
+    /// Border triangles with at least one corner in the cell. They do not change, and lock their corners.
+    pub border: CellMesh,
+}

@@ -1,0 +1,36 @@
+//! Simplification in cells: builds one continuous hierarchy of a mesh of any size from small tasks.
+//!
+//! Space is divided into cells, once for every level of a hierarchy ([`Partition`]). A cell task
+//! ([`simplify_cell`]) loads the triangles of one cell, simplifies them to a quarter, and passes the surviving
+//! triangles on to the cells of the next level. Cells of one level are independent of each other, and nothing
+//! ever moves, so nothing has to be stitched afterwards: the steps of all tasks together form one sequence.
+//!
+//! ```text
+//! level 0          level 1 (rotated)      level 2
+//! +--+--+--+--+      /\                   +---------+
+//! |  |  |  |  |     /  \/\                |         |
+//! +--+--+--+--+ --> \  /  \ /  ... -->    | all of  |
+//! |  |  |  |  |      \/\  //              |  space  |
+//! +--+--+--+--+         \//               +---------+
+//!   steps              steps                steps, base mesh
+//! ```
+//!
+//! # Inside and border
+//!
+//! A position belongs to the cell that contains it. A triangle is **inside** a cell if all three corners belong
+//! to that cell; otherwise it is a **border triangle**, which no cell of that level may change. A cell task also
+//! sees the border triangles at its own positions, so that it knows every complete star; the corners of border
+//! triangles are locked. Two cells therefore never change the same triangle or create the same edge, and a
+//! border of one level lies inside a cell of a later one, because every level uses another frame.
+//!
+//! # Order
+//!
+//! A step depends on the last step that changed each triangle of its star. Every triangle carries the
+//! [`History`] of that step from level to level, so the key and the error of a step cover those of all steps
+//! that it depends on. Sorting all steps by key, then level, cell and local index gives a valid sequence.
+
+mod cell_mesh;
+mod partition;
+
+pub use cell_mesh::{Cell, CellMesh, History};
+pub use partition::{Partition, PartitionLevel};
