@@ -89,6 +89,8 @@ mod normals;
 mod obj;
 #[cfg(feature = "off")]
 mod off;
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+pub mod pieces;
 #[cfg(feature = "ply")]
 mod ply;
 mod read;

@@ -30,7 +30,9 @@
 //! that it depends on. Sorting all steps by key, then level, cell and local index gives a valid sequence.
 
 mod cell_mesh;
+mod cell_steps;
 mod partition;
 
 pub use cell_mesh::{Cell, CellMesh, History};
+pub use cell_steps::{CellOptions, CellSteps, SimplifiedCell};
 pub use partition::{Partition, PartitionLevel};

@@ -1,0 +1,92 @@
+//! Meshes that do not fit into memory, read in independent pieces.
+//!
+//! A source says at once how many pieces there are, and any thread may read any piece at any time, as often as
+//! it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
+
+use serde::{Deserialize, Serialize};
+use striata::mesh::{Appearance, AttributeLayer, Semantic};
+
+use crate::ReadError;
+
+/// Type of the values of an attribute layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ComponentType {
+    /// 32-bit floats.
+    F32,
+    /// Bytes.
+    U8,
+    /// 16-bit integers.
+    U16,
+    /// 32-bit integers.
+    U32,
+}
+
+/// An attribute layer without its values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LayerKind {
+    /// Meaning of the values.
+    pub semantic: Semantic,
+    /// Number of values per vertex.
+    pub component_count: u8,
+    /// Whether integers stand for fractions.
+    pub normalized: bool,
+    /// Type of the values.
+    pub component_type: ComponentType,
+}
+
+/// A group of triangles, possibly in many pieces.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PieceGroup {
+    /// Name of the group; may be empty.
+    pub name: String,
+    /// Index into [`Appearance::materials`], or `None` if the triangles have no material.
+    pub material: Option<u32>,
+}
+
+/// What is known about an input before any piece is read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PieceSummary {
+    /// Name for messages: the file, or the first file and the number of the others.
+    pub name: String,
+    /// Layers of every piece, in this order.
+    pub layers: Vec<LayerKind>,
+    /// Groups, which triangles refer to by index; at least one.
+    pub groups: Vec<PieceGroup>,
+    /// Materials and images.
+    pub appearance: Appearance,
+    /// Number of triangles; an estimate if the format does not say.
+    pub triangle_count: u64,
+    /// Total size of the files, in bytes.
+    pub byte_count: u64,
+    /// Georeference of a terrain: a JSON object, stored as it is.
+    pub georeference: Option<serde_json::Value>,
+}
+
+/// Part of an input.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Piece {
+    /// Position of each vertex, in mesh units.
+    pub positions: Vec<[f32; 3]>,
+    /// The layers of the summary, with values for every vertex.
+    pub layers: Vec<AttributeLayer>,
+    /// Vertex indices of each triangle, all valid.
+    pub triangles: Vec<[u32; 3]>,
+    /// Group of each triangle, an index into the summary's groups; empty if all belong to group 0.
+    pub groups: Vec<u32>,
+}
+
+/// An input that is read piece by piece.
+pub trait PieceSource: Send + Sync {
+    /// What is known about the whole input.
+    fn summary(&self) -> &PieceSummary;
+
+    /// Number of pieces, of about 100,000 triangles each.
+    fn piece_count(&self) -> u64;
+
+    /// Reads one piece. The same piece has the same content, whenever and wherever it is read.
+    ///
+    /// # Errors
+    /// [`ReadError`] with the file, the place and the reason.
+    fn read_piece(&self, index: u64) -> Result<Piece, ReadError>;
+}
