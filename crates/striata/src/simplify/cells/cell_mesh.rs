@@ -5,10 +5,11 @@ use crate::mesh::AttributeLayer;
 /// The last step that changed a triangle, or that removed a neighbor of a vertex and left no triangle at it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct History {
-    /// Cost of the step, mesh units to the fourth power; at least that of every step it depends on.
-    pub key: f64,
+    /// Key of the step: its cost, rounded, and larger than the key of every step that it depends on. The unit
+    /// is the diagonal of the whole mesh to the fourth power.
+    pub key: f32,
     /// Error of the step, mesh units: the root of the sum of its own squared error and the largest squared
-    /// error of the steps it depends on.
+    /// error of the steps that it depends on.
     pub error: f32,
 }
 
@@ -35,9 +36,8 @@ pub struct CellMesh {
     pub groups: Vec<u32>,
     /// History of each triangle; empty if no triangle has been changed.
     pub histories: Vec<History>,
-    /// History of each vertex: steps that must precede its removal although they left no triangle at it. Empty
-    /// if there are none.
-    pub waits: Vec<History>,
+    /// Steps that must precede the removal of a vertex although they left no triangle at it, by vertex.
+    pub waits: Vec<(u32, History)>,
 }
 
 /// What a cell task reads.
@@ -47,4 +47,6 @@ pub struct Cell {
     pub inside: CellMesh,
     /// Border triangles with at least one corner in the cell. They do not change, and lock their corners.
     pub border: CellMesh,
+    /// For each vertex of `border`, whether its position belongs to the cell.
+    pub is_within: Vec<bool>,
 }

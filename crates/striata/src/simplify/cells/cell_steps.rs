@@ -9,11 +9,13 @@ use crate::simplify::{SequenceOptions, StopReason};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CellOptions {
-    /// Cost, weights and rules of the simplification. [`SequenceOptions::base_triangle_count`] is ignored.
+    /// Cost, weights and rules of the simplification. [`SequenceOptions::base_triangle_count`] and
+    /// [`SequenceOptions::locked_vertices`] are ignored.
     pub sequence: SequenceOptions,
-    /// Diagonal of the whole mesh's bounding box, in mesh units: the unit of attribute weights and of distances
-    /// between parts.
+    /// Diagonal of the whole mesh's bounding box, in mesh units: the unit of costs and attribute weights.
     pub diagonal: f64,
+    /// Material of each group that triangles refer to; groups beyond its end have none.
+    pub materials: Vec<Option<u32>>,
     /// Share of the triangles inside the cell to keep; default 0.25. A hierarchy's last level keeps 0: it
     /// simplifies as far as possible.
     pub keep: f64,
@@ -22,11 +24,12 @@ pub struct CellOptions {
 impl CellOptions {
     /// Creates the options for cells of a mesh with this diagonal, in mesh units.
     pub fn new(diagonal: f64) -> Self {
-        Self { sequence: SequenceOptions::default(), diagonal, keep: 0.25 }
+        Self { sequence: SequenceOptions::default(), diagonal, materials: Vec::new(), keep: 0.25 }
     }
 
     setters! {
         with_sequence, sequence: SequenceOptions;
+        with_materials, materials: Vec<Option<u32>>;
         with_keep, keep: f64;
     }
 }
@@ -35,17 +38,16 @@ impl CellOptions {
 /// others that are mentioned.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CellSteps {
-    /// Position of each vertex, in mesh units. Owned positions are in refinement order (last removed first), and
-    /// the wedges of a position are adjacent.
+    /// Position of each vertex, in mesh units. The wedges of an owned position are adjacent.
     pub positions: Vec<[f32; 3]>,
     /// Attribute layers of all vertices.
     pub layers: Vec<AttributeLayer>,
     /// First vertex of each owned position, followed by the number of owned vertices.
     pub first: Vec<u32>,
-    /// Target of each owned vertex: a vertex of an earlier owned position, or a vertex that is not owned.
+    /// Target of each owned vertex: a vertex at a position with a larger key, or one that is not owned.
     pub targets: Vec<u32>,
     /// [`History::key`](super::History) of each owned position.
-    pub keys: Vec<f64>,
+    pub keys: Vec<f32>,
     /// [`History::error`](super::History) of each owned position, in mesh units.
     pub errors: Vec<f32>,
     /// Triangles of the cell's input with at least one owned corner.
@@ -62,8 +64,8 @@ pub struct CellSteps {
 pub struct SimplifiedCell {
     /// The steps.
     pub steps: CellSteps,
-    /// Inside triangles that are left, for the cells of the next level; and wedges without triangles at
-    /// positions that are left.
+    /// Inside triangles that are left, for the cells of the next level; and wedges without triangles, and
+    /// waits, at positions that are left.
     pub survivors: CellMesh,
     /// Why the simplification ended.
     pub stop_reason: StopReason,

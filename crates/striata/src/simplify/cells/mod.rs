@@ -27,12 +27,23 @@
 //!
 //! A step depends on the last step that changed each triangle of its star. Every triangle carries the
 //! [`History`] of that step from level to level, so the key and the error of a step cover those of all steps
-//! that it depends on. Sorting all steps by key, then level, cell and local index gives a valid sequence.
+//! that it depends on. A key is always larger than those, so sorting all steps by key gives a valid sequence,
+//! and steps with the same key are independent of each other.
 
 mod cell_mesh;
 mod cell_steps;
+mod hierarchy;
 mod partition;
+mod rounding;
+mod route;
+mod simplify_cell;
+mod trace;
+mod union;
 
 pub use cell_mesh::{Cell, CellMesh, History};
 pub use cell_steps::{CellOptions, CellSteps, SimplifiedCell};
+pub use hierarchy::{CellHierarchy, HierarchyCell, build_in_cells};
 pub use partition::{Partition, PartitionLevel};
+pub use rounding::{next_key, round_error, round_key};
+pub use route::{Routed, route};
+pub use simplify_cell::simplify_cell;

@@ -112,7 +112,7 @@ impl AttributeSpace {
         };
         let mut first = 0;
         for (layer, weight) in layers {
-            space.fill(welded, layer, (first, weight), texcoord_factors);
+            space.fill((welded, scale), layer, (first, weight), texcoord_factors);
             first += layer.component_count as usize;
         }
         Some(space)
@@ -121,7 +121,7 @@ impl AttributeSpace {
     /// Fills in the coordinates of a layer, beginning at coordinate `first`.
     fn fill(
         &mut self,
-        welded: &Welded,
+        (welded, scale): (&Welded, f64),
         layer: &AttributeLayer,
         (first, weight): (usize, f32),
         texcoord_factors: &[f32],
@@ -132,7 +132,7 @@ impl AttributeSpace {
         let is_texcoord = matches!(layer.semantic, Semantic::TexCoord(_));
         if is_texcoord {
             self.texcoords |= bits;
-            lengths = charts::atlas_unit_lengths(welded, layer);
+            lengths = charts::atlas_unit_lengths(welded, layer, scale);
             self.atlases.resize(lengths.len(), 0);
             for (mask, &length) in self.atlases.iter_mut().zip(&lengths) {
                 *mask |= if length > 0.0 { bits } else { 0 };

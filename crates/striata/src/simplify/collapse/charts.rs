@@ -21,13 +21,16 @@ const MAX_OVERLAP: f64 = 0.6;
 /// of the mesh's diagonal, if its material uses `layer` as an atlas; otherwise 0.
 ///
 /// Takes O(n) time for n triangles, plus the time to rasterize them into 512 by 512 cells.
-pub(in crate::simplify) fn atlas_unit_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
+pub(in crate::simplify) fn atlas_unit_lengths(
+    welded: &Welded,
+    layer: &AttributeLayer,
+    diagonal: f64,
+) -> Vec<f32> {
     let mesh = &welded.mesh;
     let mut lengths = vec![0.0; mesh.vertex_count()];
     if layer.component_count < 2 {
         return lengths;
     }
-    let diagonal = mesh.diagonal();
     let mut coverage = TextureCoverage {
         owner: vec![0; CELL_COUNT * CELL_COUNT],
         stamp: 0,

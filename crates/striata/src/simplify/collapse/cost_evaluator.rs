@@ -73,6 +73,8 @@ pub(in crate::simplify) struct CostEvaluator<'a> {
     pub(in crate::simplify) relaxed: Option<RelaxedState<'a>>,
     pub(in crate::simplify) attributes: Option<AttributeSpace>,
     pub(in crate::simplify) is_locked: Vec<bool>,
+    /// Whether the mesh was cut out of a larger one, at locked positions.
+    pub(in crate::simplify) is_cell: bool,
     seams: SeamRule,
     locks_boundary: bool,
     partners: Vec<u32>,
@@ -82,7 +84,14 @@ pub(in crate::simplify) struct CostEvaluator<'a> {
 impl<'a> CostEvaluator<'a> {
     /// Creates an evaluator for the full mesh.
     pub(in crate::simplify) fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
-        let (positions, scale) = scaled_positions(welded);
+        let diagonal = welded.mesh.bounds().map_or(0.0, |bounds| bounds.diagonal());
+        Self::with_scale(welded, options, if diagonal > 0.0 { diagonal } else { 1.0 })
+    }
+
+    /// Creates an evaluator for part of a mesh whose diagonal is `scale` mesh units: costs of all parts are in
+    /// the same unit.
+    pub(in crate::simplify) fn with_scale(welded: &'a Welded, options: &SequenceOptions, scale: f64) -> Self {
+        let positions = scaled_positions(welded, scale);
         let position_count = positions.len();
         let has_wedges = !welded.positions.is_identity();
         let follows = has_wedges || options.cost == CollapseCost::Tracked;
@@ -110,6 +119,7 @@ impl<'a> CostEvaluator<'a> {
                 scale,
             ),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
+            is_cell: false,
             seams: options.seams,
             locks_boundary: options.boundary == BoundaryRule::Locked,
             partners: Vec::new(),
@@ -247,8 +257,14 @@ impl<'a> CostEvaluator<'a> {
 
     /// Whether the surface has no seam and no border of any kind.
     pub(in crate::simplify) fn is_closed_scan(&self) -> bool {
+        self.wedges.is_none() && self.is_closed()
+    }
+
+    /// Whether the surface has no border of any kind, apart from where it was cut into cells.
+    pub(in crate::simplify) fn is_closed(&self) -> bool {
+        let is_cut = |p: u32| self.is_cell && self.is_locked[p as usize];
         let is_closed = |p: u32| matches!(self.links.kind(p), LinkKind::Closed | LinkKind::Empty);
-        self.wedges.is_none() && (0..self.positions.len() as u32).all(is_closed)
+        (0..self.positions.len() as u32).all(|p| is_closed(p) || is_cut(p))
     }
 
     /// Whether `v` may not be removed because the options lock it or because it has no triangles.
@@ -486,11 +502,9 @@ fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
     }
 }
 
-/// Returns all positions relative to the center of the bounds, in units of the bounds' diagonal, and
-/// that unit.
-fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
-    let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
-    let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
+/// Returns all positions relative to the center of the bounds, in units of `scale`.
+fn scaled_positions(welded: &Welded, scale: f64) -> Vec<[f32; 4]> {
+    let Some(bounds) = welded.mesh.bounds() else { return Vec::new() };
     let center: [f64; 3] =
         std::array::from_fn(|a| 0.5 * (f64::from(bounds.min[a]) + f64::from(bounds.max[a])));
     let scaled = |p: u32| {
@@ -498,5 +512,5 @@ fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
         let on = |x: f32, a: usize| ((f64::from(x) - center[a]) / scale) as f32;
         [on(x, 0), on(y, 1), on(z, 2), 0.0]
     };
-    ((0..welded.positions.position_count() as u32).map(scaled).collect(), scale)
+    (0..welded.positions.position_count() as u32).map(scaled).collect()
 }

@@ -59,6 +59,17 @@ impl CollapseExecutor {
         self.witnesses.worst_squared()
     }
 
+    /// Squared distance by which a step moves the surface, scaled units.
+    pub(in crate::simplify) fn own_squared(
+        &self,
+        evaluator: &CostEvaluator<'_>,
+        v: u32,
+        choice: &CollapseChoice,
+    ) -> f32 {
+        let protrusion = reported_protrusion(&evaluator.positions, v, choice);
+        choice.distance_squared.max(protrusion)
+    }
+
     /// Squared distance of the witness of `v` from the fan that collapsing `v` to the neighbor `u`
     /// would leave; `None` if it cannot exceed the largest error so far. `own` is the squared distance
     /// of `v` itself.

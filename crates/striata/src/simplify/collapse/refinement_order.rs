@@ -2,6 +2,15 @@
 
 use crate::mesh::{CollapseSequence, PositionIndex, RefinableMesh, SequenceError, SequenceParts, Welded};
 
+/// What a step of a cell is ordered by, and what it adds to the error.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::simplify) struct StepCost {
+    /// Cost at which the step left the queue, scaled units.
+    pub(in crate::simplify) cost: f32,
+    /// Distance of the surface before the step from the one after it, scaled units, squared.
+    pub(in crate::simplify) distance_squared: f32,
+}
+
 /// Everything recorded during the collapses, in the numbering of the welded mesh and in order of removal.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct CollapseRecord {
@@ -11,6 +20,8 @@ pub(in crate::simplify) struct CollapseRecord {
     pub(in crate::simplify) errors: Vec<f32>,
     /// Number of triangles that each removal removes.
     pub(in crate::simplify) removed_triangle_counts: Vec<u8>,
+    /// Cost of each removal; empty unless the mesh is a cell.
+    pub(in crate::simplify) costs: Vec<StepCost>,
     /// Target vertex of every vertex of a removed position; other entries are unused.
     pub(in crate::simplify) targets: Vec<u32>,
 }

@@ -7,7 +7,6 @@
 use crate::mesh::Welded;
 
 use super::cost_evaluator::CostEvaluator;
-use super::links::LinkKind;
 use super::relaxed_state::{RelaxedState, RemovedPositions};
 use crate::simplify::options::TopologyRule;
 
@@ -60,12 +59,11 @@ impl<'a> RelaxationSchedule<'a> {
             return;
         }
         let relaxed = RelaxedState::new(self.welded, self.keeps_parts);
-        let is_closed = |p: u32| matches!(evaluator.links.kind(p), LinkKind::Closed | LinkKind::Empty);
         let part_count = relaxed.part_count();
         let is_postponed = self.welded.positions.is_identity()
             && (part_count == 1
                 || MIN_CLOSED_PART_TRIANGLES * part_count <= self.welded.mesh.triangle_count())
-            && (0..evaluator.positions.len() as u32).all(is_closed);
+            && evaluator.is_closed();
         self.pending = Some(relaxed);
         if is_postponed {
             self.state = ScheduleState::AfterStrict;

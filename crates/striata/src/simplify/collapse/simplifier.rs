@@ -22,7 +22,7 @@ use super::cost_evaluator::{CostEvaluator, CostHistory};
 use super::executor::CollapseExecutor;
 use super::heap::IndexedHeap;
 use super::links::LinkKind;
-use super::refinement_order::CollapseRecord;
+use super::refinement_order::{CollapseRecord, StepCost};
 use super::relaxation_schedule::RelaxationSchedule;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
 
@@ -51,7 +51,21 @@ pub(in crate::simplify) struct Simplifier<'a> {
 
 impl<'a> Simplifier<'a> {
     pub(in crate::simplify) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
-        let evaluator = CostEvaluator::new(welded, options);
+        Self::with_evaluator(welded, options, CostEvaluator::new(welded, options))
+    }
+
+    /// Creates a simplifier for a cell of a mesh whose diagonal is `scale` mesh units; it records costs.
+    pub(in crate::simplify) fn of_cell(welded: &'a Welded, options: &'a SequenceOptions, scale: f64) -> Self {
+        let mut evaluator = CostEvaluator::with_scale(welded, options, scale);
+        evaluator.is_cell = true;
+        Self::with_evaluator(welded, options, evaluator)
+    }
+
+    fn with_evaluator(
+        welded: &'a Welded,
+        options: &'a SequenceOptions,
+        evaluator: CostEvaluator<'a>,
+    ) -> Self {
         let position_count = evaluator.positions.len();
         let executor = CollapseExecutor::new(welded, &evaluator);
         Self {
@@ -115,6 +129,10 @@ impl<'a> Simplifier<'a> {
                 self.choose(corner, &choice);
                 (v, u) = (corner, choice.target);
             }
+            let cost = StepCost {
+                cost: key,
+                distance_squared: self.executor.own_squared(&self.evaluator, v, &self.choice(v)),
+            };
             // Rounded the way it will be reported, so that the limit applies to the reported value.
             let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
             if f64::from(collapse_error) > limit {
@@ -124,6 +142,9 @@ impl<'a> Simplifier<'a> {
             error = error.max(collapse_error);
             let done = self.executor.record.removed.len();
             self.executor.record.errors.resize(done, error);
+            if self.evaluator.is_cell {
+                self.executor.record.costs.resize(done, cost);
+            }
             collapse_count += 1;
             if collapse_count.is_multiple_of(REPORT_INTERVAL) {
                 Progress { phase: "simplify", done: done as u64, total }.report(progress)?;

@@ -114,8 +114,13 @@ impl RemovalRecord {
                 let counts = (0..self.removed.len()).rev();
                 let counts = counts.map(|s| levels.triangle_count_at(s + 1) - levels.triangle_count_at(s));
                 let removed_triangle_counts = counts.map(|n| n as u8).collect();
-                let record =
-                    CollapseRecord { removed: self.removed, errors, removed_triangle_counts, targets };
+                let record = CollapseRecord {
+                    removed: self.removed,
+                    errors,
+                    removed_triangle_counts,
+                    targets,
+                    costs: Vec::new(),
+                };
                 let refinable = build_refinable(welded, record)?.0;
                 // The errors of a collapse sequence only apply to its levels.
                 Some(if self.has_vanished {

@@ -1,0 +1,135 @@
+//! Replays the steps of a cell to find the key and the error of each one, and the triangles that are left.
+
+use super::rounding::{next_key, round_error, round_key};
+use super::union::{BORDER, CellUnion};
+use super::{CellMesh, History};
+use crate::simplify::collapse::refinement_order::CollapseRecord;
+
+/// End of a list of triangles.
+const NONE: u32 = u32::MAX;
+
+/// The state of a cell's triangles while its steps are replayed.
+pub(super) struct Trace<'a> {
+    union: &'a CellUnion,
+    /// Current corners of every welded triangle, as vertices.
+    pub(super) corners: Vec<[u32; 3]>,
+    pub(super) is_alive: Vec<bool>,
+    histories: Vec<History>,
+    /// Steps that each position waits for although they left no triangle at it.
+    pub(super) waits: Vec<History>,
+    /// First corner (3 * triangle + index) in the list of each position.
+    head: Vec<u32>,
+    tail: Vec<u32>,
+    /// Next corner in the same list.
+    next: Vec<u32>,
+    /// Key and error of each step.
+    pub(super) steps: Vec<History>,
+    scratch: Scratch,
+}
+
+#[derive(Default)]
+struct Scratch {
+    star: Vec<u32>,
+    /// Positions that keep a changed triangle, and positions that lose one.
+    kept: Vec<u32>,
+    lost: Vec<u32>,
+}
+
+impl<'a> Trace<'a> {
+    pub(super) fn new(union: &'a CellUnion, inside: &CellMesh) -> Self {
+        let position_count = union.welded.positions.position_count();
+        let triangles = &union.welded.mesh.triangles;
+        let history = |&t: &u32| {
+            if t == BORDER { None } else { inside.histories.get(t as usize).copied() }.unwrap_or_default()
+        };
+        let mut trace = Self {
+            union,
+            corners: triangles.clone(),
+            is_alive: vec![true; triangles.len()],
+            histories: union.inside_of.iter().map(history).collect(),
+            waits: vec![History::default(); position_count],
+            head: vec![NONE; position_count],
+            tail: vec![NONE; position_count],
+            next: vec![NONE; 3 * triangles.len()],
+            steps: Vec::new(),
+            scratch: Scratch::default(),
+        };
+        for &(p, history) in &union.waits {
+            trace.waits[p as usize] = trace.waits[p as usize].join(history);
+        }
+        for (corner, &v) in (0..).zip(triangles.as_flattened()) {
+            trace.link(union.welded.positions.position_of(v), corner);
+        }
+        trace
+    }
+
+    fn link(&mut self, p: u32, corner: u32) {
+        match self.tail[p as usize] {
+            NONE => self.head[p as usize] = corner,
+            last => self.next[last as usize] = corner,
+        }
+        self.tail[p as usize] = corner;
+    }
+
+    /// Replays all steps. Targets are vertices of the union at positions within the cell.
+    pub(super) fn run(&mut self, record: &CollapseRecord, targets: &[u32], scale: f64) {
+        for (&v, cost) in record.removed.iter().zip(&record.costs) {
+            let own = f64::from(cost.distance_squared).sqrt() * scale;
+            self.step(v, targets, (cost.cost, own));
+        }
+    }
+
+    /// Removes position `v`; the step has this cost and moves the surface by `own` mesh units.
+    fn step(&mut self, v: u32, targets: &[u32], (cost, own): (f32, f64)) {
+        let positions = &self.union.welded.positions;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        scratch.star.clear();
+        let mut corner = self.head[v as usize];
+        while corner != NONE {
+            if self.is_alive[corner as usize / 3] {
+                scratch.star.push(corner);
+            }
+            corner = self.next[corner as usize];
+        }
+        let before = std::mem::take(&mut self.waits[v as usize]);
+        let history =
+            scratch.star.iter().map(|&c| self.histories[c as usize / 3]).fold(before, History::join);
+        // Also larger than 0, which means that there is no step.
+        let key = round_key(cost).max(next_key(history.key));
+        let error = round_error((own * own + f64::from(history.error).powi(2)).sqrt() as f32);
+        let step = History { key, error };
+        self.steps.push(step);
+        let u = positions.position_of(targets[positions.first_vertex(v) as usize]);
+        scratch.kept.clear();
+        scratch.lost.clear();
+        scratch.lost.push(u);
+        for &c in &scratch.star {
+            let t = c as usize / 3;
+            self.corners[t][c as usize % 3] = targets[self.corners[t][c as usize % 3] as usize];
+            let at = self.corners[t].map(|w| positions.position_of(w));
+            if at.iter().filter(|&&p| p == u).count() > 1 {
+                self.is_alive[t] = false;
+                scratch.lost.extend(at);
+            } else {
+                self.histories[t] = step;
+                scratch.kept.extend(at);
+            }
+        }
+        // The next links of corners are read above, so they may change only now.
+        for &c in &scratch.star {
+            if self.is_alive[c as usize / 3] {
+                self.next[c as usize] = NONE;
+                self.link(u, c);
+            }
+        }
+        for &p in scratch.lost.iter().filter(|p| !scratch.kept.contains(p)) {
+            self.waits[p as usize] = self.waits[p as usize].join(step);
+        }
+        self.scratch = scratch;
+    }
+
+    /// History of a welded triangle.
+    pub(super) fn history(&self, triangle: usize) -> History {
+        self.histories[triangle]
+    }
+}
