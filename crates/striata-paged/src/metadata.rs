@@ -1,6 +1,10 @@
 //! What a paged file says about the whole mesh.
 
+use std::collections::HashMap;
+
 use serde::{Deserialize, Serialize};
+use striata::mesh::{AttributeLayer, LayerData, Semantic};
+use striata::simplify::cells::CellMesh;
 
 /// Regular positions: `origin + step * i` for integers `i`, computed in f64 and rounded to f32.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -65,4 +69,235 @@ pub struct Metadata {
     pub georeference: Option<serde_json::Value>,
     /// Options of the build, for reference.
     pub options: serde_json::Value,
+}
+
+/// Largest magnitude of a grid index: differences of indices stay exact.
+const MAX_INDEX: f64 = (1u64 << 40) as f64;
+/// Name of the layer that tells wedges of different materials apart.
+const MATERIAL: &str = "generic_material";
+
+impl Grid {
+    /// A grid that covers a box; a step of 0 or a step too fine for the box is replaced by a coarser one.
+    pub fn of(min: [f32; 3], max: [f32; 3], step: f64) -> Self {
+        let extent = (0..3).map(|a| f64::from(max[a]) - f64::from(min[a])).fold(0.0, f64::max);
+        let finest = (extent / MAX_INDEX).max(f64::from(f32::MIN_POSITIVE)).log2().ceil().exp2();
+        let step = step.max(finest);
+        Self { origin: min.map(|x| (f64::from(x) / step).floor() * step), step }
+    }
+
+    /// Indices of the nearest grid position.
+    pub fn index_of(&self, position: [f32; 3]) -> [i64; 3] {
+        std::array::from_fn(|a| ((f64::from(position[a]) - self.origin[a]) / self.step).round() as i64)
+    }
+
+    /// The position with these indices, in mesh units.
+    pub fn position_of(&self, index: [i64; 3]) -> [f32; 3] {
+        std::array::from_fn(|a| (self.origin[a] + self.step * index[a] as f64) as f32)
+    }
+
+    /// The nearest grid position, in mesh units.
+    pub fn snap(&self, position: [f32; 3]) -> [f32; 3] {
+        self.position_of(self.index_of(position))
+    }
+}
+
+impl PagedLayer {
+    /// Describes a layer; floats of known meaning are rounded unless `exact`.
+    pub fn of(layer: &AttributeLayer, exact: bool) -> Self {
+        let component_type = match layer.data {
+            LayerData::F32(_) => "f32",
+            LayerData::U8(_) => "u8",
+            LayerData::U16(_) => "u16",
+            LayerData::U32(_) => "u32",
+        };
+        let step = match layer.semantic {
+            _ if exact || component_type != "f32" => None,
+            Semantic::Normal | Semantic::Tangent | Semantic::Color(_) | Semantic::Weights(_) => {
+                Some(1.0 / 1024.0)
+            }
+            Semantic::TexCoord(_) => Some(1.0 / 16_384.0),
+            _ => None,
+        };
+        Self {
+            semantic: layer.semantic.to_string(),
+            component_count: layer.component_count,
+            normalized: layer.normalized,
+            component_type: component_type.to_owned(),
+            step,
+        }
+    }
+
+    /// A layer of this kind without values. An unknown type counts as floats.
+    pub fn empty_layer(&self) -> AttributeLayer {
+        let data = match self.component_type.as_str() {
+            "u8" => LayerData::U8(Vec::new()),
+            "u16" => LayerData::U16(Vec::new()),
+            "u32" => LayerData::U32(Vec::new()),
+            _ => LayerData::F32(Vec::new()),
+        };
+        AttributeLayer {
+            semantic: semantic_of(&self.semantic),
+            component_count: self.component_count,
+            normalized: self.normalized,
+            data,
+        }
+    }
+
+    /// Rounds the values of a layer to multiples of the step; values that are not finite become 0.
+    pub fn round(&self, layer: &mut AttributeLayer) {
+        let LayerData::F32(values) = &mut layer.data else { return };
+        for value in values {
+            let rounded = match self.step {
+                Some(step) => ((f64::from(*value) / step).round() * step) as f32,
+                None => *value,
+            };
+            *value = if rounded.is_finite() { rounded + 0.0 } else { 0.0 };
+        }
+    }
+}
+
+/// The semantic that is displayed like this; unknown ones are generic.
+fn semantic_of(name: &str) -> Semantic {
+    let number = |prefix: &str| name.strip_prefix(prefix).and_then(|rest| rest.parse::<u8>().ok());
+    let target = |suffix: &str| name.strip_prefix("morph_")?.strip_suffix(suffix)?.parse::<u16>().ok();
+    match name {
+        "normal" => return Semantic::Normal,
+        "tangent" => return Semantic::Tangent,
+        _ => {}
+    }
+    if let Some(set) = number("texcoord_") {
+        return Semantic::TexCoord(set);
+    }
+    if let Some(set) = number("color_") {
+        return Semantic::Color(set);
+    }
+    if let Some(set) = number("joints_") {
+        return Semantic::Joints(set);
+    }
+    if let Some(set) = number("weights_") {
+        return Semantic::Weights(set);
+    }
+    if let Some(target) = target("_position") {
+        return Semantic::MorphPosition(target);
+    }
+    if let Some(target) = target("_normal") {
+        return Semantic::MorphNormal(target);
+    }
+    if let Some(target) = target("_tangent") {
+        return Semantic::MorphTangent(target);
+    }
+    Semantic::Generic(name.strip_prefix("generic_").unwrap_or(name).to_owned())
+}
+
+impl Metadata {
+    /// Diagonal of the bounding box, in mesh units.
+    pub fn diagonal(&self) -> f64 {
+        (0..3).map(|a| (f64::from(self.max[a]) - f64::from(self.min[a])).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Checks what sizes are computed from.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        if let Some(grid) = &self.grid
+            && !(grid.step > 0.0 && grid.step.is_finite() && grid.origin.iter().all(|x| x.is_finite()))
+        {
+            return Err("the grid has a step or origin that is not a positive number".to_owned());
+        }
+        if self.cell_counts.is_empty() || self.cell_counts.len() > 64 {
+            return Err(format!("{} levels", self.cell_counts.len()));
+        }
+        for layer in &self.layers {
+            if layer.component_count == 0 || layer.step.is_some_and(|step| !(step > 0.0 && step.is_finite()))
+            {
+                return Err(format!("layer {} has no components or an impossible step", layer.semantic));
+            }
+        }
+        if !self.min.iter().chain(&self.max).all(|x| x.is_finite()) {
+            return Err("the bounds are not finite".to_owned());
+        }
+        Ok(())
+    }
+
+    /// Layers without values.
+    pub fn empty_layers(&self) -> Vec<AttributeLayer> {
+        self.layers.iter().map(PagedLayer::empty_layer).collect()
+    }
+
+    /// Whether a layer only tells wedges of different materials apart.
+    pub fn is_material_layer(layer: &AttributeLayer) -> bool {
+        layer.semantic == semantic_of(MATERIAL)
+    }
+
+    /// Whether vertices of different materials must be told apart.
+    fn has_materials(&self) -> bool {
+        self.groups.windows(2).any(|pair| pair[0].material != pair[1].material)
+    }
+
+    /// Adds the layer that tells wedges of different materials apart, if there are several.
+    pub fn declare_material_layer(&mut self) {
+        if self.has_materials() {
+            self.layers.push(PagedLayer {
+                semantic: MATERIAL.to_owned(),
+                component_count: 1,
+                normalized: false,
+                component_type: "u32".to_owned(),
+                step: None,
+            });
+        }
+    }
+
+    /// Adds that layer to a mesh; a vertex that several materials use is repeated for each.
+    pub fn add_material_layer(&self, mesh: &mut CellMesh) {
+        if !self.has_materials() {
+            return;
+        }
+        let mut number = HashMap::new();
+        let (mut sources, mut materials) = (Vec::new(), Vec::new());
+        for (t, corners) in mesh.triangles.iter_mut().enumerate() {
+            let group = mesh.groups.get(t).copied().unwrap_or(0) as usize;
+            let material = self.groups.get(group).and_then(|group| group.material).map_or(0, |m| m + 1);
+            for v in corners {
+                *v = *number.entry((*v, material)).or_insert_with(|| {
+                    sources.push(*v);
+                    materials.push(material);
+                    sources.len() as u32 - 1
+                });
+            }
+        }
+        mesh.positions = sources.iter().map(|&v| mesh.positions[v as usize]).collect();
+        mesh.layers = mesh.layers.iter().map(|layer| layer.gather(&sources)).collect();
+        mesh.layers.push(AttributeLayer {
+            semantic: semantic_of(MATERIAL),
+            component_count: 1,
+            normalized: false,
+            data: LayerData::U32(materials),
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn snapping_is_idempotent() {
+        for (min, max, step) in
+            [(-1.0f32, 3.0, 1e-4), (1e6, 1e6 + 10.0, 1e-6), (0.0, 0.0, 0.0), (-3e4, 5e4, 0.125)]
+        {
+            let grid = Grid::of([min; 3], [max; 3], step);
+            for i in 0..1000 {
+                let p = [min + (max - min) * i as f32 / 999.0; 3];
+                let snapped = grid.snap(p);
+                assert_eq!(grid.snap(snapped), snapped, "{grid:?} {p:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn layers_are_described_and_made_again() {
+        for semantic in
+            ["normal", "tangent", "texcoord_1", "color_0", "joints_0", "morph_3_normal", "generic_x"]
+        {
+            assert_eq!(semantic_of(semantic).to_string(), semantic);
+        }
+    }
 }

@@ -77,7 +77,8 @@
 
 mod base;
 mod connectivity;
-mod entropy;
+#[doc(hidden)]
+pub mod entropy;
 mod format;
 mod general;
 pub mod growing;

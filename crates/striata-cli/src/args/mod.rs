@@ -1,5 +1,6 @@
 //! Command-line arguments: one type per verb, and the types of flag values.
 
+mod paged;
 mod render;
 mod stream;
 mod strips;
@@ -23,6 +24,7 @@ use striata_viewer::serve::{ServeArgs, ThumbnailArgs};
 #[cfg(feature = "window")]
 use striata_viewer::window::WindowArgs;
 
+pub(crate) use self::paged::{CellArgs, PagedArgs, PlanArgs, RunArgs};
 pub(crate) use self::render::{Background, DrawnModel, RenderArgs};
 pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
 pub(crate) use self::strips::StripArgs;
@@ -56,6 +58,10 @@ pub(crate) struct Cli {
 pub(crate) enum Verb {
     /// Build a .striata file with every level of detail of a mesh or scene
     Build(BuildArgs),
+    /// Plan the build of a mesh larger than memory, in tasks for a cluster
+    Plan(PlanArgs),
+    /// Run one task of a plan, or all that are open
+    Run(RunArgs),
     /// Show what a mesh, scene, .striata file or stream contains
     Info(InfoArgs),
     /// Write one or more levels of a .striata file
@@ -100,14 +106,18 @@ const BASE: &str = "Base mesh (the coarsest level)";
 /// Arguments of `build`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata build [OPTIONS] <INPUT> [-o <OUT.striata>]",
+    override_usage = "striata build [OPTIONS] <INPUT>... [-o <OUT.striata>]",
     after_help = "Examples:\n  \
     striata build shape:torus -o torus.striata\n  \
-    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%"
+    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%\n  \
+    striata build scans/*.ply -o city.striata --memory 4GB"
 )]
 pub(crate) struct BuildArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
+    /// More files of the same mesh, for a paged file
+    #[arg(value_name = "MORE")]
+    pub(crate) more: Vec<PathBuf>,
     /// File to write, or - for stdout [default: the input with extension .striata]
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: Option<PathBuf>,
@@ -151,6 +161,9 @@ pub(crate) struct BuildArgs {
     /// How textures are re-encoded.
     #[command(flatten)]
     pub(crate) textures: TextureArgs,
+    /// How a mesh is built that does not fit into memory.
+    #[command(flatten)]
+    pub(crate) paged: PagedArgs,
 }
 
 /// Arguments of `info`.

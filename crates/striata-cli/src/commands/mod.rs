@@ -9,6 +9,7 @@ mod distance;
 mod encode;
 mod extract;
 mod info;
+mod paged;
 mod render;
 mod scene;
 mod simplify;
@@ -32,6 +33,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
     check_json(cli)?;
     match &cli.verb {
         Verb::Build(args) => build::run(args, &output),
+        Verb::Plan(args) => paged::plan(args, &output),
+        Verb::Run(args) => paged::run(args, &output),
         Verb::Info(args) => info::run(args, &output),
         Verb::Extract(args) => extract::run(args, &output),
         Verb::Simplify(args) => simplify::run(args, &output),

@@ -3,6 +3,22 @@
 //! A source says at once how many pieces there are, and any thread may read any piece at any time, as often as
 //! it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
 
+mod fractal_terrain;
+mod mesh_pieces;
+mod open;
+mod options;
+mod ply_pieces;
+mod several;
+#[cfg(feature = "stl")]
+mod stl_pieces;
+mod tiles;
+
+pub use fractal_terrain::FractalTerrain;
+pub use mesh_pieces::MeshPieces;
+pub use open::{open_pieces, open_several};
+pub use options::PieceOptions;
+pub use tiles::Tiles;
+
 use serde::{Deserialize, Serialize};
 use striata::mesh::{Appearance, AttributeLayer, Semantic};
 

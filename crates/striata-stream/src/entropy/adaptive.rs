@@ -8,7 +8,7 @@ use super::coder::Coder;
 
 /// How quickly a probability adapts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Rate {
+pub enum Rate {
     /// Averages about 30 decisions: for statistics that vary over the mesh.
     Quick,
     /// Averages about 250 decisions: for statistics that are stable.
@@ -37,27 +37,27 @@ const WEIGHTS: [u32; STEADY_LIMIT as usize + 1] = {
 
 /// A probability that adapts to the decisions coded with it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct AdaptiveBit {
+pub struct AdaptiveBit {
     /// 22 bits of probability, one bit for the rate, 9 bits of count.
     state: u32,
 }
 
 impl AdaptiveBit {
     /// Creates an untrained model: even odds.
-    pub(crate) const fn new(rate: Rate) -> Self {
+    pub const fn new(rate: Rate) -> Self {
         let quick = if matches!(rate, Rate::Quick) { QUICK } else { 0 };
         Self { state: 1 << 31 | quick }
     }
 
     /// Returns the probability of `true`, in 1/65536: 16 to 65520.
     #[inline]
-    pub(crate) fn p_one(self) -> u32 {
+    pub fn p_one(self) -> u32 {
         (self.state >> 16).clamp(16, 65520)
     }
 
     /// Learns the outcome of a decision.
     #[inline]
-    pub(crate) fn update(&mut self, bit: bool) {
+    pub fn update(&mut self, bit: bool) {
         let count = self.state & COUNT_MASK;
         let limit = if self.state & QUICK != 0 { QUICK_LIMIT } else { STEADY_LIMIT };
         let probability = self.state >> COUNT_BITS;
@@ -70,7 +70,7 @@ impl AdaptiveBit {
 
     /// Codes a decision and learns its outcome.
     #[inline]
-    pub(crate) fn code<C: Coder>(&mut self, coder: &mut C, bit: bool) -> bool {
+    pub fn code<C: Coder>(&mut self, coder: &mut C, bit: bool) -> bool {
         let bit = coder.bit(bit, self.p_one());
         self.update(bit);
         bit

@@ -1,17 +1,17 @@
 //! [`Coder`]: the interface that the range writer and the range reader share.
 
 /// Number of symbols in an alphabet.
-pub(crate) const SYMBOLS: usize = 16;
+pub const SYMBOLS: usize = 16;
 /// Cumulative shares of the symbols, in 1/65536: entry `i` is where the share of symbol `i` begins; the
 /// first is 0.
-pub(crate) type Shares = [i32; SYMBOLS];
+pub type Shares = [i32; SYMBOLS];
 /// Cumulative shares of the symbols, in 1/32768: entry `i` is where the share of symbol `i` begins; the
 /// first is 0.
-pub(crate) type QuickShares = [i16; SYMBOLS];
+pub type QuickShares = [i16; SYMBOLS];
 
 /// Kind of data that a bit describes, for the writer's statistics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub enum Part {
     /// Flags and cuts: which vertices split, and where.
     Connectivity,
     /// Coordinates of new vertices.
@@ -29,10 +29,10 @@ pub(crate) enum Part {
 }
 
 /// Number of kinds of [`Part`].
-pub(crate) const PART_COUNT: usize = Part::Base as usize + 1;
+pub const PART_COUNT: usize = Part::Base as usize + 1;
 
 /// A writer or a reader of a sequence of decisions.
-pub(crate) trait Coder {
+pub trait Coder {
     /// Whether this is a reader. Readers ignore the values that callers pass.
     const READS: bool;
 

@@ -30,13 +30,13 @@ mod range;
 mod symbol;
 mod wide_mixer;
 
-pub(crate) use adaptive::{AdaptiveBit, Rate};
-pub(crate) use coder::{Coder, PART_COUNT, Part, QuickShares};
+pub use adaptive::{AdaptiveBit, Rate};
+pub use coder::{Coder, PART_COUNT, Part, QuickShares, SYMBOLS, Shares};
 pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixed_number::MixedNumber;
 pub(crate) use mixer::{Mixer, ProbabilityMap};
-pub(crate) use number::{AdaptiveNumber, code_uniform};
+pub use number::{AdaptiveNumber, code_uniform};
 pub(crate) use quick_symbol::{QuickSymbol, code_by_two, code_shares};
-pub(crate) use range::{RangeReader, RangeWriter};
+pub use range::{RangeReader, RangeWriter};
 pub(crate) use symbol::{AdaptiveSymbol, code_symbol};
 pub(crate) use wide_mixer::WideMixer;

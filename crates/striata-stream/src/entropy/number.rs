@@ -58,7 +58,7 @@ fn code_magnitude<C: Coder>(coder: &mut C, nodes: &mut impl NodeCoder, value: u3
 
 /// Codes integers of up to 32 bits: small ones are cheap from the start, frequent ones become cheap.
 #[derive(Clone, Debug)]
-pub(crate) struct AdaptiveNumber {
+pub struct AdaptiveNumber {
     contexts: Vec<NumberContext>,
 }
 
@@ -75,24 +75,24 @@ impl NodeCoder for NumberContext {
 
 impl AdaptiveNumber {
     /// Creates an untrained model with `context_count` contexts.
-    pub(crate) fn new(context_count: usize, rate: Rate) -> Self {
+    pub fn new(context_count: usize, rate: Rate) -> Self {
         Self { contexts: vec![NumberContext([AdaptiveBit::new(rate); NODE_COUNT]); context_count.max(1)] }
     }
 
     /// Codes a signed integer.
-    pub(crate) fn signed<C: Coder>(&mut self, coder: &mut C, context: usize, value: i32) -> i32 {
+    pub fn signed<C: Coder>(&mut self, coder: &mut C, context: usize, value: i32) -> i32 {
         code_signed(coder, &mut self.contexts[context], value)
     }
 
     /// Codes an unsigned integer.
-    pub(crate) fn unsigned<C: Coder>(&mut self, coder: &mut C, context: usize, value: u32) -> u32 {
+    pub fn unsigned<C: Coder>(&mut self, coder: &mut C, context: usize, value: u32) -> u32 {
         let nodes = &mut self.contexts[context];
         if nodes.code_node(coder, ZERO, value == 0) { 0 } else { code_magnitude(coder, nodes, value) }
     }
 }
 
 /// Codes an integer below `count`, all being equally likely.
-pub(crate) fn code_uniform<C: Coder>(coder: &mut C, count: u32, actual: u32) -> u32 {
+pub fn code_uniform<C: Coder>(coder: &mut C, count: u32, actual: u32) -> u32 {
     let (mut low, mut high) = (0, count.max(1));
     while high - low > 1 {
         let middle = low + (high - low) / 2;

@@ -19,7 +19,7 @@ const MIN_RANGE: u64 = 1 << 32;
 
 /// Writes decisions to bytes.
 #[derive(Clone, Debug)]
-pub(crate) struct RangeWriter {
+pub struct RangeWriter {
     bytes: Vec<u8>,
     low: u64,
     range: u64,
@@ -32,7 +32,7 @@ pub(crate) struct RangeWriter {
 
 impl RangeWriter {
     /// Creates an empty message.
-    pub(crate) fn new() -> Self {
+    pub fn new() -> Self {
         Self {
             bytes: Vec::new(),
             low: 0,
@@ -45,7 +45,7 @@ impl RangeWriter {
 
     /// Returns the bytes of the message without trailing zeros, and the number of bits spent on each
     /// [`Part`], in the order of their declaration.
-    pub(crate) fn finish(mut self) -> (Vec<u8>, [f64; PART_COUNT]) {
+    pub fn finish(mut self) -> (Vec<u8>, [f64; PART_COUNT]) {
         self.part(Part::Base);
         for kept_bits in (0..=64).step_by(8) {
             let free = u64::MAX.checked_shr(kept_bits).unwrap_or(0);
@@ -166,7 +166,7 @@ impl Coder for RangeWriter {
 
 /// Reads decisions from bytes.
 #[derive(Clone, Debug)]
-pub(crate) struct RangeReader<'a> {
+pub struct RangeReader<'a> {
     /// Bytes not yet read.
     bytes: &'a [u8],
     /// Offset of the message from the lower end of the interval.
@@ -183,7 +183,7 @@ impl<'a> RangeReader<'a> {
     ///
     /// A complete message never overruns, since zeros follow it forever: the caller has to bound the number
     /// of decisions by other means.
-    pub(crate) fn new(bytes: &'a [u8], is_complete: bool) -> Self {
+    pub fn new(bytes: &'a [u8], is_complete: bool) -> Self {
         let mut reader =
             Self { bytes, value: 0, range: u64::MAX, uncertainty: 0, is_complete, overran: false };
         reader.read_word();

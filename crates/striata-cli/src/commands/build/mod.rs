@@ -9,7 +9,7 @@ pub(crate) use self::build_output::{BuildOutput, BuildPlan, PHASES, build, error
 pub(crate) use self::costs::{ModelCost, model_costs};
 pub(crate) use self::models::model_of_name;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use striata::mesh::{IndexedMesh, MeshError};
 use striata::model::ModelKind;
@@ -17,7 +17,7 @@ use striata::simplify::Retriangulation;
 
 use self::models::takes_strips;
 use self::report::Report;
-use super::scene;
+use super::{paged, scene};
 use crate::args::BuildArgs;
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
@@ -39,6 +39,10 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         Some(path) => path.clone(),
         None => default_output_path(&args.input, "striata")?,
     };
+    if is_paged(args) {
+        let inputs: Vec<PathBuf> = std::iter::once(&args.input).chain(&args.more).cloned().collect();
+        return paged::build(&inputs, (&args.paged, &path), output);
+    }
     output.check_stdout_is_free(is_stdout(&path))?;
     let models = models_of_names(&args.model_names())?;
     check_stream_flags(args, &models)?;
@@ -88,6 +92,14 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let mut report = Report::new(&mesh, &built, (display_name(&path), bytes.len()), phases);
     report.shortfall = shortfall;
     output.summary(&report, &report.to_text(args, &built, diagonal))
+}
+
+/// Whether the result is a paged file: if flags ask for it, or if the input does not fit into memory.
+fn is_paged(args: &BuildArgs) -> bool {
+    args.paged.is_given()
+        || !args.more.is_empty()
+        || paged::is_streamed_only(&args.input)
+        || paged::is_too_large(&args.input)
 }
 
 /// Returns the largest number of triangles of the base mesh, if limited.

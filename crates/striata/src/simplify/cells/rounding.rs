@@ -24,8 +24,7 @@ pub fn round_error(error: f32) -> f32 {
 fn round_up(x: f32, zero_bits: u32) -> f32 {
     let mask = (1u32 << zero_bits) - 1;
     let largest = f32::from_bits(f32::MAX.to_bits() & !mask);
-    // Also false for NaN.
-    if !(x > 0.0) {
+    if x.is_nan() || x <= 0.0 {
         return 0.0;
     }
     if x >= largest {

@@ -1,0 +1,150 @@
+//! Arguments of builds that do not need the whole mesh in memory.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use clap::Args;
+use striata_command::args::Length;
+
+/// Help heading of these flags.
+const PAGED: &str = "Paged files, for meshes larger than memory";
+
+/// How a mesh is built out of core.
+#[derive(Debug, Args)]
+pub(crate) struct PagedArgs {
+    /// Build a paged file in tasks, whatever the size of the input [default: if it does not fit into memory]
+    #[arg(long, help_heading = PAGED)]
+    pub(crate) paged: bool,
+    /// Build a paged file within so much memory: 4GB, 500MB
+    #[arg(long, value_name = "SIZE", help_heading = PAGED)]
+    pub(crate) memory: Option<ByteSize>,
+    /// Threads that run tasks [default: one per core, as far as memory allows]
+    #[arg(long, value_name = "N", help_heading = PAGED)]
+    pub(crate) threads: Option<usize>,
+    /// Folder for what tasks pass to each other [default: the output with .work appended]
+    #[arg(long, value_name = "DIR", help_heading = PAGED)]
+    pub(crate) work: Option<PathBuf>,
+    /// Begin again, instead of going on with a build that was interrupted
+    #[arg(long, help_heading = PAGED)]
+    pub(crate) restart: bool,
+    /// How cells and positions are chosen.
+    #[command(flatten)]
+    pub(crate) cells: CellArgs,
+}
+
+/// What the result of an out-of-core build depends on.
+#[derive(Debug, Args)]
+pub(crate) struct CellArgs {
+    /// Triangles per page [default: 65536]
+    #[arg(long, value_name = "N", help_heading = PAGED)]
+    pub(crate) cell: Option<usize>,
+    /// Join files whose borders differ by less than this (mesh units): positions are rounded to it
+    #[arg(long, value_name = "DISTANCE", help_heading = PAGED)]
+    pub(crate) weld_distance: Option<Length>,
+    /// Keep positions and attributes bit for bit instead of rounding them to 1/256 of an edge
+    #[arg(long, conflicts_with = "weld_distance", help_heading = PAGED)]
+    pub(crate) exact: bool,
+    /// Multiply the heights of a terrain
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, help_heading = PAGED)]
+    pub(crate) z_scale: Option<f64>,
+}
+
+impl PagedArgs {
+    /// Whether any flag asks for a paged file.
+    pub(crate) fn is_given(&self) -> bool {
+        let CellArgs { cell, weld_distance, exact, z_scale } = &self.cells;
+        self.paged
+            || self.memory.is_some()
+            || self.work.is_some()
+            || self.restart
+            || cell.is_some()
+            || weld_distance.is_some()
+            || *exact
+            || z_scale.is_some()
+    }
+}
+
+/// Arguments of `plan`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "striata plan [OPTIONS] <INPUT>... -o <OUT>",
+    after_help = "Examples:\n  \
+    striata plan scans/*.ply -o city.striata\n  \
+    striata plan N35E138.hgt N35E139.hgt -o fuji.striata --json"
+)]
+pub(crate) struct PlanArgs {
+    /// Meshes or rasters that are one mesh
+    #[arg(required = true)]
+    pub(crate) inputs: Vec<PathBuf>,
+    /// File to write; without an extension, a folder with one object per page
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// Folder for the plan and for what tasks pass to each other [default: the output with .work appended]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) work: Option<PathBuf>,
+    /// Threads that read the input [default: one per core]
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<usize>,
+    /// How cells and positions are chosen.
+    #[command(flatten)]
+    pub(crate) cells: CellArgs,
+}
+
+/// Arguments of `run`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata run city.striata.work --task 17\n  \
+    striata run city.striata.work")]
+pub(crate) struct RunArgs {
+    /// Plan, or the folder that it is in
+    pub(crate) plan: PathBuf,
+    /// Run only this task [default: all that have not been run]
+    #[arg(long, value_name = "N")]
+    pub(crate) task: Option<usize>,
+    /// Threads that run tasks [default: one per core]
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<usize>,
+}
+
+/// A number of bytes, written with a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct ByteSize(pub(crate) u64);
+
+impl FromStr for ByteSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let wrong = || format!("{text:?} is not a size such as 4GB, 500MB or 1.5GiB");
+        let text = text.trim();
+        let digits = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+        let number: f64 = text[..digits].parse().map_err(|_| wrong())?;
+        let unit = match text[digits..].trim().to_ascii_lowercase().as_str() {
+            "" | "b" => 1.0,
+            "k" | "kb" => 1e3,
+            "m" | "mb" => 1e6,
+            "g" | "gb" => 1e9,
+            "t" | "tb" => 1e12,
+            "kib" => 1024.0,
+            "mib" => 1024f64.powi(2),
+            "gib" => 1024f64.powi(3),
+            "tib" => 1024f64.powi(4),
+            _ => return Err(wrong()),
+        };
+        let bytes = number * unit;
+        if bytes >= 1e6 { Ok(Self(bytes as u64)) } else { Err(format!("{text} is less than 1 MB")) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_have_units() {
+        assert_eq!("4GB".parse(), Ok(ByteSize(4_000_000_000)));
+        assert_eq!("1.5 GiB".parse(), Ok(ByteSize(1_610_612_736)));
+        for text in ["", "GB", "4 pounds", "1", "-1GB", "1e9"] {
+            assert!(text.parse::<ByteSize>().is_err(), "{text}");
+        }
+    }
+}

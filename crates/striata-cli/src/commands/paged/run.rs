@@ -1,0 +1,40 @@
+//! `run`: runs one task of a plan, or all that are open.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata_command::failure::Failure;
+use striata_command::output::{Output, format_duration};
+use striata_paged::build::{Plan, run_all, run_task};
+
+use super::{core_count, failure};
+use crate::args::RunArgs;
+
+#[derive(Serialize)]
+struct Report {
+    task: Option<usize>,
+    seconds: f64,
+    finished: bool,
+}
+
+/// Runs tasks of a plan.
+///
+/// # Errors
+/// If a task fails; what others have completed stays.
+pub(crate) fn run(args: &RunArgs, output: &Output) -> Result<(), Failure> {
+    let start = Instant::now();
+    let plan = Plan::open(&args.plan).map_err(failure)?;
+    match args.task {
+        Some(task) => run_task(&plan, task).map_err(failure)?,
+        None => {
+            let mut bar = output.bar();
+            let threads = args.threads.unwrap_or_else(core_count);
+            run_all(&plan, threads, &mut |p| bar.show(p)).map_err(failure)?;
+        }
+    }
+    let report =
+        Report { task: args.task, seconds: start.elapsed().as_secs_f64(), finished: plan.is_finished() };
+    let what = args.task.map_or("all tasks".to_owned(), |task| format!("task {task}"));
+    let text = format!("{what} done in {}\n", format_duration(report.seconds));
+    output.summary(&report, &text)
+}

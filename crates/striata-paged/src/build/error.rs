@@ -1,0 +1,105 @@
+//! Why a build failed.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::{PageId, PagedError};
+
+/// Why a build failed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum BuildError {
+    /// An input cannot be read.
+    #[error(transparent)]
+    Read(#[from] striata_io::ReadError),
+    /// A file cannot be read or written.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A file between two tasks is damaged.
+    #[error("{}: not a complete file of this build; remove it and run its task again", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The bytes of a segment end early or contradict each other.
+    #[error("a segment of a part file is damaged")]
+    DamagedPart,
+    /// The plan is not one, or of another version.
+    #[error("{}: not a plan of this version: {reason}", path.display())]
+    Plan {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A task of the plan does not exist.
+    #[error("task {task} does not exist: the plan has {count}, from 0")]
+    NoTask {
+        /// The number asked for.
+        task: usize,
+        /// Number of tasks.
+        count: usize,
+    },
+    /// A task needs the results of another one.
+    #[error("task {task} needs the result of task {needed}, which has not been run")]
+    TaskOrder {
+        /// The task asked for.
+        task: usize,
+        /// A task that must come first.
+        needed: usize,
+    },
+    /// The input has no triangles.
+    #[error("{input}: no triangles")]
+    Empty {
+        /// The input.
+        input: String,
+    },
+    /// Not enough room on the disk.
+    #[error("{}: {needed} bytes are needed, {available} are free", path.display())]
+    DiskSpace {
+        /// The folder.
+        path: PathBuf,
+        /// Estimated need.
+        needed: u64,
+        /// Free bytes.
+        available: u64,
+    },
+    /// The work folder belongs to another input or other options.
+    #[error("{}: belongs to a build of another input or with other options; use --restart to replace it",
+        path.display())]
+    OtherBuild {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// The simplification of a cell failed.
+    #[error("level {}, cell {}: {source}", id.level, id.cell)]
+    Simplify {
+        /// Level and cell.
+        id: PageId,
+        /// Why.
+        source: striata::simplify::SimplifyError,
+    },
+    /// A page is inconsistent.
+    #[error(transparent)]
+    Page(#[from] PagedError),
+    /// A vertex that a page mentions is in no coarser page.
+    #[error("internal error: level {}, cell {} mentions a vertex that no coarser cell has", id.level, id.cell)]
+    NoOwner {
+        /// The page.
+        id: PageId,
+    },
+    /// The caller stopped the build.
+    #[error(transparent)]
+    Cancelled(#[from] striata::Cancelled),
+}
+
+impl BuildError {
+    pub(super) fn io(path: &Path, source: io::Error) -> Self {
+        Self::Io { path: path.to_owned(), source }
+    }
+}

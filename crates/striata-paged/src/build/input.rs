@@ -1,0 +1,40 @@
+//! What a build reads.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+use striata_io::pieces::{FractalTerrain, PieceOptions, PieceSource, Tiles, open_pieces, open_several};
+
+use super::BuildError;
+
+/// What a build reads. It is stored in the plan, so every task opens it again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BuildInput {
+    /// Files of one mesh: meshes in any supported format, or rasters of one terrain.
+    Files(Vec<PathBuf>),
+    /// A generated terrain with this many samples per side, for tests and benchmarks.
+    Terrain(u32),
+    /// Copies of one file side by side, for benchmarks.
+    Tiles {
+        /// Number of copies.
+        count: u32,
+        /// The file.
+        path: PathBuf,
+    },
+}
+
+impl BuildInput {
+    /// Opens the input.
+    ///
+    /// # Errors
+    /// [`BuildError::Read`] with the file, the place and the reason.
+    pub fn open(&self, options: &PieceOptions) -> Result<Box<dyn PieceSource>, BuildError> {
+        Ok(match self {
+            Self::Files(paths) if paths.len() == 1 => open_pieces(&paths[0], options)?,
+            Self::Files(paths) => open_several(paths, options)?,
+            Self::Terrain(side) => Box::new(FractalTerrain::new(*side, 1)),
+            Self::Tiles { count, path } => Box::new(Tiles::new(open_pieces(path, options)?, *count)?),
+        })
+    }
+}

@@ -1,0 +1,129 @@
+//! Out-of-core build: turns a mesh of any size into pages, in tasks that any executor may run.
+//!
+//! ```text
+//!  make plan          Sort             Level 0 .. Level L-1          Encode             Finish
+//!  read once,    ->   pieces into  ->  cells to a quarter,      ->   find imports,  ->  one file
+//!  partition          cells            survivors into cells          entropy code       or a folder
+//! ```
+//!
+//! Tasks of a stage are independent; a stage begins when those before it are complete. Every task writes one part
+//! file (a level also its steps), beside its place and renamed when complete. So a task may be killed, repeated
+//! or run twice at once, on any machine that sees the folder, and the bytes of the result are always the same.
+
+mod encode_task;
+mod error;
+mod finish_task;
+mod input;
+mod options;
+mod part_file;
+mod plan;
+mod runner;
+mod scan;
+mod simplify_task;
+mod sort_task;
+mod wire;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+pub use error::BuildError;
+pub use input::BuildInput;
+pub use options::BuildOptions;
+pub use plan::{Plan, Stage, Task};
+pub use runner::{run_all, run_stage, run_task};
+use striata::ProgressFn;
+use striata_io::pieces::PieceOptions;
+
+/// Bytes of a work folder per triangle of the input, measured on scans and terrains without attributes.
+const WORK_BYTES_PER_TRIANGLE: u64 = 48;
+/// Bytes of the result per triangle.
+const RESULT_BYTES_PER_TRIANGLE: u64 = 4;
+/// Further bytes per triangle and attribute component.
+const BYTES_PER_COMPONENT: u64 = 8;
+/// Memory that one thread needs for a cell of the default size, in bytes.
+const THREAD_BYTES: u64 = 250 << 20;
+
+/// What a build will need.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Estimate {
+    /// Bytes of the work folder.
+    pub work_bytes: u64,
+    /// Bytes of the result.
+    pub result_bytes: u64,
+    /// Number of pages.
+    pub page_count: u64,
+}
+
+impl Plan {
+    /// Reads the input once and plans the build of `output`; the plan and everything between its tasks is kept in
+    /// `folder`.
+    ///
+    /// # Errors
+    /// [`BuildError`] if the input cannot be read or the folder cannot be written.
+    pub fn make(
+        (input, options): (BuildInput, BuildOptions),
+        output: &Path,
+        folder: &Path,
+        (threads, progress): (usize, &mut ProgressFn<'_>),
+    ) -> Result<Self, BuildError> {
+        fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
+        let piece_options =
+            PieceOptions::default().with_scratch(folder.to_owned()).with_z_scale(options.z_scale);
+        let source = input.open(&piece_options)?;
+        let scanned = scan::scan(source.as_ref(), &options, (threads, progress))?;
+        let plan = Self::new((input, options), scanned, (output.to_owned(), folder.to_owned()));
+        plan.save()?;
+        Ok(plan)
+    }
+
+    /// What the build will need.
+    pub fn estimate(&self) -> Estimate {
+        let triangles = self.metadata.triangle_count;
+        let components: u64 = self.metadata.layers.iter().map(|l| u64::from(l.component_count)).sum();
+        Estimate {
+            work_bytes: triangles * (WORK_BYTES_PER_TRIANGLE + BYTES_PER_COMPONENT * components),
+            result_bytes: triangles * (RESULT_BYTES_PER_TRIANGLE + components),
+            page_count: self.metadata.cell_counts.iter().map(|&count| u64::from(count)).sum::<u64>() + 1,
+        }
+    }
+
+    /// Removes the plan and everything between its tasks. The folder itself stays if it has other files.
+    ///
+    /// # Errors
+    /// [`BuildError::Io`] if a file cannot be removed.
+    pub fn remove_work(&self) -> Result<(), BuildError> {
+        remove_work(&self.folder)
+    }
+}
+
+/// Number of threads that fit into so many bytes of memory: at least 1, at most the number of cores.
+pub fn threads_for_memory(memory: u64, cell: usize) -> usize {
+    let per_thread = (THREAD_BYTES * cell as u64 / 65_536).max(64 << 20);
+    let cores = std::thread::available_parallelism().map_or(1, usize::from) as u64;
+    (memory / per_thread).clamp(1, cores) as usize
+}
+
+/// Removes the files of a build from its work folder.
+///
+/// # Errors
+/// [`BuildError::Io`] if a file cannot be removed.
+pub fn remove_work(folder: &Path) -> Result<(), BuildError> {
+    let Ok(files) = fs::read_dir(folder) else { return Ok(()) };
+    let is_ours = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        ["plan.json", "partition.bin", "finished"].contains(&name.as_str())
+            || name.ends_with(".part")
+            || name.starts_with(".part-")
+    };
+    for path in files.flatten().map(|file| file.path()).filter(is_ours) {
+        match fs::remove_file(&path) {
+            Err(source) if source.kind() != std::io::ErrorKind::NotFound => {
+                return Err(BuildError::io(&path, source));
+            }
+            _ => {}
+        }
+    }
+    // Other files may be in it.
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}

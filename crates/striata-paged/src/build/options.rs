@@ -1,0 +1,70 @@
+//! Options of a build.
+
+use serde::{Deserialize, Serialize};
+use striata::simplify::cells::CellOptions;
+use striata::simplify::{AttributeWeights, SequenceOptions, TopologyRule};
+
+use crate::Metadata;
+
+/// Options of a build.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct BuildOptions {
+    /// Triangles of a cell of the finest level; default 65,536.
+    pub cell: usize,
+    /// Whether positions and attributes are kept bit for bit instead of being rounded; default no.
+    pub exact: bool,
+    /// Positions are rounded to multiples of about this, in mesh units, so that files whose borders differ by
+    /// less are joined; default a power of two of at most 1/256 of the mean edge.
+    pub weld_distance: Option<f64>,
+    /// Heights of a terrain are multiplied by this; default 1.
+    pub z_scale: f64,
+    /// Weight of normals; see [`AttributeWeights`].
+    pub normal_weight: f32,
+    /// Weight of texture coordinates.
+    pub texcoord_weight: f32,
+    /// Weight of colors.
+    pub color_weight: f32,
+    /// Whether the topology may change, so that small parts vanish; default yes.
+    pub change_topology: bool,
+    /// Pieces that one task sorts; default 8, about 800,000 triangles.
+    pub pieces_per_task: u64,
+    /// Cells that one task simplifies or encodes; default 16, about a million triangles.
+    pub cells_per_task: u64,
+}
+
+impl Default for BuildOptions {
+    fn default() -> Self {
+        let weights = AttributeWeights::default();
+        Self {
+            cell: 65_536,
+            exact: false,
+            weld_distance: None,
+            z_scale: 1.0,
+            normal_weight: weights.normal,
+            texcoord_weight: weights.texcoord,
+            color_weight: weights.color,
+            change_topology: true,
+            pieces_per_task: 8,
+            cells_per_task: 16,
+        }
+    }
+}
+
+impl BuildOptions {
+    /// Options of the cells of one level.
+    pub(super) fn cell_options(&self, metadata: &Metadata, is_last: bool) -> CellOptions {
+        let weights = AttributeWeights {
+            normal: self.normal_weight,
+            texcoord: self.texcoord_weight,
+            color: self.color_weight,
+            ..AttributeWeights::default()
+        };
+        let topology = if self.change_topology { TopologyRule::Change } else { TopologyRule::Keep };
+        let sequence = SequenceOptions::default().with_attribute_weights(weights).with_topology(topology);
+        let options = CellOptions::new(metadata.diagonal())
+            .with_sequence(sequence)
+            .with_materials(metadata.groups.iter().map(|group| group.material).collect());
+        if is_last { options.with_keep(0.0) } else { options }
+    }
+}

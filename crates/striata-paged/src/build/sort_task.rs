@@ -1,0 +1,76 @@
+//! The sort task: reads pieces, rounds them, and sends their triangles to the cells of the first level.
+
+use std::collections::BTreeMap;
+
+use striata::simplify::cells::{Cell, CellMesh, Partition, route};
+use striata_io::pieces::{Piece, PieceSource};
+
+use super::BuildError;
+use super::part_file::PartWriter;
+use super::plan::{Plan, Task};
+use super::wire::Writer;
+use crate::{Metadata, PageId};
+
+/// Runs a task of the first stage.
+pub(super) fn run(plan: &Plan, task: &Task, source: &dyn PieceSource) -> Result<(), BuildError> {
+    let mut mesh = CellMesh::default();
+    for index in task.first..task.first + task.count {
+        mesh.append(&rounded(source.read_piece(index)?, &plan.metadata));
+    }
+    let mut writer = PartWriter::create(&plan.triangles_path(task))?;
+    write_cells(&mut writer, &send(plan.partition()?, 0, mesh))?;
+    writer.finish()
+}
+
+/// Rounds a piece as the metadata say, and drops triangles that are degenerate afterwards.
+fn rounded(piece: Piece, metadata: &Metadata) -> CellMesh {
+    let mut mesh = CellMesh {
+        positions: piece.positions,
+        layers: piece.layers,
+        triangles: piece.triangles,
+        groups: piece.groups,
+        ..CellMesh::default()
+    };
+    for position in &mut mesh.positions {
+        // Adding zero turns -0 into 0.
+        *position = metadata.grid.as_ref().map_or(*position, |grid| grid.snap(*position)).map(|x| x + 0.0);
+    }
+    metadata.add_material_layer(&mut mesh);
+    for (layer, kind) in mesh.layers.iter_mut().zip(&metadata.layers) {
+        kind.round(layer);
+    }
+    let is_proper = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| mesh.positions[v as usize]);
+        a != b && b != c && c != a
+    };
+    let proper: Vec<u32> = (0..).zip(&mesh.triangles).filter(|(_, t)| is_proper(t)).map(|(t, _)| t).collect();
+    mesh.select(&proper, &[]).0
+}
+
+/// Sends triangles to the cells of a level, those at its borders also on to the next level, and so on. What no
+/// level changes belongs to the base.
+pub(super) fn send(partition: &Partition, level: u8, mesh: CellMesh) -> BTreeMap<PageId, Cell> {
+    let mut cells = BTreeMap::new();
+    let mut mesh = mesh;
+    for (k, cells_of_level) in partition.levels().iter().enumerate().skip(level as usize) {
+        let routed = route(cells_of_level, &mesh);
+        let named = routed.cells.into_iter().map(|(cell, part)| (PageId { level: k as u8, cell }, part));
+        cells.extend(named);
+        mesh = routed.onward;
+    }
+    if !mesh.positions.is_empty() {
+        let id = PageId { level: partition.levels().len() as u8, cell: 0 };
+        cells.insert(id, Cell { inside: mesh, ..Cell::default() });
+    }
+    cells
+}
+
+/// Writes what each cell receives.
+pub(super) fn write_cells(writer: &mut PartWriter, cells: &BTreeMap<PageId, Cell>) -> Result<(), BuildError> {
+    for (&id, cell) in cells {
+        let mut bytes = Writer::default();
+        bytes.cell(cell);
+        writer.write(id, &bytes.bytes)?;
+    }
+    Ok(())
+}

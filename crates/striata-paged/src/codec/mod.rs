@@ -1,0 +1,197 @@
+//! Bytes of a page.
+//!
+//! A page is decoded without any other page. Its triangles are coded by growing a region over edges [GS98], a cut
+//! border: each triangle is attached to an open edge, and its third corner is new, or known from a neighboring
+//! open edge. New corners bring the position, attributes, key and error of an owned vertex, or name an import.
+//! Targets follow when all triangles are known: collapsing positions in the order of their keys, the target is
+//! one of the current neighbors.
+//!
+//! | file | what it does |
+//! | --- | --- |
+//! | `order.rs` | the order in which triangles and vertices are numbered: [`Page::normalize`] |
+//! | `border.rs` | open edges of the region that has been coded |
+//! | `triangles.rs` | the walk over all triangles, for both directions |
+//! | `vertices.rs` | positions, attributes, keys, errors and imports of new corners |
+//! | `targets.rs` | targets of owned vertices |
+
+mod border;
+mod order;
+mod targets;
+mod triangles;
+mod vertices;
+
+use striata_stream::entropy::{Coder, RangeReader, RangeWriter};
+
+use crate::bytes::{put_varint, take_varint};
+use crate::error::{PageDefect, PagedError};
+use crate::{Import, Metadata, Page, PageId};
+use triangles::{Shape, TriangleCoder};
+
+/// More vertices or triangles than this cannot be in a page.
+const MAX_COUNT: u64 = 1 << 24;
+/// Nor more than this per byte, even if all are alike.
+const MAX_PER_BYTE: u64 = 4096;
+
+impl Page {
+    /// Encodes a page that [`Page::normalize`] has ordered, and whose values are rounded as the metadata say.
+    pub fn to_bytes(&self, metadata: &Metadata) -> Vec<u8> {
+        let counts = Counts::of(self);
+        let mut bytes = Vec::new();
+        for count in [counts.positions, counts.vertices, counts.imports, counts.triangles] {
+            put_varint(&mut bytes, count as u64);
+        }
+        put_varint(&mut bytes, counts.pages.len() as u64);
+        let mut last = 0;
+        for &page in &counts.pages {
+            put_varint(&mut bytes, u64::from(page - last));
+            last = page;
+        }
+        let mut writer = RangeWriter::new();
+        let mut coder = TriangleCoder::new(&counts, metadata, self.targets.is_empty());
+        coder.run(&mut writer, Some(self));
+        bytes.extend(writer.finish().0);
+        bytes
+    }
+
+    /// Decodes a page.
+    ///
+    /// # Errors
+    /// [`PagedError::Page`] if the bytes are not those of a page.
+    pub fn from_bytes(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Self, PagedError> {
+        let page = decode(id, bytes, metadata).map_err(|defect| PagedError::Page { id, defect })?;
+        page.check(metadata)?;
+        Ok(page)
+    }
+}
+
+/// Counts at the start of a page.
+pub(super) struct Counts {
+    positions: usize,
+    vertices: usize,
+    imports: usize,
+    triangles: usize,
+    /// Pages of imports, ascending.
+    pages: Vec<u32>,
+}
+
+impl Counts {
+    fn of(page: &Page) -> Self {
+        let mut pages: Vec<u32> = page.imports.iter().map(|import| import.page).collect();
+        pages.sort_unstable();
+        pages.dedup();
+        Self {
+            positions: page.first.len().saturating_sub(1),
+            vertices: page.positions.len(),
+            imports: page.imports.len(),
+            triangles: page.triangles.len(),
+            pages,
+        }
+    }
+}
+
+fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDefect> {
+    let byte_count = bytes.len();
+    let mut rest = bytes;
+    let limit = MAX_COUNT.min(MAX_PER_BYTE * byte_count as u64);
+    let count = |what: &'static str, rest: &mut &[u8]| {
+        let announced = take_varint(rest).ok_or(PageDefect::Truncated)?;
+        if announced > limit {
+            return Err(PageDefect::TooMany { what, announced, byte_count });
+        }
+        Ok(announced as usize)
+    };
+    let positions = count("positions", &mut rest)?;
+    let vertices = count("vertices", &mut rest)?;
+    let imports = count("imports", &mut rest)?;
+    let triangles = count("triangles", &mut rest)?;
+    let page_count = count("pages", &mut rest)?;
+    if page_count > imports || positions > vertices {
+        return Err(PageDefect::Entry { what: "counts", index: 0, reason: "contradict each other" });
+    }
+    let mut pages: Vec<u32> = Vec::new();
+    for index in 0..page_count {
+        let delta = take_varint(&mut rest).ok_or(PageDefect::Truncated)?;
+        let last = pages.last().copied().unwrap_or(0);
+        let page = u64::from(last) + delta;
+        if page > u64::from(u32::MAX) || (index > 0 && delta == 0) {
+            return Err(PageDefect::Entry { what: "pages", index, reason: "is not in ascending order" });
+        }
+        pages.push(page as u32);
+    }
+    let counts = Counts { positions, vertices, imports, triangles, pages };
+    if counts.imports > 0 && counts.pages.is_empty() {
+        return Err(PageDefect::Entry { what: "pages", index: 0, reason: "is missing" });
+    }
+    let mut reader = RangeReader::new(rest, true);
+    let is_base = id.level as usize == metadata.cell_counts.len();
+    let mut coder = TriangleCoder::new(&counts, metadata, is_base);
+    coder.run(&mut reader, None);
+    if reader.overran() {
+        return Err(PageDefect::Truncated);
+    }
+    coder.into_page(id)
+}
+
+impl Shape {
+    /// The page in the final numbering: wedges of a position adjacent, in the order in which they were met.
+    fn into_page(self, id: PageId, is_base: bool) -> Result<Page, PageDefect> {
+        let position_count = self.wedges.len();
+        if self.wedges.iter().any(Vec::is_empty) {
+            return Err(PageDefect::Entry { what: "positions", index: 0, reason: "has no vertex" });
+        }
+        let mut first = vec![0];
+        let mut number = vec![0; self.vertices.len()];
+        let mut order = Vec::with_capacity(self.vertices.len());
+        for wedges in &self.wedges {
+            for &v in wedges {
+                number[v as usize] = order.len() as u32;
+                order.push(v);
+            }
+            first.push(order.len() as u32);
+        }
+        let owned = order.len() as u32;
+        let rename = |v: u32| match v.checked_sub(Self::IMPORTS) {
+            Some(import) => owned + import,
+            None => number[v as usize],
+        };
+        let keys = if is_base { Vec::new() } else { self.keys.clone() };
+        Ok(Page {
+            id,
+            positions: order.iter().map(|&v| self.positions[self.vertices[v as usize] as usize]).collect(),
+            layers: self.layers.iter().map(|layer| layer.gather(&order)).collect(),
+            first,
+            targets: if is_base {
+                Vec::new()
+            } else {
+                order.iter().map(|&v| rename(self.targets[v as usize])).collect()
+            },
+            errors: if is_base { Vec::new() } else { self.errors[..position_count].to_vec() },
+            keys,
+            imports: self.imports.clone(),
+            triangles: self.triangles.iter().map(|t| t.map(rename)).collect(),
+            groups: if self.groups.iter().all(|&group| group == 0) { Vec::new() } else { self.groups },
+        })
+    }
+}
+
+/// An import that nothing has named yet.
+const UNKNOWN: Import = Import { page: 0, vertex: 0 };
+
+/// Codes an integer of up to 48 bits: most fit into the model, others are escaped.
+fn code_wide<C: Coder>(
+    coder: &mut C,
+    model: &mut striata_stream::entropy::AdaptiveNumber,
+    context: usize,
+    value: i64,
+) -> i64 {
+    const ESCAPE: i32 = 1 << 28;
+    let is_small = value.unsigned_abs() < ESCAPE as u64;
+    let coded = model.signed(coder, context, if is_small { value as i32 } else { ESCAPE });
+    if coded != ESCAPE {
+        return i64::from(coded);
+    }
+    let high = coder.raw((value as u64 >> 24) as u32 & 0xFF_FFFF, 24);
+    let low = coder.raw(value as u32 & 0xFF_FFFF, 24);
+    // Extends the sign of the 48 bits.
+    ((u64::from(high) << 24 | u64::from(low)) << 16) as i64 >> 16
+}

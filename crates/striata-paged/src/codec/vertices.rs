@@ -1,0 +1,233 @@
+//! What a new corner brings: an import, or the position, attributes, key and error of an owned vertex.
+
+use striata::mesh::LayerData;
+use striata_stream::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
+
+use super::code_wide;
+use super::triangles::{Shape, TriangleCoder};
+use crate::{Import, Metadata, Page, PagedLayer};
+
+/// Low bits of keys and errors that are always zero.
+const KEY_BITS: u32 = 18;
+const ERROR_BITS: u32 = 17;
+const UNMET: u32 = u32::MAX;
+
+/// Models of what vertices bring.
+pub(super) struct VertexModels {
+    /// One context per axis and quality of the prediction.
+    positions: AdaptiveNumber,
+    /// One context per component of each layer, for known neighbors and without.
+    layers: AdaptiveNumber,
+    same_page: AdaptiveBit,
+    page: AdaptiveNumber,
+    import: AdaptiveNumber,
+    keys: AdaptiveNumber,
+    errors: AdaptiveNumber,
+    /// Grid indices of positions, or their bits in order.
+    places: Vec<[i64; 3]>,
+    /// Vertex that was last imported from each page.
+    last_imports: Vec<u32>,
+    last_slot: usize,
+    key_classes: Vec<i32>,
+    error_classes: Vec<i32>,
+}
+
+impl VertexModels {
+    pub(super) fn new(metadata: &Metadata) -> Self {
+        let components: usize = metadata.layers.iter().map(|layer| layer.component_count as usize).sum();
+        Self {
+            positions: AdaptiveNumber::new(9, Rate::Steady),
+            layers: AdaptiveNumber::new(2 * components, Rate::Steady),
+            same_page: AdaptiveBit::new(Rate::Quick),
+            page: AdaptiveNumber::new(1, Rate::Quick),
+            import: AdaptiveNumber::new(3, Rate::Steady),
+            keys: AdaptiveNumber::new(2, Rate::Steady),
+            errors: AdaptiveNumber::new(2, Rate::Steady),
+            places: Vec::new(),
+            last_imports: Vec::new(),
+            last_slot: 0,
+            key_classes: Vec::new(),
+            error_classes: Vec::new(),
+        }
+    }
+}
+
+impl TriangleCoder<'_> {
+    /// Codes an owned vertex: of the position at `node`, or of a new position near some vertices.
+    pub(super) fn new_vertex<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        page: Option<&Page>,
+        actual: u32,
+        (node, near): (Option<u32>, [u32; 3]),
+    ) -> u32 {
+        let vertex = self.shape.vertices.len() as u32;
+        let mut known = near[..2].iter().copied().find(|&v| v < Shape::IMPORTS);
+        let position = match node {
+            Some(position) => {
+                known = self.shape.wedges[position as usize].last().copied();
+                position
+            }
+            None => {
+                let position = self.shape.positions.len() as u32;
+                self.position(coder, page.map(|page| page.positions[actual as usize]), near);
+                self.shape.wedges.push(Vec::new());
+                if !self.is_base {
+                    self.cost(coder, page, position, near);
+                }
+                position
+            }
+        };
+        if let Some(page) = page {
+            self.met[actual as usize] = vertex;
+            self.layers(coder, Some((page, actual)), known);
+        } else {
+            self.layers(coder, None, known);
+        }
+        self.shape.vertices.push(position);
+        self.shape.wedges[position as usize].push(vertex);
+        vertex
+    }
+
+    /// Codes a position; near the two ends of a gate and the third corner of its triangle.
+    fn position<C: Coder>(&mut self, coder: &mut C, actual: Option<[f32; 3]>, near: [u32; 3]) {
+        let places = &self.models.places;
+        let at = |v: u32| (v < Shape::IMPORTS).then(|| places[self.shape.vertices[v as usize] as usize]);
+        let [a, b, d] = near.map(at);
+        let (quality, expected) = match (a, b, d) {
+            (Some(a), Some(b), Some(d)) => (0, [0, 1, 2].map(|i| a[i] + b[i] - d[i])),
+            (Some(a), Some(b), None) => (1, [0, 1, 2].map(|i| (a[i] + b[i]) >> 1)),
+            (Some(p), None, _) | (None, Some(p), _) | (None, None, Some(p)) => (1, p),
+            (None, None, None) => (2, places.last().copied().unwrap_or_default()),
+        };
+        let grid = self.metadata.grid.as_ref();
+        let actual = actual.map_or([0; 3], |p| match grid {
+            Some(grid) => grid.index_of(p),
+            None => p.map(ordered),
+        });
+        let place: [i64; 3] = std::array::from_fn(|axis| {
+            let difference = actual[axis].wrapping_sub(expected[axis]);
+            let context = 3 * quality + axis;
+            expected[axis] + code_wide(coder, &mut self.models.positions, context, difference)
+        });
+        // Damaged bytes must not overflow sums of places.
+        let place = place.map(|x| x.clamp(-(1 << 50), 1 << 50));
+        self.models.places.push(place);
+        self.shape.positions.push(match grid {
+            Some(grid) => grid.position_of(place),
+            None => place.map(from_ordered),
+        });
+    }
+
+    /// Codes key and error of a position.
+    fn cost<C: Coder>(&mut self, coder: &mut C, page: Option<&Page>, position: u32, near: [u32; 3]) {
+        let actual = |values: &[f32], bits: u32| {
+            values.get(position as usize).map_or(0, |x| (x.to_bits() >> bits) as i32)
+        };
+        let neighbor = near.iter().copied().find(|&v| v < Shape::IMPORTS);
+        let context = usize::from(neighbor.is_none());
+        let neighbor = neighbor.map(|v| self.shape.vertices[v as usize] as usize);
+        let models = &mut self.models;
+        let last = models.key_classes.len().checked_sub(1);
+        let near_class = |classes: &[i32]| neighbor.or(last).map_or(0, |p| classes[p]);
+        let (near_key, near_error) = (near_class(&models.key_classes), near_class(&models.error_classes));
+        let key = page.map_or(0, |page| actual(&page.keys, KEY_BITS));
+        let key = near_key.wrapping_add(models.keys.signed(coder, context, key.wrapping_sub(near_key)));
+        let key = key.clamp(0, largest_class(KEY_BITS));
+        // An error is a length and a key its fourth power, in classes half as fine.
+        let expected = (near_error + (key - near_key) / 2).clamp(0, largest_class(ERROR_BITS));
+        let error = page.map_or(0, |page| actual(&page.errors, ERROR_BITS));
+        let error = expected.wrapping_add(models.errors.signed(coder, context, error.wrapping_sub(expected)));
+        let error = error.clamp(0, largest_class(ERROR_BITS));
+        models.key_classes.push(key);
+        models.error_classes.push(error);
+        self.shape.keys.push(f32::from_bits((key as u32) << KEY_BITS));
+        self.shape.errors.push(f32::from_bits((error as u32) << ERROR_BITS));
+    }
+
+    /// Codes the attributes of a vertex; `known` is one that is likely to have similar ones.
+    fn layers<C: Coder>(&mut self, coder: &mut C, actual: Option<(&Page, u32)>, known: Option<u32>) {
+        let mut context = 0;
+        let last = self.shape.vertices.len().checked_sub(1).map(|v| v as u32);
+        let near = known.or(last);
+        for (i, kind) in self.metadata.layers.iter().enumerate() {
+            for component in 0..kind.component_count as usize {
+                let count = kind.component_count as usize;
+                let place = |data: &LayerData, v: u32| place_of(kind, data, v as usize * count + component);
+                let data = &self.shape.layers[i].data;
+                let expected = near.map_or(0, |v| place(data, v));
+                let value = actual.map_or(0, |(page, v)| place(&page.layers[i].data, v));
+                let slot = 2 * context + usize::from(known.is_none());
+                let coded = code_wide(coder, &mut self.models.layers, slot, value - expected);
+                push_place(kind, &mut self.shape.layers[i].data, expected + coded);
+                context += 1;
+            }
+        }
+    }
+
+    /// Codes an import near some vertices.
+    pub(super) fn import<C: Coder>(&mut self, coder: &mut C, actual: Import, near: [u32; 3]) -> Import {
+        let pages = &self.counts.pages;
+        let models = &mut self.models;
+        models.last_imports.resize(pages.len(), 0);
+        let near = near[..2].iter().filter_map(|&v| v.checked_sub(Shape::IMPORTS).filter(|_| v != UNMET));
+        let near: Vec<Import> = near.map(|import| self.shape.imports[import as usize]).collect();
+        let slot_of = |page: u32| pages.partition_point(|&p| p < page).min(pages.len() - 1);
+        let expected_slot = near.first().map_or(models.last_slot, |import| slot_of(import.page));
+        let actual_slot = slot_of(actual.page);
+        let slot = if pages.len() == 1 || models.same_page.code(coder, actual_slot == expected_slot) {
+            expected_slot
+        } else {
+            (models.page.unsigned(coder, 0, actual_slot as u32) as usize).min(pages.len() - 1)
+        };
+        let neighbor = near.iter().find(|import| import.page == pages[slot]);
+        let (context, expected) = match neighbor {
+            Some(import) => (0, import.vertex),
+            None => (1, models.last_imports[slot]),
+        };
+        let difference = actual.vertex.wrapping_sub(expected) as i32;
+        let vertex = expected.wrapping_add(models.import.signed(coder, context, difference) as u32);
+        models.last_imports[slot] = vertex;
+        models.last_slot = slot;
+        Import { page: pages[slot], vertex }
+    }
+}
+
+/// Class of the largest finite number.
+fn largest_class(bits: u32) -> i32 {
+    (f32::MAX.to_bits() >> bits) as i32
+}
+
+/// The bits of a number, in the order of numbers.
+fn ordered(x: f32) -> i64 {
+    let bits = i64::from(x.to_bits() & 0x7FFF_FFFF);
+    if x.is_sign_negative() { -bits } else { bits }
+}
+
+/// The number with these ordered bits; 0 if it would not be finite.
+fn from_ordered(place: i64) -> f32 {
+    let magnitude = f32::from_bits(place.unsigned_abs().min(0x7FFF_FFFF) as u32);
+    let value = if place < 0 { -magnitude } else { magnitude };
+    if value.is_finite() { value } else { 0.0 }
+}
+
+/// A value as an integer: multiples of the step, or ordered bits.
+fn place_of(kind: &PagedLayer, data: &LayerData, index: usize) -> i64 {
+    match (data, kind.step) {
+        (LayerData::F32(values), Some(step)) => (f64::from(values[index]) / step).round() as i64,
+        (LayerData::F32(values), None) => ordered(values[index]),
+        (LayerData::U8(values), _) => i64::from(values[index]),
+        (LayerData::U16(values), _) => i64::from(values[index]),
+        (LayerData::U32(values), _) => i64::from(values[index]),
+    }
+}
+
+fn push_place(kind: &PagedLayer, data: &mut LayerData, place: i64) {
+    match (data, kind.step) {
+        (LayerData::F32(values), Some(step)) => values.push((place as f64 * step) as f32),
+        (LayerData::F32(values), None) => values.push(from_ordered(place)),
+        (LayerData::U8(values), _) => values.push(place as u8),
+        (LayerData::U16(values), _) => values.push(place as u16),
+        (LayerData::U32(values), _) => values.push(place as u32),
+    }
+}

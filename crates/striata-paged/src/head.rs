@@ -1,0 +1,447 @@
+//! The head of a paged file: a prefix of fixed size, metadata, and the directory of pages.
+//!
+//! ```text
+//! prefix  64 bytes: magic, version, flags, sizes of metadata and root, offset of the pages, checksums
+//! metadata         JSON
+//! root             small files: all entries; large ones: what is known about each leaf
+//! leaves           up to 4,096 entries each
+//! pages            coarse to fine
+//! ```
+
+use crate::bytes::{put_varint, take_varint};
+use crate::directory::MAX_BOUNDS;
+use crate::{HeadDefect, Metadata, PageBound, PageEntry, PageId, PagedError};
+
+/// First bytes of every head.
+pub const PAGED_MAGIC: &[u8; 8] = b"striataP";
+/// Name of the head in a folder or bucket.
+pub const HEAD_NAME: &str = "head.striata";
+/// Bytes of the prefix.
+pub const PREFIX_BYTES: u64 = 64;
+const VERSION: u32 = 1;
+/// Flag: pages are objects of their own.
+const SEPARATE: u32 = 1;
+/// Above this number of pages, the directory has leaves.
+const MAX_ROOT_PAGES: usize = 100_000;
+/// Pages per leaf.
+const LEAF_PAGES: usize = 4096;
+/// A head cannot be larger than this.
+const MAX_HEAD_BYTES: u64 = 1 << 32;
+/// Nor have more pages.
+const MAX_PAGES: u64 = 1 << 28;
+
+/// The first bytes of a paged file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Prefix {
+    /// Whether pages are objects of their own, in a folder or bucket.
+    pub is_separate: bool,
+    /// Bytes of the metadata, which follow the prefix.
+    pub metadata_bytes: u64,
+    /// Bytes of the root of the directory, which follow the metadata.
+    pub root_bytes: u64,
+    /// Offset of the first page.
+    pub pages_offset: u64,
+    metadata_crc: u32,
+    root_crc: u32,
+}
+
+/// One leaf of the directory, as the root describes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Leaf {
+    /// First byte, counted from the end of the root.
+    pub offset: u64,
+    /// Number of bytes.
+    pub byte_count: u64,
+    /// CRC-32 of the bytes.
+    pub crc: u32,
+    /// First page.
+    pub first_page: u32,
+    /// Number of pages.
+    pub page_count: u32,
+    /// Offset of its first page.
+    pub page_offset: u64,
+    /// What its pages contain together.
+    pub bound: PageBound,
+}
+
+/// The root of a directory: entries, or leaves.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Root {
+    /// All entries.
+    Entries(Vec<PageEntry>),
+    /// Leaves that contain the entries.
+    Leaves(Vec<Leaf>),
+}
+
+/// Writes the head of a file, or of a folder if `is_separate`. Entries must be in directory order.
+pub fn write_head(metadata: &Metadata, entries: &[PageEntry], is_separate: bool) -> Vec<u8> {
+    write_head_with(metadata, entries, is_separate, MAX_ROOT_PAGES)
+}
+
+fn write_head_with(
+    metadata: &Metadata,
+    entries: &[PageEntry],
+    is_separate: bool,
+    max_root_pages: usize,
+) -> Vec<u8> {
+    // Serializing plain data cannot fail.
+    let json = serde_json::to_vec(metadata).unwrap_or_default();
+    let (root, leaves) = write_directory(entries, max_root_pages);
+    let pages_offset = PREFIX_BYTES + (json.len() + root.len() + leaves.len()) as u64;
+    let mut bytes = PAGED_MAGIC.to_vec();
+    bytes.extend(VERSION.to_le_bytes());
+    bytes.extend((if is_separate { SEPARATE } else { 0 }).to_le_bytes());
+    bytes.extend((json.len() as u64).to_le_bytes());
+    bytes.extend((root.len() as u64).to_le_bytes());
+    bytes.extend(pages_offset.to_le_bytes());
+    bytes.extend(crc32fast::hash(&json).to_le_bytes());
+    bytes.extend(crc32fast::hash(&root).to_le_bytes());
+    bytes.resize(PREFIX_BYTES as usize - 4, 0);
+    let crc = crc32fast::hash(&bytes);
+    bytes.extend(crc.to_le_bytes());
+    bytes.extend(json);
+    bytes.extend(root);
+    bytes.extend(leaves);
+    bytes
+}
+
+fn write_directory(entries: &[PageEntry], max_root_pages: usize) -> (Vec<u8>, Vec<u8>) {
+    let mut root = Vec::new();
+    put_varint(&mut root, entries.len() as u64);
+    if entries.len() <= max_root_pages {
+        put_varint(&mut root, 0);
+        root.extend(write_entries(entries, 0));
+        return (root, Vec::new());
+    }
+    put_varint(&mut root, entries.len().div_ceil(LEAF_PAGES) as u64);
+    let mut leaves = Vec::new();
+    for (i, part) in entries.chunks(LEAF_PAGES).enumerate() {
+        let bytes = write_entries(part, (i * LEAF_PAGES) as u32);
+        put_varint(&mut root, bytes.len() as u64);
+        put_varint(&mut root, part.iter().map(|entry| u64::from(entry.byte_count)).sum());
+        root.extend(crc32fast::hash(&bytes).to_le_bytes());
+        put_bound(&mut root, &joined(part));
+        leaves.extend(bytes);
+    }
+    (root, leaves)
+}
+
+/// What pages contain together.
+fn joined(entries: &[PageEntry]) -> PageBound {
+    let mut all = PageBound { min: [f32::MAX; 3], max: [f32::MIN; 3], error: 0.0 };
+    for bound in entries.iter().flat_map(|entry| &entry.bounds) {
+        for axis in 0..3 {
+            all.min[axis] = all.min[axis].min(bound.min[axis]);
+            all.max[axis] = all.max[axis].max(bound.max[axis]);
+        }
+        all.error = all.error.max(bound.error);
+    }
+    all
+}
+
+fn put_bound(bytes: &mut Vec<u8>, bound: &PageBound) {
+    bound.min.iter().chain(&bound.max).chain([&bound.error]).for_each(|x| bytes.extend(x.to_le_bytes()));
+}
+
+fn write_entries(entries: &[PageEntry], first: u32) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for (index, entry) in (first..).zip(entries) {
+        bytes.push(entry.id.level);
+        put_varint(&mut bytes, u64::from(entry.id.cell));
+        bytes.extend(entry.crc.to_le_bytes());
+        let counts = [
+            entry.byte_count,
+            entry.position_count,
+            entry.vertex_count,
+            entry.triangle_count,
+            entry.added_triangle_count,
+        ];
+        counts.iter().for_each(|&count| put_varint(&mut bytes, u64::from(count)));
+        bytes.extend(entry.error.to_le_bytes());
+        bytes.extend(entry.key.to_le_bytes());
+        put_varint(&mut bytes, entry.parents.len() as u64);
+        let mut last = index;
+        for &parent in entry.parents.iter().rev() {
+            put_varint(&mut bytes, u64::from(last - parent));
+            last = parent;
+        }
+        put_varint(&mut bytes, entry.bounds.len() as u64);
+        entry.bounds.iter().for_each(|bound| put_bound(&mut bytes, bound));
+    }
+    bytes
+}
+
+/// Reads from the front of bytes; every method fails at their end.
+struct Parser<'a> {
+    bytes: &'a [u8],
+}
+
+impl Parser<'_> {
+    fn varint(&mut self) -> Result<u64, HeadDefect> {
+        take_varint(&mut self.bytes).ok_or(HeadDefect::Truncated)
+    }
+
+    fn count(&mut self, most: u64) -> Result<u32, HeadDefect> {
+        let count = self.varint()?;
+        if count > most.min(u64::from(u32::MAX)) { Err(HeadDefect::Count(count)) } else { Ok(count as u32) }
+    }
+
+    fn array<const N: usize>(&mut self) -> Result<[u8; N], HeadDefect> {
+        let (taken, rest) = self.bytes.split_first_chunk::<N>().ok_or(HeadDefect::Truncated)?;
+        self.bytes = rest;
+        Ok(*taken)
+    }
+
+    fn u32(&mut self) -> Result<u32, HeadDefect> {
+        self.array().map(u32::from_le_bytes)
+    }
+
+    fn f32(&mut self) -> Result<f32, HeadDefect> {
+        let x = self.array().map(f32::from_le_bytes)?;
+        if x.is_finite() { Ok(x) } else { Err(HeadDefect::NotFinite) }
+    }
+
+    fn bound(&mut self) -> Result<PageBound, HeadDefect> {
+        let mut numbers = [0.0; 7];
+        for x in &mut numbers {
+            *x = self.f32()?;
+        }
+        let [a, b, c, d, e, f, error] = numbers;
+        Ok(PageBound { min: [a, b, c], max: [d, e, f], error })
+    }
+}
+
+impl Prefix {
+    /// Reads the first [`PREFIX_BYTES`] bytes of a file.
+    ///
+    /// # Errors
+    /// [`PagedError::Head`] if they do not begin a paged file.
+    pub fn parse(bytes: &[u8]) -> Result<Self, PagedError> {
+        let bytes: &[u8; PREFIX_BYTES as usize] =
+            bytes.first_chunk().ok_or(PagedError::Head(HeadDefect::Truncated))?;
+        if !bytes.starts_with(PAGED_MAGIC) {
+            return Err(HeadDefect::Magic.into());
+        }
+        let u32_at = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
+        let u64_at = |at: usize| u64::from(u32_at(at)) | u64::from(u32_at(at + 4)) << 32;
+        if u32_at(8) != VERSION {
+            return Err(HeadDefect::Version(u32_at(8)).into());
+        }
+        if crc32fast::hash(&bytes[..60]) != u32_at(60) {
+            return Err(HeadDefect::Checksum("prefix").into());
+        }
+        let prefix = Self {
+            is_separate: u32_at(12) & SEPARATE != 0,
+            metadata_bytes: u64_at(16),
+            root_bytes: u64_at(24),
+            pages_offset: u64_at(32),
+            metadata_crc: u32_at(40),
+            root_crc: u32_at(44),
+        };
+        let end = prefix.metadata_bytes.checked_add(prefix.root_bytes);
+        let end = end.and_then(|bytes| bytes.checked_add(PREFIX_BYTES));
+        if end.is_none_or(|end| end > prefix.pages_offset) || prefix.pages_offset > MAX_HEAD_BYTES {
+            return Err(HeadDefect::Sizes.into());
+        }
+        Ok(prefix)
+    }
+
+    /// Reads metadata and root, which follow the prefix.
+    ///
+    /// # Errors
+    /// [`PagedError::Head`] if they are damaged.
+    pub fn parse_rest(&self, bytes: &[u8]) -> Result<(Metadata, Root), PagedError> {
+        let (json, rest) =
+            bytes.split_at_checked(self.metadata_bytes as usize).ok_or(HeadDefect::Truncated)?;
+        let root = rest.get(..self.root_bytes as usize).ok_or(HeadDefect::Truncated)?;
+        if crc32fast::hash(json) != self.metadata_crc {
+            return Err(HeadDefect::Checksum("metadata").into());
+        }
+        if crc32fast::hash(root) != self.root_crc {
+            return Err(HeadDefect::Checksum("directory").into());
+        }
+        let metadata: Metadata =
+            serde_json::from_slice(json).map_err(|error| HeadDefect::Metadata(error.to_string()))?;
+        metadata.check().map_err(HeadDefect::Metadata)?;
+        Ok((metadata, parse_root(root)?))
+    }
+}
+
+fn parse_root(bytes: &[u8]) -> Result<Root, HeadDefect> {
+    let mut parser = Parser { bytes };
+    let page_count = parser.count(MAX_PAGES)?;
+    let leaf_count = parser.varint()?;
+    if leaf_count == 0 {
+        return parse_entries(&mut parser, (0, page_count, 0)).map(Root::Entries);
+    }
+    if leaf_count != u64::from(page_count).div_ceil(LEAF_PAGES as u64) {
+        return Err(HeadDefect::Count(leaf_count));
+    }
+    let (mut leaves, mut offset, mut page_offset) = (Vec::new(), 0u64, 0u64);
+    for leaf in 0..leaf_count as u32 {
+        let (byte_count, pages_bytes) = (parser.varint()?, parser.varint()?);
+        let crc = parser.u32()?;
+        let first_page = leaf * LEAF_PAGES as u32;
+        let bound = parser.bound()?;
+        let count = (LEAF_PAGES as u32).min(page_count - first_page);
+        leaves.push(Leaf { offset, byte_count, crc, first_page, page_count: count, page_offset, bound });
+        offset = offset.checked_add(byte_count).ok_or(HeadDefect::Sizes)?;
+        page_offset = page_offset.checked_add(pages_bytes).ok_or(HeadDefect::Sizes)?;
+    }
+    Ok(Root::Leaves(leaves))
+}
+
+impl Leaf {
+    /// Reads the entries of a leaf.
+    ///
+    /// # Errors
+    /// [`PagedError::Head`] if it is damaged.
+    pub fn parse(&self, bytes: &[u8]) -> Result<Vec<PageEntry>, PagedError> {
+        if bytes.len() as u64 != self.byte_count || crc32fast::hash(bytes) != self.crc {
+            return Err(HeadDefect::Checksum("directory").into());
+        }
+        Ok(parse_entries(&mut Parser { bytes }, (self.first_page, self.page_count, self.page_offset))?)
+    }
+}
+
+fn parse_entries(
+    parser: &mut Parser<'_>,
+    (first, count, offset): (u32, u32, u64),
+) -> Result<Vec<PageEntry>, HeadDefect> {
+    let mut entries: Vec<PageEntry> = Vec::new();
+    let mut offset = offset;
+    for index in first..first + count {
+        let [level] = parser.array()?;
+        let cell = parser.count(u64::MAX)?;
+        let crc = parser.u32()?;
+        let mut counts = [0; 5];
+        for count in &mut counts {
+            *count = parser.count(u64::MAX)?;
+        }
+        let (error, key) = (parser.f32()?, parser.f32()?);
+        let parent_count = parser.count(u64::from(index))?;
+        let (mut parents, mut last) = (Vec::new(), index);
+        for _ in 0..parent_count {
+            let delta = parser.count(u64::from(last))?;
+            if delta == 0 {
+                return Err(HeadDefect::Parent { page: index });
+            }
+            last -= delta;
+            parents.push(last);
+        }
+        parents.reverse();
+        let bound_count = parser.count(MAX_BOUNDS as u64)?;
+        let bounds = (0..bound_count).map(|_| parser.bound()).collect::<Result<_, _>>()?;
+        let [byte_count, position_count, vertex_count, triangle_count, added_triangle_count] = counts;
+        entries.push(PageEntry {
+            id: PageId { level, cell },
+            offset,
+            byte_count,
+            crc,
+            position_count,
+            vertex_count,
+            triangle_count,
+            added_triangle_count,
+            error,
+            key,
+            parents,
+            bounds,
+        });
+        offset = offset.checked_add(u64::from(byte_count)).ok_or(HeadDefect::Sizes)?;
+    }
+    Ok(entries)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entries(count: u32) -> Vec<PageEntry> {
+        let mut offset = 0;
+        let entry = |i: u32| {
+            let bound = PageBound { min: [i as f32, 0.0, 1.0], max: [i as f32 + 1.0; 3], error: 0.5 };
+            let entry = PageEntry {
+                id: PageId { level: 3 - (i * 4 / count) as u8, cell: i },
+                offset,
+                byte_count: 1000 + i,
+                crc: i * 77,
+                position_count: 10,
+                vertex_count: 11,
+                triangle_count: 20 + i,
+                added_triangle_count: 15,
+                error: 0.25,
+                key: 1.0,
+                parents: (i.saturating_sub(3)..i).collect(),
+                bounds: vec![bound; 1 + i as usize % 16],
+            };
+            offset += u64::from(entry.byte_count);
+            entry
+        };
+        (0..count).map(entry).collect()
+    }
+
+    fn metadata() -> Metadata {
+        Metadata { cell_counts: vec![4, 2, 1], ..Metadata::default() }
+    }
+
+    fn parse(bytes: &[u8]) -> Result<(Metadata, Vec<PageEntry>), PagedError> {
+        let prefix = Prefix::parse(bytes)?;
+        let (metadata, root) = prefix.parse_rest(&bytes[PREFIX_BYTES as usize..])?;
+        let entries = match root {
+            Root::Entries(entries) => entries,
+            Root::Leaves(leaves) => {
+                let at = (PREFIX_BYTES + prefix.metadata_bytes + prefix.root_bytes) as usize;
+                let mut all = Vec::new();
+                for leaf in leaves {
+                    let from = at + leaf.offset as usize;
+                    let bytes = bytes.get(from..from + leaf.byte_count as usize);
+                    all.extend(leaf.parse(bytes.ok_or(HeadDefect::Truncated)?)?);
+                }
+                all
+            }
+        };
+        Ok((metadata, entries))
+    }
+
+    #[test]
+    fn heads_round_trip_with_and_without_leaves() {
+        let metadata = Metadata { source: "a".to_owned(), triangle_count: 9, ..metadata() };
+        for most in [100_000, 100] {
+            let entries = entries(10_000);
+            let bytes = write_head_with(&metadata, &entries, false, most);
+            let (read, found) = parse(&bytes).unwrap();
+            assert_eq!(read, metadata);
+            assert!(found == entries);
+        }
+    }
+
+    #[test]
+    fn damage_is_an_error() {
+        let bytes = write_head(&metadata(), &entries(20), true);
+        assert!(Prefix::parse(&bytes).unwrap().is_separate);
+        for at in 0..bytes.len() {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 1;
+            assert!(parse(&damaged).is_err(), "byte {at}");
+            assert!(parse(&bytes[..at]).is_err());
+        }
+    }
+
+    #[test]
+    fn damage_behind_checksums_is_found_or_harmless() {
+        let entries = entries(20);
+        let root = write_directory(&entries, 100).0;
+        for at in 0..root.len() {
+            for bit in 0..8 {
+                let mut damaged = root.clone();
+                damaged[at] ^= 1 << bit;
+                if let Ok(Root::Entries(entries)) = parse_root(&damaged) {
+                    let is_smaller = |(i, entry): (usize, &PageEntry)| {
+                        entry.parents.iter().all(|&parent| (parent as usize) < i)
+                    };
+                    assert!(entries.iter().enumerate().all(is_smaller));
+                }
+            }
+        }
+    }
+}
