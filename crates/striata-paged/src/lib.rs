@@ -3,7 +3,19 @@
 //! A mesh is built in cells of space, in tasks that any executor may run ([`build`]). The steps of one cell are
 //! one [`Page`]; a paged file is a head and pages, coarse to fine. Any set of pages that contains the parents of
 //! its members is a valid mesh: what is absent is coarser, never cracked.
+//!
+//! [`PagedFile`] reads the pages that a level needs; [`PagedReader`] does the same without any input and output,
+//! for programs that fetch bytes themselves. [`assemble`] makes a mesh of pages, with all of its levels.
+//!
+//! | file | what it does |
+//! | --- | --- |
+//! | `metadata.rs`, `directory.rs`, `head.rs` | what is known before any page is read |
+//! | `page.rs`, `codec/` | pages and their bytes |
+//! | `reader.rs`, `store.rs`, `paged_file.rs` | reading what a level needs |
+//! | `assemble.rs` | a mesh made of pages |
+//! | `build/` | building from inputs of any size |
 
+mod assemble;
 #[cfg(feature = "build")]
 pub mod build;
 mod bytes;
@@ -13,9 +25,18 @@ mod error;
 mod head;
 mod metadata;
 mod page;
+mod paged_file;
+mod reader;
+#[cfg(feature = "remote")]
+mod remote;
+mod store;
 
+pub use assemble::{Assembled, assemble};
 pub use directory::{PageBound, PageEntry, page_path};
 pub use error::{HeadDefect, PageDefect, PagedError};
 pub use head::{HEAD_NAME, Leaf, PAGED_MAGIC, PREFIX_BYTES, Prefix, Root, write_head};
 pub use metadata::{Grid, Metadata, PagedGroup, PagedLayer};
 pub use page::{Import, Page, PageId};
+pub use paged_file::{PagedFile, ReadStatistics};
+pub use reader::{PagedReader, Place, Want};
+pub use store::{FileStore, Store, open_store};

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::BuildError;
 use super::part_file::{PartFile, PartIndex, Segment};
-use super::plan::{Plan, Stage, write_whole};
+use super::plan::{Plan, Stage, temporary_in, write_whole};
 use crate::{HEAD_NAME, PageEntry, PageId, page_path, write_head};
 
 /// Writes the result.
@@ -59,7 +59,7 @@ type EachPage<'a> =
 fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), BuildError> {
     let failed = |source| BuildError::io(output, source);
     let folder = output.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let file = tempfile::Builder::new().prefix(".part-").tempfile_in(folder).map_err(failed)?;
+    let file = temporary_in(folder).map_err(failed)?;
     let mut file = BufWriter::new(file);
     file.write_all(head).map_err(failed)?;
     each(&mut |_, bytes| file.write_all(bytes).map_err(failed))?;

@@ -8,6 +8,7 @@ use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::BuildError;
+use super::plan::temporary_in;
 use crate::PageId;
 
 const MAGIC: &[u8; 8] = b"striapar";
@@ -35,7 +36,7 @@ pub(super) struct PartWriter {
 impl PartWriter {
     pub(super) fn create(path: &Path) -> Result<Self, BuildError> {
         let folder = path.parent().unwrap_or(Path::new("."));
-        let file = tempfile::Builder::new().prefix(".part-").tempfile_in(folder);
+        let file = temporary_in(folder);
         let file = BufWriter::new(file.map_err(|source| BuildError::io(path, source))?);
         Ok(Self { path: path.to_owned(), file, segments: Vec::new(), offset: 0 })
     }

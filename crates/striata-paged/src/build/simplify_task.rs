@@ -27,14 +27,14 @@ pub(super) fn run(plan: &Plan, task: &Task, level: u8, parts: &PartIndex) -> Res
             simplify_cell(&cell, &options).map_err(|source| BuildError::Simplify { id, source })?;
         left.append(&simplified.survivors);
         if !simplified.steps.keys.is_empty() {
-            let mut bytes = Writer::default();
+            let mut bytes = Writer::new(layers.len());
             bytes.steps(&pending_page(id, simplified.steps));
             writer.write(id, &bytes.bytes)?;
         }
     }
     writer.finish()?;
     let mut writer = PartWriter::create(&plan.triangles_path(task))?;
-    write_cells(&mut writer, &send(partition, level + 1, left))?;
+    write_cells(&mut writer, &send(partition, level + 1, left), layers.len())?;
     writer.finish()
 }
 

@@ -18,7 +18,7 @@ pub(super) fn run(plan: &Plan, task: &Task, source: &dyn PieceSource) -> Result<
         mesh.append(&rounded(source.read_piece(index)?, &plan.metadata));
     }
     let mut writer = PartWriter::create(&plan.triangles_path(task))?;
-    write_cells(&mut writer, &send(plan.partition()?, 0, mesh))?;
+    write_cells(&mut writer, &send(plan.partition()?, 0, mesh), plan.metadata.layers.len())?;
     writer.finish()
 }
 
@@ -66,9 +66,13 @@ pub(super) fn send(partition: &Partition, level: u8, mesh: CellMesh) -> BTreeMap
 }
 
 /// Writes what each cell receives.
-pub(super) fn write_cells(writer: &mut PartWriter, cells: &BTreeMap<PageId, Cell>) -> Result<(), BuildError> {
+pub(super) fn write_cells(
+    writer: &mut PartWriter,
+    cells: &BTreeMap<PageId, Cell>,
+    layer_count: usize,
+) -> Result<(), BuildError> {
     for (&id, cell) in cells {
-        let mut bytes = Writer::default();
+        let mut bytes = Writer::new(layer_count);
         bytes.cell(cell);
         writer.write(id, &bytes.bytes)?;
     }

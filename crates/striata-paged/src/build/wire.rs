@@ -12,12 +12,18 @@ const KEY_BITS: u32 = 18;
 const ERROR_BITS: u32 = 17;
 
 /// Writes numbers and arrays.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Writer {
     pub(super) bytes: Vec<u8>,
+    layer_count: usize,
 }
 
 impl Writer {
+    /// Creates a writer for meshes with this many layers.
+    pub(super) fn new(layer_count: usize) -> Self {
+        Self { bytes: Vec::new(), layer_count }
+    }
+
     pub(super) fn u32(&mut self, x: u32) {
         self.bytes.extend(x.to_le_bytes());
     }
@@ -28,7 +34,10 @@ impl Writer {
     }
 
     fn layers(&mut self, layers: &[AttributeLayer]) {
-        layers.iter().for_each(|layer| self.array(layer.data.as_bytes()));
+        // A part without vertices may have no layers either.
+        for i in 0..self.layer_count {
+            self.array(layers.get(i).map_or(&[][..], |layer| layer.data.as_bytes()));
+        }
     }
 
     fn histories(&mut self, histories: &[History]) {

@@ -1,0 +1,175 @@
+//! A paged file that is read as needed.
+
+use crate::{Assembled, Metadata, Page, PageBound, PagedError, PagedReader, Store, assemble, open_store};
+
+/// What has been read so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ReadStatistics {
+    /// Number of requests.
+    pub request_count: u64,
+    /// Number of bytes.
+    pub byte_count: u64,
+    /// Number of pages.
+    pub page_count: u64,
+}
+
+/// A paged file, folder or address, of which only those pages are read that a level needs.
+///
+/// ```no_run
+/// use striata_paged::PagedFile;
+///
+/// let mut file = PagedFile::open("city.striata")?;
+/// let level = file.level_for_triangles(50_000)?;
+/// println!("{} triangles", level.refinable.mesh.triangle_count());
+/// # Ok::<(), striata_paged::PagedError>(())
+/// ```
+pub struct PagedFile {
+    store: Box<dyn Store>,
+    reader: PagedReader,
+    statistics: ReadStatistics,
+}
+
+impl PagedFile {
+    /// Opens a file, a folder, or an address.
+    ///
+    /// # Errors
+    /// [`PagedError`] if the head cannot be read.
+    pub fn open(address: &str) -> Result<Self, PagedError> {
+        Self::with_store(open_store(address)?)
+    }
+
+    /// Reads from any store.
+    ///
+    /// # Errors
+    /// [`PagedError`] if the head cannot be read.
+    pub fn with_store(store: Box<dyn Store>) -> Result<Self, PagedError> {
+        let mut file = Self { store, reader: PagedReader::new(), statistics: ReadStatistics::default() };
+        while file.reader.metadata().is_none() {
+            file.fetch()?;
+        }
+        Ok(file)
+    }
+
+    /// Name of the file or address.
+    pub fn name(&self) -> &str {
+        self.store.name()
+    }
+
+    /// The reader, with the directory and the pages read so far.
+    pub fn reader(&self) -> &PagedReader {
+        &self.reader
+    }
+
+    /// What the file says about the mesh.
+    ///
+    /// # Panics
+    /// Never: an open file has metadata.
+    pub fn metadata(&self) -> &Metadata {
+        self.reader.metadata().expect("the head has been read")
+    }
+
+    /// What has been read so far.
+    pub fn statistics(&self) -> ReadStatistics {
+        self.statistics
+    }
+
+    /// Fetches everything that the reader wants now.
+    fn fetch(&mut self) -> Result<(), PagedError> {
+        for want in self.reader.wants() {
+            let before = self.reader.pages().count();
+            let bytes = self.store.read(want.place, want.range.clone())?;
+            self.statistics.request_count += 1;
+            self.statistics.byte_count += bytes.len() as u64;
+            self.reader.supply(&want, &bytes)?;
+            self.statistics.page_count += (self.reader.pages().count() - before) as u64;
+        }
+        Ok(())
+    }
+
+    /// Finds the pages of which some part needs detail, with their ancestors.
+    ///
+    /// # Errors
+    /// [`PagedError`] if the directory cannot be read.
+    pub fn select(&mut self, mut needs: impl FnMut(&PageBound) -> bool) -> Result<Vec<u32>, PagedError> {
+        loop {
+            if let Some(pages) = self.reader.select(&mut needs) {
+                return Ok(pages);
+            }
+            self.fetch()?;
+        }
+    }
+
+    /// Reads pages, which must contain all of their ancestors, and makes one mesh of them.
+    ///
+    /// # Errors
+    /// [`PagedError`] if a page cannot be read or does not fit to the others.
+    pub fn assemble(&mut self, pages: &[u32]) -> Result<Assembled, PagedError> {
+        self.reader.request(pages.iter().copied());
+        self.fetch()?;
+        let loaded: Vec<(u32, &Page)> =
+            pages.iter().filter_map(|&index| Some((index, self.reader.page(index)?))).collect();
+        assemble(&loaded, self.metadata())
+    }
+
+    /// The mesh with all levels whose error exceeds `error`, in mesh units.
+    ///
+    /// # Errors
+    /// See [`Self::assemble`].
+    pub fn level_for_error(&mut self, error: f32) -> Result<Assembled, PagedError> {
+        let pages = self.select(|bound| bound.error > error)?;
+        self.assemble(&pages)
+    }
+
+    /// The mesh with all levels of up to so many triangles.
+    ///
+    /// Its sequence is that of the whole file down to the returned level: steps beyond it have been dropped only
+    /// if they are less important than every step of the pages that were not read.
+    ///
+    /// # Errors
+    /// See [`Self::assemble`].
+    pub fn level_for_triangles(&mut self, triangle_count: usize) -> Result<Assembled, PagedError> {
+        // Everything must be known about all pages.
+        let all = self.select(|_| true)?;
+        let mut by_key: Vec<(f32, u32, u32)> = all
+            .iter()
+            .filter_map(|&index| {
+                let entry = self.reader.entry(index)?;
+                Some((if index == 0 { f32::INFINITY } else { entry.key }, index, entry.added_triangle_count))
+            })
+            .collect();
+        by_key.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut wanted = triangle_count as u64;
+        loop {
+            let mut sum = 0;
+            let count = by_key
+                .iter()
+                .position(|&(_, _, added)| {
+                    sum += u64::from(added);
+                    sum >= wanted
+                })
+                .map_or(by_key.len(), |last| last + 1);
+            let limit = by_key.get(count).map_or(0.0, |next| next.0);
+            let pages = self.select_keys(&by_key[..count])?;
+            let level = self.assemble(&pages)?;
+            let known = level.split_count_for_key(limit.next_up());
+            let is_enough = level.refinable.sequence.triangle_count_at(known) >= triangle_count;
+            if count == by_key.len() || is_enough {
+                return Ok(level);
+            }
+            wanted = wanted.max(sum) * 3 / 2 + 1;
+        }
+    }
+
+    /// Pages with their ancestors.
+    fn select_keys(&mut self, pages: &[(f32, u32, u32)]) -> Result<Vec<u32>, PagedError> {
+        let mut selected = std::collections::BTreeSet::from([0]);
+        let mut open: Vec<u32> = pages.iter().map(|&(_, index, _)| index).collect();
+        while let Some(index) = open.pop() {
+            if selected.insert(index) || index == 0 {
+                let parents = self.reader.entry(index).map_or(&[][..], |entry| &entry.parents);
+                open.extend(parents.iter().filter(|parent| !selected.contains(parent)));
+            }
+        }
+        Ok(selected.into_iter().collect())
+    }
+}
