@@ -3,6 +3,25 @@
 //! A source says at once how many pieces there are, and any thread may read any piece at any time, as often as
 //! it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
 
+mod appearances;
+mod input;
+mod kinds;
+mod local;
+mod mesh_pieces;
+mod open;
+mod options;
+mod ply;
+mod ply_faces;
+mod several;
+mod stl;
+mod tiles;
+
+pub use mesh_pieces::MeshPieces;
+pub use open::open_pieces;
+pub use options::PieceOptions;
+pub use several::{Several, open_several};
+pub use tiles::Tiles;
+
 use serde::{Deserialize, Serialize};
 use striata::mesh::{Appearance, AttributeLayer, Semantic};
 
@@ -61,6 +80,8 @@ pub struct PieceSummary {
     pub byte_count: u64,
     /// Georeference of a terrain: a JSON object, stored as it is.
     pub georeference: Option<serde_json::Value>,
+    /// Remarks on what was left out, such as missing textures.
+    pub warnings: Vec<String>,
 }
 
 /// Part of an input.

@@ -1,0 +1,44 @@
+//! Opens files of any format in pieces.
+
+use std::path::Path;
+
+use super::input::Input;
+use super::ply::PlyPieces;
+use super::stl::StlPieces;
+use super::{MeshPieces, PieceOptions, PieceSource};
+use crate::{Format, ReadError, read_bytes_with_report};
+
+/// Opens a file in pieces: the content decides the format, then the extension.
+///
+/// Binary PLY and STL are mapped into memory and may be larger than it. What cannot be read in place (lists of
+/// vertices, strips, texture coordinates of faces, OFF) is read into memory at once.
+///
+/// # Errors
+/// [`ReadError`] with the file, the place and the reason.
+pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
+    let mut input = Input::open(path, options)?;
+    match Format::detect(&input.bytes, &input.inner_name) {
+        Some(Format::Ply) => match PlyPieces::open(input, options)? {
+            Ok(pieces) => return Ok(Box::new(pieces)),
+            Err(unsuited) => input = unsuited,
+        },
+        Some(Format::Stl) => match StlPieces::open(input, options)? {
+            Ok(pieces) => return Ok(Box::new(pieces)),
+            Err(unsuited) => input = unsuited,
+        },
+        _ => {}
+    }
+    in_memory(&input, options)
+}
+
+/// Reads a whole file with the reader for meshes in memory.
+fn in_memory(input: &Input, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
+    let report = read_bytes_with_report(&input.bytes, &input.source())?;
+    let warnings = report.warnings.iter().map(ToString::to_string).collect();
+    let pieces = MeshPieces::new(report.mesh)
+        .with_name(&input.name)
+        .with_piece_triangle_count(options.piece_triangle_count)
+        .with_file(input.file_bytes, warnings);
+    pieces.check()?;
+    Ok(Box::new(pieces))
+}

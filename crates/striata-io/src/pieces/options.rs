@@ -1,0 +1,47 @@
+//! Options of opening inputs in pieces.
+
+use std::path::PathBuf;
+
+/// Options of [`open_pieces`](super::open_pieces) and [`open_several`](super::open_several).
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct PieceOptions {
+    /// Number of triangles per piece, about; at least 1. Default: 100,000.
+    pub piece_triangle_count: u32,
+    /// Folder for temporary copies of inputs that cannot be read in place (text, compressed files). Default:
+    /// [`None`], the system's folder for temporary files.
+    pub scratch: Option<PathBuf>,
+    /// Factor of the heights of a terrain. Default: 1.
+    pub z_scale: f64,
+}
+
+impl Default for PieceOptions {
+    fn default() -> Self {
+        Self { piece_triangle_count: 100_000, scratch: None, z_scale: 1.0 }
+    }
+}
+
+impl PieceOptions {
+    /// Sets [`piece_triangle_count`](Self::piece_triangle_count).
+    #[must_use]
+    pub fn with_piece_triangle_count(self, piece_triangle_count: u32) -> Self {
+        Self { piece_triangle_count, ..self }
+    }
+
+    /// Sets [`scratch`](Self::scratch).
+    #[must_use]
+    pub fn with_scratch(self, scratch: PathBuf) -> Self {
+        Self { scratch: Some(scratch), ..self }
+    }
+
+    /// Sets [`z_scale`](Self::z_scale).
+    #[must_use]
+    pub fn with_z_scale(self, z_scale: f64) -> Self {
+        Self { z_scale, ..self }
+    }
+
+    /// Number of triangles per piece, never zero.
+    pub(super) fn piece_size(&self) -> usize {
+        self.piece_triangle_count.max(1) as usize
+    }
+}
