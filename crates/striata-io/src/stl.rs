@@ -126,11 +126,20 @@ pub(crate) fn position_at(facet: &[u8], at: usize) -> [f32; 3] {
     [at, at + 4, at + 8].map(|i| f32::from_le_bytes([facet[i], facet[i + 1], facet[i + 2], facet[i + 3]]))
 }
 
-fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+/// Part of an ASCII file.
+pub(crate) enum Statement {
+    /// Beginning of a solid, with its name.
+    Solid(String),
+    /// Corners of a facet.
+    Facet([[f32; 3]; 3]),
+}
+
+/// Passes the solids and facets of an ASCII file to `visit`, which may create faults at the current line.
+pub(crate) fn visit_ascii(
+    bytes: &[u8],
+    mut visit: impl FnMut(Statement, &Cursor<'_>) -> Result<(), Fault>,
+) -> Result<(), Fault> {
     let mut cursor = Cursor::new(bytes);
-    let mut vertices = VertexTable::with_capacity(bytes.len() / 500);
-    let mut triangles = Vec::new();
-    let mut groups: Vec<TriangleGroup> = Vec::new();
     let mut in_solid = false;
     loop {
         cursor.skip_lines(None);
@@ -140,10 +149,13 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
         match cursor.word() {
             b"solid" => {
                 let name = String::from_utf8_lossy(cursor.rest_of_line()).into_owned();
-                groups.push(TriangleGroup { name, first: triangles.len() as u32, ..Default::default() });
+                visit(Statement::Solid(name), &cursor)?;
                 in_solid = true;
             }
-            b"facet" => triangles.push(read_facet(&mut cursor, &mut vertices)?),
+            b"facet" => {
+                let facet = Statement::Facet(read_facet(&mut cursor)?);
+                visit(facet, &cursor)?;
+            }
             b"endsolid" => {
                 cursor.rest_of_line();
                 in_solid = false;
@@ -157,6 +169,22 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     if in_solid {
         return Err(cursor.fault("the file ends before `endsolid`"));
     }
+    Ok(())
+}
+
+fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+    let mut vertices = VertexTable::with_capacity(bytes.len() / 500);
+    let mut triangles = Vec::new();
+    let mut groups: Vec<TriangleGroup> = Vec::new();
+    visit_ascii(bytes, |statement, _| {
+        match statement {
+            Statement::Solid(name) => {
+                groups.push(TriangleGroup { name, first: triangles.len() as u32, ..Default::default() });
+            }
+            Statement::Facet(corners) => triangles.push(corners.map(|corner| vertices.vertex(corner))),
+        }
+        Ok(())
+    })?;
     let ends: Vec<u32> = groups.iter().skip(1).map(|g| g.first).chain([triangles.len() as u32]).collect();
     for (group, end) in groups.iter_mut().zip(ends) {
         group.count = end - group.first;
@@ -168,7 +196,7 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
 }
 
 /// Reads a facet after the word `facet`.
-fn read_facet(cursor: &mut Cursor<'_>, vertices: &mut VertexTable) -> Result<[u32; 3], Fault> {
+fn read_facet(cursor: &mut Cursor<'_>) -> Result<[[f32; 3]; 3], Fault> {
     expect(cursor, b"normal")?;
     for _ in 0..3 {
         // The normal is not used, and some writers put invalid numbers here.
@@ -176,14 +204,14 @@ fn read_facet(cursor: &mut Cursor<'_>, vertices: &mut VertexTable) -> Result<[u3
     }
     expect(cursor, b"outer")?;
     expect(cursor, b"loop")?;
-    let mut triangle = [0; 3];
-    for corner in &mut triangle {
+    let mut corners = [[0.0; 3]; 3];
+    for corner in &mut corners {
         expect(cursor, b"vertex")?;
-        *corner = vertices.vertex([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
+        *corner = [cursor.f32()?, cursor.f32()?, cursor.f32()?];
     }
     expect(cursor, b"endloop")?;
     expect(cursor, b"endfacet")?;
-    Ok(triangle)
+    Ok(corners)
 }
 
 fn expect(cursor: &mut Cursor<'_>, expected: &[u8]) -> Result<(), Fault> {

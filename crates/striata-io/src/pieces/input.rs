@@ -61,6 +61,8 @@ pub(super) struct Input {
     pub(super) bytes: Mapped,
     /// Size of the file itself.
     pub(super) file_bytes: u64,
+    /// Size of the unpacked file, before any conversion.
+    pub(super) unpacked_bytes: u64,
 }
 
 impl Input {
@@ -71,12 +73,14 @@ impl Input {
         let bytes = File::open(path).and_then(Mapped::new).map_err(io)?;
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let (file_bytes, folder) = (bytes.len() as u64, folder.to_owned());
-        let mut input = Self { inner_name: name.clone(), name, folder, bytes, file_bytes };
+        let inner_name = name.clone();
+        let mut input = Self { name, inner_name, folder, bytes, file_bytes, unpacked_bytes: file_bytes };
         // The same number of nested compressions as for meshes in memory.
         for _ in 0..3 {
             let Some(compression) = Compression::of(&input.bytes) else { break };
             input.unpack(compression, options)?;
         }
+        input.unpacked_bytes = input.bytes.len() as u64;
         Ok(input)
     }
 

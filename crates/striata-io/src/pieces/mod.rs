@@ -8,12 +8,16 @@ mod input;
 mod kinds;
 mod local;
 mod mesh_pieces;
+mod obj;
 mod open;
 mod options;
 mod ply;
 mod ply_faces;
+mod ply_text;
 mod several;
+mod spool;
 mod stl;
+mod stl_text;
 mod tiles;
 
 pub use mesh_pieces::MeshPieces;

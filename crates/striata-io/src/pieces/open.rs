@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::input::Input;
+use super::obj::ObjPieces;
 use super::ply::PlyPieces;
 use super::stl::StlPieces;
 use super::{MeshPieces, PieceOptions, PieceSource};
@@ -10,8 +11,9 @@ use crate::{Format, ReadError, read_bytes_with_report};
 
 /// Opens a file in pieces: the content decides the format, then the extension.
 ///
-/// Binary PLY and STL are mapped into memory and may be larger than it. What cannot be read in place (lists of
-/// vertices, strips, texture coordinates of faces, OFF) is read into memory at once.
+/// PLY, STL and OBJ may be larger than the memory. Binary files are mapped into it, text and compressed files are
+/// converted to temporary files first. The rest is read at once: OFF, glTF, and PLY with triangle strips, with lists
+/// among the properties of vertices, or with texture coordinates of faces.
 ///
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.
@@ -22,10 +24,8 @@ pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceS
             Ok(pieces) => return Ok(Box::new(pieces)),
             Err(unsuited) => input = unsuited,
         },
-        Some(Format::Stl) => match StlPieces::open(input, options)? {
-            Ok(pieces) => return Ok(Box::new(pieces)),
-            Err(unsuited) => input = unsuited,
-        },
+        Some(Format::Stl) => return Ok(Box::new(StlPieces::open(input, options)?)),
+        Some(Format::Obj) => return Ok(Box::new(ObjPieces::open(&input, options)?)),
         _ => {}
     }
     in_memory(&input, options)

@@ -8,7 +8,7 @@ use super::input::Input;
 use super::kinds::conform;
 use super::local::not_finite;
 use super::ply_faces::{FaceOptions, FaceRuns};
-use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
+use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
 use crate::ReadError;
 use crate::error::{Fault, Place};
 use crate::ply::body::{Vertices, index_list, skip_element};
@@ -47,12 +47,21 @@ struct Located {
 }
 
 impl PlyPieces {
-    /// Opens a file. What must be read at once is given back: text, strips, vertices with lists, and faces
+    /// Opens a file; text is converted to a temporary file. What must be read at once is given back: strips, vertices with lists, and faces
     /// with texture coordinates.
-    pub(super) fn open(input: Input, options: &PieceOptions) -> Result<Result<Self, Input>, ReadError> {
-        let header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
-        if header.encoding == Encoding::Ascii || header.elements.iter().any(must_be_read_at_once) {
+    pub(super) fn open(mut input: Input, options: &PieceOptions) -> Result<Result<Self, Input>, ReadError> {
+        let mut header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
+        let count = |name: &str| header.elements.iter().filter(|e| e.name == name).count();
+        let is_repeated = count("vertex") > 1 || count("face") > 1;
+        if is_repeated || header.elements.iter().any(must_be_read_at_once) {
             return Ok(Err(input));
+        }
+        if header.encoding == Encoding::Ascii {
+            ply_text::convert(&mut input, &header, options)?;
+            let comments = std::mem::take(&mut header.texture_files);
+            header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
+            // Lines of the original file, for messages.
+            header.texture_files = comments;
         }
         let opened = locate(&input.bytes, &header, options).and_then(|located| {
             let vertex = header.vertex()?;
@@ -156,7 +165,7 @@ fn skip(bytes: &[u8], at: usize, element: &Element, is_big: bool) -> Result<usiz
 /// Gives the summary the images that the header names.
 fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, vertices: &VertexRows) {
     let mut warnings = Warnings::of_file(&input.name);
-    let set = TextureSet::new(&input.source(), input.bytes.len() as u64);
+    let set = TextureSet::new(&input.source(), input.unpacked_bytes);
     // A stand-in for the whole mesh: its layers decide whether there are textures, its triangle gets the group.
     let layers = vertices.values(&[], header).map(|(_, layers)| layers).unwrap_or_default();
     let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(Vec::new(), vec![[0; 3]]) };

@@ -1,6 +1,7 @@
-//! Binary STL in pieces: facets have the same size, so that each can be found by its number.
+//! STL in pieces: binary facets have the same size, so that each can be found by its number.
 
 use super::input::Input;
+use super::stl_text::{self, Solids};
 use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
@@ -10,25 +11,42 @@ use crate::stl::{FACET_BYTES, HEADER_BYTES, VertexTable, facet_count, is_ascii, 
 pub(super) struct StlPieces {
     input: Input,
     summary: PieceSummary,
+    /// First facet of each solid; empty for binary files.
+    solid_starts: Vec<usize>,
     facet_count: usize,
     piece_size: usize,
 }
 
 impl StlPieces {
-    /// Opens a file; an ASCII file is given back.
-    pub(super) fn open(input: Input, options: &PieceOptions) -> Result<Result<Self, Input>, ReadError> {
+    /// Opens a file; text is converted to a temporary file.
+    pub(super) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+        let mut solids = Solids { groups: Vec::new(), starts: Vec::new() };
         if is_ascii(&input.bytes) {
-            return Ok(Err(input));
+            solids = stl_text::convert(&mut input, options)?;
+        }
+        if solids.groups.is_empty() {
+            solids.groups.push(PieceGroup::default());
         }
         let facet_count = facet_count(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
         let summary = PieceSummary {
             name: input.name.clone(),
-            groups: vec![PieceGroup::default()],
+            groups: std::mem::take(&mut solids.groups),
             triangle_count: facet_count as u64,
             byte_count: input.file_bytes,
             ..PieceSummary::default()
         };
-        Ok(Ok(Self { input, summary, facet_count, piece_size: options.piece_size() }))
+        Ok(Self {
+            input,
+            summary,
+            solid_starts: solids.starts,
+            facet_count,
+            piece_size: options.piece_size(),
+        })
+    }
+
+    /// The solid of a facet: the last one that begins before it or with it.
+    fn solid_of(&self, facet: usize) -> u32 {
+        self.solid_starts.partition_point(|&start| start <= facet).saturating_sub(1) as u32
     }
 
     fn facets(&self, first: usize) -> Result<Piece, Fault> {
@@ -49,7 +67,11 @@ impl StlPieces {
             }
             triangles.push(triangle);
         }
-        Ok(Piece { positions: vertices.positions, triangles, ..Piece::default() })
+        let groups = match self.summary.groups.len() {
+            1 => Vec::new(),
+            _ => (first..first + count).map(|facet| self.solid_of(facet)).collect(),
+        };
+        Ok(Piece { positions: vertices.positions, layers: Vec::new(), triangles, groups })
     }
 }
 
