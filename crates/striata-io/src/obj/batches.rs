@@ -19,7 +19,8 @@ pub(crate) struct Batch {
     pub colors: Option<Vec<f32>>,
     pub texcoords: Vec<[f32; 2]>,
     pub normals: Vec<[f32; 3]>,
-    /// Indices of position, texture coordinate and normal; the last two may be `u32::MAX`. Three per triangle.
+    /// Indices of position, texture coordinate and normal; the last two may be `u32::MAX`. Three per
+    /// triangle.
     pub corners: Vec<Corner>,
 }
 

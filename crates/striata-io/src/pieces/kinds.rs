@@ -18,8 +18,8 @@ impl LayerKind {
     }
 }
 
-/// Turns integers into floats where the whole input has floats: the integers of PLY files are kept as such only
-/// if none is negative, which a single piece does not tell.
+/// Turns integers into floats where the whole input has floats: the integers of PLY files are kept as such
+/// only if none is negative, which a single piece does not tell.
 pub(super) fn conform(layers: &mut [AttributeLayer], kinds: &[LayerKind]) {
     for (layer, kind) in layers.iter_mut().zip(kinds) {
         if kind.component_type == ComponentType::F32

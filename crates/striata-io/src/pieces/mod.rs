@@ -1,7 +1,7 @@
 //! Meshes that do not fit into memory, read in independent pieces.
 //!
-//! A source says at once how many pieces there are, and any thread may read any piece at any time, as often as
-//! it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
+//! A source says at once how many pieces there are, and any thread may read any piece at any time, as often
+//! as it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
 
 mod appearances;
 mod input;

@@ -1,5 +1,5 @@
-//! OBJ in pieces: one pass writes the tables of positions, texture coordinates, normals and corners to temporary
-//! files.
+//! OBJ in pieces: one pass writes the tables of positions, texture coordinates, normals and corners to
+//! temporary files.
 
 use std::collections::BTreeMap;
 

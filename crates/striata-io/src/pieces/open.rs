@@ -11,9 +11,9 @@ use crate::{Format, ReadError, read_bytes_with_report};
 
 /// Opens a file in pieces: the content decides the format, then the extension.
 ///
-/// PLY, STL and OBJ may be larger than the memory. Binary files are mapped into it, text and compressed files are
-/// converted to temporary files first. The rest is read at once: OFF, glTF, and PLY with triangle strips, with lists
-/// among the properties of vertices, or with texture coordinates of faces.
+/// PLY, STL and OBJ may be larger than the memory. Binary files are mapped into it, text and compressed
+/// files are converted to temporary files first. The rest is read at once: OFF, glTF, and PLY with triangle
+/// strips, with lists among the properties of vertices, or with texture coordinates of faces.
 ///
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.

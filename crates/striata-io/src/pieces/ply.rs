@@ -47,8 +47,8 @@ struct Located {
 }
 
 impl PlyPieces {
-    /// Opens a file; text is converted to a temporary file. What must be read at once is given back: strips, vertices with lists, and faces
-    /// with texture coordinates.
+    /// Opens a file; text is converted to a temporary file. What must be read at once is given back:
+    /// strips, vertices with lists, and faces with texture coordinates.
     pub(super) fn open(mut input: Input, options: &PieceOptions) -> Result<Result<Self, Input>, ReadError> {
         let mut header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
         let count = |name: &str| header.elements.iter().filter(|e| e.name == name).count();
@@ -166,7 +166,8 @@ fn skip(bytes: &[u8], at: usize, element: &Element, is_big: bool) -> Result<usiz
 fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, vertices: &VertexRows) {
     let mut warnings = Warnings::of_file(&input.name);
     let set = TextureSet::new(&input.source(), input.unpacked_bytes);
-    // A stand-in for the whole mesh: its layers decide whether there are textures, its triangle gets the group.
+    // A stand-in for the whole mesh: its layers decide whether there are textures, its triangle gets the
+    // group.
     let layers = vertices.values(&[], header).map(|(_, layers)| layers).unwrap_or_default();
     let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(Vec::new(), vec![[0; 3]]) };
     textures::attach(&mut mesh, &header.texture_files, &[], set, &mut warnings);
@@ -206,8 +207,8 @@ impl VertexRows {
         Ok((vertices.positions(header)?, vertices.layers(header)))
     }
 
-    /// Layers of all vertices. Signed integers become floats if one of them is negative, so that these files are
-    /// examined.
+    /// Layers of all vertices. Signed integers become floats if one of them is negative, so that these
+    /// files are examined.
     fn layer_kinds(&self, bytes: &[u8], header: &Header) -> Result<Vec<LayerKind>, Fault> {
         let (_, layers) = self.values(&[], header)?;
         let mut kinds: Vec<LayerKind> = layers.iter().map(LayerKind::of).collect();

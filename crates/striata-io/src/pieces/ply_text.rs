@@ -57,7 +57,8 @@ fn write_body(bytes: &[u8], header: &Header, spool: &mut Spool) -> Result<u32, F
         if needed > rows.bytes_left() as u64 {
             let (count, name, left) = (element.count, &element.name, rows.bytes_left());
             let reason = format!(
-                "{count} rows of `{name}` are declared, which take {needed} bytes or more, but only {left} follow"
+                "{count} rows of `{name}` are declared, which take {needed} bytes or more, but only {left} \
+                 follow"
             );
             return Err(rows.fault(reason));
         }

@@ -10,8 +10,8 @@ use crate::error::Place;
 
 /// Several inputs whose pieces follow each other.
 ///
-/// The layers that all inputs have are kept; the summary's warnings name the others. Groups, materials and images
-/// are those of the first input, then of the second, and so on.
+/// The layers that all inputs have are kept; the summary's warnings name the others. Groups, materials and
+/// images are those of the first input, then of the second, and so on.
 pub struct Several {
     inputs: Vec<Part>,
     summary: PieceSummary,
