@@ -27,6 +27,7 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-io", "draco"),
     ("striata-io", "compressed"),
     ("striata-io", "blocks"),
+    ("striata-io", "pieces"),
     ("striata-scene", ""),
     ("striata-scene", "textures"),
     ("striata-strip", ""),

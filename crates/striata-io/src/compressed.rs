@@ -33,7 +33,7 @@ pub(crate) enum Compression {
 
 impl Compression {
     /// Detects compression by the first bytes of a file.
-    fn of(bytes: &[u8]) -> Option<Self> {
+    pub(crate) fn of(bytes: &[u8]) -> Option<Self> {
         match bytes {
             [0x1f, 0x8b, 0x08, ..] => Some(Self::Gzip),
             [0x28, 0xb5, 0x2f, 0xfd, ..] => Some(Self::Zstd),
@@ -101,6 +101,33 @@ fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>,
             compression.as_str()
         ),
         Ok(_) => return Ok(out),
+    };
+    Err(ReadError::Malformed { file: name.to_owned(), place: Place::File, reason })
+}
+
+/// Unpacks a whole file into another one, under the limits of [`decompressed`].
+#[cfg(all(feature = "pieces", feature = "compressed", not(target_family = "wasm")))]
+pub(crate) fn unpack_into(
+    bytes: &[u8],
+    compression: Compression,
+    name: &str,
+    out: &mut dyn std::io::Write,
+) -> Result<(), ReadError> {
+    use std::io::Read as _;
+    let limit = MAX_BYTES.min(RATIO_CHECK_BYTES.max(bytes.len() as u64 * MAX_RATIO));
+    let mut decoder: Box<dyn std::io::Read + '_> = match compression {
+        Compression::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(bytes).take(limit + 1)),
+        Compression::Zstd => match zstd::stream::read::Decoder::with_buffer(bytes) {
+            Ok(decoder) => Box::new(decoder.take(limit + 1)),
+            Err(source) => return Err(ReadError::Io { file: name.to_owned(), source }),
+        },
+    };
+    let reason = match std::io::copy(&mut decoder, out) {
+        Err(error) => format!("the {} data are damaged or truncated: {error}", compression.as_str()),
+        Ok(count) if count > limit => {
+            format!("the {} data unpack to more than {limit} bytes, which no mesh does", compression.as_str())
+        }
+        Ok(_) => return Ok(()),
     };
     Err(ReadError::Malformed { file: name.to_owned(), place: Place::File, reason })
 }

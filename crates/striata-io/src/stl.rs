@@ -12,8 +12,8 @@ use crate::format::is_binary_stl;
 use crate::normals;
 use crate::text::{Cursor, quoted};
 
-const HEADER_BYTES: usize = 84;
-const FACET_BYTES: usize = 50;
+pub(crate) const HEADER_BYTES: usize = 84;
+pub(crate) const FACET_BYTES: usize = 50;
 
 /// Reads a mesh from the bytes of an STL file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
@@ -21,7 +21,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
 }
 
 /// Whether a file is ASCII. A binary file may begin with "solid" too; its length decides, or what follows.
-fn is_ascii(bytes: &[u8]) -> bool {
+pub(crate) fn is_ascii(bytes: &[u8]) -> bool {
     if is_binary_stl(bytes) || !bytes.trim_ascii_start().starts_with(b"solid") {
         return false;
     }
@@ -30,21 +30,21 @@ fn is_ascii(bytes: &[u8]) -> bool {
 }
 
 /// Hash table that finds the vertex of a position, by open addressing over the vertices themselves.
-struct VertexTable {
-    positions: Vec<[f32; 3]>,
+pub(crate) struct VertexTable {
+    pub(crate) positions: Vec<[f32; 3]>,
     /// Vertex index plus one, or 0 for a free slot; the length is a power of two.
     table: Vec<u32>,
 }
 
 impl VertexTable {
-    fn with_capacity(vertex_count: usize) -> Self {
+    pub(crate) fn with_capacity(vertex_count: usize) -> Self {
         let places = (vertex_count * 2).next_power_of_two().max(16);
         Self { positions: Vec::with_capacity(vertex_count), table: vec![0; places] }
     }
 
     /// Returns the vertex of a position, after adding it if it is new.
     #[inline]
-    fn vertex(&mut self, position: [f32; 3]) -> u32 {
+    pub(crate) fn vertex(&mut self, position: [f32; 3]) -> u32 {
         let mask = self.table.len() - 1;
         let key = key_of(position);
         let mut place = hash(key) as usize & mask;
@@ -91,7 +91,8 @@ fn hash([x, y, z]: [u32; 3]) -> u64 {
     mixed ^ (mixed >> 32)
 }
 
-fn read_binary(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+/// Returns the number of facets of a binary file, which are all there.
+pub(crate) fn facet_count(bytes: &[u8]) -> Result<usize, Fault> {
     let Some(count) = bytes.get(80..HEADER_BYTES).and_then(|b| b.first_chunk::<4>()) else {
         let reason = format!("a binary STL begins with {HEADER_BYTES} bytes, found {}", bytes.len());
         return Err(Fault::at_byte(bytes.len(), reason));
@@ -106,6 +107,12 @@ fn read_binary(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
         );
         return Err(Fault::at_byte(80, reason));
     }
+    Ok(count)
+}
+
+fn read_binary(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+    let count = facet_count(bytes)?;
+    let body = &bytes[HEADER_BYTES..];
     let mut vertices = VertexTable::with_capacity(count / 2 + 2);
     let mut triangles = Vec::with_capacity(count);
     for facet in body.chunks_exact(FACET_BYTES).take(count) {
@@ -115,15 +122,24 @@ fn read_binary(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
 }
 
 #[inline]
-fn position_at(facet: &[u8], at: usize) -> [f32; 3] {
+pub(crate) fn position_at(facet: &[u8], at: usize) -> [f32; 3] {
     [at, at + 4, at + 8].map(|i| f32::from_le_bytes([facet[i], facet[i + 1], facet[i + 2], facet[i + 3]]))
 }
 
-fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+/// Part of an ASCII file.
+pub(crate) enum Statement {
+    /// Beginning of a solid, with its name.
+    Solid(String),
+    /// Corners of a facet.
+    Facet([[f32; 3]; 3]),
+}
+
+/// Passes the solids and facets of an ASCII file to `visit`, which may create faults at the current line.
+pub(crate) fn visit_ascii(
+    bytes: &[u8],
+    mut visit: impl FnMut(Statement, &Cursor<'_>) -> Result<(), Fault>,
+) -> Result<(), Fault> {
     let mut cursor = Cursor::new(bytes);
-    let mut vertices = VertexTable::with_capacity(bytes.len() / 500);
-    let mut triangles = Vec::new();
-    let mut groups: Vec<TriangleGroup> = Vec::new();
     let mut in_solid = false;
     loop {
         cursor.skip_lines(None);
@@ -133,10 +149,13 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
         match cursor.word() {
             b"solid" => {
                 let name = String::from_utf8_lossy(cursor.rest_of_line()).into_owned();
-                groups.push(TriangleGroup { name, first: triangles.len() as u32, ..Default::default() });
+                visit(Statement::Solid(name), &cursor)?;
                 in_solid = true;
             }
-            b"facet" => triangles.push(read_facet(&mut cursor, &mut vertices)?),
+            b"facet" => {
+                let facet = Statement::Facet(read_facet(&mut cursor)?);
+                visit(facet, &cursor)?;
+            }
             b"endsolid" => {
                 cursor.rest_of_line();
                 in_solid = false;
@@ -150,6 +169,22 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
     if in_solid {
         return Err(cursor.fault("the file ends before `endsolid`"));
     }
+    Ok(())
+}
+
+fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+    let mut vertices = VertexTable::with_capacity(bytes.len() / 500);
+    let mut triangles = Vec::new();
+    let mut groups: Vec<TriangleGroup> = Vec::new();
+    visit_ascii(bytes, |statement, _| {
+        match statement {
+            Statement::Solid(name) => {
+                groups.push(TriangleGroup { name, first: triangles.len() as u32, ..Default::default() });
+            }
+            Statement::Facet(corners) => triangles.push(corners.map(|corner| vertices.vertex(corner))),
+        }
+        Ok(())
+    })?;
     let ends: Vec<u32> = groups.iter().skip(1).map(|g| g.first).chain([triangles.len() as u32]).collect();
     for (group, end) in groups.iter_mut().zip(ends) {
         group.count = end - group.first;
@@ -161,7 +196,7 @@ fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
 }
 
 /// Reads a facet after the word `facet`.
-fn read_facet(cursor: &mut Cursor<'_>, vertices: &mut VertexTable) -> Result<[u32; 3], Fault> {
+fn read_facet(cursor: &mut Cursor<'_>) -> Result<[[f32; 3]; 3], Fault> {
     expect(cursor, b"normal")?;
     for _ in 0..3 {
         // The normal is not used, and some writers put invalid numbers here.
@@ -169,14 +204,14 @@ fn read_facet(cursor: &mut Cursor<'_>, vertices: &mut VertexTable) -> Result<[u3
     }
     expect(cursor, b"outer")?;
     expect(cursor, b"loop")?;
-    let mut triangle = [0; 3];
-    for corner in &mut triangle {
+    let mut corners = [[0.0; 3]; 3];
+    for corner in &mut corners {
         expect(cursor, b"vertex")?;
-        *corner = vertices.vertex([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
+        *corner = [cursor.f32()?, cursor.f32()?, cursor.f32()?];
     }
     expect(cursor, b"endloop")?;
     expect(cursor, b"endfacet")?;
-    Ok(triangle)
+    Ok(corners)
 }
 
 fn expect(cursor: &mut Cursor<'_>, expected: &[u8]) -> Result<(), Fault> {

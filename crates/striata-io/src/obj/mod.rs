@@ -13,6 +13,8 @@
 //! If the folder of the file is known, `libraries` reads the material libraries in it; `mtl` parses them, and
 //! `materials` converts them to glTF materials. Whatever goes wrong there is a warning, never an error.
 
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+mod batches;
 mod corners;
 mod libraries;
 mod materials;
@@ -20,6 +22,8 @@ mod mtl;
 mod texture_statement;
 mod write;
 
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+pub(crate) use batches::{Batch, Outline, read_batches};
 pub(crate) use write::to_bytes;
 
 use std::collections::BTreeMap;
@@ -49,6 +53,10 @@ struct Reader {
     material: Option<u32>,
     /// Whether the last group has the current name and material.
     group_is_open: bool,
+    /// Number of positions, texture coordinates and normals that were taken out of the tables.
+    taken: [usize; 3],
+    /// Number of triangles that were taken out of the corners.
+    taken_triangles: usize,
     /// Largest index of each kind that was used before it was defined, and its line.
     forward: [Option<(u32, u64)>; 3],
 }
@@ -113,6 +121,14 @@ fn is_ignored(keyword: &[u8]) -> bool {
 }
 
 impl Reader {
+    /// Number of positions, texture coordinates and normals so far.
+    #[inline]
+    fn counts(&self) -> [usize; 3] {
+        let Tables { positions, texcoords, normals, .. } = &self.tables;
+        let [a, b, c] = self.taken;
+        [a + positions.len(), b + texcoords.len(), c + normals.len()]
+    }
+
     /// Reads one statement.
     fn statement(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         if cursor.at_line_end() || cursor.peek() == Some(b'#') {
@@ -197,7 +213,7 @@ impl Reader {
     /// Reads a corner: `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     #[inline]
     fn corner(&mut self, cursor: &mut Cursor<'_>) -> Result<Corner, Fault> {
-        let counts = [self.tables.positions.len(), self.tables.texcoords.len(), self.tables.normals.len()];
+        let counts = self.counts();
         let mut corner = [self.index(cursor, 0, counts[0])?, NONE, NONE];
         for kind in 1..3 {
             if cursor.peek() != Some(b'/') {
@@ -254,7 +270,7 @@ impl Reader {
         self.group_is_open = true;
         let fits = |group: &TriangleGroup| group.material == self.material && group.name == self.name;
         if !self.groups.last().is_some_and(fits) {
-            let first = (self.corners.len() / 3) as u32;
+            let first = (self.taken_triangles + self.corners.len() / 3) as u32;
             let (name, material) = (self.name.clone(), self.material);
             self.groups.push(TriangleGroup { name, material, first, count: 0 });
         }
@@ -262,7 +278,7 @@ impl Reader {
 
     /// Checks that indices used before their definition are defined by the end of the file.
     fn check_forward(&self) -> Result<(), Fault> {
-        let counts = [self.tables.positions.len(), self.tables.texcoords.len(), self.tables.normals.len()];
+        let counts = self.counts();
         for (kind, forward) in self.forward.iter().enumerate() {
             if let &Some((index, line)) = forward
                 && index as usize >= counts[kind]

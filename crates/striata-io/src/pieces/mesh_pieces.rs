@@ -1,67 +1,87 @@
-//! Pieces of a mesh in memory.
+//! A mesh in memory, as pieces.
 
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData};
+use std::ops::Range;
 
-use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceSource, PieceSummary};
+use striata::mesh::IndexedMesh;
+
+use super::local::localize;
+use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
+use crate::error::Place;
 
-/// A mesh in memory, served in pieces.
+/// A mesh in memory that is served piece by piece.
 #[derive(Clone, Debug)]
 pub struct MeshPieces {
     mesh: IndexedMesh,
     summary: PieceSummary,
-    /// Group of each triangle; empty if there is one.
-    groups: Vec<u32>,
-    piece_triangle_count: usize,
+    piece_size: usize,
+    /// Why the mesh is unusable.
+    defect: Option<String>,
 }
 
 impl MeshPieces {
-    /// Wraps a mesh; `name` is used in messages.
-    ///
-    /// # Panics
-    /// If the mesh is inconsistent: check it before.
-    pub fn new(name: &str, mesh: IndexedMesh, piece_triangle_count: usize) -> Self {
-        let mut groups = vec![0; if mesh.groups.len() > 1 { mesh.triangles.len() } else { 0 }];
-        if mesh.groups.len() > 1 {
-            for (index, group) in (0..).zip(&mesh.groups) {
-                groups[group.range()].fill(index);
-            }
-        }
-        let mut summary = PieceSummary {
-            name: name.to_owned(),
+    /// Wraps a mesh. If it is inconsistent, every piece is an error.
+    pub fn new(mesh: IndexedMesh) -> Self {
+        let defect = mesh.check().err().map(|error| error.to_string());
+        let whole = mesh.groups_or_whole().into_iter();
+        let summary = PieceSummary {
+            name: "mesh in memory".to_owned(),
             layers: mesh.layers.iter().map(LayerKind::of).collect(),
-            groups: mesh
-                .groups
-                .iter()
-                .map(|group| PieceGroup { name: group.name.clone(), material: group.material })
-                .collect(),
+            groups: whole.map(|group| PieceGroup { name: group.name, material: group.material }).collect(),
             appearance: mesh.appearance.clone(),
-            triangle_count: mesh.triangles.len() as u64,
-            byte_count: 12 * (mesh.positions.len() + mesh.triangles.len()) as u64,
+            triangle_count: mesh.triangle_count() as u64,
             ..PieceSummary::default()
         };
-        if summary.groups.is_empty() {
-            summary.groups.push(PieceGroup::default());
-        }
-        Self { mesh, summary, groups, piece_triangle_count: piece_triangle_count.max(1) }
+        let piece_size = PieceOptions::default().piece_size();
+        Self { mesh, summary, piece_size, defect }
     }
-}
 
-impl LayerKind {
-    /// The kind of a layer.
-    pub fn of(layer: &AttributeLayer) -> Self {
-        let component_type = match layer.data {
-            LayerData::F32(_) => ComponentType::F32,
-            LayerData::U8(_) => ComponentType::U8,
-            LayerData::U16(_) => ComponentType::U16,
-            LayerData::U32(_) => ComponentType::U32,
-        };
-        Self {
-            semantic: layer.semantic.clone(),
-            component_count: layer.component_count,
-            normalized: layer.normalized,
-            component_type,
+    /// Sets the name for messages.
+    #[must_use]
+    pub fn with_name(mut self, name: impl Into<String>) -> Self {
+        self.summary.name = name.into();
+        self
+    }
+
+    /// Sets the number of triangles per piece, at least 1.
+    #[must_use]
+    pub fn with_piece_triangle_count(mut self, piece_triangle_count: u32) -> Self {
+        self.piece_size = piece_triangle_count.max(1) as usize;
+        self
+    }
+
+    /// Sets the size of the file and the remarks on it.
+    pub(super) fn with_file(mut self, byte_count: u64, warnings: Vec<String>) -> Self {
+        (self.summary.byte_count, self.summary.warnings) = (byte_count, warnings);
+        self
+    }
+
+    /// Refuses a mesh that is inconsistent.
+    pub(super) fn check(&self) -> Result<(), ReadError> {
+        match &self.defect {
+            None => Ok(()),
+            Some(defect) => Err(self.error(defect.clone())),
         }
+    }
+
+    fn error(&self, reason: String) -> ReadError {
+        ReadError::Malformed { file: self.summary.name.clone(), place: Place::File, reason }
+    }
+
+    /// Group of each triangle of a range; empty if there is only one group.
+    fn groups(&self, range: Range<usize>) -> Vec<u32> {
+        if self.summary.groups.len() < 2 {
+            return Vec::new();
+        }
+        let groups = &self.mesh.groups;
+        let mut group = groups.partition_point(|g| g.range().end <= range.start);
+        let group_of = |triangle: usize| {
+            while groups.get(group).is_some_and(|g| g.range().end <= triangle) {
+                group += 1;
+            }
+            group as u32
+        };
+        range.map(group_of).collect()
     }
 }
 
@@ -71,28 +91,23 @@ impl PieceSource for MeshPieces {
     }
 
     fn piece_count(&self) -> u64 {
-        self.mesh.triangles.len().div_ceil(self.piece_triangle_count) as u64
+        self.mesh.triangles.len().div_ceil(self.piece_size) as u64
     }
 
     fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {
-        let count = self.mesh.triangles.len();
-        let first = (index as usize).saturating_mul(self.piece_triangle_count).min(count);
-        let range = first..(first + self.piece_triangle_count).min(count);
-        let (triangles, vertices) = renumbered(&self.mesh.triangles[range.clone()]);
+        self.check()?;
+        if index >= self.piece_count() {
+            return Err(self.error(format!("piece {index} does not exist")));
+        }
+        let first = index as usize * self.piece_size;
+        let range = first..self.mesh.triangles.len().min(first + self.piece_size);
+        let mut triangles = self.mesh.triangles[range.clone()].to_vec();
+        let vertices = localize(&mut triangles);
         Ok(Piece {
             positions: vertices.iter().map(|&v| self.mesh.positions[v as usize]).collect(),
             layers: self.mesh.layers.iter().map(|layer| layer.gather(&vertices)).collect(),
             triangles,
-            groups: self.groups.get(range).unwrap_or_default().to_vec(),
+            groups: self.groups(range),
         })
     }
-}
-
-/// Numbers the vertices that triangles use; returns the triangles and the sorted vertices.
-pub(super) fn renumbered(triangles: &[[u32; 3]]) -> (Vec<[u32; 3]>, Vec<u32>) {
-    let mut vertices: Vec<u32> = triangles.as_flattened().to_vec();
-    vertices.sort_unstable();
-    vertices.dedup();
-    let number = |v: u32| vertices.partition_point(|&w| w < v) as u32;
-    (triangles.iter().map(|t| t.map(number)).collect(), vertices)
 }

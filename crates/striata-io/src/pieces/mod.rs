@@ -1,7 +1,30 @@
 //! Meshes that do not fit into memory, read in independent pieces.
 //!
-//! A source says at once how many pieces there are, and any thread may read any piece at any time, as often as
-//! it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
+//! A source says at once how many pieces there are, and any thread may read any piece at any time, as often
+//! as it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
+
+mod appearances;
+mod input;
+mod kinds;
+mod local;
+mod mesh_pieces;
+mod obj;
+mod open;
+mod options;
+mod ply;
+mod ply_faces;
+mod ply_text;
+mod several;
+mod spool;
+mod stl;
+mod stl_text;
+mod tiles;
+
+pub use mesh_pieces::MeshPieces;
+pub use open::open_pieces;
+pub use options::PieceOptions;
+pub use several::{Several, open_several};
+pub use tiles::Tiles;
 
 mod fractal_terrain;
 mod mesh_pieces;
@@ -77,6 +100,8 @@ pub struct PieceSummary {
     pub byte_count: u64,
     /// Georeference of a terrain: a JSON object, stored as it is.
     pub georeference: Option<serde_json::Value>,
+    /// Remarks on what was left out, such as missing textures.
+    pub warnings: Vec<String>,
 }
 
 /// Part of an input.

@@ -1,56 +1,44 @@
-//! Opens an input of any format.
+//! Opens files of any format in pieces.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use super::ply_pieces::PlyPieces;
-use super::several::Several;
-#[cfg(feature = "stl")]
-use super::stl_pieces::StlPieces;
+use super::input::Input;
+use super::obj::ObjPieces;
+use super::ply::PlyPieces;
+use super::stl::StlPieces;
 use super::{MeshPieces, PieceOptions, PieceSource};
-use crate::ReadError;
-use crate::error::Place;
+use crate::{Format, ReadError, read_bytes_with_report};
 
-/// Opens a file that is read in pieces.
+/// Opens a file in pieces: the content decides the format, then the extension.
 ///
-/// Binary PLY and binary STL files are read where they are, whatever their size. Other formats are loaded into
-/// memory first.
+/// PLY, STL and OBJ may be larger than the memory. Binary files are mapped into it, text and compressed
+/// files are converted to temporary files first. The rest is read at once: OFF, glTF, and PLY with triangle
+/// strips, with lists among the properties of vertices, or with texture coordinates of faces.
 ///
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.
 pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
-    #[cfg(any())]
-    if super::terrain::is_raster(path) {
-        return Ok(Box::new(super::Terrain::open(&[path.to_owned()], options.z_scale)?));
+    let mut input = Input::open(path, options)?;
+    match Format::detect(&input.bytes, &input.inner_name) {
+        Some(Format::Ply) => match PlyPieces::open(input, options)? {
+            Ok(pieces) => return Ok(Box::new(pieces)),
+            Err(unsuited) => input = unsuited,
+        },
+        Some(Format::Stl) => return Ok(Box::new(StlPieces::open(input, options)?)),
+        Some(Format::Obj) => return Ok(Box::new(ObjPieces::open(&input, options)?)),
+        _ => {}
     }
-    match PlyPieces::open(path, options) {
-        Ok(pieces) => return Ok(Box::new(pieces)),
-        // Neither a binary PLY file nor damaged.
-        Err(ReadError::NotInBlocks { .. } | ReadError::Unsupported { .. }) => {}
-        Err(error) => return Err(error),
-    }
-    #[cfg(feature = "stl")]
-    if let Some(pieces) = StlPieces::open(path, options)? {
-        return Ok(Box::new(pieces));
-    }
-    let name = path.display().to_string();
-    let mesh = crate::read(path)?;
-    mesh.check().map_err(|error| ReadError::Malformed {
-        file: name.clone(),
-        place: Place::File,
-        reason: error.to_string(),
-    })?;
-    Ok(Box::new(MeshPieces::new(&name, mesh, options.piece_triangle_count)))
+    in_memory(&input, options)
 }
 
-/// Opens several files that are one mesh: layers that all have are kept, groups and materials are collected.
-///
-/// # Errors
-/// [`ReadError`] with the file, the place and the reason.
-pub fn open_several(paths: &[PathBuf], options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
-    #[cfg(any())]
-    if !paths.is_empty() && paths.iter().all(|path| super::terrain::is_raster(path)) {
-        return Ok(Box::new(super::Terrain::open(paths, options.z_scale)?));
-    }
-    let sources: Result<Vec<_>, ReadError> = paths.iter().map(|path| open_pieces(path, options)).collect();
-    Ok(Box::new(Several::new(sources?)))
+/// Reads a whole file with the reader for meshes in memory.
+fn in_memory(input: &Input, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
+    let report = read_bytes_with_report(&input.bytes, &input.source())?;
+    let warnings = report.warnings.iter().map(ToString::to_string).collect();
+    let pieces = MeshPieces::new(report.mesh)
+        .with_name(&input.name)
+        .with_piece_triangle_count(options.piece_triangle_count)
+        .with_file(input.file_bytes, warnings);
+    pieces.check()?;
+    Ok(Box::new(pieces))
 }

@@ -1,16 +1,17 @@
-//! How inputs are opened.
+//! Options of opening inputs in pieces.
 
 use std::path::PathBuf;
 
-/// How an input is opened.
+/// Options of [`open_pieces`](super::open_pieces) and [`open_several`](super::open_several).
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PieceOptions {
-    /// Triangles per piece, about; default 100,000.
-    pub piece_triangle_count: usize,
-    /// Folder for what must be converted before it can be read in pieces; default the system's temporary folder.
-    /// Its files are removed with the source.
+    /// Number of triangles per piece, about; at least 1. Default: 100,000.
+    pub piece_triangle_count: u32,
+    /// Folder for temporary copies of inputs that cannot be read in place (text, compressed files). Default:
+    /// [`None`], the system's folder for temporary files.
     pub scratch: Option<PathBuf>,
-    /// Heights of a terrain are multiplied by this; default 1.
+    /// Factor of the heights of a terrain. Default: 1.
     pub z_scale: f64,
 }
 
@@ -21,26 +22,26 @@ impl Default for PieceOptions {
 }
 
 impl PieceOptions {
-    /// Sets the folder for converted inputs.
-    pub fn with_scratch(self, folder: PathBuf) -> Self {
-        Self { scratch: Some(folder), ..self }
+    /// Sets [`piece_triangle_count`](Self::piece_triangle_count).
+    #[must_use]
+    pub fn with_piece_triangle_count(self, piece_triangle_count: u32) -> Self {
+        Self { piece_triangle_count, ..self }
     }
 
-    /// Sets the factor on the heights of a terrain.
+    /// Sets [`scratch`](Self::scratch).
+    #[must_use]
+    pub fn with_scratch(self, scratch: PathBuf) -> Self {
+        Self { scratch: Some(scratch), ..self }
+    }
+
+    /// Sets [`z_scale`](Self::z_scale).
+    #[must_use]
     pub fn with_z_scale(self, z_scale: f64) -> Self {
         Self { z_scale, ..self }
     }
 
-    /// Sets the number of triangles per piece.
-    pub fn with_piece_triangle_count(self, piece_triangle_count: usize) -> Self {
-        Self { piece_triangle_count: piece_triangle_count.max(1), ..self }
-    }
-
-    /// Creates a temporary file in the scratch folder; it has no name and disappears when it is closed.
-    pub(super) fn scratch_file(&self) -> std::io::Result<std::fs::File> {
-        match &self.scratch {
-            Some(folder) => tempfile::tempfile_in(folder),
-            None => tempfile::tempfile(),
-        }
+    /// Number of triangles per piece, never zero.
+    pub(super) fn piece_size(&self) -> usize {
+        self.piece_triangle_count.max(1) as usize
     }
 }

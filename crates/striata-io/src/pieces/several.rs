@@ -1,86 +1,98 @@
 //! Several inputs as one.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use striata::mesh::Appearance;
+use striata::mesh::AttributeLayer;
 
-use super::{LayerKind, Piece, PieceGroup, PieceSource, PieceSummary};
+use super::{LayerKind, Piece, PieceOptions, PieceSource, PieceSummary, appearances, open_pieces};
 use crate::ReadError;
+use crate::error::Place;
 
-/// Several inputs as one mesh.
-pub(super) struct Several {
-    sources: Vec<Member>,
+/// Several inputs whose pieces follow each other.
+///
+/// The layers that all inputs have are kept; the summary's warnings name the others. Groups, materials and
+/// images are those of the first input, then of the second, and so on.
+pub struct Several {
+    inputs: Vec<Part>,
     summary: PieceSummary,
 }
 
-struct Member {
+struct Part {
     source: Box<dyn PieceSource>,
-    /// Pieces of the members before this one.
+    /// Number of pieces of the inputs before this one.
     first_piece: u64,
-    /// Groups of the members before this one.
+    /// Number of groups of the inputs before this one.
     first_group: u32,
-    /// For each layer of the whole, its index in this member.
+    /// Index of each common layer among the layers of this input.
     layers: Vec<usize>,
 }
 
+/// Opens files as one input; groups without names get those of their files.
+///
+/// # Errors
+/// [`ReadError`] of a file, or if there is none.
+pub fn open_several(paths: &[PathBuf], options: &PieceOptions) -> Result<Several, ReadError> {
+    let mut sources = Vec::with_capacity(paths.len());
+    for path in paths {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        // `a.ply.gz` is `a`.
+        let stem = Path::new(stem.as_ref()).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        sources.push((open_pieces(path, options)?, stem));
+    }
+    Several::new(sources)
+}
+
 impl Several {
-    pub(super) fn new(sources: Vec<Box<dyn PieceSource>>) -> Self {
-        let mut summary = PieceSummary::default();
-        let mut first_piece = 0;
-        let layers = common_layers(&sources);
-        let mut members = Vec::with_capacity(sources.len());
-        for source in sources {
-            let own = source.summary();
-            let find = |kind: &LayerKind| own.layers.iter().position(|other| other == kind);
-            let member_layers = layers.iter().filter_map(find).collect();
+    /// Joins inputs; each one's name is given to its group, if it has a single one without a name.
+    ///
+    /// # Errors
+    /// [`ReadError::Malformed`] if there are no inputs.
+    pub fn new(sources: Vec<(Box<dyn PieceSource>, String)>) -> Result<Self, ReadError> {
+        let Some((first, _)) = sources.first() else {
+            let (file, place) = ("list of files".to_owned(), Place::File);
+            return Err(ReadError::Malformed { file, place, reason: "it names no files".to_owned() });
+        };
+        let mut summary = PieceSummary { name: first.summary().name.clone(), ..PieceSummary::default() };
+        if sources.len() > 1 {
+            summary.name = format!("{} and {} more", summary.name, sources.len() - 1);
+        }
+        summary.georeference = first.summary().georeference.clone();
+        let has = |source: &dyn PieceSource, kind: &LayerKind| source.summary().layers.contains(kind);
+        summary.layers = first.summary().layers.clone();
+        summary.layers.retain(|kind| sources.iter().all(|(source, _)| has(&**source, kind)));
+        let (mut inputs, mut first_piece) = (Vec::with_capacity(sources.len()), 0);
+        for (source, name) in sources {
             let first_group = summary.groups.len() as u32;
-            let first_material = summary.appearance.materials.len() as u32;
-            summary.groups.extend(own.groups.iter().map(|group| PieceGroup {
-                name: if group.name.is_empty() { stem(&own.name) } else { group.name.clone() },
-                material: group.material.map(|material| material + first_material),
-            }));
-            append_appearance(&mut summary.appearance, &own.appearance);
-            summary.triangle_count += own.triangle_count;
-            summary.byte_count += own.byte_count;
-            let count = source.piece_count();
-            members.push(Member { source, first_piece, first_group, layers: member_layers });
-            first_piece += count;
+            let layers = add(&mut summary, source.summary(), &name);
+            let piece_count = source.piece_count();
+            inputs.push(Part { source, first_piece, first_group, layers });
+            first_piece += piece_count;
         }
-        summary.layers = layers;
-        let first = members.first().map_or(String::new(), |member| member.source.summary().name.clone());
-        summary.name = format!("{first} and {} more", members.len().saturating_sub(1));
-        Self { sources: members, summary }
+        Ok(Self { inputs, summary })
     }
 }
 
-/// Layers that all sources have.
-fn common_layers(sources: &[Box<dyn PieceSource>]) -> Vec<LayerKind> {
-    let Some((first, others)) = sources.split_first() else { return Vec::new() };
-    let is_common = |kind: &&LayerKind| others.iter().all(|source| source.summary().layers.contains(kind));
-    first.summary().layers.iter().filter(is_common).cloned().collect()
-}
-
-/// Name of a file without folder and extension.
-fn stem(name: &str) -> String {
-    Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// Appends materials and images. Textures refer to images by number, so theirs are shifted.
-fn append_appearance(all: &mut Appearance, own: &Appearance) {
-    if all.is_empty() {
-        *all = own.clone();
-        return;
-    }
-    // Numbers of textures inside the JSON of materials would have to be shifted too; only names and factors of
-    // materials without textures stay right, so materials of later files lose their textures.
-    let has_textures = !own.textures_json.is_empty();
-    all.materials.extend(own.materials.iter().map(|material| {
-        let mut material = material.clone();
-        if has_textures {
-            material.gltf_json = String::new();
+/// Adds one input to the summary; returns the places of the common layers in it.
+fn add(to: &mut PieceSummary, from: &PieceSummary, name: &str) -> Vec<usize> {
+    let first_material = appearances::append(&mut to.appearance, &from.appearance);
+    let is_bare = matches!(&from.groups[..], [only] if only.name.is_empty());
+    for group in &from.groups {
+        let mut group = group.clone();
+        group.material = group.material.map(|material| material + first_material);
+        if is_bare {
+            name.clone_into(&mut group.name);
         }
-        material
-    }));
+        to.groups.push(group);
+    }
+    to.triangle_count += from.triangle_count;
+    to.byte_count += from.byte_count;
+    to.warnings.extend(from.warnings.iter().cloned());
+    for kind in from.layers.iter().filter(|kind| !to.layers.contains(kind)) {
+        let file = &from.name;
+        to.warnings.push(format!("{file}: the layer {} is left out: not all files have it", kind.semantic));
+    }
+    let place = |kind: &LayerKind| from.layers.iter().position(|own| own == kind);
+    to.layers.iter().filter_map(place).collect()
 }
 
 impl PieceSource for Several {
@@ -89,16 +101,19 @@ impl PieceSource for Several {
     }
 
     fn piece_count(&self) -> u64 {
-        self.sources.last().map_or(0, |last| last.first_piece + last.source.piece_count())
+        self.inputs.last().map_or(0, |last| last.first_piece + last.source.piece_count())
     }
 
     fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {
-        let at = self.sources.partition_point(|member| member.first_piece <= index).saturating_sub(1);
-        let Some(member) = self.sources.get(at) else { return Ok(Piece::default()) };
-        let mut piece = member.source.read_piece(index - member.first_piece)?;
-        piece.layers = member.layers.iter().map(|&layer| piece.layers[layer].clone()).collect();
-        piece.groups.resize(piece.triangles.len(), 0);
-        piece.groups.iter_mut().for_each(|group| *group += member.first_group);
+        let after = self.inputs.partition_point(|input| input.first_piece <= index);
+        let input = &self.inputs[after - 1];
+        let mut piece = input.source.read_piece(index - input.first_piece)?;
+        let mut layers: Vec<Option<AttributeLayer>> = piece.layers.into_iter().map(Some).collect();
+        piece.layers = input.layers.iter().filter_map(|&place| layers.get_mut(place)?.take()).collect();
+        if piece.groups.is_empty() && self.summary.groups.len() > 1 {
+            piece.groups = vec![0; piece.triangles.len()];
+        }
+        piece.groups.iter_mut().for_each(|group| *group += input.first_group);
         Ok(piece)
     }
 }

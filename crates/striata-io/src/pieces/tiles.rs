@@ -1,42 +1,44 @@
-//! Copies of an input side by side, for benchmarks.
+//! Copies of an input side by side, for measurements with large inputs.
 
 use super::{Piece, PieceSource, PieceSummary};
 use crate::ReadError;
+use crate::error::Place;
 
-/// Gap between copies, as a share of their extent.
-const GAP: f32 = 1.02;
+/// Distance of two copies, in extents of the input.
+const SPACING: f64 = 1.02;
 
-/// Copies of an input side by side, on a square grid along x and y.
+/// Copies of an input on a grid in the plane of x and y.
 pub struct Tiles {
     source: Box<dyn PieceSource>,
     summary: PieceSummary,
-    columns: u64,
-    count: u64,
-    /// Distance of neighboring copies along x and y, mesh units.
-    step: [f32; 2],
+    columns: u32,
+    rows: u32,
+    /// Distance of two copies along x and y, in mesh units.
+    step: [f64; 2],
 }
 
 impl Tiles {
-    /// Repeats a source; reads it once to find its extent.
+    /// Places `columns` copies along x and `rows` along y. All pieces are read once to find the extent.
     ///
     /// # Errors
-    /// [`ReadError`] if the source cannot be read.
-    pub fn new(source: Box<dyn PieceSource>, count: u32) -> Result<Self, ReadError> {
-        let (mut min, mut max) = ([f32::MAX; 2], [f32::MIN; 2]);
-        for piece in 0..source.piece_count() {
-            for p in source.read_piece(piece)?.positions {
+    /// [`ReadError`] of the source.
+    pub fn new(source: Box<dyn PieceSource>, columns: u32, rows: u32) -> Result<Self, ReadError> {
+        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for index in 0..source.piece_count() {
+            for position in source.read_piece(index)?.positions {
                 for axis in 0..2 {
-                    min[axis] = min[axis].min(p[axis]);
-                    max[axis] = max[axis].max(p[axis]);
+                    min[axis] = min[axis].min(f64::from(position[axis]));
+                    max[axis] = max[axis].max(f64::from(position[axis]));
                 }
             }
         }
-        let count = u64::from(count);
+        let step = [0, 1].map(|axis| ((max[axis] - min[axis]) * SPACING).max(0.0));
+        let copies = u64::from(columns) * u64::from(rows);
         let mut summary = source.summary().clone();
-        summary.triangle_count *= count;
-        summary.byte_count *= count;
-        let step = [0, 1].map(|axis| GAP * (max[axis] - min[axis]).max(0.0));
-        Ok(Self { source, summary, columns: count.isqrt().max(1), count, step })
+        summary.name = format!("{columns} x {rows} copies of {}", summary.name);
+        summary.triangle_count = summary.triangle_count.saturating_mul(copies);
+        summary.byte_count = summary.byte_count.saturating_mul(copies);
+        Ok(Self { source, summary, columns, rows, step })
     }
 }
 
@@ -46,17 +48,26 @@ impl PieceSource for Tiles {
     }
 
     fn piece_count(&self) -> u64 {
-        self.source.piece_count() * self.count
+        let copies = u64::from(self.columns) * u64::from(self.rows);
+        self.source.piece_count().saturating_mul(copies)
     }
 
     fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {
-        let per_tile = self.source.piece_count().max(1);
-        let (tile, piece) = (index / per_tile, index % per_tile);
-        let offset = [tile % self.columns, tile / self.columns];
-        let mut piece = self.source.read_piece(piece)?;
-        for p in &mut piece.positions {
+        if index >= self.piece_count() {
+            let (file, place) = (self.summary.name.clone(), Place::File);
+            return Err(ReadError::Malformed {
+                file,
+                place,
+                reason: format!("piece {index} does not exist"),
+            });
+        }
+        let (tile, inner) = (index / self.source.piece_count(), index % self.source.piece_count());
+        let columns = u64::from(self.columns);
+        let cell = [tile % columns, tile / columns];
+        let mut piece = self.source.read_piece(inner)?;
+        for position in &mut piece.positions {
             for axis in 0..2 {
-                p[axis] += offset[axis] as f32 * self.step[axis];
+                position[axis] = (f64::from(position[axis]) + cell[axis] as f64 * self.step[axis]) as f32;
             }
         }
         Ok(piece)

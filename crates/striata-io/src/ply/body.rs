@@ -97,7 +97,7 @@ fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Ver
     Ok(Vertices { rows: Cow::Owned(bytes), count, stride, columns })
 }
 
-pub(super) fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
+pub(crate) fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
     let count = match property.list {
         None => 1,
         Some(scalar) => list_length(scalar, rows)?,
@@ -105,12 +105,12 @@ pub(super) fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -
     rows.skip(property.scalar, count)
 }
 
-pub(super) fn list_length<'a>(scalar: Scalar, rows: &mut impl Rows<'a>) -> Result<usize, Fault> {
+pub(crate) fn list_length<'a>(scalar: Scalar, rows: &mut impl Rows<'a>) -> Result<usize, Fault> {
     let length = rows.integer(scalar)?;
     usize::try_from(length).map_err(|_| rows.fault(format!("a list cannot have {length} entries")))
 }
 
-fn skip_element<'a>(element: &Element, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
+pub(crate) fn skip_element<'a>(element: &Element, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
     if element.properties.iter().all(|p| p.list.is_none()) {
         for property in &element.properties {
             rows.skip(property.scalar, element.count)?;
@@ -132,7 +132,7 @@ pub(crate) fn index_list(element: &Element) -> Option<usize> {
     element.properties.iter().position(is_index_list)
 }
 
-fn read_faces<'a, R: Rows<'a>>(
+pub(crate) fn read_faces<'a, R: Rows<'a>>(
     element: &Element,
     rows: &mut R,
     faces: &mut Faces,
@@ -281,7 +281,7 @@ impl Faces {
 
 impl<'a> Vertices<'a> {
     /// Wraps whole rows of little-endian bytes, of any number.
-    #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
+    #[cfg(all(any(feature = "blocks", feature = "pieces"), not(target_family = "wasm")))]
     pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>) -> Self {
         let (columns, stride) = columns_of(element);
         Self { count: rows.len() / stride.max(1), rows, stride, columns }

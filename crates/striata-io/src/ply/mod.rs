@@ -12,15 +12,15 @@
 //! coordinates of faces are split into vertices (`face_textures`). Our writer names no images, and a file
 //! that it wrote is read back unchanged.
 
-mod body;
+pub(crate) mod body;
 mod column;
-mod face_textures;
-mod header;
+pub(crate) mod face_textures;
+pub(crate) mod header;
 mod names;
-mod rows;
+pub(crate) mod rows;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod stream;
-mod textures;
+pub(crate) mod textures;
 mod write;
 
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]

@@ -122,6 +122,12 @@ impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
         Self { bytes, at }
     }
 
+    /// Returns the offset of the next byte.
+    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+    pub(crate) fn at(&self) -> usize {
+        self.at
+    }
+
     #[inline]
     fn take(&mut self, length: usize) -> Result<&'a [u8], Fault> {
         match self.bytes[self.at..].get(..length) {

@@ -10,7 +10,7 @@ use crate::texture_set::{TextureName, TextureSet, shortened};
 
 /// Gives a mesh the materials of its textures, and sorts its triangles by texture. `numbers` has the texture
 /// of each triangle; if it is empty, all triangles have the first one.
-pub(super) fn attach(
+pub(crate) fn attach(
     mesh: &mut IndexedMesh,
     comments: &[TextureComment],
     numbers: &[i64],

@@ -1,0 +1,112 @@
+//! Statements of an OBJ file in batches, for files whose tables do not fit into memory.
+
+use striata::mesh::{Appearance, AttributeLayer, IndexedMesh, Semantic, TriangleGroup};
+
+use super::corners::{Corner, NONE, Tables};
+use super::{Reader, libraries};
+use crate::Source;
+use crate::error::Fault;
+use crate::report::Warnings;
+use crate::text::Cursor;
+
+/// Number of statements after which the tables are handed on.
+const STATEMENTS: usize = 1 << 16;
+
+/// Values and triangles of some statements.
+pub(crate) struct Batch {
+    pub positions: Vec<[f32; 3]>,
+    /// Three values for each position, if there have been colors so far.
+    pub colors: Option<Vec<f32>>,
+    pub texcoords: Vec<[f32; 2]>,
+    pub normals: Vec<[f32; 3]>,
+    /// Indices of position, texture coordinate and normal; the last two may be `u32::MAX`. Three per
+    /// triangle.
+    pub corners: Vec<Corner>,
+}
+
+/// Kinds of values in the batches so far.
+#[derive(Default)]
+struct Seen {
+    colors: bool,
+    texcoords: bool,
+}
+
+/// What is known at the end of the file.
+pub(crate) struct Outline {
+    /// Runs of triangles; none if nothing distinguishes them.
+    pub groups: Vec<TriangleGroup>,
+    pub appearance: Appearance,
+}
+
+/// Passes the content of a file to `visit`, batch by batch. Coordinates that are not finite are faults.
+pub(crate) fn read_batches(
+    bytes: &[u8],
+    source: &Source<'_>,
+    warnings: &mut Warnings,
+    mut visit: impl FnMut(Batch),
+) -> Result<Outline, Fault> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut cursor = Cursor::new(bytes).with_continuation();
+    let (mut reader, mut seen, mut count) = (Reader::default(), Seen::default(), 0);
+    while !cursor.at_end() {
+        let known = reader.tables.positions.len();
+        reader.statement(&mut cursor)?;
+        if let Some(position) = reader.tables.positions.get(known)
+            && let Some(value) = position.iter().find(|x| !x.is_finite())
+        {
+            return Err(cursor.fault(format!("{value} is not a usable coordinate")));
+        }
+        count += 1;
+        if count % STATEMENTS == 0 {
+            visit(reader.take(&mut seen));
+            if u32::try_from(reader.taken_triangles).is_err() {
+                return Err(cursor.fault("the file has more triangles than can be counted"));
+            }
+        }
+        cursor.next_line();
+    }
+    reader.check_forward()?;
+    visit(reader.take(&mut seen));
+    Ok(reader.outline(bytes.len() as u64, seen.texcoords, source, warnings))
+}
+
+impl Reader {
+    /// Takes the content of the tables.
+    fn take(&mut self, seen: &mut Seen) -> Batch {
+        self.taken = self.counts();
+        let Tables { positions, mut colors, texcoords, normals } = std::mem::take(&mut self.tables);
+        let corners = std::mem::take(&mut self.corners);
+        self.taken_triangles += corners.len() / 3;
+        seen.texcoords |= corners.iter().any(|corner| corner[1] != NONE);
+        seen.colors |= !colors.is_empty();
+        colors.resize(if seen.colors { positions.len() * 3 } else { 0 }, 1.0);
+        Batch { positions, colors: seen.colors.then_some(colors), texcoords, normals, corners }
+    }
+
+    fn outline(
+        self,
+        input_bytes: u64,
+        has_texcoords: bool,
+        source: &Source<'_>,
+        warnings: &mut Warnings,
+    ) -> Outline {
+        let Self { taken_triangles, libraries, mut groups, materials, .. } = self;
+        let mut end = taken_triangles as u32;
+        for group in groups.iter_mut().rev() {
+            group.count = end - group.first;
+            end = group.first;
+        }
+        if matches!(&groups[..], [only] if only.name.is_empty() && only.material.is_none()) {
+            groups.clear();
+        }
+        // A stand-in for the mesh: materials have textures only if it has coordinates.
+        let mut mesh = IndexedMesh::default();
+        if has_texcoords {
+            mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, Vec::new()));
+        }
+        mesh.appearance.materials = materials;
+        mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
+        libraries::attach(&mut mesh, &libraries, input_bytes, source, warnings);
+        Outline { groups, appearance: mesh.appearance }
+    }
+}

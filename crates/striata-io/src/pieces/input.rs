@@ -1,0 +1,127 @@
+//! Bytes of a file, mapped into memory, so that files may be larger than it.
+
+use std::fs::File;
+use std::io::{self, Read as _};
+use std::ops::Deref;
+use std::path::{Path, PathBuf};
+
+use memmap2::Mmap;
+
+use super::PieceOptions;
+use crate::compressed::Compression;
+use crate::{ReadError, Source};
+
+/// Bytes of a file.
+#[derive(Debug)]
+pub(super) enum Mapped {
+    File(Mmap),
+    Owned(Vec<u8>),
+}
+
+impl Mapped {
+    /// Maps a whole file; what is no regular file is read instead.
+    pub(super) fn new(mut file: File) -> io::Result<Self> {
+        let metadata = file.metadata()?;
+        if !metadata.is_file() || metadata.len() == 0 {
+            let mut bytes = Vec::new();
+            file.read_to_end(&mut bytes)?;
+            return Ok(Self::Owned(bytes));
+        }
+        #[expect(unsafe_code, reason = "mapping a file is unsafe by nature; there is no safe way to do it")]
+        // SAFETY: the map is only ever read as bytes, and every reader accepts arbitrary bytes. If another
+        // process changes the file meanwhile, we may read old or new bytes, and if it truncates the file, a
+        // signal may end this process.
+        unsafe {
+            Mmap::map(&file).map(Self::File)
+        }
+    }
+}
+
+impl Deref for Mapped {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        match self {
+            Self::File(map) => map,
+            Self::Owned(bytes) => bytes,
+        }
+    }
+}
+
+/// Opened file, unpacked if it was compressed.
+#[derive(Debug)]
+pub(super) struct Input {
+    /// Name in messages.
+    pub(super) name: String,
+    /// Name without the extensions of compressions, by which the format is detected.
+    pub(super) inner_name: String,
+    /// Folder of files that the input refers to.
+    pub(super) folder: PathBuf,
+    /// Unpacked bytes.
+    pub(super) bytes: Mapped,
+    /// Size of the file itself.
+    pub(super) file_bytes: u64,
+    /// Size of the unpacked file, before any conversion.
+    pub(super) unpacked_bytes: u64,
+}
+
+impl Input {
+    /// Opens a file; what is compressed is unpacked into a temporary file.
+    pub(super) fn open(path: &Path, options: &PieceOptions) -> Result<Self, ReadError> {
+        let name = path.display().to_string();
+        let io = |source| ReadError::Io { file: name.clone(), source };
+        let bytes = File::open(path).and_then(Mapped::new).map_err(io)?;
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let (file_bytes, folder) = (bytes.len() as u64, folder.to_owned());
+        let inner_name = name.clone();
+        let mut input = Self { name, inner_name, folder, bytes, file_bytes, unpacked_bytes: file_bytes };
+        // The same number of nested compressions as for meshes in memory.
+        for _ in 0..3 {
+            let Some(compression) = Compression::of(&input.bytes) else { break };
+            input.unpack(compression, options)?;
+        }
+        input.unpacked_bytes = input.bytes.len() as u64;
+        Ok(input)
+    }
+
+    #[cfg(feature = "compressed")]
+    fn unpack(&mut self, compression: Compression, options: &PieceOptions) -> Result<(), ReadError> {
+        let mut file = scratch_file(options)?;
+        let mut out = io::BufWriter::new(&mut file);
+        crate::compressed::unpack_into(&self.bytes, compression, &self.name, &mut out)?;
+        let mapped = io::Write::flush(&mut out).map(|()| drop(out)).and_then(|()| Mapped::new(file));
+        self.bytes = mapped.map_err(|source| scratch_error(options, source))?;
+        if Compression::from_extension(&self.inner_name).is_some()
+            && let Some((stem, _)) = self.inner_name.rsplit_once('.')
+        {
+            self.inner_name = stem.to_owned();
+        }
+        Ok(())
+    }
+
+    #[cfg(not(feature = "compressed"))]
+    fn unpack(&mut self, compression: Compression, _options: &PieceOptions) -> Result<(), ReadError> {
+        let (file, what) = (self.name.clone(), compression.as_str());
+        Err(ReadError::FeatureOff { file, what, feature: "compressed" })
+    }
+
+    /// The input for readers of whole files.
+    pub(super) fn source(&self) -> Source<'_> {
+        Source::new(&self.name).with_folder(&self.folder)
+    }
+}
+
+/// Creates a temporary file without a name: it disappears when it is closed, however the process ends.
+pub(super) fn scratch_file(options: &PieceOptions) -> Result<File, ReadError> {
+    let made = match &options.scratch {
+        Some(folder) => tempfile::tempfile_in(folder),
+        None => tempfile::tempfile(),
+    };
+    made.map_err(|source| scratch_error(options, source))
+}
+
+/// Wraps a system error with a description of the temporary file.
+pub(super) fn scratch_error(options: &PieceOptions, source: io::Error) -> ReadError {
+    let folder = options.scratch.clone().unwrap_or_else(std::env::temp_dir);
+    ReadError::Io { file: format!("temporary file in {}", folder.display()), source }
+}

@@ -1,0 +1,244 @@
+//! Binary PLY in pieces: vertices have rows of the same size, and pieces are runs of faces.
+
+use std::borrow::Cow;
+
+use striata::mesh::{AttributeLayer, IndexedMesh};
+
+use super::input::Input;
+use super::kinds::conform;
+use super::local::not_finite;
+use super::ply_faces::{FaceOptions, FaceRuns};
+use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
+use crate::ReadError;
+use crate::error::{Fault, Place};
+use crate::ply::body::{Vertices, index_list, skip_element};
+use crate::ply::face_textures::TextureProperties;
+use crate::ply::header::{Element, Encoding, Header, Scalar};
+use crate::ply::rows::BinaryRows;
+use crate::ply::textures;
+use crate::report::Warnings;
+use crate::texture_set::TextureSet;
+
+/// Number of vertex rows that are examined at once.
+const ROWS_AT_ONCE: usize = 1 << 16;
+
+/// Binary PLY file.
+pub(super) struct PlyPieces {
+    input: Input,
+    header: Header,
+    vertices: VertexRows,
+    faces: Option<FaceRuns>,
+    summary: PieceSummary,
+}
+
+/// Vertices in the file.
+struct VertexRows {
+    element: Element,
+    first: usize,
+    stride: usize,
+    is_big: bool,
+}
+
+/// Where the elements are.
+#[derive(Default)]
+struct Located {
+    first_vertex: Option<usize>,
+    faces: Option<FaceRuns>,
+}
+
+impl PlyPieces {
+    /// Opens a file; text is converted to a temporary file. What must be read at once is given back:
+    /// strips, vertices with lists, and faces with texture coordinates.
+    pub(super) fn open(mut input: Input, options: &PieceOptions) -> Result<Result<Self, Input>, ReadError> {
+        let mut header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
+        let count = |name: &str| header.elements.iter().filter(|e| e.name == name).count();
+        let is_repeated = count("vertex") > 1 || count("face") > 1;
+        if is_repeated || header.elements.iter().any(must_be_read_at_once) {
+            return Ok(Err(input));
+        }
+        if header.encoding == Encoding::Ascii {
+            ply_text::convert(&mut input, &header, options)?;
+            let comments = std::mem::take(&mut header.texture_files);
+            header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
+            // Lines of the original file, for messages.
+            header.texture_files = comments;
+        }
+        let opened = locate(&input.bytes, &header, options).and_then(|located| {
+            let vertex = header.vertex()?;
+            let vertices = VertexRows {
+                element: vertex.clone(),
+                first: located.first_vertex.unwrap_or(header.body_at),
+                stride: vertex.least_row_bytes(),
+                is_big: header.encoding == Encoding::BigEndian,
+            };
+            let kinds = vertices.layer_kinds(&input.bytes, &header)?;
+            Ok((vertices, located.faces, kinds))
+        });
+        let (vertices, faces, layers) = opened.map_err(|fault| fault.in_file(&input.name))?;
+        let mut summary = PieceSummary {
+            name: input.name.clone(),
+            layers,
+            triangle_count: faces.as_ref().map_or(0, |faces| faces.triangle_count),
+            byte_count: input.file_bytes,
+            ..PieceSummary::default()
+        };
+        attach_textures(&mut summary, &input, &header, &vertices);
+        Ok(Ok(Self { input, header, vertices, faces, summary }))
+    }
+
+    fn piece(&self, run: usize) -> Result<Piece, Fault> {
+        let Some(faces) = self.faces.as_ref().filter(|faces| (run as u64) < faces.run_count()) else {
+            return Err(Fault::Malformed(Place::File, format!("piece {run} does not exist")));
+        };
+        let (triangles, numbers) = faces.read(&self.input.bytes, run)?;
+        let rows = self.vertices.rows(&self.input.bytes, &numbers);
+        let (positions, mut layers) = self.vertices.values(&rows, &self.header)?;
+        conform(&mut layers, &self.summary.layers);
+        if let Some((vertex, axis)) = not_finite(&positions) {
+            let reason = format!("the vertex has the coordinate {}", positions[vertex][axis]);
+            return Err(Fault::at_byte(self.vertices.byte_of(numbers[vertex]), reason));
+        }
+        Ok(Piece { positions, layers, triangles, groups: Vec::new() })
+    }
+}
+
+/// Whether an element cannot be read in pieces.
+fn must_be_read_at_once(element: &Element) -> bool {
+    match element.name.as_str() {
+        "vertex" => element.properties.iter().any(|p| p.list.is_some()),
+        "tristrips" => true,
+        "face" => TextureProperties::of(element).is_some(),
+        _ => false,
+    }
+}
+
+/// Finds the elements; all that are declared are in the file.
+fn locate(bytes: &[u8], header: &Header, options: &PieceOptions) -> Result<Located, Fault> {
+    let is_big = header.encoding == Encoding::BigEndian;
+    let vertex_count = header.vertex()?.count;
+    let (mut found, mut at) = (Located::default(), header.body_at);
+    for (place, element) in header.elements.iter().enumerate() {
+        check_room(element, bytes.len(), at)?;
+        let is_vertex = element.name == "vertex" && found.first_vertex.is_none();
+        if is_vertex {
+            found.first_vertex = Some(at);
+        }
+        let list = index_list(element).filter(|_| element.name == "face" && found.faces.is_none());
+        at = match list {
+            Some(list) => {
+                let is_last = place + 1 == header.elements.len();
+                let piece_size = options.piece_size();
+                let options = FaceOptions { is_big, vertex_count, piece_size, is_last };
+                let (runs, end) = FaceRuns::locate(bytes, at, (element, list), options)?;
+                found.faces = Some(runs);
+                end
+            }
+            None => skip(bytes, at, element, is_big)?,
+        };
+    }
+    Ok(found)
+}
+
+/// Refuses counts that the remaining bytes cannot contain.
+fn check_room(element: &Element, file_bytes: usize, at: usize) -> Result<(), Fault> {
+    let needed = element.least_row_bytes() as u64 * element.count as u64;
+    let left = (file_bytes - at) as u64;
+    if needed <= left {
+        return Ok(());
+    }
+    let (count, name) = (element.count, &element.name);
+    let reason = format!(
+        "{count} rows of `{name}` are declared, which take {needed} bytes or more, but only {left} follow"
+    );
+    Err(Fault::at_byte(at, reason))
+}
+
+fn skip(bytes: &[u8], at: usize, element: &Element, is_big: bool) -> Result<usize, Fault> {
+    if is_big {
+        let mut rows = BinaryRows::<true>::new(bytes, at);
+        return skip_element(element, &mut rows).map(|()| rows.at());
+    }
+    let mut rows = BinaryRows::<false>::new(bytes, at);
+    skip_element(element, &mut rows).map(|()| rows.at())
+}
+
+/// Gives the summary the images that the header names.
+fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, vertices: &VertexRows) {
+    let mut warnings = Warnings::of_file(&input.name);
+    let set = TextureSet::new(&input.source(), input.unpacked_bytes);
+    // A stand-in for the whole mesh: its layers decide whether there are textures, its triangle gets the
+    // group.
+    let layers = vertices.values(&[], header).map(|(_, layers)| layers).unwrap_or_default();
+    let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(Vec::new(), vec![[0; 3]]) };
+    textures::attach(&mut mesh, &header.texture_files, &[], set, &mut warnings);
+    let group = |group| PieceGroup { material: group, ..PieceGroup::default() };
+    summary.groups = mesh.groups_or_whole().iter().map(|g| group(g.material)).collect();
+    summary.appearance = mesh.appearance;
+    summary.warnings = warnings.into_list().iter().map(ToString::to_string).collect();
+}
+
+impl VertexRows {
+    fn byte_of(&self, vertex: u32) -> usize {
+        self.first + vertex as usize * self.stride
+    }
+
+    /// Copies the rows of some vertices.
+    fn rows(&self, bytes: &[u8], numbers: &[u32]) -> Vec<u8> {
+        let mut rows = Vec::with_capacity(numbers.len() * self.stride);
+        for &vertex in numbers {
+            rows.extend_from_slice(&bytes[self.byte_of(vertex)..][..self.stride]);
+        }
+        rows
+    }
+
+    /// Converts whole rows to positions and layers.
+    fn values(&self, rows: &[u8], header: &Header) -> Result<(Vec<[f32; 3]>, Vec<AttributeLayer>), Fault> {
+        let mut rows = Cow::Borrowed(rows);
+        if self.is_big {
+            for row in rows.to_mut().chunks_exact_mut(self.stride.max(1)) {
+                let mut at = 0;
+                for property in &self.element.properties {
+                    row[at..at + property.scalar.bytes()].reverse();
+                    at += property.scalar.bytes();
+                }
+            }
+        }
+        let vertices = Vertices::of_rows(&self.element, rows);
+        Ok((vertices.positions(header)?, vertices.layers(header)))
+    }
+
+    /// Layers of all vertices. Signed integers become floats if one of them is negative, so that these
+    /// files are examined.
+    fn layer_kinds(&self, bytes: &[u8], header: &Header) -> Result<Vec<LayerKind>, Fault> {
+        let (_, layers) = self.values(&[], header)?;
+        let mut kinds: Vec<LayerKind> = layers.iter().map(LayerKind::of).collect();
+        if self.element.properties.iter().all(|p| p.scalar != Scalar::I32) {
+            return Ok(kinds);
+        }
+        let rows = &bytes[self.first..][..self.element.count * self.stride];
+        for batch in rows.chunks((ROWS_AT_ONCE * self.stride).max(1)) {
+            let (_, layers) = self.values(batch, header)?;
+            for (kind, layer) in kinds.iter_mut().zip(&layers) {
+                if LayerKind::of(layer).component_type == ComponentType::F32 {
+                    kind.component_type = ComponentType::F32;
+                }
+            }
+        }
+        Ok(kinds)
+    }
+}
+
+impl PieceSource for PlyPieces {
+    fn summary(&self) -> &PieceSummary {
+        &self.summary
+    }
+
+    fn piece_count(&self) -> u64 {
+        self.faces.as_ref().map_or(0, FaceRuns::run_count)
+    }
+
+    fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {
+        let run = usize::try_from(index).unwrap_or(usize::MAX);
+        self.piece(run).map_err(|fault| fault.in_file(&self.input.name))
+    }
+}

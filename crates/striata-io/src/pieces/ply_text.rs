@@ -1,0 +1,151 @@
+//! ASCII PLY, converted to a temporary binary file with triangles only.
+
+use super::PieceOptions;
+use super::input::Input;
+use super::spool::Spool;
+use crate::ReadError;
+use crate::error::Fault;
+use crate::ply::body::{index_list, list_length, skip_element, skip_property};
+use crate::ply::header::{Element, Header, Property, Scalar};
+use crate::ply::rows::{AsciiRows, Rows as _};
+use crate::text::Cursor;
+
+/// Number of digits that are left for the number of triangles.
+const DIGITS: usize = 10;
+
+/// Replaces the bytes of a text file by those of a binary one.
+pub(super) fn convert(input: &mut Input, header: &Header, options: &PieceOptions) -> Result<(), ReadError> {
+    let mut spool = Spool::new(options)?;
+    let converted = write_head(header, &mut spool).and_then(|count_at| {
+        let count = write_body(&input.bytes, header, &mut spool)?;
+        spool.replace(count_at, format!("{count:0DIGITS$}").as_bytes());
+        Ok(())
+    });
+    converted.map_err(|fault| fault.in_file(&input.name))?;
+    input.bytes = spool.finish(options)?;
+    Ok(())
+}
+
+/// Writes the header; returns where the number of triangles belongs.
+fn write_head(header: &Header, spool: &mut Spool) -> Result<u64, Fault> {
+    let mut head = "ply\nformat binary_little_endian 1.0\n".to_owned();
+    for name in &header.normalized {
+        head += &format!("comment normalized {name}\n");
+    }
+    for texture in &header.texture_files {
+        head += &format!("comment TextureFile {}\n", texture.name);
+    }
+    let vertex = header.vertex()?;
+    head += &format!("element vertex {}\n", vertex.count);
+    for property in &vertex.properties {
+        head += &format!("property {} {}\n", property.scalar.name(), property.name);
+    }
+    head += "element face ";
+    let count_at = head.len() as u64;
+    head += &format!("{:0DIGITS$}\nproperty list uchar uint vertex_indices\nend_header\n", 0);
+    spool.write(head.as_bytes());
+    Ok(count_at)
+}
+
+/// Writes vertices and triangles; returns the number of triangles.
+fn write_body(bytes: &[u8], header: &Header, spool: &mut Spool) -> Result<u32, Fault> {
+    let mut rows = AsciiRows(Cursor::starting_at(bytes, header.body_at, header.body_line));
+    let vertex_count = header.vertex()?.count;
+    let mut triangle_count = 0u32;
+    for element in &header.elements {
+        let needed = rows.least_row_bytes(element) as u64 * element.count as u64;
+        if needed > rows.bytes_left() as u64 {
+            let (count, name, left) = (element.count, &element.name, rows.bytes_left());
+            let reason = format!(
+                "{count} rows of `{name}` are declared, which take {needed} bytes or more, but only {left} \
+                 follow"
+            );
+            return Err(rows.fault(reason));
+        }
+        match (element.name.as_str(), index_list(element)) {
+            ("vertex", _) => write_vertices(element, &mut rows, spool)?,
+            ("face", Some(list)) => {
+                for _ in 0..element.count {
+                    let count = write_face((element, list), vertex_count, &mut rows, spool)?;
+                    triangle_count = triangle_count
+                        .checked_add(count)
+                        .ok_or_else(|| rows.fault("there are too many triangles".to_owned()))?;
+                }
+            }
+            _ => skip_element(element, &mut rows)?,
+        }
+    }
+    Ok(triangle_count)
+}
+
+fn write_vertices(element: &Element, rows: &mut AsciiRows<'_>, spool: &mut Spool) -> Result<(), Fault> {
+    let mut row = Vec::new();
+    for _ in 0..element.count {
+        row.clear();
+        for property in &element.properties {
+            let at = row.len();
+            rows.copy(property.scalar, &mut row)?;
+            if matches!(property.name.as_str(), "x" | "y" | "z") && !is_finite(property.scalar, &row[at..]) {
+                return Err(rows.fault(format!("`{}` is not a usable coordinate", property.name)));
+            }
+        }
+        spool.write(&row);
+    }
+    Ok(())
+}
+
+fn is_finite(scalar: Scalar, bytes: &[u8]) -> bool {
+    match (scalar, bytes) {
+        (Scalar::F32, &[a, b, c, d]) => f32::from_le_bytes([a, b, c, d]).is_finite(),
+        (Scalar::F64, &[a, b, c, d, e, f, g, h]) => f64::from_le_bytes([a, b, c, d, e, f, g, h]).is_finite(),
+        _ => true,
+    }
+}
+
+/// Writes the triangles of a face; returns their number.
+fn write_face(
+    (element, list): (&Element, usize),
+    vertex_count: usize,
+    rows: &mut AsciiRows<'_>,
+    spool: &mut Spool,
+) -> Result<u32, Fault> {
+    let mut count = 0;
+    for (place, property) in element.properties.iter().enumerate() {
+        match property.list.filter(|_| place == list) {
+            Some(length) => count += write_polygon(property, length, vertex_count, rows, spool)?,
+            None => skip_property(property, rows)?,
+        }
+    }
+    Ok(count)
+}
+
+fn write_polygon(
+    property: &Property,
+    length: Scalar,
+    vertex_count: usize,
+    rows: &mut AsciiRows<'_>,
+    spool: &mut Spool,
+) -> Result<u32, Fault> {
+    let length = list_length(length, rows)?;
+    let (mut first, mut last, mut count) = (0, 0, 0);
+    for corner in 0..length {
+        let index = rows.integer(property.scalar)?;
+        let Some(vertex) = u32::try_from(index).ok().filter(|&v| (v as usize) < vertex_count) else {
+            return Err(rows.fault(format!("vertex {index} does not exist: there are {vertex_count}")));
+        };
+        match corner {
+            0 => first = vertex,
+            1 => {}
+            _ => {
+                let mut row = [3; 13];
+                for (bytes, vertex) in row[1..].chunks_exact_mut(4).zip([first, last, vertex]) {
+                    bytes.copy_from_slice(&vertex.to_le_bytes());
+                }
+                spool.write(&row);
+                count += 1;
+            }
+        }
+        last = vertex;
+    }
+    Ok(count)
+}

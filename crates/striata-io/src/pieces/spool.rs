@@ -1,0 +1,48 @@
+//! Temporary files that are written once and then mapped into memory.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Seek as _, SeekFrom, Write as _};
+
+use super::PieceOptions;
+use super::input::{Mapped, scratch_error, scratch_file};
+use crate::ReadError;
+
+/// Temporary file under construction. The first failure is kept until the file is finished, so that parsers
+/// only have their own errors.
+pub(super) struct Spool {
+    out: BufWriter<File>,
+    failure: Option<io::Error>,
+}
+
+impl Spool {
+    pub(super) fn new(options: &PieceOptions) -> Result<Self, ReadError> {
+        let out = BufWriter::with_capacity(1 << 20, scratch_file(options)?);
+        Ok(Self { out, failure: None })
+    }
+
+    /// Appends bytes.
+    pub(super) fn write(&mut self, bytes: &[u8]) {
+        if self.failure.is_none() {
+            self.failure = self.out.write_all(bytes).err();
+        }
+    }
+
+    /// Replaces bytes that have been written.
+    pub(super) fn replace(&mut self, at: u64, bytes: &[u8]) {
+        let out = &mut self.out;
+        let done = out.seek(SeekFrom::Start(at)).and_then(|_| out.write_all(bytes));
+        let done = done.and_then(|()| out.seek(SeekFrom::End(0)));
+        if let Err(failure) = done {
+            self.failure.get_or_insert(failure);
+        }
+    }
+
+    /// Maps the file into memory.
+    pub(super) fn finish(self, options: &PieceOptions) -> Result<Mapped, ReadError> {
+        let done = match self.failure {
+            Some(failure) => Err(failure),
+            None => self.out.into_inner().map_err(io::IntoInnerError::into_error).and_then(Mapped::new),
+        };
+        done.map_err(|source| scratch_error(options, source))
+    }
+}
