@@ -4,6 +4,7 @@
 //! as it likes. Pieces have their own vertices: a vertex at the border of two pieces occurs in both.
 
 mod appearances;
+mod fractal_terrain;
 mod input;
 mod kinds;
 mod local;
@@ -20,26 +21,11 @@ mod stl;
 mod stl_text;
 mod tiles;
 
+pub use fractal_terrain::FractalTerrain;
 pub use mesh_pieces::MeshPieces;
 pub use open::open_pieces;
 pub use options::PieceOptions;
 pub use several::{Several, open_several};
-pub use tiles::Tiles;
-
-mod fractal_terrain;
-mod mesh_pieces;
-mod open;
-mod options;
-mod ply_pieces;
-mod several;
-#[cfg(feature = "stl")]
-mod stl_pieces;
-mod tiles;
-
-pub use fractal_terrain::FractalTerrain;
-pub use mesh_pieces::MeshPieces;
-pub use open::{open_pieces, open_several};
-pub use options::PieceOptions;
 pub use tiles::Tiles;
 
 use serde::{Deserialize, Serialize};

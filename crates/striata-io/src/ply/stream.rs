@@ -23,10 +23,6 @@ const MAX_HEADER_BYTES: u64 = 1 << 20;
 /// Approximate size of the pieces in which rows are read, in bytes.
 const PIECE_BYTES: usize = 1 << 18;
 
-/// Bytes of a triangle in the usual form: its length in one byte, and three indices.
-#[cfg(feature = "pieces")]
-const PLAIN_ROW: usize = 13;
-
 /// PLY file whose header has been read and whose elements have been located.
 #[derive(Clone, Debug)]
 pub(crate) struct PlyStream {
@@ -161,52 +157,6 @@ impl PlyStream {
     /// Returns a four-byte integer in this file's byte order.
     pub(crate) fn u32_bytes(&self, number: u32) -> [u8; 4] {
         if self.is_big_endian() { number.to_be_bytes() } else { number.to_le_bytes() }
-    }
-
-    /// Number of faces if all are triangles in rows of 13 little-endian bytes, as nearly all programs write them.
-    #[cfg(feature = "pieces")]
-    pub(crate) fn plain_triangle_count(&self) -> Result<Option<u64>, ReadError> {
-        let Some(element) = self.header.elements.iter().find(|e| e.name == "face") else {
-            return Ok(Some(0));
-        };
-        let is_plain = matches!(
-            element.properties[..],
-            [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }]
-        );
-        let end = self.faces_offset + PLAIN_ROW as u64 * element.count as u64;
-        // Other elements may follow the faces, so a length that fits does not prove that all are triangles.
-        let is_last = self.header.elements.last().is_some_and(|last| last.name == "face");
-        let fits = is_last && end == self.file_bytes;
-        if !is_plain || !fits || self.is_big_endian() || index_list(element).is_none() {
-            return Ok(None);
-        }
-        Ok(Some(element.count as u64))
-    }
-
-    /// Reads some of the faces that [`Self::plain_triangle_count`] counts.
-    #[cfg(feature = "pieces")]
-    pub(crate) fn plain_triangles(&self, first: u64, count: usize) -> Result<Vec<[u32; 3]>, ReadError> {
-        let offset = self.faces_offset + PLAIN_ROW as u64 * first;
-        let mut file = self.file()?;
-        file.seek(SeekFrom::Start(offset)).map_err(|error| self.io(error))?;
-        let mut bytes = vec![0; count * PLAIN_ROW];
-        file.read_exact(&mut bytes).map_err(|error| self.io(error))?;
-        let mut triangles = Vec::with_capacity(count);
-        for (i, row) in (0..).zip(bytes.chunks_exact(PLAIN_ROW)) {
-            let index = |at: usize| u32::from_le_bytes([row[at], row[at + 1], row[at + 2], row[at + 3]]);
-            let triangle = [index(1), index(5), index(9)];
-            let at = offset + i * PLAIN_ROW as u64;
-            if row[0] != 3 {
-                let reason = format!("a face of {} corners among triangles", row[0]);
-                return Err(fault_at(at, reason).in_file(&self.name));
-            }
-            if let Some(v) = triangle.into_iter().find(|&v| v >= self.vertex_count) {
-                let reason = format!("vertex {v} does not exist: there are {}", self.vertex_count);
-                return Err(fault_at(at, reason).in_file(&self.name));
-            }
-            triangles.push(triangle);
-        }
-        Ok(triangles)
     }
 
     /// Passes the vertex rows to `visit` in order: the index of the first, and whole rows.

@@ -32,9 +32,12 @@ impl BuildInput {
     pub fn open(&self, options: &PieceOptions) -> Result<Box<dyn PieceSource>, BuildError> {
         Ok(match self {
             Self::Files(paths) if paths.len() == 1 => open_pieces(&paths[0], options)?,
-            Self::Files(paths) => open_several(paths, options)?,
+            Self::Files(paths) => Box::new(open_several(paths, options)?),
             Self::Terrain(side) => Box::new(FractalTerrain::new(*side, 1)),
-            Self::Tiles { count, path } => Box::new(Tiles::new(open_pieces(path, options)?, *count)?),
+            Self::Tiles { count, path } => {
+                let columns = count.isqrt().max(1);
+                Box::new(Tiles::new(open_pieces(path, options)?, columns, count.div_ceil(columns))?)
+            }
         })
     }
 }
