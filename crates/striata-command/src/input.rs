@@ -80,6 +80,19 @@ impl Input {
         Ok(Self { name, content: Content::File(FileContent { format, file_bytes, folder, bytes }) })
     }
 
+    /// Wraps the bytes of a file that has been made in memory.
+    ///
+    /// # Errors
+    /// If the format is unknown.
+    pub fn of_bytes(name: &str, bytes: Vec<u8>) -> Result<Self, Failure> {
+        let Some(format) = Format::detect(&bytes, name) else {
+            return Err(ReadError::UnknownFormat { file: name.to_owned() }.into());
+        };
+        let file_bytes = bytes.len();
+        let content = FileContent { format, file_bytes, folder: None, bytes: Bytes::Owned(bytes) };
+        Ok(Self { name: name.to_owned(), content: Content::File(content) })
+    }
+
     /// Checks that the file or shape exists, without reading it.
     ///
     /// # Errors

@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use super::scene;
+use super::{paged, scene};
 use crate::args::ConvertArgs;
 use striata_command::failure::Failure;
-use striata_command::input::Input;
 use striata_command::output::{Output, format_count};
 use striata_command::save::{Primitives, display_name, format_of, is_stdout, write_mesh};
 use striata_command::scene::with_mesh_textures;
@@ -26,7 +25,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let path = args.output().ok_or_else(|| Failure::internal("no output was named"))?;
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.format)?;
-    let input = Input::open(&args.input)?;
+    let input = paged::open_input(&args.input, paged::Need::Triangles(usize::MAX))?;
     let is_gltf = matches!(format, Format::Gltf | Format::Glb);
     if is_gltf && input.scene_kind().is_some() && !args.scene.flat {
         return scene::convert(args, &input, (path, format.extension()), output);

@@ -1,6 +1,7 @@
 //! `extract`: writes one or more levels of a .striata file as meshes.
 
 mod fan_view;
+mod from_paged;
 mod from_stream;
 mod level_output;
 mod patterns;
@@ -10,6 +11,7 @@ mod uniform_levels;
 mod view_and_box;
 
 pub(crate) use self::fan_view::{ViewLevel, level_of_view};
+pub(crate) use self::from_paged::pages_of_view;
 pub(crate) use self::patterns::FilePatterns;
 pub(super) use self::stream_level::{
     INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
@@ -23,6 +25,7 @@ use self::level_output::{diagonal_of, no_level, primitives_of};
 use self::report::{LevelMesh, LevelsReport, Report};
 use self::uniform_levels::{ExtractedLevel, Model, each_level, each_level_of_strips, read_model};
 use self::view_and_box::{run_box, run_view};
+use super::paged::is_paged_file;
 use super::scene::{self, check_outputs};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
@@ -43,6 +46,9 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
     check_outputs(&args.level, &args.levels, (&args.output.output, &args.output.format))?;
     check_form(args)?;
+    if is_paged_file(&args.input) {
+        return from_paged::run(args, started, output);
+    }
     let input = Input::open(&args.input)?;
     if args.view.is_given() && args.eye.eye.is_none() {
         return Err(Failure::user("flags of a view were given without --eye")

@@ -8,6 +8,7 @@ use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
 
 use super::fan_view::ViewLevel;
+use super::from_paged::PagesRead;
 use super::level_output::view_output_path;
 use crate::args::ExtractArgs;
 use striata_command::failure::Failure;
@@ -42,6 +43,9 @@ pub(super) struct Report {
     /// For views: the pixel tolerance, after it was raised to respect the triangle limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) pixels: Option<f64>,
+    /// For paged files: what was read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) pages: Option<PagesRead>,
     pub(super) split_count: usize,
     pub(super) vertex_count: usize,
     pub(super) triangle_count: usize,
@@ -83,6 +87,7 @@ impl Report {
             fans: None,
             patterns: None,
             pixels: None,
+            pages: None,
             split_count,
             vertex_count: reached.vertex_count,
             triangle_count: reached.triangle_count,
@@ -124,7 +129,7 @@ impl Report {
         };
         let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
-            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; found in {}{origin}{}",
+            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; found in {}{origin}{}{}",
             format_count(self.triangle_count),
             format_count(self.vertex_count),
             format_count(self.split_count),
@@ -134,7 +139,8 @@ impl Report {
             format_duration(self.seek_secs),
             self.shortfall
                 .as_ref()
-                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
+                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text))),
+            self.pages.map_or_else(String::new, PagesRead::to_text)
         )
     }
 }

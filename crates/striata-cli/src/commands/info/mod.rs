@@ -18,6 +18,7 @@ use striata_stream::{StreamDefect, StreamInfo};
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
 use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
+use crate::commands::paged;
 use crate::commands::scene::SceneFacts;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -91,6 +92,9 @@ struct Report {
 /// # Errors
 /// If the file cannot be read.
 pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
+    if paged::is_paged_file(&args.input) {
+        return paged::info(&args.input, output);
+    }
     let input = Input::open(&args.input)?;
     let (mut report, mesh) = if input.has_levels() {
         of_container(&input, output)?

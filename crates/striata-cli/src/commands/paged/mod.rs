@@ -1,16 +1,21 @@
 //! Builds of meshes that do not fit into memory: `build --memory`, `plan` and `run`.
 
 mod build;
+mod info;
 mod input;
 mod plan;
 mod run;
+mod source;
 
 pub(crate) use build::build;
+pub(crate) use info::info;
 pub(crate) use input::{is_streamed_only, is_too_large};
 pub(crate) use plan::plan;
 pub(crate) use run::run;
+pub(crate) use source::{Need, camera_of, is_paged_file, open_input};
 
 use striata_command::failure::Failure;
+use striata_paged::PagedError;
 use striata_paged::build::BuildError;
 
 /// Converts an error of a build.
@@ -29,4 +34,15 @@ fn failure(error: BuildError) -> Failure {
 /// One thread per core.
 fn core_count() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// Converts an error of a paged file.
+pub(crate) fn failure_of(error: PagedError) -> Failure {
+    let failure = Failure::user(error.to_string());
+    match error {
+        PagedError::Checksum { .. } | PagedError::Head(_) | PagedError::Page { .. } => {
+            failure.with_hint("the file is damaged or cut off; copy it or build it again")
+        }
+        _ => failure,
+    }
 }

@@ -11,6 +11,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::args::{Background, RenderArgs};
+use crate::commands::paged::{Need, open_input};
 use figure::Figure;
 use layout::Layout;
 use report::{Drawing, Report};
@@ -33,7 +34,11 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     check(args)?;
     let mut bar = output.bar();
     bar.phase("read");
-    let input = Input::open(&args.input)?;
+    let need = match args.level.eye {
+        Some(eye) => Need::View(&args.view, eye),
+        None => Need::Triangles(PAGED_TRIANGLES),
+    };
+    let input = open_input(&args.input, need)?;
     let mut artist = artist(args, output)?;
     let source = Source::read(args, &input, output, &mut bar)?;
     for warning in source.look().iter().flat_map(|look| look.warnings()) {
@@ -54,6 +59,9 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let report = Report::new(args, (&source, &figures), &layout, drawing);
     output.summary(&report, &report.to_text())
 }
+
+/// A picture shows no more triangles of a paged file than this: more than it has pixels.
+const PAGED_TRIANGLES: usize = 2_000_000;
 
 /// Checks combinations of flags that the parser cannot check.
 ///

@@ -1,0 +1,231 @@
+//! `extract` from a paged file: reads the pages that the levels need, and no others.
+
+use std::collections::{BTreeSet, HashMap};
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::mesh::{IndexedMesh, replay};
+use striata::model::{FanInstance, FanScene, Fans, LodModel, ModelKind};
+use striata::simplify::{StopReason, Target};
+use striata::view::{Camera, DetailBox, Sphere};
+use striata_paged::{Assembled, PageBound, PagedFile};
+
+use super::fan_view::{ViewLevel, level_of_view};
+use super::level_output::{no_level, primitives_of, view_output_path};
+use super::report::{LevelMesh, LevelsReport, Report};
+use crate::args::ExtractArgs;
+use crate::commands::paged::{camera_of, failure_of};
+use crate::strip_lists::without_unused_vertices;
+use striata_command::args::{AxisAlignedBox, Point};
+use striata_command::failure::Failure;
+use striata_command::level::{FullMesh, check_strict, level_requests};
+use striata_command::output::Output;
+use striata_command::save::{LevelFiles, write_mesh};
+
+/// What was read of a paged file.
+#[derive(Clone, Copy, Serialize)]
+pub(super) struct PagesRead {
+    /// Pages of the file.
+    page_count: u32,
+    /// Pages that were read.
+    read: u64,
+    /// Pages whose vertices are in the result.
+    shown: usize,
+    /// Bytes that were read, with the head.
+    bytes: u64,
+}
+
+/// Extracts levels of a paged file.
+///
+/// # Errors
+/// If the file is damaged, or an output cannot be written.
+pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Result<(), Failure> {
+    if let Some(name) = &args.model {
+        return Err(Failure::user(format!("--model {name}: paged files have no models"))
+            .with_hint("remove --model; levels, views and boxes are made from the pages"));
+    }
+    let mut file = PagedFile::open(&args.input.to_string_lossy()).map_err(failure_of)?;
+    if let Some(eye) = args.eye.eye {
+        return run_view(args, eye, (&mut file, started), output);
+    }
+    if let Some(corners) = args.detail_box {
+        return run_box(args, corners, (&mut file, started), output);
+    }
+    let metadata = file.metadata();
+    let full = FullMesh {
+        diagonal: metadata.diagonal(),
+        vertex_count: metadata.vertex_count as usize,
+        triangle_count: metadata.triangle_count as usize,
+    };
+    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let targets = requests.iter().map(|request| request.target.ok_or_else(no_level));
+    let targets = targets.collect::<Result<Vec<_>, _>>()?;
+    let assembled = assembled_for(&mut file, &targets)?;
+    let sequence = &assembled.refinable.sequence;
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut reports = Vec::new();
+    for (request, target) in requests.iter().zip(targets) {
+        let (split_count, stop_reason) = target.resolve(sequence);
+        let level = without_unused_vertices(replay(&assembled.refinable, split_count), None).0;
+        let shown = LevelMesh { mesh: &level, split_count, stop_reason };
+        let secs = started.elapsed().as_secs_f64();
+        let report = Report {
+            error: sequence.error_at(split_count),
+            pages: Some(pages_read(&file, &assembled, &level)),
+            ..Report::of_level(ModelKind::Fans, request, shown, [secs, secs])
+        };
+        check_strict(args.strict, request.name.as_deref(), report.shortfall.as_deref())?;
+        files.write(&level, primitives_of(args.form, &level, None)?, &request.path)?;
+        reports.push(report);
+    }
+    files.commit()?;
+    if args.levels.levels.is_some() {
+        let secs = started.elapsed().as_secs_f64();
+        let report = LevelsReport { levels: reports, step_count: sequence.step_count(), secs };
+        return output.summary(&report, &report.to_text());
+    }
+    let report = reports.pop().ok_or_else(no_level)?;
+    output.summary(&report, &report.to_text(sequence.step_count()))
+}
+
+/// Reads the pages that all targets need.
+///
+/// # Errors
+/// If the file is damaged.
+fn assembled_for(file: &mut PagedFile, targets: &[Target]) -> Result<Assembled, Failure> {
+    let (mut triangles, mut error) = (None, None::<f64>);
+    for &target in targets {
+        let needed = match target {
+            Target::Error(distance) => {
+                error = Some(error.map_or(distance, |least| least.min(distance)));
+                continue;
+            }
+            Target::Triangles(count) => count,
+            // A surface has about two triangles per vertex, a soup fewer.
+            Target::Vertices(count) => 3 * count,
+            // Steps are counted from the base, so all must be known.
+            _ => usize::MAX,
+        };
+        triangles = triangles.max(Some(needed));
+    }
+    match (triangles, error) {
+        (Some(count), None) => file.level_for_triangles(count),
+        (None, Some(error)) => file.level_for_error(error as f32),
+        _ => file.level_for_triangles(usize::MAX),
+    }
+    .map_err(failure_of)
+}
+
+/// The sphere around a part of a page.
+fn sphere_of(bound: &PageBound) -> Sphere {
+    let center = [0, 1, 2].map(|a| 0.5 * (bound.min[a] + bound.max[a]));
+    let half = [0, 1, 2].map(|a| 0.5 * f64::from(bound.max[a] - bound.min[a]));
+    let radius = half.iter().map(|x| x * x).sum::<f64>().sqrt() as f32;
+    Sphere { center, radius }
+}
+
+fn run_view(
+    args: &ExtractArgs,
+    eye: Point,
+    (file, started): (&mut PagedFile, Instant),
+    output: &Output,
+) -> Result<(), Failure> {
+    let metadata = file.metadata();
+    let triangle_limit = args.level.triangle_count();
+    let triangle_limit = triangle_limit.map(|count| count.of_triangles(metadata.triangle_count as usize));
+    let camera = camera_of(&args.view, eye, metadata)?;
+    let pages = pages_of_view(file, &camera, args.view.pixels() as f32)?;
+    let assembled = file.assemble(&pages).map_err(failure_of)?;
+    let fans = Fans::build(&assembled.refinable);
+    let scene = FanScene::new(&fans, &assembled.refinable);
+    let level = level_of_view(&scene, &assembled.refinable, &args.view, camera, triangle_limit);
+    finish(args, (file, &assembled), (level, triangle_limit), started, output)
+}
+
+/// Pages that a camera sees with errors of more than so many pixels.
+///
+/// # Errors
+/// If the directory is damaged.
+pub(crate) fn pages_of_view(file: &mut PagedFile, camera: &Camera, pixels: f32) -> Result<Vec<u32>, Failure> {
+    let needs = |bound: &PageBound| {
+        let sphere = sphere_of(bound);
+        camera.may_see(&sphere) && camera.error_px(bound.error, &sphere) > pixels
+    };
+    file.select(needs).map_err(failure_of)
+}
+
+fn run_box(
+    args: &ExtractArgs,
+    corners: AxisAlignedBox,
+    (file, started): (&mut PagedFile, Instant),
+    output: &Output,
+) -> Result<(), Failure> {
+    let diagonal = file.metadata().diagonal();
+    let error_outside = args.level.error.map_or(f32::INFINITY, |error| error.in_units(diagonal) as f32);
+    let is_within =
+        |bound: &PageBound| (0..3).all(|a| bound.min[a] <= corners.max[a] && bound.max[a] >= corners.min[a]);
+    let pages = file.select(|bound| is_within(bound) || bound.error > error_outside).map_err(failure_of)?;
+    let assembled = file.assemble(&pages).map_err(failure_of)?;
+    let started_seek = Instant::now();
+    let fans = Fans::build(&assembled.refinable);
+    let scene = FanScene::new(&fans, &assembled.refinable);
+    let mut instance = FanInstance::full(&fans);
+    instance.refine(&scene, &DetailBox { min: corners.min, max: corners.max, error_outside });
+    let coarsest = (0..fans.step_count()).find(|&step| !instance.is_refined(step as u32));
+    let level = ViewLevel {
+        mesh: instance.level(&fans, &assembled.refinable),
+        split_count: instance.split_count(),
+        error: coarsest.map_or(0.0, |step| assembled.refinable.sequence.error_at(step)),
+        pixels: 0.0,
+        stop_reason: StopReason::TargetReached,
+        seek_secs: started_seek.elapsed().as_secs_f64(),
+    };
+    finish(args, (file, &assembled), (level, None), started, output)
+}
+
+/// Writes the level for a view or a box, and reports it.
+fn finish(
+    args: &ExtractArgs,
+    (file, assembled): (&PagedFile, &Assembled),
+    (mut level, triangle_limit): (ViewLevel, Option<usize>),
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    level.mesh = without_unused_vertices(level.mesh, None).0;
+    let pages = pages_read(file, assembled, &level.mesh);
+    let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, triangle_limit), started)?;
+    let primitives = primitives_of(args.form, &level.mesh, None)?;
+    write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format)?;
+    let pixels = args.eye.eye.is_some().then_some(level.pixels);
+    let report = Report { pages: Some(pages), pixels, ..report };
+    output.summary(&report, &report.to_text(assembled.refinable.sequence.step_count()))
+}
+
+/// What was read, and how many pages the vertices of a level come from.
+fn pages_read(file: &PagedFile, assembled: &Assembled, level: &IndexedMesh) -> PagesRead {
+    let bits = |p: &[f32; 3]| p.map(f32::to_bits);
+    let positions = assembled.refinable.mesh.positions.iter().map(bits);
+    let page_of: HashMap<[u32; 3], u32> = positions.zip(assembled.page_of_vertex.iter().copied()).collect();
+    let shown: BTreeSet<u32> =
+        level.positions.iter().filter_map(|p| page_of.get(&bits(p)).copied()).collect();
+    let statistics = file.statistics();
+    PagesRead {
+        page_count: file.reader().page_count(),
+        read: statistics.page_count,
+        shown: shown.len(),
+        bytes: statistics.byte_count,
+    }
+}
+
+impl PagesRead {
+    /// The sentence for people.
+    pub(super) fn to_text(self) -> String {
+        format!(
+            "\nread {} of {} pages, {}; {} of them are shown",
+            self.read,
+            self.page_count,
+            striata_command::output::format_bytes(self.bytes as usize),
+            self.shown
+        )
+    }
+}

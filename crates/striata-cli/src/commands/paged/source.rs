@@ -1,0 +1,71 @@
+//! Paged files as inputs of verbs that need a mesh in memory.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use striata::file::{FileModel, WriteOptions, write_striata};
+use striata::model::Fans;
+use striata::view::Camera;
+use striata_command::args::{Point, ViewArgs};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_paged::{HEAD_NAME, Metadata, PAGED_MAGIC, PagedFile};
+
+use super::failure_of;
+use crate::commands::extract::pages_of_view;
+
+/// Whether a path or an address is a paged file or a folder of pages.
+pub(crate) fn is_paged_file(path: &Path) -> bool {
+    if path.to_string_lossy().contains("://") || path.join(HEAD_NAME).is_file() {
+        return true;
+    }
+    let mut magic = [0; PAGED_MAGIC.len()];
+    File::open(path).is_ok_and(|mut file| file.read_exact(&mut magic).is_ok()) && &magic == PAGED_MAGIC
+}
+
+/// What a verb needs of a paged file.
+pub(crate) enum Need<'a> {
+    /// All levels of up to so many triangles.
+    Triangles(usize),
+    /// What the eye of a view sees.
+    View(&'a ViewArgs, Point),
+}
+
+/// Opens an input. Of a paged file, reads the pages that are needed; the result is the same as a .striata file with
+/// fans.
+///
+/// # Errors
+/// If the input cannot be read.
+pub(crate) fn open_input(path: &Path, need: Need<'_>) -> Result<Input, Failure> {
+    if !is_paged_file(path) {
+        return Input::open(path);
+    }
+    let name = path.to_string_lossy();
+    let mut file = PagedFile::open(&name).map_err(failure_of)?;
+    let assembled = match need {
+        Need::Triangles(count) => file.level_for_triangles(count).map_err(failure_of)?,
+        Need::View(view, eye) => {
+            let camera = camera_of(view, eye, file.metadata())?;
+            let pages = pages_of_view(&mut file, &camera, view.pixels() as f32)?;
+            file.assemble(&pages).map_err(failure_of)?
+        }
+    };
+    let known = assembled.refinable;
+    let fans = Fans::build(&known);
+    let mut bytes = Vec::new();
+    let options = WriteOptions::default().with_metadata("source", file.metadata().source.clone());
+    write_striata(&known, &[FileModel::Fans(&fans)], &options, &mut bytes)
+        .map_err(|error| Failure::internal(error.to_string()))?;
+    Input::of_bytes(&name, bytes)
+}
+
+/// The camera of a view; it looks at the middle of the mesh unless told otherwise.
+///
+/// # Errors
+/// If the flags of the view do not define a camera.
+pub(crate) fn camera_of(view: &ViewArgs, eye: Point, metadata: &Metadata) -> Result<Camera, Failure> {
+    let center = [0, 1, 2].map(|a| 0.5 * (metadata.min[a] + metadata.max[a]));
+    let camera = view.camera(eye, center);
+    camera.map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))
+}
