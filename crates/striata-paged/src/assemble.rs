@@ -19,6 +19,9 @@ pub struct Assembled {
     pub refinable: RefinableMesh,
     /// Key of each step, never increasing.
     pub keys: Vec<f32>,
+    /// Error of the surface without each step alone, in mesh units; the sequence has the largest of these and all
+    /// later ones.
+    pub step_errors: Vec<f32>,
     /// Index of the page that each vertex comes from.
     pub page_of_vertex: Vec<u32>,
 }
@@ -53,9 +56,11 @@ pub fn assemble(pages: &[(u32, &Page)], metadata: &Metadata) -> Result<Assembled
         appearance: appearance(metadata),
     };
     mesh.layers = order.layers(&pages, metadata);
+    let page_of_vertex = order.vertices.iter().map(|&(slot, _)| pages[slot as usize].0).collect();
     Ok(Assembled {
         keys: order.keys(&pages),
-        page_of_vertex: order.vertices.iter().map(|&(slot, _)| pages[slot as usize].0).collect(),
+        step_errors: order.errors,
+        page_of_vertex,
         refinable: RefinableMesh { mesh, sequence },
     })
 }
@@ -109,12 +114,6 @@ impl Order {
             .iter()
             .map(|&(slot, p)| pages[slot as usize].1.errors[p as usize])
             .collect();
-        // The error of a level covers all of its steps that are not taken.
-        let mut worst = 0.0f32;
-        for error in order.errors.iter_mut().rev() {
-            worst = worst.max(*error);
-            *error = worst;
-        }
         Ok(order)
     }
 
@@ -307,11 +306,22 @@ fn sequence(
         positions,
         base_position_count: order.base_position_count,
         targets,
-        errors: order.errors.clone(),
+        errors: level_errors(&order.errors),
         // A step of a cell removes at most 255 triangles; more are an error of the pages.
         removed_triangle_counts: counts.into_iter().map(|count| count.min(255) as u8).collect(),
         triangle_count: triangles.len(),
     })?)
+}
+
+/// The error of each level: it covers all steps that are not taken.
+fn level_errors(step_errors: &[f32]) -> Vec<f32> {
+    let mut errors = step_errors.to_vec();
+    let mut worst = 0.0f32;
+    for error in errors.iter_mut().rev() {
+        worst = worst.max(*error);
+        *error = worst;
+    }
+    errors
 }
 
 /// Materials and images of the metadata.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::{Page, PageId};
 
 /// A page has at most this many bounds.
-pub(crate) const MAX_BOUNDS: usize = 16;
+pub(crate) const MAX_BOUNDS: usize = 8;
 
 /// Part of a page: where some of its owned positions are, and the largest error among their steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -43,7 +43,7 @@ pub struct PageEntry {
     pub key: f32,
     /// Pages that its imports name. Sorted; all smaller than its own index.
     pub parents: Vec<u32>,
-    /// Parts of the page, at most 16.
+    /// Parts of the page, at most 8.
     pub bounds: Vec<PageBound>,
 }
 

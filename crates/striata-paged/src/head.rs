@@ -4,7 +4,7 @@
 //! prefix  64 bytes: magic, version, flags, sizes of metadata and root, offset of the pages, checksums
 //! metadata         JSON
 //! root             small files: all entries; large ones: what is known about each leaf
-//! leaves           up to 4,096 entries each
+//! leaves           up to 1,024 entries each
 //! pages            coarse to fine
 //! ```
 
@@ -22,9 +22,9 @@ const VERSION: u32 = 1;
 /// Flag: pages are objects of their own.
 const SEPARATE: u32 = 1;
 /// Above this number of pages, the directory has leaves.
-const MAX_ROOT_PAGES: usize = 100_000;
+const MAX_ROOT_PAGES: usize = 2048;
 /// Pages per leaf.
-const LEAF_PAGES: usize = 4096;
+const LEAF_PAGES: usize = 1024;
 /// A head cannot be larger than this.
 const MAX_HEAD_BYTES: u64 = 1 << 32;
 /// Nor have more pages.
@@ -62,6 +62,8 @@ pub struct Leaf {
     pub page_offset: u64,
     /// What its pages contain together.
     pub bound: PageBound,
+    /// Largest key of its steps.
+    pub key: f32,
 }
 
 /// The root of a directory: entries, or leaves.
@@ -86,7 +88,7 @@ fn write_head_with(
 ) -> Vec<u8> {
     // Serializing plain data cannot fail.
     let json = serde_json::to_vec(metadata).unwrap_or_default();
-    let (root, leaves) = write_directory(entries, max_root_pages);
+    let (root, leaves) = write_directory(&Quantizer::of(metadata), entries, max_root_pages);
     let pages_offset = PREFIX_BYTES + (json.len() + root.len() + leaves.len()) as u64;
     let mut bytes = PAGED_MAGIC.to_vec();
     bytes.extend(VERSION.to_le_bytes());
@@ -105,22 +107,28 @@ fn write_head_with(
     bytes
 }
 
-fn write_directory(entries: &[PageEntry], max_root_pages: usize) -> (Vec<u8>, Vec<u8>) {
+fn write_directory(
+    quantizer: &Quantizer,
+    entries: &[PageEntry],
+    max_root_pages: usize,
+) -> (Vec<u8>, Vec<u8>) {
     let mut root = Vec::new();
     put_varint(&mut root, entries.len() as u64);
     if entries.len() <= max_root_pages {
         put_varint(&mut root, 0);
-        root.extend(write_entries(entries, 0));
+        root.extend(write_entries(quantizer, entries, 0));
         return (root, Vec::new());
     }
     put_varint(&mut root, entries.len().div_ceil(LEAF_PAGES) as u64);
     let mut leaves = Vec::new();
     for (i, part) in entries.chunks(LEAF_PAGES).enumerate() {
-        let bytes = write_entries(part, (i * LEAF_PAGES) as u32);
+        let bytes = write_entries(quantizer, part, (i * LEAF_PAGES) as u32);
         put_varint(&mut root, bytes.len() as u64);
         put_varint(&mut root, part.iter().map(|entry| u64::from(entry.byte_count)).sum());
         root.extend(crc32fast::hash(&bytes).to_le_bytes());
-        put_bound(&mut root, &joined(part));
+        quantizer.put(&mut root, &joined(part));
+        let key = part.iter().map(|entry| entry.key).fold(0.0, f32::max);
+        root.extend(class_of(key, KEY_BITS));
         leaves.extend(bytes);
     }
     (root, leaves)
@@ -139,11 +147,59 @@ fn joined(entries: &[PageEntry]) -> PageBound {
     all
 }
 
-fn put_bound(bytes: &mut Vec<u8>, bound: &PageBound) {
-    bound.min.iter().chain(&bound.max).chain([&bound.error]).for_each(|x| bytes.extend(x.to_le_bytes()));
+/// Low bits of keys and errors that are always zero.
+const KEY_BITS: u32 = 18;
+const ERROR_BITS: u32 = 17;
+
+/// A rounded number in two bytes; numbers that are not rounded are rounded up.
+fn class_of(x: f32, zero_bits: u32) -> [u8; 2] {
+    let up = x.max(0.0).to_bits().saturating_add((1 << zero_bits) - 1);
+    ((up.min(f32::MAX.to_bits()) >> zero_bits) as u16).to_le_bytes()
 }
 
-fn write_entries(entries: &[PageEntry], first: u32) -> Vec<u8> {
+/// Coordinates as shares of the bounds of the mesh, in 16 bits, rounded outward.
+struct Quantizer {
+    min: [f64; 3],
+    step: [f64; 3],
+}
+
+impl Quantizer {
+    const LARGEST: f64 = 65_535.0;
+
+    fn of(metadata: &Metadata) -> Self {
+        let min = metadata.min.map(f64::from);
+        let step = [0, 1, 2].map(|a| (f64::from(metadata.max[a]) - min[a]) / Self::LARGEST);
+        Self { min, step }
+    }
+
+    fn put(&self, bytes: &mut Vec<u8>, bound: &PageBound) {
+        for (corner, is_max) in [(bound.min, false), (bound.max, true)] {
+            for axis in 0..3 {
+                let share = (f64::from(corner[axis]) - self.min[axis]) / self.step[axis];
+                let share = if is_max { share.ceil() } else { share.floor() };
+                // Without extent the share is not a number, which becomes 0.
+                bytes.extend((share.clamp(0.0, Self::LARGEST) as u16).to_le_bytes());
+            }
+        }
+        bytes.extend(class_of(bound.error, ERROR_BITS));
+    }
+
+    fn take(&self, parser: &mut Parser<'_>) -> Result<PageBound, HeadDefect> {
+        let mut corners = [[0.0; 3]; 2];
+        for (i, corner) in corners.iter_mut().enumerate() {
+            for axis in 0..3 {
+                let share = f64::from(u16::from_le_bytes(parser.array()?));
+                let x = (self.min[axis] + share * self.step[axis]) as f32;
+                // The sum may have been rounded inward.
+                corner[axis] = if i == 0 { x.next_down() } else { x.next_up() };
+            }
+        }
+        let [min, max] = corners;
+        Ok(PageBound { min, max, error: parser.class(ERROR_BITS)? })
+    }
+}
+
+fn write_entries(quantizer: &Quantizer, entries: &[PageEntry], first: u32) -> Vec<u8> {
     let mut bytes = Vec::new();
     for (index, entry) in (first..).zip(entries) {
         bytes.push(entry.id.level);
@@ -157,8 +213,8 @@ fn write_entries(entries: &[PageEntry], first: u32) -> Vec<u8> {
             entry.added_triangle_count,
         ];
         counts.iter().for_each(|&count| put_varint(&mut bytes, u64::from(count)));
-        bytes.extend(entry.error.to_le_bytes());
-        bytes.extend(entry.key.to_le_bytes());
+        bytes.extend(class_of(entry.error, ERROR_BITS));
+        bytes.extend(class_of(entry.key, KEY_BITS));
         put_varint(&mut bytes, entry.parents.len() as u64);
         let mut last = index;
         for &parent in entry.parents.iter().rev() {
@@ -166,7 +222,7 @@ fn write_entries(entries: &[PageEntry], first: u32) -> Vec<u8> {
             last = parent;
         }
         put_varint(&mut bytes, entry.bounds.len() as u64);
-        entry.bounds.iter().for_each(|bound| put_bound(&mut bytes, bound));
+        entry.bounds.iter().for_each(|bound| quantizer.put(&mut bytes, bound));
     }
     bytes
 }
@@ -196,18 +252,10 @@ impl Parser<'_> {
         self.array().map(u32::from_le_bytes)
     }
 
-    fn f32(&mut self) -> Result<f32, HeadDefect> {
-        let x = self.array().map(f32::from_le_bytes)?;
+    fn class(&mut self, zero_bits: u32) -> Result<f32, HeadDefect> {
+        let class = u16::from_le_bytes(self.array()?);
+        let x = f32::from_bits(u32::from(class) << zero_bits);
         if x.is_finite() { Ok(x) } else { Err(HeadDefect::NotFinite) }
-    }
-
-    fn bound(&mut self) -> Result<PageBound, HeadDefect> {
-        let mut numbers = [0.0; 7];
-        for x in &mut numbers {
-            *x = self.f32()?;
-        }
-        let [a, b, c, d, e, f, error] = numbers;
-        Ok(PageBound { min: [a, b, c], max: [d, e, f], error })
     }
 }
 
@@ -263,16 +311,17 @@ impl Prefix {
         let metadata: Metadata =
             serde_json::from_slice(json).map_err(|error| HeadDefect::Metadata(error.to_string()))?;
         metadata.check().map_err(HeadDefect::Metadata)?;
-        Ok((metadata, parse_root(root)?))
+        let root = parse_root(&Quantizer::of(&metadata), root)?;
+        Ok((metadata, root))
     }
 }
 
-fn parse_root(bytes: &[u8]) -> Result<Root, HeadDefect> {
+fn parse_root(quantizer: &Quantizer, bytes: &[u8]) -> Result<Root, HeadDefect> {
     let mut parser = Parser { bytes };
     let page_count = parser.count(MAX_PAGES)?;
     let leaf_count = parser.varint()?;
     if leaf_count == 0 {
-        return parse_entries(&mut parser, (0, page_count, 0)).map(Root::Entries);
+        return parse_entries(quantizer, &mut parser, (0, page_count, 0)).map(Root::Entries);
     }
     if leaf_count != u64::from(page_count).div_ceil(LEAF_PAGES as u64) {
         return Err(HeadDefect::Count(leaf_count));
@@ -282,9 +331,10 @@ fn parse_root(bytes: &[u8]) -> Result<Root, HeadDefect> {
         let (byte_count, pages_bytes) = (parser.varint()?, parser.varint()?);
         let crc = parser.u32()?;
         let first_page = leaf * LEAF_PAGES as u32;
-        let bound = parser.bound()?;
+        let bound = quantizer.take(&mut parser)?;
+        let key = parser.class(KEY_BITS)?;
         let count = (LEAF_PAGES as u32).min(page_count - first_page);
-        leaves.push(Leaf { offset, byte_count, crc, first_page, page_count: count, page_offset, bound });
+        leaves.push(Leaf { offset, byte_count, crc, first_page, page_count: count, page_offset, bound, key });
         offset = offset.checked_add(byte_count).ok_or(HeadDefect::Sizes)?;
         page_offset = page_offset.checked_add(pages_bytes).ok_or(HeadDefect::Sizes)?;
     }
@@ -296,15 +346,17 @@ impl Leaf {
     ///
     /// # Errors
     /// [`PagedError::Head`] if it is damaged.
-    pub fn parse(&self, bytes: &[u8]) -> Result<Vec<PageEntry>, PagedError> {
+    pub fn parse(&self, bytes: &[u8], metadata: &Metadata) -> Result<Vec<PageEntry>, PagedError> {
         if bytes.len() as u64 != self.byte_count || crc32fast::hash(bytes) != self.crc {
             return Err(HeadDefect::Checksum("directory").into());
         }
-        Ok(parse_entries(&mut Parser { bytes }, (self.first_page, self.page_count, self.page_offset))?)
+        let range = (self.first_page, self.page_count, self.page_offset);
+        Ok(parse_entries(&Quantizer::of(metadata), &mut Parser { bytes }, range)?)
     }
 }
 
 fn parse_entries(
+    quantizer: &Quantizer,
     parser: &mut Parser<'_>,
     (first, count, offset): (u32, u32, u64),
 ) -> Result<Vec<PageEntry>, HeadDefect> {
@@ -318,7 +370,7 @@ fn parse_entries(
         for count in &mut counts {
             *count = parser.count(u64::MAX)?;
         }
-        let (error, key) = (parser.f32()?, parser.f32()?);
+        let (error, key) = (parser.class(ERROR_BITS)?, parser.class(KEY_BITS)?);
         let parent_count = parser.count(u64::from(index))?;
         let (mut parents, mut last) = (Vec::new(), index);
         for _ in 0..parent_count {
@@ -331,7 +383,7 @@ fn parse_entries(
         }
         parents.reverse();
         let bound_count = parser.count(MAX_BOUNDS as u64)?;
-        let bounds = (0..bound_count).map(|_| parser.bound()).collect::<Result<_, _>>()?;
+        let bounds = (0..bound_count).map(|_| quantizer.take(parser)).collect::<Result<_, _>>()?;
         let [byte_count, position_count, vertex_count, triangle_count, added_triangle_count] = counts;
         entries.push(PageEntry {
             id: PageId { level, cell },
@@ -372,7 +424,7 @@ mod tests {
                 error: 0.25,
                 key: 1.0,
                 parents: (i.saturating_sub(3)..i).collect(),
-                bounds: vec![bound; 1 + i as usize % 16],
+                bounds: vec![bound; 1 + i as usize % 8],
             };
             offset += u64::from(entry.byte_count);
             entry
@@ -381,7 +433,7 @@ mod tests {
     }
 
     fn metadata() -> Metadata {
-        Metadata { cell_counts: vec![4, 2, 1], ..Metadata::default() }
+        Metadata { cell_counts: vec![4, 2, 1], max: [20_000.0; 3], ..Metadata::default() }
     }
 
     fn parse(bytes: &[u8]) -> Result<(Metadata, Vec<PageEntry>), PagedError> {
@@ -395,7 +447,7 @@ mod tests {
                 for leaf in leaves {
                     let from = at + leaf.offset as usize;
                     let bytes = bytes.get(from..from + leaf.byte_count as usize);
-                    all.extend(leaf.parse(bytes.ok_or(HeadDefect::Truncated)?)?);
+                    all.extend(leaf.parse(bytes.ok_or(HeadDefect::Truncated)?, &metadata)?);
                 }
                 all
             }
@@ -411,7 +463,14 @@ mod tests {
             let bytes = write_head_with(&metadata, &entries, false, most);
             let (read, found) = parse(&bytes).unwrap();
             assert_eq!(read, metadata);
-            assert!(found == entries);
+            assert_eq!(found.len(), entries.len());
+            for (found, entry) in found.iter().zip(&entries) {
+                for (wide, bound) in found.bounds.iter().zip(&entry.bounds) {
+                    assert!((0..3).all(|a| wide.min[a] <= bound.min[a] && wide.max[a] >= bound.max[a]));
+                    assert!((0..3).all(|a| bound.min[a] - wide.min[a] < 0.5 && wide.error == bound.error));
+                }
+                assert_eq!(PageEntry { bounds: entry.bounds.clone(), ..found.clone() }, *entry);
+            }
         }
     }
 
@@ -430,12 +489,13 @@ mod tests {
     #[test]
     fn damage_behind_checksums_is_found_or_harmless() {
         let entries = entries(20);
-        let root = write_directory(&entries, 100).0;
+        let quantizer = Quantizer::of(&metadata());
+        let root = write_directory(&quantizer, &entries, 100).0;
         for at in 0..root.len() {
             for bit in 0..8 {
                 let mut damaged = root.clone();
                 damaged[at] ^= 1 << bit;
-                if let Ok(Root::Entries(entries)) = parse_root(&damaged) {
+                if let Ok(Root::Entries(entries)) = parse_root(&quantizer, &damaged) {
                     let is_smaller = |(i, entry): (usize, &PageEntry)| {
                         entry.parents.iter().all(|&parent| (parent as usize) < i)
                     };

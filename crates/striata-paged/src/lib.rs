@@ -12,7 +12,7 @@
 //! | `metadata.rs`, `directory.rs`, `head.rs` | what is known before any page is read |
 //! | `page.rs`, `codec/` | pages and their bytes |
 //! | `reader.rs`, `store.rs`, `paged_file.rs` | reading what a level needs |
-//! | `assemble.rs` | a mesh made of pages |
+//! | `assemble.rs`, `cut.rs` | a mesh made of pages, and its levels of varying detail |
 //! | `build/` | building from inputs of any size |
 
 mod assemble;
@@ -20,6 +20,7 @@ mod assemble;
 pub mod build;
 mod bytes;
 mod codec;
+mod cut;
 mod directory;
 mod error;
 mod head;
@@ -32,6 +33,7 @@ mod remote;
 mod store;
 
 pub use assemble::{Assembled, assemble};
+pub use cut::Cut;
 pub use directory::{PageBound, PageEntry, page_path};
 pub use error::{HeadDefect, PageDefect, PagedError};
 pub use head::{HEAD_NAME, Leaf, PAGED_MAGIC, PREFIX_BYTES, Prefix, Root, write_head};

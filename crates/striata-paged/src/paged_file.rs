@@ -1,5 +1,7 @@
 //! A paged file that is read as needed.
 
+use std::collections::BTreeSet;
+
 use crate::{Assembled, Metadata, Page, PageBound, PagedError, PagedReader, Store, assemble, open_store};
 
 /// What has been read so far.
@@ -128,48 +130,58 @@ impl PagedFile {
     /// # Errors
     /// See [`Self::assemble`].
     pub fn level_for_triangles(&mut self, triangle_count: usize) -> Result<Assembled, PagedError> {
-        // Everything must be known about all pages.
-        let all = self.select(|_| true)?;
-        let mut by_key: Vec<(f32, u32, u32)> = all
-            .iter()
-            .filter_map(|&index| {
-                let entry = self.reader.entry(index)?;
-                Some((if index == 0 { f32::INFINITY } else { entry.key }, index, entry.added_triangle_count))
-            })
-            .collect();
-        by_key.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut wanted = triangle_count as u64;
+        // Coarse pages come first in the directory, so its beginning is enough for coarse levels.
+        let mut key = f32::INFINITY;
         loop {
+            while !self.reader.request_directory(key) {
+                self.fetch()?;
+            }
+            let unknown = self.reader.unknown_key();
+            let by_key = self.pages_by_key();
+            let known = by_key.partition_point(|page| unknown.is_none_or(|unknown| page.0 > unknown));
             let mut sum = 0;
-            let count = by_key
-                .iter()
-                .position(|&(_, _, added)| {
-                    sum += u64::from(added);
-                    sum >= wanted
-                })
-                .map_or(by_key.len(), |last| last + 1);
-            let limit = by_key.get(count).map_or(0.0, |next| next.0);
-            let pages = self.select_keys(&by_key[..count])?;
+            let enough = by_key[..known].iter().position(|&(_, _, added)| {
+                sum += u64::from(added);
+                sum >= wanted
+            });
+            if enough.is_none()
+                && let Some(unknown) = unknown
+            {
+                key = unknown;
+                continue;
+            }
+            let count = enough.map_or(by_key.len(), |last| last + 1);
+            let limit = by_key.get(count).map_or(0.0, |next| next.0).max(unknown.unwrap_or(0.0));
+            let pages = self.with_ancestors(&by_key[..count])?;
             let level = self.assemble(&pages)?;
-            let known = level.split_count_for_key(limit.next_up());
-            let is_enough = level.refinable.sequence.triangle_count_at(known) >= triangle_count;
-            if count == by_key.len() || is_enough {
+            let complete = level.split_count_for_key(limit.next_up());
+            let is_enough = level.refinable.sequence.triangle_count_at(complete) >= triangle_count;
+            if is_enough || (count == by_key.len() && unknown.is_none()) {
                 return Ok(level);
             }
             wanted = wanted.max(sum) * 3 / 2 + 1;
         }
     }
 
-    /// Pages with their ancestors.
-    fn select_keys(&mut self, pages: &[(f32, u32, u32)]) -> Result<Vec<u32>, PagedError> {
-        let mut selected = std::collections::BTreeSet::from([0]);
-        let mut open: Vec<u32> = pages.iter().map(|&(_, index, _)| index).collect();
-        while let Some(index) = open.pop() {
-            if selected.insert(index) || index == 0 {
-                let parents = self.reader.entry(index).map_or(&[][..], |entry| &entry.parents);
-                open.extend(parents.iter().filter(|parent| !selected.contains(parent)));
+    /// Key, index and number of triangles of all known pages, by key.
+    fn pages_by_key(&self) -> Vec<(f32, u32, u32)> {
+        let entries = self.reader.entries().map(|(index, entry)| {
+            (if index == 0 { f32::INFINITY } else { entry.key }, index, entry.added_triangle_count)
+        });
+        let mut by_key: Vec<(f32, u32, u32)> = entries.collect();
+        by_key.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        by_key
+    }
+
+    /// Pages with their ancestors, which have larger keys.
+    fn with_ancestors(&mut self, pages: &[(f32, u32, u32)]) -> Result<Vec<u32>, PagedError> {
+        let chosen: BTreeSet<u32> = pages.iter().map(|&(_, index, _)| index).collect();
+        loop {
+            if let Some(pages) = self.reader.close(chosen.iter().copied()) {
+                return Ok(pages);
             }
+            self.fetch()?;
         }
-        Ok(selected.into_iter().collect())
     }
 }

@@ -114,7 +114,15 @@ impl PagedReader {
         let mut open: Vec<u32> = Vec::new();
         let mut needs_page = is_needed;
         open.extend(head.entries.iter().filter(|(_, entry)| needs_page(entry)).map(|(&index, _)| index));
-        open.push(0);
+        self.close(open)
+    }
+
+    /// Adds all ancestors of pages, and the base page.
+    ///
+    /// Returns `None` if more of the directory must be read first: fetch what is wanted, and call it again.
+    pub fn close(&mut self, pages: impl IntoIterator<Item = u32>) -> Option<Vec<u32>> {
+        let head = self.head.as_mut()?;
+        let mut open: Vec<u32> = pages.into_iter().chain([0]).collect();
         let mut selected = BTreeSet::new();
         while let Some(index) = open.pop() {
             if !selected.insert(index) {
@@ -129,6 +137,30 @@ impl PagedReader {
             }
         }
         head.wanted_leaves.is_empty().then(|| selected.into_iter().collect())
+    }
+
+    /// Asks for the parts of the directory that have pages with keys of at least `key`; returns whether all of
+    /// them have been read. Otherwise, fetch what is wanted, and call it again.
+    pub fn request_directory(&mut self, key: f32) -> bool {
+        let Some(head) = &mut self.head else { return false };
+        let is_missing = |leaf: &Leaf| !head.entries.contains_key(&leaf.first_page);
+        let leaves = head.leaves.iter().zip(0..);
+        let missing =
+            leaves.filter(|(leaf, _)| is_missing(leaf) && (leaf.first_page == 0 || leaf.key >= key));
+        head.wanted_leaves.extend(missing.map(|(_, index)| index));
+        head.wanted_leaves.is_empty()
+    }
+
+    /// The largest key in parts of the directory that have not been read.
+    pub fn unknown_key(&self) -> Option<f32> {
+        let head = self.head.as_ref()?;
+        let unknown = head.leaves.iter().filter(|leaf| !head.entries.contains_key(&leaf.first_page));
+        unknown.map(|leaf| leaf.key).reduce(f32::max)
+    }
+
+    /// Entries of the directory that have been read, by index.
+    pub fn entries(&self) -> impl Iterator<Item = (u32, &PageEntry)> {
+        self.head.iter().flat_map(|head| &head.entries).map(|(&index, entry)| (index, entry))
     }
 
     /// The bytes that are wanted now. Pages that are close to each other are wanted together.
@@ -187,7 +219,7 @@ impl PagedReader {
             let leaf = &head.leaves[index as usize];
             let first = leaves_at + leaf.offset;
             if let Some(bytes) = within(&(first..first + leaf.byte_count)) {
-                let entries = leaf.parse(bytes)?;
+                let entries = leaf.parse(bytes, &head.metadata)?;
                 head.entries.extend((leaf.first_page..).zip(entries));
                 head.wanted_leaves.remove(&index);
             }

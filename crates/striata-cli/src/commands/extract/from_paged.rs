@@ -5,22 +5,27 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, replay};
-use striata::model::{FanInstance, FanScene, Fans, LodModel, ModelKind};
+use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
-use striata::view::{Camera, DetailBox, Sphere};
-use striata_paged::{Assembled, PageBound, PagedFile};
+use striata::view::{Camera, Criterion, DetailBox, Sphere};
+use striata_paged::{Assembled, Cut, PageBound, PagedFile};
 
-use super::fan_view::{ViewLevel, level_of_view};
+use super::fan_view::{MIN_PIXELS, ViewLevel};
 use super::level_output::{no_level, primitives_of, view_output_path};
 use super::report::{LevelMesh, LevelsReport, Report};
 use crate::args::ExtractArgs;
 use crate::commands::paged::{camera_of, failure_of};
 use crate::strip_lists::without_unused_vertices;
-use striata_command::args::{AxisAlignedBox, Point};
+use striata_command::args::{AxisAlignedBox, Point, ViewArgs};
 use striata_command::failure::Failure;
 use striata_command::level::{FullMesh, check_strict, level_requests};
 use striata_command::output::Output;
 use striata_command::save::{LevelFiles, write_mesh};
+
+/// A tolerance is relaxed by at most this factor.
+const MAX_RELAXATION: f64 = 1e9;
+/// Number of halvings of the interval in which the tolerance for a triangle limit is searched.
+const SEARCH_STEPS: usize = 6;
 
 /// What was read of a paged file.
 #[derive(Clone, Copy, Serialize)]
@@ -136,9 +141,8 @@ fn run_view(
     let camera = camera_of(&args.view, eye, metadata)?;
     let pages = pages_of_view(file, &camera, args.view.pixels() as f32)?;
     let assembled = file.assemble(&pages).map_err(failure_of)?;
-    let fans = Fans::build(&assembled.refinable);
-    let scene = FanScene::new(&fans, &assembled.refinable);
-    let level = level_of_view(&scene, &assembled.refinable, &args.view, camera, triangle_limit);
+    let pixels = args.view.pixels();
+    let level = view_level(&assembled, &args.view, (camera, pixels), triangle_limit);
     finish(args, (file, &assembled), (level, triangle_limit), started, output)
 }
 
@@ -154,6 +158,48 @@ pub(crate) fn pages_of_view(file: &mut PagedFile, camera: &Camera, pixels: f32) 
     file.select(needs).map_err(failure_of)
 }
 
+/// The coarsest level within the pixel tolerance, or, with a triangle limit, within the least tolerance that
+/// respects it.
+fn view_level(
+    assembled: &Assembled,
+    view: &ViewArgs,
+    (camera, pixels): (Camera, f64),
+    triangle_limit: Option<usize>,
+) -> ViewLevel {
+    let criterion = view.criterion(camera, MIN_PIXELS);
+    let cut = |factor: f64| {
+        let criterion = criterion.clone().relaxed(factor as f32);
+        assembled.cut(|part| criterion.weigh(part).should_refine())
+    };
+    let limit = triangle_limit.unwrap_or(usize::MAX);
+    let (mut low, mut best) = (1.0, cut(1.0));
+    let mut high = 1.0;
+    let mut stop_reason = StopReason::TargetReached;
+    while best.mesh.triangles.len() > limit {
+        if high > MAX_RELAXATION {
+            stop_reason = StopReason::BaseReached;
+            break;
+        }
+        (low, high) = (high, 4.0 * high);
+        best = cut(high);
+    }
+    for _ in 0..if high > low { SEARCH_STEPS } else { 0 } {
+        let middle = f64::sqrt(low * high);
+        let other = cut(middle);
+        if other.mesh.triangles.len() > limit {
+            low = middle;
+        } else {
+            (high, best) = (middle, other);
+        }
+    }
+    level_of(best, (pixels * high, stop_reason))
+}
+
+fn level_of(cut: Cut, (pixels, stop_reason): (f64, StopReason)) -> ViewLevel {
+    let Cut { mesh, refined_count, error, .. } = cut;
+    ViewLevel { mesh, split_count: refined_count, error, pixels, stop_reason, seek_secs: 0.0 }
+}
+
 fn run_box(
     args: &ExtractArgs,
     corners: AxisAlignedBox,
@@ -166,20 +212,9 @@ fn run_box(
         |bound: &PageBound| (0..3).all(|a| bound.min[a] <= corners.max[a] && bound.max[a] >= corners.min[a]);
     let pages = file.select(|bound| is_within(bound) || bound.error > error_outside).map_err(failure_of)?;
     let assembled = file.assemble(&pages).map_err(failure_of)?;
-    let started_seek = Instant::now();
-    let fans = Fans::build(&assembled.refinable);
-    let scene = FanScene::new(&fans, &assembled.refinable);
-    let mut instance = FanInstance::full(&fans);
-    instance.refine(&scene, &DetailBox { min: corners.min, max: corners.max, error_outside });
-    let coarsest = (0..fans.step_count()).find(|&step| !instance.is_refined(step as u32));
-    let level = ViewLevel {
-        mesh: instance.level(&fans, &assembled.refinable),
-        split_count: instance.split_count(),
-        error: coarsest.map_or(0.0, |step| assembled.refinable.sequence.error_at(step)),
-        pixels: 0.0,
-        stop_reason: StopReason::TargetReached,
-        seek_secs: started_seek.elapsed().as_secs_f64(),
-    };
+    let criterion = DetailBox { min: corners.min, max: corners.max, error_outside };
+    let cut = assembled.cut(|part| criterion.weigh(part).should_refine());
+    let level = level_of(cut, (0.0, StopReason::TargetReached));
     finish(args, (file, &assembled), (level, None), started, output)
 }
 
