@@ -8,6 +8,7 @@ use striata::mesh::{
     TriangleGroup,
 };
 
+use crate::hash::IndexHash;
 use crate::{Metadata, Page, PagedError};
 
 const NONE: u32 = u32::MAX;
@@ -186,7 +187,7 @@ struct Triangles {
     /// Corners and group; triangles that a finer page has replaced have no group.
     all: Vec<([u32; 3], u32)>,
     /// The last of all triangles with these corners and group.
-    last: HashMap<[u32; 4], u32>,
+    last: HashMap<[u32; 4], u32, IndexHash>,
     /// The one before, among equal triangles.
     before: Vec<u32>,
 }

@@ -64,12 +64,16 @@ impl<'a> Surface<'a> {
     /// Finds the corners at a position.
     fn gather(&mut self, position: u32) {
         self.star.clear();
-        let mut corner = self.head[position as usize];
+        let mut corner = std::mem::replace(&mut self.head[position as usize], NONE);
+        self.tail[position as usize] = NONE;
         while corner != NONE {
+            let next = std::mem::replace(&mut self.next[corner as usize], NONE);
+            // Triangles that are gone leave the list, or hubs would be searched again and again.
             if self.is_alive[corner as usize / 3] {
                 self.star.push(corner);
+                self.link(position, corner);
             }
-            corner = self.next[corner as usize];
+            corner = next;
         }
     }
 

@@ -174,8 +174,8 @@ impl Quantizer {
 
     fn put(&self, bytes: &mut Vec<u8>, bound: &PageBound) {
         for (corner, is_max) in [(bound.min, false), (bound.max, true)] {
-            for axis in 0..3 {
-                let share = (f64::from(corner[axis]) - self.min[axis]) / self.step[axis];
+            for (axis, &x) in corner.iter().enumerate() {
+                let share = (f64::from(x) - self.min[axis]) / self.step[axis];
                 let share = if is_max { share.ceil() } else { share.floor() };
                 // Without extent the share is not a number, which becomes 0.
                 bytes.extend((share.clamp(0.0, Self::LARGEST) as u16).to_le_bytes());
@@ -187,11 +187,11 @@ impl Quantizer {
     fn take(&self, parser: &mut Parser<'_>) -> Result<PageBound, HeadDefect> {
         let mut corners = [[0.0; 3]; 2];
         for (i, corner) in corners.iter_mut().enumerate() {
-            for axis in 0..3 {
+            for (axis, x) in corner.iter_mut().enumerate() {
                 let share = f64::from(u16::from_le_bytes(parser.array()?));
-                let x = (self.min[axis] + share * self.step[axis]) as f32;
+                let exact = (self.min[axis] + share * self.step[axis]) as f32;
                 // The sum may have been rounded inward.
-                corner[axis] = if i == 0 { x.next_down() } else { x.next_up() };
+                *x = if i == 0 { exact.next_down() } else { exact.next_up() };
             }
         }
         let [min, max] = corners;

@@ -23,6 +23,7 @@ mod codec;
 mod cut;
 mod directory;
 mod error;
+mod hash;
 mod head;
 mod metadata;
 mod page;

@@ -39,6 +39,8 @@ mod module;
 #[cfg(feature = "python")]
 mod options;
 #[cfg(feature = "python")]
+mod plan;
+#[cfg(feature = "python")]
 mod pool;
 #[cfg(feature = "python")]
 mod scene;

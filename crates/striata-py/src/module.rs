@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 use crate::errors::DecodeError;
 use crate::lod::LodData;
 use crate::mesh::MeshData;
+use crate::plan::PlanData;
 use crate::scene::{LodSceneData, SceneData};
 use crate::stream::DecoderData;
 use crate::view::ViewData;
@@ -21,6 +22,7 @@ fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<SceneData>()?;
     module.add_class::<LodSceneData>()?;
     module.add_class::<DecoderData>()?;
+    module.add_class::<PlanData>()?;
     module.add_function(wrap_pyfunction!(simplify::simplify, module)?)?;
     module.add_function(wrap_pyfunction!(simplify::simplify_mesh, module)?)?;
     module.add_function(wrap_pyfunction!(lod::build, module)?)?;

@@ -1,6 +1,6 @@
 //! Meshes simplified in cells: the steps of all cells together are one sequence of the whole mesh.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, shapes};
 use striata::simplify::cells::{CellHierarchy, CellMesh, CellOptions, Partition, build_in_cells};
@@ -63,8 +63,8 @@ fn soup_of(positions: &[[f32; 3]], layers: &[AttributeLayer], triangles: &[[u32;
 /// Checks that each step follows those that it depends on, and that the base mesh and the pages, loaded in any
 /// order that respects keys, end at the full mesh.
 fn check(mesh: &IndexedMesh, hierarchy: &CellHierarchy) {
-    let mut targets: HashMap<Value, (Value, f32)> = HashMap::new();
-    let mut key_of: HashMap<Vec<u32>, f32> = HashMap::new();
+    let mut targets: BTreeMap<Value, (Value, f32)> = BTreeMap::new();
+    let mut key_of: BTreeMap<Vec<u32>, f32> = BTreeMap::new();
     let base = &hierarchy.base;
     let mut soup = soup_of(&base.positions, &base.layers, &base.triangles);
     for cell in hierarchy.cells.iter().rev() {
@@ -102,7 +102,7 @@ fn check(mesh: &IndexedMesh, hierarchy: &CellHierarchy) {
 }
 
 /// Checks that every triangle of a level consists of vertices that the level has.
-fn check_levels(mesh: &IndexedMesh, targets: &HashMap<Value, (Value, f32)>) {
+fn check_levels(mesh: &IndexedMesh, targets: &BTreeMap<Value, (Value, f32)>) {
     let values = values(&mesh.positions, &mesh.layers);
     let mut keys: Vec<f32> = targets.values().map(|(_, key)| *key).collect();
     keys.sort_by(f32::total_cmp);

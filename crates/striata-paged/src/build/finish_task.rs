@@ -32,7 +32,7 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
     metadata.vertex_count = entries.iter().map(|entry| u64::from(entry.vertex_count)).sum();
     let is_folder = is_folder(&plan.output);
     let head = write_head(&metadata, &entries, is_folder);
-    let each = |write: &mut dyn FnMut(PageId, &[u8]) -> Result<(), BuildError>| {
+    let each = |write: &mut WritePage<'_>| {
         ids.iter().try_for_each(|&id| {
             let Some((part, segment)) = pages.find(id).next() else { return Ok(()) };
             write(id, &split(part, segment)?.1)
@@ -52,9 +52,10 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
     }
 }
 
-/// Calls a function for the bytes of every page.
-type EachPage<'a> =
-    dyn Fn(&mut dyn FnMut(PageId, &[u8]) -> Result<(), BuildError>) -> Result<(), BuildError> + 'a;
+/// Takes the bytes of one page.
+type WritePage<'a> = dyn FnMut(PageId, &[u8]) -> Result<(), BuildError> + 'a;
+/// Passes the bytes of every page to a function.
+type EachPage<'a> = dyn Fn(&mut WritePage<'_>) -> Result<(), BuildError> + 'a;
 
 fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), BuildError> {
     let failed = |source| BuildError::io(output, source);

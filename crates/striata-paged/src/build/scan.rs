@@ -67,11 +67,9 @@ fn scan_piece(piece: &Piece) -> PieceScan {
     let mut scan = PieceScan { min: [f32::MAX; 3], max: [f32::MIN; 3], ..PieceScan::default() };
     for (index, corners) in piece.triangles.iter().enumerate() {
         let at = corners.map(|v| piece.positions[v as usize]);
-        for p in at {
-            for axis in 0..3 {
-                scan.min[axis] = scan.min[axis].min(p[axis]);
-                scan.max[axis] = scan.max[axis].max(p[axis]);
-            }
+        for (axis, &x) in at.iter().flat_map(|p| p.iter().enumerate()) {
+            scan.min[axis] = scan.min[axis].min(x);
+            scan.max[axis] = scan.max[axis].max(x);
         }
         let edge: f64 = (0..3).map(|a| f64::from(at[0][a] - at[1][a]).powi(2)).sum();
         scan.edge_sum += edge.sqrt();

@@ -1,30 +1,8 @@
 //! Open edges of the region that has been coded so far.
 
 use std::collections::{HashMap, VecDeque};
-use std::hash::{BuildHasherDefault, Hasher};
 
-/// Hasher of pairs of indices.
-#[derive(Default)]
-pub(super) struct PairHasher(u64);
-
-/// Builds hashers of pairs of indices.
-pub(super) type EdgeHash = BuildHasherDefault<PairHasher>;
-
-impl Hasher for PairHasher {
-    fn finish(&self) -> u64 {
-        self.0
-    }
-    fn write(&mut self, bytes: &[u8]) {
-        bytes.iter().for_each(|&byte| self.write_u64(u64::from(byte)));
-    }
-    fn write_u32(&mut self, word: u32) {
-        self.write_u64(u64::from(word));
-    }
-    fn write_u64(&mut self, word: u64) {
-        let mixed = (self.0 ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        self.0 = mixed ^ (mixed >> 29);
-    }
-}
+use crate::hash::IndexHash;
 
 /// An open edge of a triangle that has been coded: the triangle beyond it has its ends in reverse order.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +27,7 @@ struct Ends {
 pub(super) struct Border {
     gates: VecDeque<Gate>,
     /// Number of open gates of each directed edge.
-    open: HashMap<(u32, u32), u32, EdgeHash>,
+    open: HashMap<(u32, u32), u32, IndexHash>,
     ends: Vec<Ends>,
     /// Vertex that was last seen at each node.
     last_vertex: Vec<u32>,

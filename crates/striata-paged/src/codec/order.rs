@@ -3,6 +3,7 @@
 use std::collections::{HashMap, VecDeque};
 
 use crate::Page;
+use crate::hash::IndexHash;
 
 const NONE: u32 = u32::MAX;
 
@@ -94,7 +95,7 @@ fn rotated(t: [u32; 3], turn: u8) -> [u32; 3] {
 fn grown(triangles: &[[u32; 3]], node_of: &[u32]) -> Vec<(u32, u8)> {
     let nodes = |t: u32| triangles[t as usize].map(|v| node_of[v as usize]);
     // Triangles by directed edge, as linked lists in ascending order.
-    let mut head: HashMap<(u32, u32), u32, super::border::EdgeHash> = HashMap::default();
+    let mut head: HashMap<(u32, u32), u32, IndexHash> = HashMap::default();
     head.reserve(3 * triangles.len());
     let mut next = vec![NONE; 3 * triangles.len()];
     for t in (0..triangles.len() as u32).rev() {

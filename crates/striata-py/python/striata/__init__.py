@@ -15,6 +15,8 @@ from ._files import convert, open, save
 from ._level import Level
 from ._lod import Lod
 from ._mesh import Group, Image, Material, Mesh
+from ._plan import Plan, plan
+from ._run import run
 from ._scene import Instance, LodScene, Scene, SceneLevel
 from ._sequence import Sequence
 from ._simplified import Simplified
@@ -38,6 +40,7 @@ __all__ = [
     "Material",
     "Mesh",
     "OneSidedDistance",
+    "Plan",
     "Scene",
     "SceneLevel",
     "Sequence",
@@ -53,7 +56,9 @@ __all__ = [
     "encode",
     "open",
     "page",
+    "plan",
     "plot",
+    "run",
     "save",
     "shapes",
     "simplify",

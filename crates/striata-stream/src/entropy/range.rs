@@ -164,6 +164,12 @@ impl Coder for RangeWriter {
     }
 }
 
+impl Default for RangeWriter {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// Reads decisions from bytes.
 #[derive(Clone, Debug)]
 pub struct RangeReader<'a> {

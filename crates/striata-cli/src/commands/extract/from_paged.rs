@@ -1,10 +1,9 @@
 //! `extract` from a paged file: reads the pages that the levels need, and no others.
 
-use std::collections::{BTreeSet, HashMap};
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::mesh::{IndexedMesh, replay};
+use striata::mesh::replay;
 use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
 use striata::view::{Camera, Criterion, DetailBox, Sphere};
@@ -38,6 +37,8 @@ pub(super) struct PagesRead {
     shown: usize,
     /// Bytes that were read, with the head.
     bytes: u64,
+    /// Steps of the pages that were read.
+    step_count: usize,
 }
 
 /// Extracts levels of a paged file.
@@ -71,12 +72,14 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
     let mut reports = Vec::new();
     for (request, target) in requests.iter().zip(targets) {
         let (split_count, stop_reason) = target.resolve(sequence);
-        let level = without_unused_vertices(replay(&assembled.refinable, split_count), None).0;
+        let level = replay(&assembled.refinable, split_count);
+        let pages = pages_read(&file, &assembled, level.triangles.as_flattened());
+        let level = without_unused_vertices(level, None).0;
         let shown = LevelMesh { mesh: &level, split_count, stop_reason };
         let secs = started.elapsed().as_secs_f64();
         let report = Report {
             error: sequence.error_at(split_count),
-            pages: Some(pages_read(&file, &assembled, &level)),
+            pages: Some(pages),
             ..Report::of_level(ModelKind::Fans, request, shown, [secs, secs])
         };
         check_strict(args.strict, request.name.as_deref(), report.shortfall.as_deref())?;
@@ -142,8 +145,9 @@ fn run_view(
     let pages = pages_of_view(file, &camera, args.view.pixels() as f32)?;
     let assembled = file.assemble(&pages).map_err(failure_of)?;
     let pixels = args.view.pixels();
-    let level = view_level(&assembled, &args.view, (camera, pixels), triangle_limit);
-    finish(args, (file, &assembled), (level, triangle_limit), started, output)
+    let (cut, pixels, stop_reason) = view_cut(&assembled, &args.view, (camera, pixels), triangle_limit);
+    let pages = pages_read(file, &assembled, &cut.source_vertex);
+    finish(args, (level_of(cut, (pixels, stop_reason)), triangle_limit), (pages, started), output)
 }
 
 /// Pages that a camera sees with errors of more than so many pixels.
@@ -160,12 +164,12 @@ pub(crate) fn pages_of_view(file: &mut PagedFile, camera: &Camera, pixels: f32) 
 
 /// The coarsest level within the pixel tolerance, or, with a triangle limit, within the least tolerance that
 /// respects it.
-fn view_level(
+fn view_cut(
     assembled: &Assembled,
     view: &ViewArgs,
     (camera, pixels): (Camera, f64),
     triangle_limit: Option<usize>,
-) -> ViewLevel {
+) -> (Cut, f64, StopReason) {
     let criterion = view.criterion(camera, MIN_PIXELS);
     let cut = |factor: f64| {
         let criterion = criterion.clone().relaxed(factor as f32);
@@ -192,7 +196,7 @@ fn view_level(
             (high, best) = (middle, other);
         }
     }
-    level_of(best, (pixels * high, stop_reason))
+    (best, pixels * high, stop_reason)
 }
 
 fn level_of(cut: Cut, (pixels, stop_reason): (f64, StopReason)) -> ViewLevel {
@@ -214,41 +218,38 @@ fn run_box(
     let assembled = file.assemble(&pages).map_err(failure_of)?;
     let criterion = DetailBox { min: corners.min, max: corners.max, error_outside };
     let cut = assembled.cut(|part| criterion.weigh(part).should_refine());
-    let level = level_of(cut, (0.0, StopReason::TargetReached));
-    finish(args, (file, &assembled), (level, None), started, output)
+    let pages = pages_read(file, &assembled, &cut.source_vertex);
+    finish(args, (level_of(cut, (0.0, StopReason::TargetReached)), None), (pages, started), output)
 }
 
 /// Writes the level for a view or a box, and reports it.
 fn finish(
     args: &ExtractArgs,
-    (file, assembled): (&PagedFile, &Assembled),
-    (mut level, triangle_limit): (ViewLevel, Option<usize>),
-    started: Instant,
+    (level, triangle_limit): (ViewLevel, Option<usize>),
+    (pages, started): (PagesRead, Instant),
     output: &Output,
 ) -> Result<(), Failure> {
-    level.mesh = without_unused_vertices(level.mesh, None).0;
-    let pages = pages_read(file, assembled, &level.mesh);
     let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, triangle_limit), started)?;
     let primitives = primitives_of(args.form, &level.mesh, None)?;
     write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format)?;
     let pixels = args.eye.eye.is_some().then_some(level.pixels);
     let report = Report { pages: Some(pages), pixels, ..report };
-    output.summary(&report, &report.to_text(assembled.refinable.sequence.step_count()))
+    output.summary(&report, &report.to_text(pages.step_count))
 }
 
 /// What was read, and how many pages the vertices of a level come from.
-fn pages_read(file: &PagedFile, assembled: &Assembled, level: &IndexedMesh) -> PagesRead {
-    let bits = |p: &[f32; 3]| p.map(f32::to_bits);
-    let positions = assembled.refinable.mesh.positions.iter().map(bits);
-    let page_of: HashMap<[u32; 3], u32> = positions.zip(assembled.page_of_vertex.iter().copied()).collect();
-    let shown: BTreeSet<u32> =
-        level.positions.iter().filter_map(|p| page_of.get(&bits(p)).copied()).collect();
+fn pages_read(file: &PagedFile, assembled: &Assembled, vertices: &[u32]) -> PagesRead {
+    let mut is_shown = vec![false; file.reader().page_count() as usize];
+    for &v in vertices {
+        is_shown[assembled.page_of_vertex[v as usize] as usize] = true;
+    }
     let statistics = file.statistics();
     PagesRead {
         page_count: file.reader().page_count(),
         read: statistics.page_count,
-        shown: shown.len(),
+        shown: is_shown.into_iter().filter(|&is_shown| is_shown).count(),
         bytes: statistics.byte_count,
+        step_count: assembled.refinable.sequence.step_count(),
     }
 }
 

@@ -163,7 +163,7 @@ mod tests {
         };
         mesh.layers.push(layer);
         let welded = weld(&mesh).expect("the mesh is valid");
-        atlas_unit_lengths(&welded, &welded.mesh.layers[0])
+        atlas_unit_lengths(&welded, &welded.mesh.layers[0], welded.mesh.diagonal())
     }
 
     #[test]

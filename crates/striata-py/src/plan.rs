@@ -1,0 +1,180 @@
+//! Builds of meshes larger than memory: plans, and the tasks that an executor runs.
+
+use std::path::PathBuf;
+
+use pyo3::prelude::*;
+use striata::simplify::AttributeWeights;
+use striata_paged::build::{BuildError, BuildInput, BuildOptions, Plan, Stage, run_task};
+
+use crate::errors::{Outcome, cancelled, decode_error, internal_error, os_error, read_error, value_error};
+use crate::job;
+
+/// A plan on disk. It has no state of its own: every process that sees the folder may open it.
+#[pyclass(frozen, module = "striata._striata")]
+pub(crate) struct PlanData {
+    plan: Plan,
+}
+
+fn build_error(error: BuildError) -> PyErr {
+    match error {
+        BuildError::Read(error) => read_error(error),
+        BuildError::Io { path, source } => os_error(&source, path.display().to_string()),
+        BuildError::Cancelled(reason) => cancelled(reason),
+        BuildError::Damaged { .. } | BuildError::Plan { .. } => decode_error(error),
+        BuildError::Simplify { .. } | BuildError::NoOwner { .. } => internal_error(error),
+        other => value_error(other),
+    }
+}
+
+/// What a plan is made of.
+#[derive(FromPyObject)]
+pub(crate) struct PlanOptions {
+    #[pyo3(item)]
+    cell: usize,
+    #[pyo3(item)]
+    exact: bool,
+    #[pyo3(item)]
+    weld_distance: Option<f64>,
+    #[pyo3(item)]
+    z_scale: f64,
+    #[pyo3(item)]
+    task_size: u64,
+    #[pyo3(item)]
+    weights: (f32, f32, f32),
+}
+
+impl PlanOptions {
+    fn build_options(&self) -> Outcome<BuildOptions> {
+        let (normal_weight, texcoord_weight, color_weight) = self.weights;
+        let weights = AttributeWeights {
+            normal: normal_weight,
+            texcoord: texcoord_weight,
+            color: color_weight,
+            ..AttributeWeights::NONE
+        };
+        let is_valid =
+            [weights.normal, weights.texcoord, weights.color].iter().all(|w| *w >= 0.0 && w.is_finite());
+        if !is_valid {
+            return Err(value_error("weights must be finite numbers of at least 0"));
+        }
+        if !(1000..=1_000_000).contains(&self.cell) {
+            return Err(value_error(format!("cell is {}, but must be 1000 to 1000000", self.cell)));
+        }
+        if self.weld_distance.is_some_and(|distance| !(distance > 0.0 && distance.is_finite())) {
+            return Err(value_error("weld_distance must be a positive number"));
+        }
+        if !self.z_scale.is_finite() || self.z_scale == 0.0 {
+            return Err(value_error("z_scale must be a finite number other than 0"));
+        }
+        let task_size = self.task_size.clamp(1, 1 << 20);
+        Ok(BuildOptions {
+            cell: self.cell,
+            exact: self.exact,
+            weld_distance: self.weld_distance,
+            z_scale: self.z_scale,
+            normal_weight,
+            texcoord_weight,
+            color_weight,
+            cells_per_task: task_size,
+            pieces_per_task: task_size.div_ceil(2),
+            ..BuildOptions::default()
+        })
+    }
+}
+
+#[pymethods]
+impl PlanData {
+    /// Reads the inputs once and writes a plan.
+    #[staticmethod]
+    fn make(
+        py: Python<'_>,
+        inputs: Vec<PathBuf>,
+        paths: (PathBuf, PathBuf),
+        options: PlanOptions,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> Outcome<Self> {
+        let options = options.build_options()?;
+        let (output, folder) = paths;
+        let input = match inputs.as_slice() {
+            [one] => generated(one).unwrap_or_else(|| BuildInput::Files(inputs.clone())),
+            _ => BuildInput::Files(inputs),
+        };
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let plan = job::run(py, usize::MAX, progress, move |report| {
+            Plan::make((input, options), &output, &folder, (threads, report)).map_err(build_error)
+        })?;
+        Ok(Self { plan })
+    }
+
+    /// Opens a plan by its folder or file.
+    #[staticmethod]
+    fn open(path: PathBuf) -> Outcome<Self> {
+        Ok(Self { plan: Plan::open(&path).map_err(build_error)? })
+    }
+
+    /// Name and task numbers of each stage, in order.
+    fn stages(&self) -> Vec<(String, Vec<usize>)> {
+        let name = |stage: Stage| match stage {
+            Stage::Sort => "sort".to_owned(),
+            Stage::Level(level) => format!("simplify level {level}"),
+            Stage::Encode(_) => "encode".to_owned(),
+            Stage::Finish => "write".to_owned(),
+        };
+        let mut stages: Vec<(String, Vec<usize>)> = Vec::new();
+        for stage in self.plan.stages() {
+            let numbers: Vec<usize> = self.plan.tasks_of(stage).map(|(number, _)| number).collect();
+            match stages.last_mut() {
+                // Pages of all levels may be encoded at once.
+                Some((last, known)) if *last == name(stage) => known.extend(numbers),
+                _ => stages.push((name(stage), numbers)),
+            }
+        }
+        stages
+    }
+
+    fn is_done(&self, task: usize) -> bool {
+        self.plan.tasks.get(task).is_some_and(|task| self.plan.is_done(task))
+    }
+
+    fn run_task(&self, py: Python<'_>, task: usize) -> Outcome<()> {
+        let plan = self.plan.clone();
+        job::run(py, usize::MAX, None, move |_| run_task(&plan, task).map_err(build_error))
+    }
+
+    fn remove_work(&self) -> Outcome<()> {
+        self.plan.remove_work().map_err(build_error)
+    }
+
+    #[getter]
+    fn is_finished(&self) -> bool {
+        self.plan.is_finished()
+    }
+
+    #[getter]
+    fn folder(&self) -> PathBuf {
+        self.plan.folder.clone()
+    }
+
+    #[getter]
+    fn output(&self) -> PathBuf {
+        self.plan.output.clone()
+    }
+
+    #[getter]
+    fn triangle_count(&self) -> u64 {
+        self.plan.metadata.triangle_count
+    }
+
+    /// Bytes of the work folder, bytes of the result, and pages, all estimated.
+    #[getter]
+    fn estimate(&self) -> (u64, u64, u64) {
+        let estimate = self.plan.estimate();
+        (estimate.work_bytes, estimate.result_bytes, estimate.page_count)
+    }
+}
+
+/// A generated terrain, as the command names it.
+fn generated(path: &std::path::Path) -> Option<BuildInput> {
+    let side = path.to_str()?.strip_prefix("shape:terrain:")?.parse().ok()?;
+    (2..=200_000).contains(&side).then_some(BuildInput::Terrain(side))
+}
