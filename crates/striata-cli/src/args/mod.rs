@@ -58,9 +58,9 @@ pub(crate) struct Cli {
 pub(crate) enum Verb {
     /// Build a .striata file with every level of detail of a mesh or scene
     Build(BuildArgs),
-    /// Plan the build of a mesh larger than memory, in tasks for a cluster
+    /// Plan the build of a mesh larger than memory
     Plan(PlanArgs),
-    /// Run one task of a plan, or all that are open
+    /// Run one task of a plan, or all
     Run(RunArgs),
     /// Show what a mesh, scene, .striata file or stream contains
     Info(InfoArgs),
@@ -109,8 +109,7 @@ const BASE: &str = "Base mesh (the coarsest level)";
     override_usage = "striata build [OPTIONS] <INPUT>... [-o <OUT.striata>]",
     after_help = "Examples:\n  \
     striata build shape:torus -o torus.striata\n  \
-    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%\n  \
-    striata build scans/*.ply -o city.striata --memory 4GB"
+    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%"
 )]
 pub(crate) struct BuildArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus

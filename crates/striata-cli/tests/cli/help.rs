@@ -20,6 +20,8 @@ fn the_whole_help_fits_one_screen() {
 fn every_verb_ends_with_two_examples() {
     for verb in [
         "build",
+        "plan",
+        "run",
         "info",
         "extract",
         "simplify",

@@ -8,6 +8,7 @@ mod help;
 mod levels;
 mod orders;
 mod outputs;
+mod paged;
 mod patterns;
 mod png;
 mod reference_pictures;

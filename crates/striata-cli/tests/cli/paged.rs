@@ -1,0 +1,161 @@
+//! Paged files: built within little memory, in tasks, resumed after a kill, and read in parts.
+
+use std::fs;
+use std::process::Stdio;
+use std::time::Duration;
+
+use serde_json::Value;
+use striata::mesh::IndexedMesh;
+
+use crate::workbench::Workbench;
+
+const BUILD: &str = "build shape:terrain:260 --cell 4000 --threads 2";
+
+fn mesh(bench: &Workbench, name: &str) -> IndexedMesh {
+    striata_io::read(bench.path(name)).expect("the output is readable")
+}
+
+fn json(bench: &Workbench, arguments: &str) -> Value {
+    let output = bench.run(&format!("{arguments} --json")).success();
+    serde_json::from_slice(&output.get_output().stdout).expect("a report")
+}
+
+fn stderr(assert: &assert_cmd::assert::Assert) -> String {
+    String::from_utf8_lossy(&assert.get_output().stderr).into_owned()
+}
+
+#[test]
+fn levels_views_and_boxes_read_only_some_pages() {
+    let bench = Workbench::new();
+    let built = json(&bench, &format!("{BUILD} -o t.striata --memory 500MB"));
+    assert_eq!(built["triangles"], 2 * 259 * 259);
+    assert!(!bench.path("t.striata.work").exists());
+    let info = json(&bench, "info t.striata");
+    assert_eq!((&info["kind"], &info["triangle_count"]), (&"paged".into(), &(2 * 259 * 259).into()));
+    assert_eq!(
+        info["page_count"],
+        info["levels"].as_array().unwrap().iter().map(|l| l["pages"].as_u64().unwrap()).sum::<u64>()
+    );
+    let pages = info["page_count"].as_u64().unwrap();
+    let level = json(&bench, "extract t.striata -o level.ply --triangles 1000");
+    assert!(level["pages"]["read"].as_u64().unwrap() < pages / 2, "{level}");
+    assert!((990..=1000).contains(&mesh(&bench, "level.ply").triangle_count()));
+    let arguments = "--eye 20,20,60 --look-at 30,30,0 --up 0,0,1 --pixels 2 --viewport 640x480";
+    let view = json(&bench, &format!("extract t.striata -o view.ply {arguments}"));
+    let (read, shown) = (view["pages"]["read"].as_f64().unwrap(), view["pages"]["shown"].as_f64().unwrap());
+    assert!(read < pages as f64 && read <= 2.0 * shown, "{view}");
+    let limited = json(&bench, &format!("extract t.striata -o limited.ply {arguments} --triangles 500"));
+    assert!(limited["triangle_count"].as_u64().unwrap() <= 500, "{limited}");
+    json(&bench, "extract t.striata -o box.ply --detail-box 0,0,-1000,20,20,1000");
+    let detailed = mesh(&bench, "box.ply");
+    let inside = |t: &&[u32; 3]| {
+        t.iter()
+            .all(|&v| detailed.positions[v as usize][0] <= 20.0 && detailed.positions[v as usize][1] <= 20.0)
+    };
+    assert_eq!(detailed.triangles.iter().filter(inside).count(), 2 * 20 * 20);
+    bench.run("extract t.striata -o level-{}.ply --levels 10%,1%").success();
+    bench.run("convert t.striata full.ply").success();
+    assert_eq!(mesh(&bench, "full.ply").triangle_count(), 2 * 259 * 259);
+    bench.run("render t.striata -o t.png --software --size 200x200").success();
+    bench
+        .run(&format!("render t.striata -o v.png --software --size 200x200 {}", "--eye 20,20,60 --up 0,0,1"))
+        .success();
+    assert!(bench.path("t.png").exists() && bench.path("v.png").exists());
+}
+
+#[test]
+fn several_files_are_one_mesh_and_a_folder_has_one_object_per_page() {
+    let bench = Workbench::with_ball();
+    bench.run("build shape:terrain:130 -o a.striata --paged --cell 4000").success();
+    bench.run("convert a.striata a.ply").success();
+    // A second tile, which shares no vertex with the first.
+    let mut tile = mesh(&bench, "a.ply");
+    tile.positions.iter_mut().for_each(|p| p[0] += 129.0);
+    striata_io::write(bench.path("b.ply"), &tile, &striata_io::WriteOptions::default()).unwrap();
+    bench.run("build a.ply b.ply -o both --cell 4000").success();
+    assert!(bench.path("both/head.striata").is_file());
+    let info = json(&bench, "info both");
+    assert_eq!(info["triangle_count"], 2 * 2 * 129 * 129);
+    bench.run("extract both -o both.ply --triangles 2000").success();
+}
+
+#[test]
+fn a_killed_build_goes_on_with_the_same_bytes() {
+    let bench = Workbench::new();
+    bench.run("build shape:terrain:700 --cell 4000 -o whole.striata").success();
+    let expected = fs::read(bench.path("whole.striata")).unwrap();
+    let arguments = "build shape:terrain:700 --cell 4000 -o killed.striata --threads 1";
+    for millis in [150, 300, 450] {
+        let mut command = bench.command(arguments);
+        let program = command.get_program().to_owned();
+        let mut process = std::process::Command::new(program)
+            .args(command.get_args())
+            .current_dir(bench.path("."))
+            .stderr(Stdio::null())
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        command.env("COLUMNS", "80");
+        std::thread::sleep(Duration::from_millis(millis));
+        // On Unix this is the signal that cannot be caught.
+        process.kill().unwrap();
+        process.wait().unwrap();
+        if !bench.path("killed.striata").exists() {
+            assert!(bench.path("killed.striata.work").exists());
+        }
+    }
+    let report = json(&bench, arguments);
+    assert!(fs::read(bench.path("killed.striata")).unwrap() == expected, "{report}");
+}
+
+#[test]
+fn tasks_run_one_by_one() {
+    let bench = Workbench::new();
+    bench.run(&format!("{BUILD} -o whole.striata")).success();
+    let plan = json(&bench, "plan shape:terrain:260 --cell 4000 -o tasks.striata");
+    let count = plan["tasks"].as_u64().unwrap();
+    let early = bench.run(&format!("run tasks.striata.work --task {}", count - 1)).failure();
+    assert!(stderr(&early).contains("needs the result of task 0"), "{}", stderr(&early));
+    let unknown = bench.run(&format!("run tasks.striata.work --task {count}")).failure();
+    assert!(stderr(&unknown).contains("does not exist"), "{}", stderr(&unknown));
+    for task in 0..count {
+        bench.run(&format!("run tasks.striata.work/plan.json --task {task}")).success();
+    }
+    let bytes = |name: &str| fs::read(bench.path(name)).unwrap();
+    assert!(bytes("tasks.striata") == bytes("whole.striata"));
+    // All tasks are done, so nothing is left to do.
+    bench.run("run tasks.striata.work").success();
+}
+
+#[test]
+fn mistakes_have_messages() {
+    let bench = Workbench::new();
+    let cases = [
+        ("build shape:terrain:one -o a.striata", "not a generated input"),
+        ("build shape:terrain:100 -o a.striata --cell 10", "--cell is 10"),
+        ("build shape:terrain:100 -o a.striata --memory 4", "less than 1 MB"),
+        ("build shape:terrain:100 -o a.striata --memory lots", "is not a size"),
+        ("build missing.ply -o a.striata --paged", "missing.ply"),
+        ("build shape:terrain:100 -o missing/a.striata", "does not exist"),
+        ("run missing.work", "missing.work"),
+    ];
+    for (arguments, expected) in cases {
+        let message = stderr(&bench.run(arguments).failure());
+        assert!(message.contains(expected), "{arguments}: {message}");
+    }
+    bench.run("build shape:terrain:100 -o a.striata --cell 4000").success();
+    let model = bench.run("extract a.striata -o a.ply --triangles 100 --model mts").failure();
+    assert!(stderr(&model).contains("no models"));
+    bench.run("plan shape:terrain:100 -o b.striata --cell 4000").success();
+    let other = bench.run("build shape:terrain:101 -o b.striata --cell 4000").failure();
+    assert!(stderr(&other).contains("--restart"), "{}", stderr(&other));
+    bench.run("build shape:terrain:101 -o b.striata --cell 4000 --restart").success();
+    let mut bytes = fs::read(bench.path("a.striata")).unwrap();
+    let last = bytes.len() - 10;
+    bytes[last] ^= 1;
+    fs::write(bench.path("damaged.striata"), &bytes).unwrap();
+    let damaged = bench.run("convert damaged.striata a.ply").failure();
+    assert!(stderr(&damaged).contains("checksum"), "{}", stderr(&damaged));
+    fs::write(bench.path("short.striata"), &bytes[..40]).unwrap();
+    assert!(stderr(&bench.run("info short.striata").failure()).contains("cut off"));
+}
