@@ -19,13 +19,17 @@ mod several;
 mod spool;
 mod stl;
 mod stl_text;
+#[cfg(feature = "terrain")]
+mod terrain;
 mod tiles;
 
 pub use fractal_terrain::FractalTerrain;
 pub use mesh_pieces::MeshPieces;
-pub use open::open_pieces;
+pub use open::{open_all, open_pieces};
 pub use options::PieceOptions;
 pub use several::{Several, open_several};
+#[cfg(feature = "terrain")]
+pub use terrain::Terrain;
 pub use tiles::Tiles;
 
 use serde::{Deserialize, Serialize};

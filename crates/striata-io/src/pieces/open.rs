@@ -18,6 +18,10 @@ use crate::{Format, ReadError, read_bytes_with_report};
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.
 pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
+    #[cfg(feature = "terrain")]
+    if super::terrain::is_raster(path) {
+        return Ok(Box::new(super::Terrain::open(&[path.to_owned()], options.z_scale)?));
+    }
     let mut input = Input::open(path, options)?;
     match Format::detect(&input.bytes, &input.inner_name) {
         Some(Format::Ply) => match PlyPieces::open(input, options)? {
@@ -41,4 +45,19 @@ fn in_memory(input: &Input, options: &PieceOptions) -> Result<Box<dyn PieceSourc
         .with_file(input.file_bytes, warnings);
     pieces.check()?;
     Ok(Box::new(pieces))
+}
+
+/// Opens files that are one mesh, or rasters that are one terrain.
+///
+/// # Errors
+/// [`ReadError`] with the file, the place and the reason.
+pub fn open_all(
+    paths: &[std::path::PathBuf],
+    options: &PieceOptions,
+) -> Result<Box<dyn PieceSource>, ReadError> {
+    #[cfg(feature = "terrain")]
+    if !paths.is_empty() && paths.iter().all(|path| super::terrain::is_raster(path)) {
+        return Ok(Box::new(super::Terrain::open(paths, options.z_scale)?));
+    }
+    Ok(Box::new(super::open_several(paths, options)?))
 }

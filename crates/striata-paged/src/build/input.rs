@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
-use striata_io::pieces::{FractalTerrain, PieceOptions, PieceSource, Tiles, open_pieces, open_several};
+use striata_io::pieces::{FractalTerrain, PieceOptions, PieceSource, Tiles, open_all, open_pieces};
 
 use super::BuildError;
 
@@ -32,7 +32,7 @@ impl BuildInput {
     pub fn open(&self, options: &PieceOptions) -> Result<Box<dyn PieceSource>, BuildError> {
         Ok(match self {
             Self::Files(paths) if paths.len() == 1 => open_pieces(&paths[0], options)?,
-            Self::Files(paths) => Box::new(open_several(paths, options)?),
+            Self::Files(paths) => open_all(paths, options)?,
             Self::Terrain(side) => Box::new(FractalTerrain::new(*side, 1)),
             Self::Tiles { count, path } => {
                 let columns = count.isqrt().max(1);

@@ -99,11 +99,20 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
         groups,
         appearance: appearance(source),
         georeference: summary.georeference.clone(),
-        options: serde_json::to_value(options).unwrap_or_default(),
+        options: stored_options(options),
         ..Metadata::default()
     };
     metadata.declare_material_layer();
     metadata
+}
+
+/// The options that the result depends on.
+fn stored_options(options: &BuildOptions) -> serde_json::Value {
+    let mut value = serde_json::to_value(options).unwrap_or_default();
+    if let Some(object) = value.as_object_mut() {
+        object.retain(|name, _| !name.ends_with("_per_task"));
+    }
+    value
 }
 
 /// Distance of neighboring positions: a power of two.

@@ -1,0 +1,182 @@
+//! GeoTIFF rasters: strips and tiles of integers or floats, decoded as they are needed.
+
+use std::collections::VecDeque;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+
+use tiff::decoder::{Decoder, DecodingResult};
+use tiff::tags::Tag;
+
+use super::raster::{Placement, Raster, malformed};
+use crate::ReadError;
+
+/// Strips and tiles that stay decoded.
+const MAX_CHUNKS: usize = 64;
+/// Keys of the geo directory.
+const MODEL_TYPE: u64 = 1024;
+const RASTER_TYPE: u64 = 1025;
+const GEOGRAPHIC_TYPE: u64 = 2048;
+const PROJECTED_TYPE: u64 = 3072;
+
+/// A GeoTIFF file.
+pub(super) struct GeoTiff {
+    name: String,
+    size: [u64; 2],
+    /// Size of a strip or tile, and how many there are in a row.
+    chunk: [u64; 2],
+    chunks_across: u64,
+    nodata: Option<f64>,
+    placement: Placement,
+    state: Mutex<State>,
+}
+
+struct State {
+    decoder: Decoder<BufReader<File>>,
+    /// Decoded chunks, the last used first.
+    chunks: VecDeque<(u32, Arc<Chunk>)>,
+}
+
+struct Chunk {
+    width: u64,
+    values: Vec<f32>,
+}
+
+impl GeoTiff {
+    pub(super) fn open(path: &Path) -> Result<Self, ReadError> {
+        let name = path.display().to_string();
+        let file = File::open(path).map_err(|source| ReadError::Io { file: name.clone(), source })?;
+        let wrong = |error: tiff::TiffError| malformed(&name, error.to_string());
+        let mut decoder = Decoder::new(BufReader::new(file)).map_err(wrong)?;
+        let (width, height) = decoder.dimensions().map_err(wrong)?;
+        let samples = decoder.find_tag_unsigned::<u16>(Tag::SamplesPerPixel).map_err(wrong)?.unwrap_or(1);
+        if samples != 1 {
+            return Err(malformed(&name, format!("{samples} values per pixel; heights have one")));
+        }
+        if width < 2 || height < 2 {
+            return Err(malformed(&name, format!("{width} by {height} samples are no surface")));
+        }
+        let (chunk_width, chunk_height) = decoder.chunk_dimensions();
+        let size = [u64::from(width), u64::from(height)];
+        let chunk = [u64::from(chunk_width.max(1)), u64::from(chunk_height.max(1))];
+        let nodata = decoder.get_tag_ascii_string(Tag::GdalNodata).ok();
+        let placement = placement(&mut decoder, &name, size)?;
+        Ok(Self {
+            nodata: nodata.and_then(|text| text.trim_matches(['\0', ' ']).parse().ok()),
+            chunks_across: size[0].div_ceil(chunk[0]),
+            name,
+            size,
+            chunk,
+            placement,
+            state: Mutex::new(State { decoder, chunks: VecDeque::new() }),
+        })
+    }
+
+    /// A decoded strip or tile.
+    fn chunk(&self, index: u32) -> Result<Arc<Chunk>, ReadError> {
+        let failed = || malformed(&self.name, "another thread failed while it read the file");
+        let mut state = self.state.lock().map_err(|_| failed())?;
+        if let Some(at) = state.chunks.iter().position(|(known, _)| *known == index)
+            && let Some(entry) = state.chunks.remove(at)
+        {
+            let chunk = Arc::clone(&entry.1);
+            state.chunks.push_front(entry);
+            return Ok(chunk);
+        }
+        let wrong = |error: tiff::TiffError| malformed(&self.name, format!("block {index}: {error}"));
+        let (width, _) = state.decoder.chunk_data_dimensions(index);
+        let values = values(state.decoder.read_chunk(index).map_err(wrong)?)
+            .ok_or_else(|| malformed(&self.name, "its samples have a type that heights do not have"))?;
+        let chunk = Arc::new(Chunk { width: u64::from(width), values });
+        state.chunks.push_front((index, Arc::clone(&chunk)));
+        state.chunks.truncate(MAX_CHUNKS);
+        Ok(chunk)
+    }
+}
+
+/// Samples as floats; `None` for types other than those of heights.
+fn values(result: DecodingResult) -> Option<Vec<f32>> {
+    Some(match result {
+        DecodingResult::U8(v) => v.into_iter().map(f32::from).collect(),
+        DecodingResult::I8(v) => v.into_iter().map(f32::from).collect(),
+        DecodingResult::U16(v) => v.into_iter().map(f32::from).collect(),
+        DecodingResult::I16(v) => v.into_iter().map(f32::from).collect(),
+        DecodingResult::U32(v) => v.into_iter().map(|x| x as f32).collect(),
+        DecodingResult::I32(v) => v.into_iter().map(|x| x as f32).collect(),
+        DecodingResult::F32(v) => v,
+        DecodingResult::F64(v) => v.into_iter().map(|x| x as f32).collect(),
+        _ => return None,
+    })
+}
+
+/// Where the samples are; one unit apart if the file does not say.
+fn placement(
+    decoder: &mut Decoder<BufReader<File>>,
+    name: &str,
+    size: [u64; 2],
+) -> Result<Placement, ReadError> {
+    let scale = decoder.get_tag_f64_vec(Tag::ModelPixelScaleTag).ok();
+    let tie = decoder.get_tag_f64_vec(Tag::ModelTiepointTag).ok();
+    let transform = decoder.get_tag_f64_vec(Tag::ModelTransformationTag).ok();
+    let keys = decoder.get_tag_u64_vec(Tag::GeoKeyDirectoryTag).unwrap_or_default();
+    let key = |id: u64| keys.chunks_exact(4).skip(1).find(|entry| entry[0] == id).map(|entry| entry[3]);
+    let is_geographic = key(MODEL_TYPE) == Some(2);
+    let epsg = if is_geographic { key(GEOGRAPHIC_TYPE) } else { key(PROJECTED_TYPE) };
+    let epsg = epsg.filter(|&code| code > 0 && code < 32_767).map(|code| code as u32);
+    let (west, north, step) = match (scale.as_deref(), tie.as_deref(), transform.as_deref()) {
+        (Some([sx, sy, ..]), Some([i, j, _, x, y, ..]), _) => (x - i * sx, y + j * sy, [*sx, *sy]),
+        (_, _, Some([a, b, _, x, c, d, _, y, ..])) => {
+            if *b != 0.0 || *c != 0.0 {
+                return Err(malformed(name, "the raster is rotated, which is not supported"));
+            }
+            (*x, *y, [*a, -d])
+        }
+        _ => (0.0, (size[1] - 1) as f64, [1.0; 2]),
+    };
+    if !(step.iter().all(|s| *s > 0.0 && s.is_finite()) && west.is_finite() && north.is_finite()) {
+        return Err(malformed(name, "the distance of its samples is not a positive number"));
+    }
+    // Coordinates of a pixel that is an area are those of its corner; the sample is in its middle.
+    let half = if key(RASTER_TYPE) == Some(2) || scale.is_none() && transform.is_none() { 0.0 } else { 0.5 };
+    Ok(Placement { west: west + half * step[0], north: north - half * step[1], step, is_geographic, epsg })
+}
+
+impl Raster for GeoTiff {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn size(&self) -> [u64; 2] {
+        self.size
+    }
+
+    fn placement(&self) -> &Placement {
+        &self.placement
+    }
+
+    fn read(&self, at: [u64; 2], [width, height]: [u64; 2]) -> Result<Vec<f32>, ReadError> {
+        let mut heights = vec![f32::NAN; (width * height) as usize];
+        let first = [at[0] / self.chunk[0], at[1] / self.chunk[1]];
+        let last = [(at[0] + width - 1) / self.chunk[0], (at[1] + height - 1) / self.chunk[1]];
+        for cy in first[1]..=last[1] {
+            for cx in first[0]..=last[0] {
+                let chunk = self.chunk((cy * self.chunks_across + cx) as u32)?;
+                let corner = [cx * self.chunk[0], cy * self.chunk[1]];
+                let rows = at[1].max(corner[1])..(at[1] + height).min(corner[1] + self.chunk[1]);
+                for y in rows {
+                    for x in at[0].max(corner[0])..(at[0] + width).min(corner[0] + chunk.width) {
+                        let from = (y - corner[1]) * chunk.width + x - corner[0];
+                        let Some(&value) = chunk.values.get(from as usize) else { continue };
+                        let is_void =
+                            !value.is_finite() || self.nodata.is_some_and(|n| f64::from(value) == n);
+                        if !is_void {
+                            heights[((y - at[1]) * width + x - at[0]) as usize] = value;
+                        }
+                    }
+                }
+            }
+        }
+        Ok(heights)
+    }
+}

@@ -1,0 +1,35 @@
+//! What all rasters of heights have in common.
+
+use crate::ReadError;
+use crate::error::Place;
+
+/// Where the samples of a raster are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Placement {
+    /// Coordinates of the upper left sample.
+    pub(super) west: f64,
+    pub(super) north: f64,
+    /// Distance of neighboring samples along x and y, positive.
+    pub(super) step: [f64; 2],
+    /// Whether coordinates are degrees.
+    pub(super) is_geographic: bool,
+    /// EPSG code of the coordinate system, if the file names one.
+    pub(super) epsg: Option<u32>,
+}
+
+/// A raster of heights. Several threads may read it.
+pub(super) trait Raster: Send + Sync {
+    /// Name of the file.
+    fn name(&self) -> &str;
+    /// Columns and rows.
+    fn size(&self) -> [u64; 2];
+    /// Where the samples are.
+    fn placement(&self) -> &Placement;
+    /// Reads a block of samples, row by row from the north; NaN where there is no height.
+    fn read(&self, at: [u64; 2], count: [u64; 2]) -> Result<Vec<f32>, ReadError>;
+}
+
+/// An error about a whole file.
+pub(super) fn malformed(name: &str, reason: impl Into<String>) -> ReadError {
+    ReadError::Malformed { file: name.to_owned(), place: Place::File, reason: reason.into() }
+}

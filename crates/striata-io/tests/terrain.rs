@@ -1,0 +1,173 @@
+//! Rasters of heights as meshes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use striata_io::pieces::{Piece, PieceOptions, PieceSource, Terrain, open_all, open_pieces};
+use tempfile::TempDir;
+use tiff::encoder::{TiffEncoder, colortype};
+use tiff::tags::Tag;
+
+/// Writes a 16-bit GeoTIFF with samples ten units apart, whose upper left sample is at `corner`.
+fn write_tiff(path: &Path, (width, height): (u32, u32), corner: [f64; 2], heights: &[i16]) {
+    let mut encoder = TiffEncoder::new(fs::File::create(path).unwrap()).unwrap();
+    let mut image = encoder.new_image::<colortype::GrayI16>(width, height).unwrap();
+    image.rows_per_strip(3).unwrap();
+    let directory = image.encoder();
+    directory.write_tag(Tag::ModelPixelScaleTag, &[10.0f64, 10.0, 0.0][..]).unwrap();
+    directory
+        .write_tag(Tag::ModelTiepointTag, &[0.0f64, 0.0, 0.0, corner[0] - 5.0, corner[1] + 5.0, 0.0][..])
+        .unwrap();
+    directory.write_tag(Tag::GdalNodata, "-9999").unwrap();
+    let keys: [u16; 8] = [1, 1, 0, 1, 3072, 0, 1, 32633];
+    directory.write_tag(Tag::GeoKeyDirectoryTag, &keys[..]).unwrap();
+    image.write_data(heights).unwrap();
+}
+
+fn all(source: &dyn PieceSource) -> Vec<Piece> {
+    (0..source.piece_count()).map(|index| source.read_piece(index).unwrap()).collect()
+}
+
+fn triangles(pieces: &[Piece]) -> usize {
+    pieces.iter().map(|piece| piece.triangles.len()).sum()
+}
+
+/// Number of edges with one triangle, over all pieces.
+fn borders(pieces: &[Piece]) -> usize {
+    let mut edges: BTreeMap<[[u32; 3]; 2], u32> = BTreeMap::new();
+    for piece in pieces {
+        for t in &piece.triangles {
+            let at = t.map(|v| piece.positions[v as usize].map(f32::to_bits));
+            for i in 0..3 {
+                let (a, b) = (at[i], at[(i + 1) % 3]);
+                *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
+            }
+        }
+    }
+    edges.values().filter(|&&count| count == 1).count()
+}
+
+/// All triangles face up.
+fn check_winding(pieces: &[Piece]) {
+    for piece in pieces {
+        for t in &piece.triangles {
+            let [a, b, c] = t.map(|v| piece.positions[v as usize]);
+            assert!((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.0);
+        }
+    }
+}
+
+fn message(result: Result<Box<dyn PieceSource>, striata_io::ReadError>) -> String {
+    result.err().expect("an error").to_string()
+}
+
+#[test]
+fn a_geotiff_has_a_vertex_per_sample() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.tif");
+    let heights: Vec<i16> = (0..7 * 11).map(|i| (i % 7) as i16 * 100).collect();
+    write_tiff(&path, (7, 11), [500.0, 900.0], &heights);
+    let source = open_pieces(&path, &PieceOptions::default().with_z_scale(2.0)).unwrap();
+    let pieces = all(source.as_ref());
+    assert_eq!(triangles(&pieces) as u64, source.summary().triangle_count);
+    check_winding(&pieces);
+    let positions = &pieces[0].positions;
+    assert!(positions.contains(&[0.0, 0.0, 0.0]) && positions.contains(&[60.0, 100.0, 1200.0]));
+    let georeference = source.summary().georeference.as_ref().unwrap();
+    assert_eq!(
+        (&georeference["epsg"], &georeference["origin"]),
+        (&32633.into(), &serde_json::json!([500.0, 800.0]))
+    );
+}
+
+#[test]
+fn samples_without_heights_are_holes() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.tif");
+    let mut heights = vec![5i16; 25];
+    heights[12] = -9999;
+    heights[0] = -9999;
+    write_tiff(&path, (5, 5), [0.0, 0.0], &heights);
+    let pieces = all(open_pieces(&path, &PieceOptions::default()).unwrap().as_ref());
+    // Each of the four quads around the middle, and the one at the corner, keeps one triangle.
+    assert_eq!(triangles(&pieces), 32 - 5);
+    check_winding(&pieces);
+}
+
+#[test]
+fn several_rasters_are_one_surface_whether_or_not_they_share_samples() {
+    let folder = TempDir::new().unwrap();
+    for shared in [0, 1u32] {
+        let (left, right) = (folder.path().join("l.tif"), folder.path().join("r.tif"));
+        write_tiff(&left, (300, 20), [0.0, 0.0], &vec![1; 6000]);
+        write_tiff(&right, (300, 20), [f64::from(300 - shared) * 10.0, 0.0], &vec![1; 6000]);
+        let source = open_all(&[left, right], &PieceOptions::default()).unwrap();
+        let pieces = all(source.as_ref());
+        let width = (600 - shared) as usize;
+        assert_eq!(triangles(&pieces), 2 * (width - 1) * 19);
+        assert_eq!(borders(&pieces), 2 * (width - 1 + 19));
+    }
+}
+
+#[test]
+fn rasters_of_different_grids_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let (a, b) = (folder.path().join("a.tif"), folder.path().join("b.tif"));
+    write_tiff(&a, (4, 4), [0.0, 0.0], &[1; 16]);
+    write_tiff(&b, (4, 4), [44.0, 0.0], &[1; 16]);
+    let text = message(open_all(&[a, b.clone()], &PieceOptions::default()));
+    assert!(text.contains("b.tif") && text.contains("between"), "{text}");
+}
+
+#[test]
+fn srtm_tiles_are_placed_by_their_names() {
+    let folder = TempDir::new().unwrap();
+    let tile = |name: &str| {
+        let path: PathBuf = folder.path().join(name);
+        let bytes: Vec<u8> = (0..61 * 61).flat_map(|i: i16| (i % 61).to_be_bytes()).collect();
+        fs::write(&path, bytes).unwrap();
+        path
+    };
+    let paths = [tile("N35E138.hgt"), tile("N35E139.hgt")];
+    let source = Terrain::open(&paths, 1.0).unwrap();
+    let pieces = all(&source);
+    assert_eq!(triangles(&pieces), 2 * 120 * 60);
+    check_winding(&pieces);
+    let east = pieces.iter().flat_map(|piece| &piece.positions).map(|p| p[0]).fold(0.0, f32::max);
+    assert!((181_000.0..183_000.0).contains(&east), "two degrees at 35.5 north are {east} m");
+    fs::write(&paths[0], [0; 77]).unwrap();
+    let text = message(open_pieces(&paths[0], &PieceOptions::default()));
+    assert!(text.contains("not a square"), "{text}");
+}
+
+#[test]
+fn gray_images_are_heights() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.png");
+    let mut encoder = png::Encoder::new(fs::File::create(&path).unwrap(), 3, 2);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::Sixteen);
+    let bytes: Vec<u8> = [1000u16, 2, 3, 4, 5, 6].iter().flat_map(|x| x.to_be_bytes()).collect();
+    encoder.write_header().unwrap().write_image_data(&bytes).unwrap();
+    let pieces = all(open_pieces(&path, &PieceOptions::default()).unwrap().as_ref());
+    assert!(
+        pieces[0].positions.contains(&[0.0, 1.0, 1000.0]) && pieces[0].positions.contains(&[2.0, 0.0, 6.0])
+    );
+}
+
+#[test]
+fn damaged_rasters_are_errors() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.tif");
+    write_tiff(&path, (40, 40), [0.0, 0.0], &vec![7; 1600]);
+    let bytes = fs::read(&path).unwrap();
+    for end in (0..bytes.len()).step_by(37) {
+        fs::write(&path, &bytes[..end]).unwrap();
+        if let Ok(source) = open_pieces(&path, &PieceOptions::default()) {
+            let read = (0..source.piece_count()).try_for_each(|index| source.read_piece(index).map(drop));
+            let text = read.err().map(|error| error.to_string()).unwrap_or_default();
+            assert!(text.is_empty() || text.contains("a.tif"), "{text}");
+        }
+    }
+}
