@@ -296,6 +296,10 @@ fn sequence(
             }
             let target = targets[(v - base_vertex) as usize];
             let at = positions.position_of(target);
+            if at >= p {
+                // Pages that do not fit together; the sequence will be refused.
+                break;
+            }
             if corners.iter().enumerate().any(|(i, &(other, _))| i != finest && other == at) {
                 counts[(p - base) as usize] += 1;
                 break;
