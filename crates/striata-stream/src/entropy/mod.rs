@@ -12,12 +12,12 @@
 //! | `range.rs` | the range coder: [`RangeWriter`], [`RangeReader`] |
 //! | `adaptive.rs` | [`AdaptiveBit`]: the probability of one decision, learned quickly at first |
 //! | `logistic.rs` | conversion between probabilities and log-odds, by integer tables |
-//! | `mixer.rs` | [`Mixer`]: online mixing of predictions; [`ProbabilityMap`]: correction of the result |
-//! | `wide_mixer.rs` | [`WideMixer`]: a mixer in 16-bit lanes |
-//! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen symbols |
-//! | `quick_symbol.rs` | [`QuickSymbol`]: one of sixteen symbols, in 16-bit lanes |
+//! | `mixer.rs` | `Mixer`: online mixing of predictions; `ProbabilityMap`: correction of the result |
+//! | `wide_mixer.rs` | `WideMixer`: a mixer in 16-bit lanes |
+//! | `symbol.rs` | `AdaptiveSymbol`: one of sixteen symbols |
+//! | `quick_symbol.rs` | `QuickSymbol`: one of sixteen symbols, in 16-bit lanes |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
-//! | `mixed_number.rs` | [`MixedNumber`]: integers predicted by several contexts |
+//! | `mixed_number.rs` | `MixedNumber`: integers predicted by several contexts |
 
 mod adaptive;
 mod coder;
