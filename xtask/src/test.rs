@@ -37,6 +37,7 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-strip", ""),
     ("striata-cli", ""),
     ("striata-cli", "gpu"),
+    ("striata-cli", "remote"),
     ("striata-cli", "window"),
     ("striata-cli", "serve"),
     ("striata-py", ""),

@@ -169,9 +169,9 @@ def plan(
 
 def _files(inputs: Path | Iterable[Path]) -> list[str]:
     """All files that paths and patterns name, patterns in sorted order."""
-    given = [inputs] if isinstance(inputs, (str, os.PathLike)) else list(inputs)
+    given: list[Path] = [inputs] if isinstance(inputs, (str, os.PathLike)) else list(inputs)
     files: list[str] = []
-    for path in map(os.fspath, given):
+    for path in [os.fspath(one) for one in given]:
         if path.startswith("shape:"):
             files.append(path)
         elif glob.has_magic(path) and not os.path.exists(path):

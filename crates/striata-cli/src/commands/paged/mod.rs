@@ -43,6 +43,9 @@ pub(crate) fn failure_of(error: PagedError) -> Failure {
         PagedError::Checksum { .. } | PagedError::Head(_) | PagedError::Page { .. } => {
             failure.with_hint("the file is damaged or cut off; copy it or build it again")
         }
+        PagedError::FeatureOff { .. } => {
+            failure.with_hint("install the command with `cargo install striata-cli --features remote`")
+        }
         _ => failure,
     }
 }
