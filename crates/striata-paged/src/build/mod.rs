@@ -35,9 +35,9 @@ use striata::ProgressFn;
 use striata_io::pieces::PieceOptions;
 
 /// Bytes of a work folder per triangle of the input, measured on scans and terrains without attributes.
-const WORK_BYTES_PER_TRIANGLE: u64 = 48;
+const WORK_BYTES_PER_TRIANGLE: u64 = 60;
 /// Bytes of the result per triangle.
-const RESULT_BYTES_PER_TRIANGLE: u64 = 4;
+const RESULT_BYTES_PER_TRIANGLE: u64 = 3;
 /// Further bytes per triangle and attribute component.
 const BYTES_PER_COMPONENT: u64 = 8;
 /// Memory that one thread needs for a cell of the default size, in bytes.

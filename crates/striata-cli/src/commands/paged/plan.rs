@@ -12,7 +12,7 @@ use super::{core_count, failure};
 use crate::args::PlanArgs;
 
 /// Triangles that one core builds per second, measured on terrains; see docs/results/scale.md.
-const TRIANGLES_PER_SECOND: f64 = 300_000.0;
+const TRIANGLES_PER_SECOND: f64 = 500_000.0;
 
 #[derive(Serialize)]
 struct Report {
