@@ -510,5 +510,5 @@ fn many_clients_get_correct_bytes_and_memory_stays_constant() {
     assert!(outcome.latencies.len() > 46 && outcome.slow_bytes >= 4 * 2048, "{outcome:?}");
     // The code of the command counts as memory, too; it is larger in test builds and with a window.
     let used_kb = outcome.peak_kb - idle_kb;
-    assert!(used_kb < 70_000, "{used_kb} kB over {idle_kb} kB");
+    assert!(used_kb < 90_000, "{used_kb} kB over {idle_kb} kB");
 }
