@@ -2,17 +2,24 @@
 
 use clap::{ArgAction, Args};
 
+// These flags end the list of every verb, always in this order.
+const JSON_ORDER: usize = 900;
+#[cfg(feature = "gpu")]
+const VERBOSE_ORDER: usize = 901;
+const QUIET_ORDER: usize = 902;
+const HELP_ORDER: usize = 903;
+
 /// Flags of every verb for what it prints.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct ReportArgs {
     /// Print the report as JSON to stdout
-    #[arg(long, global = true)]
+    #[arg(long, global = true, display_order = JSON_ORDER)]
     pub json: bool,
     /// Print errors only: no progress, no summary
-    #[arg(short, long, global = true)]
+    #[arg(short, long, global = true, display_order = QUIET_ORDER)]
     pub quiet: bool,
     /// Print help
-    #[arg(short, long, global = true, action = ArgAction::HelpShort)]
+    #[arg(short, long, global = true, display_order = HELP_ORDER, action = ArgAction::HelpShort)]
     help: Option<bool>,
 }
 
@@ -22,6 +29,6 @@ pub struct ReportArgs {
 pub struct DriverArgs {
     /// Show messages from graphics drivers and libraries
     // Without this, the heading of whatever flags come before would apply here too.
-    #[arg(short, long, conflicts_with = "quiet", help_heading = None)]
+    #[arg(short, long, conflicts_with = "quiet", help_heading = None, display_order = VERBOSE_ORDER)]
     pub verbose: bool,
 }
