@@ -2,7 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use crate::{Assembled, Metadata, Page, PageBound, PagedError, PagedReader, Store, assemble, open_store};
+use crate::{
+    Assembled, CutPages, Metadata, Page, PageBound, PagedError, PagedReader, Store, Want, assemble,
+    open_store,
+};
+
+/// At most so many bytes are in memory before their pages are decoded, if no single want has more.
+const MAX_BATCH_BYTES: u64 = 32 << 20;
 
 /// What has been read so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,13 +83,24 @@ impl PagedFile {
 
     /// Fetches everything that the reader wants now.
     fn fetch(&mut self) -> Result<(), PagedError> {
-        for want in self.reader.wants() {
+        let wants = self.reader.wants();
+        let mut rest = wants.as_slice();
+        while !rest.is_empty() {
+            let mut byte_count = 0;
+            let is_within = |want: &&Want| {
+                byte_count += want.range.end - want.range.start;
+                byte_count <= MAX_BATCH_BYTES
+            };
+            let count = rest.iter().take_while(is_within).count().max(1);
+            let (batch, others) = rest.split_at(count);
+            let arrived = self.store.read_all(batch)?;
+            self.statistics.request_count += batch.len() as u64;
+            self.statistics.byte_count += arrived.iter().map(|bytes| bytes.len() as u64).sum::<u64>();
             let before = self.reader.pages().count();
-            let bytes = self.store.read(want.place, want.range.clone())?;
-            self.statistics.request_count += 1;
-            self.statistics.byte_count += bytes.len() as u64;
-            self.reader.supply(&want, &bytes)?;
+            let arrived: Vec<(&Want, &[u8])> = batch.iter().zip(arrived.iter().map(Vec::as_slice)).collect();
+            self.reader.supply_all(&arrived)?;
             self.statistics.page_count += (self.reader.pages().count() - before) as u64;
+            rest = others;
         }
         Ok(())
     }
@@ -101,16 +118,33 @@ impl PagedFile {
         }
     }
 
-    /// Reads pages, which must contain all of their ancestors, and makes one mesh of them.
+    /// Reads pages, which must contain all of their ancestors, and makes one mesh with levels of them.
     ///
     /// # Errors
     /// [`PagedError`] if a page cannot be read or does not fit to the others.
     pub fn assemble(&mut self, pages: &[u32]) -> Result<Assembled, PagedError> {
+        self.load(pages)?;
+        assemble(&self.loaded(pages), self.metadata())
+    }
+
+    /// Reads pages, which must contain all of their ancestors, to cut levels of varying detail from them.
+    ///
+    /// # Errors
+    /// [`PagedError`] if a page cannot be read or does not fit to the others.
+    pub fn cut_pages(&mut self, pages: &[u32]) -> Result<CutPages<'_>, PagedError> {
+        self.load(pages)?;
+        CutPages::new(&self.loaded(pages), self.metadata())
+    }
+
+    /// Reads pages, unless they have been read.
+    fn load(&mut self, pages: &[u32]) -> Result<(), PagedError> {
         self.reader.request(pages.iter().copied());
-        self.fetch()?;
-        let loaded: Vec<(u32, &Page)> =
-            pages.iter().filter_map(|&index| Some((index, self.reader.page(index)?))).collect();
-        assemble(&loaded, self.metadata())
+        self.fetch()
+    }
+
+    /// Those of some pages that have been read.
+    fn loaded(&self, pages: &[u32]) -> Vec<(u32, &Page)> {
+        pages.iter().filter_map(|&index| Some((index, self.reader.page(index)?))).collect()
     }
 
     /// The mesh with all levels whose error exceeds `error`, in mesh units.

@@ -1,18 +1,23 @@
 //! Paged files behind addresses: web servers and buckets.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use object_store::path::Path;
 use object_store::{ObjectStore, ObjectStoreExt, parse_url_opts};
 use tokio::runtime::{Builder, Runtime};
+use tokio::sync::Semaphore;
 use url::Url;
 
-use crate::{HEAD_NAME, PagedError, Place, Store, page_path};
+use crate::{HEAD_NAME, PagedError, Place, Store, Want, page_path};
+
+/// Requests that are made at the same time.
+const MAX_REQUESTS: usize = 16;
 
 /// A web server or a bucket, read in ranges.
 pub(crate) struct RemoteStore {
     name: String,
-    store: Box<dyn ObjectStore>,
+    store: Arc<dyn ObjectStore>,
     path: Path,
     /// Whether the address is a folder with one object per page.
     is_folder: bool,
@@ -35,7 +40,20 @@ impl RemoteStore {
         let (store, path) = parse_url_opts(&url, options).map_err(|error| other(error.to_string()))?;
         let runtime = Builder::new_multi_thread().worker_threads(1).enable_all().build().map_err(failed)?;
         let is_folder = !url.path().ends_with(".striata");
-        Ok(Self { name: address.to_owned(), store, path, is_folder, runtime })
+        Ok(Self { name: address.to_owned(), store: Arc::from(store), path, is_folder, runtime })
+    }
+
+    fn path_of(&self, place: Place) -> Result<Path, PagedError> {
+        let path = match place {
+            Place::Head if self.is_folder => Path::parse(format!("{}/{HEAD_NAME}", self.path)),
+            Place::Head => Ok(self.path.clone()),
+            Place::Page(id) => Path::parse(format!("{}/{}", self.path, page_path(id))),
+        };
+        path.map_err(|error| self.failed(&error))
+    }
+
+    fn failed(&self, error: &dyn std::fmt::Display) -> PagedError {
+        PagedError::Io { place: self.name.clone(), source: std::io::Error::other(error.to_string()) }
     }
 }
 
@@ -45,15 +63,27 @@ impl Store for RemoteStore {
     }
 
     fn read(&self, place: Place, range: Range<u64>) -> Result<Vec<u8>, PagedError> {
-        let path = match place {
-            Place::Head if self.is_folder => Path::parse(format!("{}/{HEAD_NAME}", self.path)),
-            Place::Head => Ok(self.path.clone()),
-            Place::Page(id) => Path::parse(format!("{}/{}", self.path, page_path(id))),
-        };
-        let failed =
-            |error: String| PagedError::Io { place: self.name.clone(), source: std::io::Error::other(error) };
-        let path = path.map_err(|error| failed(error.to_string()))?;
+        let path = self.path_of(place)?;
         let bytes = self.runtime.block_on(self.store.get_range(&path, range));
-        Ok(bytes.map_err(|error| failed(error.to_string()))?.to_vec())
+        Ok(bytes.map_err(|error| self.failed(&error))?.to_vec())
+    }
+
+    fn read_all(&self, wants: &[Want]) -> Result<Vec<Vec<u8>>, PagedError> {
+        let permits = Arc::new(Semaphore::new(MAX_REQUESTS));
+        let mut requests = Vec::with_capacity(wants.len());
+        for want in wants {
+            let (path, range) = (self.path_of(want.place)?, want.range.clone());
+            let (store, permits) = (Arc::clone(&self.store), Arc::clone(&permits));
+            requests.push(self.runtime.spawn(async move {
+                // The semaphore is never closed.
+                let _permit = permits.acquire().await;
+                store.get_range(&path, range).await
+            }));
+        }
+        let bytes = requests.into_iter().map(|request| {
+            let bytes = self.runtime.block_on(request).map_err(|error| self.failed(&error))?;
+            Ok(bytes.map_err(|error| self.failed(&error))?.to_vec())
+        });
+        bytes.collect()
     }
 }

@@ -1,5 +1,4 @@
 //! Paged files on a web server, read in ranges.
-#![cfg(all(feature = "build", feature = "remote"))]
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpListener;
