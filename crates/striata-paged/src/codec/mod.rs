@@ -9,6 +9,7 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `order.rs` | the order in which triangles and vertices are numbered: [`Page::normalize`] |
+//! | `lattice.rs` | the lattice that all positions of the page lie on |
 //! | `border.rs` | open edges of the region that has been coded |
 //! | `triangles.rs` | the walk over all triangles, for both directions |
 //! | `wedges.rs` | vertices of each position |
@@ -16,6 +17,7 @@
 //! | `targets.rs` | targets of owned vertices |
 
 mod border;
+mod lattice;
 mod order;
 mod targets;
 mod triangles;
@@ -27,6 +29,7 @@ use striata_stream::entropy::{Coder, RangeReader, RangeWriter};
 use crate::bytes::{put_varint, take_varint};
 use crate::error::{PageDefect, PagedError};
 use crate::{Import, Metadata, Page, PageId};
+use lattice::Lattice;
 use triangles::{Shape, TriangleCoder};
 
 /// More vertices or triangles than this cannot be in a page.
@@ -37,7 +40,7 @@ const MAX_PER_BYTE: u64 = 4096;
 impl Page {
     /// Encodes a page that [`Page::normalize`] has ordered, and whose values are rounded as the metadata say.
     pub fn to_bytes(&self, metadata: &Metadata) -> Vec<u8> {
-        let counts = Counts::of(self);
+        let counts = Counts::of(self, metadata);
         let mut bytes = Vec::new();
         for count in [counts.positions, counts.vertices, counts.imports, counts.triangles] {
             put_varint(&mut bytes, count as u64);
@@ -48,6 +51,7 @@ impl Page {
             put_varint(&mut bytes, u64::from(page - last));
             last = page;
         }
+        counts.lattice.put(&mut bytes);
         let mut writer = RangeWriter::new();
         let mut coder = TriangleCoder::new(&counts, metadata, self.targets.is_empty());
         coder.run(&mut writer, Some(self));
@@ -66,7 +70,7 @@ impl Page {
     }
 }
 
-/// Counts at the start of a page.
+/// Counts and lattice at the start of a page.
 pub(super) struct Counts {
     positions: usize,
     vertices: usize,
@@ -74,10 +78,12 @@ pub(super) struct Counts {
     triangles: usize,
     /// Pages of imports, ascending.
     pages: Vec<u32>,
+    /// Where positions are.
+    lattice: Lattice,
 }
 
 impl Counts {
-    fn of(page: &Page) -> Self {
+    fn of(page: &Page, metadata: &Metadata) -> Self {
         let mut pages: Vec<u32> = page.imports.iter().map(|import| import.page).collect();
         pages.sort_unstable();
         pages.dedup();
@@ -87,6 +93,7 @@ impl Counts {
             imports: page.imports.len(),
             triangles: page.triangles.len(),
             pages,
+            lattice: Lattice::of(page, metadata),
         }
     }
 }
@@ -120,7 +127,8 @@ fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDef
         }
         pages.push(page as u32);
     }
-    let counts = Counts { positions, vertices, imports, triangles, pages };
+    let lattice = Lattice::take(&mut rest).ok_or(PageDefect::Truncated)?;
+    let counts = Counts { positions, vertices, imports, triangles, pages, lattice };
     if counts.imports > 0 && counts.pages.is_empty() {
         return Err(PageDefect::Entry { what: "pages", index: 0, reason: "is missing" });
     }

@@ -3,6 +3,7 @@
 use striata::mesh::LayerData;
 use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate};
 
+use super::lattice::{from_ordered, ordered};
 use super::triangles::{Shape, TriangleCoder};
 use crate::metadata::index_of;
 use crate::{Import, Metadata, Page, PagedLayer};
@@ -23,7 +24,7 @@ pub(super) struct VertexModels {
     import: QuickNumber,
     keys: QuickNumber,
     errors: QuickNumber,
-    /// Grid indices of positions, or their bits in order.
+    /// Coordinates of positions in units of the lattice.
     places: Vec<[i64; 3]>,
     /// Vertex that was last imported from each page.
     last_imports: Vec<u32>,
@@ -100,11 +101,8 @@ impl TriangleCoder<'_> {
             (Some(p), None, _) | (None, Some(p), _) | (None, None, Some(p)) => (1, p),
             (None, None, None) => (2, places.last().copied().unwrap_or_default()),
         };
-        let grid = self.metadata.grid.as_ref();
-        let actual = actual.map_or([0; 3], |p| match grid {
-            Some(grid) => grid.index_of(p),
-            None => p.map(ordered),
-        });
+        let lattice = &self.counts.lattice;
+        let actual = actual.map_or([0; 3], |position| lattice.place_of(position, self.metadata));
         let place: [i64; 3] = std::array::from_fn(|axis| {
             let difference = actual[axis].wrapping_sub(expected[axis]);
             let difference = self.models.positions.signed(coder, 3 * quality + axis, difference);
@@ -112,10 +110,7 @@ impl TriangleCoder<'_> {
             (expected[axis] + difference).clamp(-(1 << 50), 1 << 50)
         });
         self.models.places.push(place);
-        self.shape.positions.push(match grid {
-            Some(grid) => grid.position_of(place),
-            None => place.map(from_ordered),
-        });
+        self.shape.positions.push(lattice.position_of(place, self.metadata));
     }
 
     /// Codes key and error of a position.
@@ -195,19 +190,6 @@ impl TriangleCoder<'_> {
 /// Class of the largest finite number.
 fn largest_class(bits: u32) -> i32 {
     (f32::MAX.to_bits() >> bits) as i32
-}
-
-/// The bits of a number, in the order of numbers.
-fn ordered(x: f32) -> i64 {
-    let bits = i64::from(x.to_bits() & 0x7FFF_FFFF);
-    if x.is_sign_negative() { -bits } else { bits }
-}
-
-/// The number with these ordered bits; 0 if it would not be finite.
-fn from_ordered(place: i64) -> f32 {
-    let magnitude = f32::from_bits(place.unsigned_abs().min(0x7FFF_FFFF) as u32);
-    let value = if place < 0 { -magnitude } else { magnitude };
-    if value.is_finite() { value } else { 0.0 }
 }
 
 /// A value as an integer: multiples of the step, or ordered bits.
