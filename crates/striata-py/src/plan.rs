@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use striata::simplify::AttributeWeights;
-use striata_paged::build::{BuildError, BuildInput, BuildOptions, Plan, Stage, run_task};
+use striata_paged::build::{BuildError, BuildInput, BuildOptions, Plan, run_task};
 
 use crate::errors::{Outcome, cancelled, decode_error, internal_error, os_error, read_error, value_error};
 use crate::job;
@@ -114,22 +114,7 @@ impl PlanData {
 
     /// Name and task numbers of each stage, in order.
     fn stages(&self) -> Vec<(String, Vec<usize>)> {
-        let name = |stage: Stage| match stage {
-            Stage::Sort => "sort".to_owned(),
-            Stage::Level(level) => format!("simplify level {level}"),
-            Stage::Encode(_) => "encode".to_owned(),
-            Stage::Finish => "write".to_owned(),
-        };
-        let mut stages: Vec<(String, Vec<usize>)> = Vec::new();
-        for stage in self.plan.stages() {
-            let numbers: Vec<usize> = self.plan.tasks_of(stage).map(|(number, _)| number).collect();
-            match stages.last_mut() {
-                // Pages of all levels may be encoded at once.
-                Some((last, known)) if *last == name(stage) => known.extend(numbers),
-                _ => stages.push((name(stage), numbers)),
-            }
-        }
-        stages
+        self.plan.stages().into_iter().map(|stage| (stage.name.clone(), stage.tasks().collect())).collect()
     }
 
     fn is_done(&self, task: usize) -> bool {

@@ -6,13 +6,13 @@ use std::path::Path;
 
 use super::BuildError;
 use super::part_file::{PartFile, PartIndex, Segment};
-use super::plan::{Plan, Stage, temporary_in, write_whole};
+use super::plan::{Plan, TaskKind, temporary_in, write_whole};
 use crate::{HEAD_NAME, PageEntry, PageId, page_path, write_head};
 
 /// Writes the result.
 pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
-    let paths = plan.tasks.iter().filter_map(|task| match task.stage {
-        Stage::Encode(level) => Some(plan.pages_path(level, task.first)),
+    let paths = plan.tasks.iter().filter_map(|task| match task.kind {
+        TaskKind::Encode(level) => Some(plan.pages_path(level, task.first)),
         _ => None,
     });
     let pages = PartIndex::open(paths)?;

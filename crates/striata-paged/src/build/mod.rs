@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 pub use error::BuildError;
 pub use input::BuildInput;
 pub use options::BuildOptions;
-pub use plan::{Plan, Stage, Task};
+pub use plan::{Plan, Stage, Task, TaskKind};
 pub use runner::{run_all, run_stage, run_task};
 use striata::ProgressFn;
 use striata_io::pieces::PieceOptions;

@@ -51,6 +51,10 @@ impl Wedges {
     /// Vertices of a position, the first one first, in a buffer.
     pub(super) fn of(&self, position: u32, buffer: &mut Vec<u32>) {
         buffer.clear();
+        if self.is_trivial() {
+            buffer.push(position);
+            return;
+        }
         buffer.extend(self.from_last(position));
         buffer.reverse();
     }

@@ -16,8 +16,7 @@ fn terrain_is_the_same_with_any_number_of_threads_and_in_any_order() {
     // One task at a time, from the last of each stage to the first, and every third one twice.
     let plan = plan(&folder, input, options(), "tasks.striata");
     for stage in plan.stages() {
-        let numbers: Vec<usize> = plan.tasks_of(stage).map(|(number, _)| number).collect();
-        for &number in numbers.iter().rev() {
+        for number in stage.tasks().rev() {
             run_task(&Plan::open(&plan.folder).unwrap(), number).unwrap();
             if number % 3 == 0 {
                 run_task(&plan, number).unwrap();

@@ -47,6 +47,7 @@ const UNIFORM: [i16; SYMBOLS] = {
     uniform
 };
 
+#[inline]
 fn halves(all: &[i16; SYMBOLS]) -> [i16x8; 2] {
     let (low, high) = all.split_at(8);
     [low, high].map(i16x8::from_slice_unaligned)

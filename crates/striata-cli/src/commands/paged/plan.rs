@@ -19,18 +19,11 @@ struct Report {
     plan: PathBuf,
     triangles: u64,
     tasks: usize,
-    stages: Vec<StageReport>,
+    stages: Vec<Stage>,
     pages: u64,
     work_bytes: u64,
     result_bytes: u64,
     core_seconds: f64,
-}
-
-#[derive(Serialize)]
-struct StageReport {
-    stage: Stage,
-    first_task: usize,
-    task_count: usize,
 }
 
 /// Plans a build.
@@ -47,16 +40,11 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     let plan = plan.map_err(failure)?;
     drop(bar);
     let estimate = plan.estimate();
-    let stages = plan.stages().into_iter().filter_map(|stage| {
-        let mut tasks = plan.tasks_of(stage);
-        let (first_task, _) = tasks.next()?;
-        Some(StageReport { stage, first_task, task_count: 1 + tasks.count() })
-    });
     let report = Report {
         plan: folder.join("plan.json"),
         triangles: plan.metadata.triangle_count,
         tasks: plan.tasks.len(),
-        stages: stages.collect(),
+        stages: plan.stages(),
         pages: estimate.page_count,
         work_bytes: estimate.work_bytes,
         result_bytes: estimate.result_bytes,
@@ -68,13 +56,7 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
 fn text(report: &Report) -> String {
     let mut table = Table::with_head(&["stage", "tasks", "first task"]);
     for stage in &report.stages {
-        let name = match stage.stage {
-            Stage::Sort => "sort".to_owned(),
-            Stage::Level(level) => format!("simplify level {level}"),
-            Stage::Encode(level) => format!("encode level {level}"),
-            Stage::Finish => "write".to_owned(),
-        };
-        table.row(vec![name, stage.task_count.to_string(), stage.first_task.to_string()]);
+        table.row(vec![stage.name.clone(), stage.task_count.to_string(), stage.first_task.to_string()]);
     }
     format!(
         "{}: {} triangles, {} tasks\n\n{}\nwork folder about {}, result about {}, at most {} pages\n\
