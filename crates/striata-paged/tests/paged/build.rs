@@ -1,7 +1,7 @@
 //! Files built in tasks: the same bytes whoever runs the tasks.
 
 use striata::ignore_progress;
-use striata_paged::build::{BuildError, BuildInput, Plan, run_all, run_task};
+use striata_paged::build::{BuildError, BuildInput, Plan, SimulationOptions, run_all, run_task};
 use tempfile::TempDir;
 
 use crate::workshop::{build, full, open, options, plan};
@@ -80,4 +80,27 @@ fn folders_have_one_object_per_page() {
     assert!(plan.output.join("head.striata").is_file());
     let (mut one, mut many) = (open(&one), open(&plan.output));
     assert_eq!(full(&mut one).refinable, full(&mut many).refinable);
+}
+
+#[test]
+fn plans_are_simulated() {
+    let folder = TempDir::new().unwrap();
+    let plan = plan(&folder, BuildInput::Terrain(150), options(), "s.striata");
+    let run = |workers: usize, failing_share: f64| {
+        plan.simulate(&SimulationOptions { failing_share, ..SimulationOptions::new(workers) })
+    };
+    let one = run(1, 0.0);
+    assert_eq!(one.attempts, plan.tasks.len());
+    assert!((one.seconds - one.core_seconds).abs() < 1e-9 * one.seconds, "one worker never waits");
+    let many = run(8, 0.0);
+    assert!(many.seconds < 0.5 * one.seconds && many.seconds >= one.seconds / 8.0);
+    assert!((many.core_seconds - one.core_seconds).abs() < 1e-9 * one.core_seconds);
+    // No stage is shorter than its longest task, however many workers there are.
+    assert!(run(1000, 0.0).seconds > 0.0);
+    let failing = run(8, 0.3);
+    assert!(failing.attempts > plan.tasks.len() && failing.core_seconds > many.core_seconds);
+    assert_eq!(failing, run(8, 0.3), "the same seed gives the same failures");
+    assert_eq!(failing.work_bytes, many.work_bytes);
+    assert_eq!(many.stages.len(), plan.stages().len());
+    assert!(many.stages.iter().all(|stage| stage.busy_share > 0.0 && stage.busy_share <= 1.0 + 1e-9));
 }

@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use striata_command::args::Length;
 use striata_command::failure::Failure;
 use striata_command::output::Output;
-use striata_paged::build::{BuildInput, BuildOptions};
+use striata_paged::build::{BuildInput, BuildOptions, is_address};
 
 use crate::args::CellArgs;
 
 /// Prefix of generated inputs.
 const SHAPE: &str = "shape:";
+/// Factor by which compressed meshes grow, about.
+const COMPRESSED_RATIO: u64 = 3;
 /// Memory that an in-memory build takes per byte of the input file, about.
 const MEMORY_PER_BYTE: u64 = 12;
 
@@ -22,6 +24,17 @@ pub(crate) fn is_too_large(path: &Path) -> bool {
     system.refresh_memory();
     let available = system.available_memory();
     available > 0 && size.saturating_mul(MEMORY_PER_BYTE) > available
+}
+
+/// Bytes of the temporary copy that a file needs to be read in pieces: text takes less as numbers, compressed files
+/// take more.
+pub(super) fn scratch_bytes(path: &Path) -> u64 {
+    let size = fs::metadata(path).map_or(0, |metadata| metadata.len());
+    match path.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
+        Some("gz" | "zst") => size.saturating_mul(COMPRESSED_RATIO),
+        Some("obj") => size,
+        _ => 0,
+    }
 }
 
 /// Whether a name stands for an input that only an out-of-core build reads.
@@ -93,7 +106,9 @@ pub(super) fn build_options(args: &CellArgs, output: &Output) -> Result<BuildOpt
 /// The work folder of an output.
 pub(super) fn work_folder(output: &Path, given: Option<&Path>) -> PathBuf {
     let beside = || {
-        let mut name = output.as_os_str().to_owned();
+        // What is built at an address is prepared here.
+        let here = is_address(output).then(|| output.file_name()).flatten();
+        let mut name = here.unwrap_or(output.as_os_str()).to_owned();
         name.push(".work");
         PathBuf::from(name)
     };
