@@ -2,11 +2,15 @@
 
 use std::collections::BTreeSet;
 
+use striata::simplify::Target;
+
 use crate::{
     Assembled, CutPages, Metadata, Page, PageBound, PagedError, PagedReader, Store, Want, assemble,
     open_store,
 };
 
+/// Pages of earlier levels are kept as long as all pages in memory have at most so many vertices, about 600 MB.
+const MAX_CACHED_VERTICES: u64 = 10_000_000;
 /// At most so many bytes are in memory before their pages are decoded, if no single want has more.
 const MAX_BATCH_BYTES: u64 = 32 << 20;
 
@@ -138,8 +142,21 @@ impl PagedFile {
 
     /// Reads pages, unless they have been read.
     fn load(&mut self, pages: &[u32]) -> Result<(), PagedError> {
+        self.make_room(pages);
         self.reader.request(pages.iter().copied());
         self.fetch()
+    }
+
+    /// Forgets pages of earlier levels, if there would be too many with those that are needed now.
+    fn make_room(&mut self, pages: &[u32]) {
+        let vertices = |page: u32| self.reader.entry(page).map_or(0, |entry| u64::from(entry.vertex_count));
+        let known: Vec<u32> = self.reader.pages().map(|(index, _)| index).collect();
+        let needed: BTreeSet<u32> = pages.iter().copied().collect();
+        let others: Vec<u32> = known.into_iter().filter(|page| !needed.contains(page)).collect();
+        let total: u64 = others.iter().chain(&needed).map(|&page| vertices(page)).sum();
+        if total > MAX_CACHED_VERTICES {
+            others.into_iter().for_each(|page| self.reader.evict(page));
+        }
     }
 
     /// Those of some pages that have been read.
@@ -195,6 +212,33 @@ impl PagedFile {
                 return Ok(level);
             }
             wanted = wanted.max(sum) * 3 / 2 + 1;
+        }
+    }
+
+    /// The mesh with all levels that some targets select; each target is resolved in its sequence.
+    ///
+    /// # Errors
+    /// See [`Self::assemble`].
+    pub fn levels_for(&mut self, targets: &[Target]) -> Result<Assembled, PagedError> {
+        let (mut triangles, mut error) = (None, None::<f64>);
+        for &target in targets {
+            let needed = match target {
+                Target::Error(distance) => {
+                    error = Some(error.map_or(distance, |least| least.min(distance)));
+                    continue;
+                }
+                Target::Triangles(count) => count,
+                // A surface has about two triangles per vertex, a soup fewer.
+                Target::Vertices(count) => count.saturating_mul(3),
+                // Steps are counted from the base, so all must be known.
+                _ => usize::MAX,
+            };
+            triangles = triangles.max(Some(needed));
+        }
+        match (triangles, error) {
+            (Some(count), None) => self.level_for_triangles(count),
+            (None, Some(error)) => self.level_for_error(error as f32),
+            _ => self.level_for_triangles(usize::MAX),
         }
     }
 

@@ -5,9 +5,8 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::mesh::replay;
 use striata::model::ModelKind;
-use striata::simplify::Target;
 use striata::view::DetailBox;
-use striata_paged::{Assembled, PagedFile, ViewCut};
+use striata_paged::{PagedFile, ViewCut};
 
 use super::fan_view::{MIN_PIXELS, ViewLevel};
 use super::level_output::{no_level, primitives_of, view_output_path};
@@ -61,7 +60,7 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
     let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
     let targets = requests.iter().map(|request| request.target.ok_or_else(no_level));
     let targets = targets.collect::<Result<Vec<_>, _>>()?;
-    let assembled = assembled_for(&mut file, &targets)?;
+    let assembled = file.levels_for(&targets).map_err(failure_of)?;
     let sequence = &assembled.refinable.sequence;
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut reports = Vec::new();
@@ -91,34 +90,6 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
     }
     let report = reports.pop().ok_or_else(no_level)?;
     output.summary(&report, &report.to_text(sequence.step_count()))
-}
-
-/// Reads the pages that all targets need.
-///
-/// # Errors
-/// If the file is damaged.
-fn assembled_for(file: &mut PagedFile, targets: &[Target]) -> Result<Assembled, Failure> {
-    let (mut triangles, mut error) = (None, None::<f64>);
-    for &target in targets {
-        let needed = match target {
-            Target::Error(distance) => {
-                error = Some(error.map_or(distance, |least| least.min(distance)));
-                continue;
-            }
-            Target::Triangles(count) => count,
-            // A surface has about two triangles per vertex, a soup fewer.
-            Target::Vertices(count) => 3 * count,
-            // Steps are counted from the base, so all must be known.
-            _ => usize::MAX,
-        };
-        triangles = triangles.max(Some(needed));
-    }
-    match (triangles, error) {
-        (Some(count), None) => file.level_for_triangles(count),
-        (None, Some(error)) => file.level_for_error(error as f32),
-        _ => file.level_for_triangles(usize::MAX),
-    }
-    .map_err(failure_of)
 }
 
 fn run_view(
