@@ -118,6 +118,15 @@ mod writing {
     }
 
     impl RemoteStore {
+        /// Refuses an address whose bucket does not exist. What a server does not let us list, it may still let us
+        /// write.
+        pub(crate) fn check_bucket(&self) -> Result<(), PagedError> {
+            match self.runtime.block_on(self.store.list_with_delimiter(Some(&self.path))) {
+                Err(error @ object_store::Error::NotFound { .. }) => Err(self.failed(&error)),
+                _ => Ok(()),
+            }
+        }
+
         /// Begins to write the file.
         pub(crate) fn upload(&self) -> Result<Upload<'_>, PagedError> {
             let path = self.path_of(Place::Head)?;

@@ -78,6 +78,15 @@ impl Destination {
         Ok(if is_folder { Self::Folder } else { Self::File })
     }
 
+    /// Refuses an address that cannot be written, as far as this is known without writing.
+    pub(super) fn check(&self) -> Result<(), BuildError> {
+        match self {
+            Self::File | Self::Folder => Ok(()),
+            #[cfg(feature = "remote")]
+            Self::Address(store) => Ok(store.check_bucket()?),
+        }
+    }
+
     fn is_folder(&self) -> bool {
         match self {
             Self::File => false,

@@ -70,7 +70,7 @@ impl Plan {
         (threads, progress): (usize, &mut ProgressFn<'_>),
     ) -> Result<Self, BuildError> {
         // An output that cannot be written must be known before hours of work.
-        finish_task::Destination::of(output)?;
+        finish_task::Destination::of(output)?.check()?;
         fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
         let piece_options =
             PieceOptions::default().with_scratch(folder.to_owned()).with_z_scale(options.z_scale);
