@@ -5,6 +5,7 @@
 
 mod appearances;
 mod fractal_terrain;
+mod gltf;
 mod input;
 mod kinds;
 mod local;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::gltf::GltfPieces;
 use super::input::Input;
 use super::obj::ObjPieces;
 use super::ply::PlyPieces;
@@ -30,6 +31,9 @@ pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceS
         },
         Some(Format::Stl) => return Ok(Box::new(StlPieces::open(input, options)?)),
         Some(Format::Obj) => return Ok(Box::new(ObjPieces::open(&input, options)?)),
+        Some(format @ (Format::Gltf | Format::Glb)) => {
+            return Ok(Box::new(GltfPieces::open(input, format, options)?));
+        }
         _ => {}
     }
     in_memory(&input, options)
