@@ -11,6 +11,7 @@ mod kinds;
 mod local;
 mod mesh_pieces;
 mod obj;
+mod off;
 mod open;
 mod options;
 mod ply;

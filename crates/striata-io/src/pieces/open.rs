@@ -5,6 +5,7 @@ use std::path::Path;
 use super::gltf::GltfPieces;
 use super::input::Input;
 use super::obj::ObjPieces;
+use super::off::OffPieces;
 use super::ply::PlyPieces;
 use super::stl::StlPieces;
 use super::{MeshPieces, PieceOptions, PieceSource};
@@ -12,9 +13,11 @@ use crate::{Format, ReadError, read_bytes_with_report};
 
 /// Opens a file in pieces: the content decides the format, then the extension.
 ///
-/// PLY, STL and OBJ may be larger than the memory. Binary files are mapped into it, text and compressed
-/// files are converted to temporary files first. The rest is read at once: OFF, glTF, and PLY with triangle
-/// strips, with lists among the properties of vertices, or with texture coordinates of faces.
+/// Files may be larger than the memory. Binary files and the buffers of glTF are mapped into it, text and
+/// compressed files are converted to temporary files first. Read at once are only PLY files with triangle
+/// strips, with lists among the properties of vertices, or with texture coordinates of faces. Of glTF, these are
+/// read in full when a piece needs them: buffer views and primitives that are compressed, primitives that lack
+/// normals which others have, and images.
 ///
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.
@@ -31,6 +34,7 @@ pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceS
         },
         Some(Format::Stl) => return Ok(Box::new(StlPieces::open(input, options)?)),
         Some(Format::Obj) => return Ok(Box::new(ObjPieces::open(&input, options)?)),
+        Some(Format::Off) => return Ok(Box::new(OffPieces::open(&input, options)?)),
         Some(format @ (Format::Gltf | Format::Glb)) => {
             return Ok(Box::new(GltfPieces::open(input, format, options)?));
         }
