@@ -1,6 +1,6 @@
 //! Damaged and hostile files: errors with the place and the reason, no panics, no huge allocations.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -14,12 +14,12 @@ use tempfile::TempDir;
 use super::scene::{Numbers, with_files};
 use super::{Triangles, of_mesh, of_source, options, random};
 
-fn in_pieces(path: &PathBuf) -> Result<Triangles, ReadError> {
+fn in_pieces(path: &Path) -> Result<Triangles, ReadError> {
     open_pieces(path, &options(10)).and_then(|source| of_source(&*source))
 }
 
 /// Reads a damaged file in pieces: whatever the reader of whole files accepts has the same triangles.
-fn survive(path: &PathBuf) -> bool {
+fn survive(path: &Path) -> bool {
     let found = in_pieces(path);
     if let Ok(mesh) = read(path)
         && mesh.check().is_ok()
