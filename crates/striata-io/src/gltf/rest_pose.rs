@@ -113,9 +113,8 @@ impl RestPose {
         for (target, weight) in weights.enumerate().filter(|&(_, weight)| weight != 0.0) {
             let Ok(target) = u16::try_from(target) else { return };
             let IndexedMesh { positions, layers, .. } = mesh;
-            if let Some(deltas) =
-                layers.iter().find(|layer| layer.semantic == Semantic::MorphPosition(target))
-            {
+            if let Some(deltas) = place_of(layers, &Semantic::MorphPosition(target)) {
+                let deltas = &layers[deltas];
                 for vertex in range.clone() {
                     for (axis, x) in positions[vertex].iter_mut().enumerate() {
                         *x += weight * deltas.get(vertex, axis);
@@ -152,8 +151,15 @@ fn add_directions(
 
 /// Copies a range of the vertices of a layer.
 fn part_of(mesh: &IndexedMesh, semantic: &Semantic, range: &Range<usize>) -> Option<AttributeLayer> {
+    let layer = &mesh.layers[place_of(&mesh.layers, semantic)?];
     let vertices: Vec<u32> = range.clone().map(|vertex| vertex as u32).collect();
-    mesh.layer(semantic).map(|layer| layer.gather(&vertices))
+    Some(layer.gather(&vertices))
+}
+
+/// Returns the place of a layer. The layers of a flattened scene are sorted, and there may be any number.
+fn place_of(layers: &[AttributeLayer], semantic: &Semantic) -> Option<usize> {
+    debug_assert!(layers.is_sorted_by(|a, b| a.semantic < b.semantic), "layers are sorted");
+    layers.binary_search_by(|layer| layer.semantic.cmp(semantic)).ok()
 }
 
 /// Makes the directions of a layer unit vectors again; those without a length stay.
@@ -170,7 +176,8 @@ fn normalize(mesh: &mut IndexedMesh, semantic: &Semantic, range: Range<usize>) {
 
 /// Returns the numbers of a layer of directions, and how many there are for each vertex.
 fn floats_of<'m>(mesh: &'m mut IndexedMesh, semantic: &Semantic) -> Option<(&'m mut [f32], usize)> {
-    let layer = mesh.layers.iter_mut().find(|layer| layer.semantic == *semantic)?;
+    let place = place_of(&mesh.layers, semantic)?;
+    let layer = &mut mesh.layers[place];
     let width = layer.component_count as usize;
     match &mut layer.data {
         LayerData::F32(data) if width >= 3 => Some((data, width)),

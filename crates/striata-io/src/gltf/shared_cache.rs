@@ -30,6 +30,12 @@ impl UnpackedCache {
         self.views.begin_read();
         self.draco_meshes.begin_read();
     }
+
+    /// Allows dropping all items that are there now, in order to make room.
+    pub(crate) fn expire(&self) {
+        self.views.expire();
+        self.draco_meshes.expire();
+    }
 }
 
 /// Items by numbers.
@@ -60,6 +66,10 @@ impl<T> SharedCache<T> {
     /// Counts a read.
     pub(crate) fn begin_read(&self) {
         self.reads.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn expire(&self) {
+        self.reads.fetch_add(self.kept_reads + 1, Ordering::Relaxed);
     }
 
     /// Returns an item, which is decoded if it is not there. Other threads that want it wait.
@@ -151,6 +161,12 @@ mod tests {
             decodes(&small, number, 10);
         }
         assert!(!decodes(&small, 0, 10), "there is room for all");
+        let expired = with_reads(1000);
+        decodes(&expired, 0, KEPT_BYTES);
+        expired.expire();
+        decodes(&expired, 1, KEPT_BYTES);
+        assert!(!decodes(&expired, 1, KEPT_BYTES));
+        assert!(decodes(&expired, 0, KEPT_BYTES));
     }
 
     #[test]

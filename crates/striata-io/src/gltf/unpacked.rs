@@ -64,6 +64,12 @@ impl<'a> Unpacked<'a> {
         filled(&self.draco_meshes[index as usize], decode)
     }
 
+    /// Counts what other documents over the same buffers have decompressed against the limit of this one.
+    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+    pub(crate) fn count(&mut self, bytes: u64) {
+        self.bytes.set(self.bytes.get().saturating_add(bytes));
+    }
+
     /// Returns the size of what has been decompressed for this document, in bytes.
     #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
     pub(crate) fn bytes(&self) -> u64 {

@@ -12,6 +12,12 @@ use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
 use crate::gltf::primitive::{Primitive, Topology, is_proper};
 
+/// Number of indices of strips and fans that may be read regardless of the size of the file.
+const ALWAYS_READ: u64 = 1 << 26;
+
+/// Number of indices more for each byte of the document and its buffers.
+const INDICES_PER_INPUT_BYTE: u64 = 16;
+
 /// Number of places of a strip or fan that are examined at once.
 const PLACES_AT_ONCE: usize = 1 << 14;
 
@@ -36,13 +42,26 @@ pub(crate) struct TriangleCount {
 
 impl TriangleCount {
     /// Counts the triangles of a primitive. Lists are not read for this unless they are compressed meshes.
+    ///
+    /// `read_count` is the number of indices that have been read; those of this primitive are added. It is
+    /// limited by the size of the document, because primitives may share their indices.
     pub(crate) fn of(
         document: &Document<'_>,
         primitive: &Primitive<'_>,
         (vertex_count, run_size): (usize, usize),
+        read_count: &mut u64,
     ) -> Result<Self, Fault> {
         if primitive.topology != Topology::List || primitive.draco.is_some() {
-            return TriangleRuns::of(document, primitive, vertex_count)?.count(run_size);
+            let runs = TriangleRuns::of(document, primitive, vertex_count)?;
+            *read_count += runs.index_count as u64;
+            if *read_count > ALWAYS_READ.max(document.input_bytes.saturating_mul(INDICES_PER_INPUT_BYTE)) {
+                let reason = format!(
+                    "{read_count} indices of strips and fans are too many for a file of {} bytes",
+                    document.input_bytes
+                );
+                return Err(primitive.at.fault(reason));
+            }
+            return runs.count(run_size);
         }
         let shape = primitive.index_shape(document)?;
         shape.as_ref().map_or(Ok(()), check)?;

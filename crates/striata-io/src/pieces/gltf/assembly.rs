@@ -118,14 +118,15 @@ impl<'s> Assembly<'s> {
             Some(transform) => self.mesh.positions.extend(points.iter().map(|&p| transform.point(p))),
         }
         for layer in &mut self.mesh.layers {
-            match primitive.attributes.iter().find(|(semantic, _)| *semantic == layer.semantic) {
-                Some((semantic, index)) => {
+            let place = primitive.attributes.binary_search_by(|(semantic, _)| semantic.cmp(&layer.semantic));
+            match place.map(|place| &primitive.attributes[place]) {
+                Ok((semantic, index)) => {
                     let accessor = primitive.attribute(document, (semantic, *index))?;
                     outline.check_count(&accessor)?;
                     let values = elements(&accessor, &batch.numbers);
                     append(layer, &accessor.with_elements(&values), transform);
                 }
-                None => fill(layer, batch.numbers.len()),
+                Err(_) => fill(layer, batch.numbers.len()),
             }
         }
         Ok(())

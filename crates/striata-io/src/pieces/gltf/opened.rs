@@ -24,7 +24,7 @@ pub(super) struct OpenedDocument {
     /// Where the binary chunk is.
     chunk: Option<Range<usize>>,
     buffers: Buffers<Mapped>,
-    /// Decompressed views and meshes of the pieces that are read.
+    /// Decompressed views and meshes.
     cache: UnpackedCache,
 }
 
@@ -55,20 +55,27 @@ impl OpenedDocument {
         self.input.file_bytes + self.buffers.file_bytes()
     }
 
-    /// Creates a document for one thread. It keeps what it decompresses while it exists.
+    /// Creates a document for one thread, which shares what it decompresses with others.
     pub(super) fn document(&self) -> Result<Document<'_>, Fault> {
         let chunk = self.chunk.clone().map(|range| &self.input.bytes[range]);
         let (root, buffers) = ((&self.root, self.json_bytes), (&self.buffers, chunk));
         let mut document = Document::new(root, buffers, self.input.source())?;
         document.max_elements = MAX_ELEMENTS;
+        document.unpacked.share(&self.cache);
         Ok(document)
     }
 
-    /// Creates a document to read a piece with, which shares what it decompresses with those of other pieces.
+    /// Creates a document to read a piece with.
     pub(super) fn document_of_piece(&self) -> Result<Document<'_>, Fault> {
         self.cache.begin_read();
+        self.document()
+    }
+
+    /// Creates a document to go on with where little of what the last one has decompressed is needed.
+    pub(super) fn document_after(&self, last: &Document<'_>) -> Result<Document<'_>, Fault> {
+        self.cache.expire();
         let mut document = self.document()?;
-        document.unpacked.share(&self.cache);
+        document.unpacked.count(last.unpacked.bytes());
         Ok(document)
     }
 }

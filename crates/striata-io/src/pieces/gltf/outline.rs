@@ -108,6 +108,8 @@ impl Outline {
             primitives_of: BTreeMap::new(),
             vertex_sets: BTreeMap::new(),
             name_bytes: 0,
+            unpacked_before: 0,
+            counted: 0,
             fans_before: None,
         };
         let document = opened.document()?;
@@ -162,6 +164,10 @@ struct Walk<'a> {
     primitives_of: BTreeMap<u64, Range<u32>>,
     vertex_sets: BTreeMap<VertexKey, u32>,
     name_bytes: u64,
+    /// Size of what earlier documents have decompressed, in bytes.
+    unpacked_before: u64,
+    /// Number of indices of strips and fans that have been read.
+    counted: u64,
     /// Primitive before the current one, if it is a fan.
     fans_before: Option<Shown>,
 }
@@ -236,8 +242,9 @@ impl<'a> Walk<'a> {
     }
 
     fn add_primitive(&mut self, (mesh, index): (u64, usize), primitive: &Primitive<'a>) -> Result<(), Fault> {
-        if self.document.unpacked.bytes() > MAX_UNPACKED_BYTES {
-            self.document = self.opened.document()?;
+        if self.document.unpacked.bytes() - self.unpacked_before > MAX_UNPACKED_BYTES {
+            self.document = self.opened.document_after(&self.document)?;
+            self.unpacked_before = self.document.unpacked.bytes();
         }
         let document = &self.document;
         let shape_of = |semantic: Option<&Semantic>, index| primitive.shape(document, semantic, index);
@@ -245,7 +252,8 @@ impl<'a> Walk<'a> {
         if u32::try_from(vertex_count).is_err() {
             return Err(primitive.at.fault(format!("{vertex_count} vertices are more than can be handled")));
         }
-        let triangles = TriangleCount::of(document, primitive, (vertex_count, self.run_size))?;
+        let triangles =
+            TriangleCount::of(document, primitive, (vertex_count, self.run_size), &mut self.counted)?;
         let draco = primitive.draco.as_ref().map(DracoLink::key);
         let key: VertexKey = (primitive.position, primitive.attributes.clone(), draco);
         let next = self.vertex_sets.len() as u32;

@@ -200,6 +200,30 @@ fn small_files_do_not_become_huge() {
     assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
 }
 
+#[test]
+fn what_is_read_in_full_is_limited() {
+    let started = std::time::Instant::now();
+    // Many strips with the same indices.
+    let mut strips = square();
+    let indices = strips.push("accessors", zeros(60_000, "SCALAR", 5123));
+    let strip = json!({ "attributes": { "POSITION": 0 }, "indices": indices, "mode": 5 });
+    strips.document["meshes"][0]["primitives"] = json!(vec![strip; 2000]);
+    let message = refused(&strips, &[]);
+    assert!(message.contains("meshes[0].primitives[1118]: 67140000 indices of strips and fans"), "{message}");
+    // Many triangles without normals at the same place.
+    let mut bare = square();
+    let many = bare.push("accessors", zeros(30_000, "VEC3", 5126));
+    let normals = Numbers::new(5126, "VEC3").push(&mut bare, &[0.6; 12]);
+    bare.document["meshes"] = json!([
+        { "primitives": [{ "attributes": { "POSITION": many } }] },
+        { "primitives": [{ "attributes": { "POSITION": 0, "NORMAL": normals }, "indices": 1 }] },
+    ]);
+    bare.document["nodes"] = json!([vec![json!({ "mesh": 0 }); 8000], vec![json!({ "mesh": 1 })]].concat());
+    let message = refused(&bare, &[]);
+    assert!(message.contains("80000000 triangles share vertices without normals"), "{message}");
+    assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
+}
+
 /// Weights of morph targets are shared by all instances of a node.
 #[test]
 fn many_weights_of_many_instances_are_kept_once() {
