@@ -14,10 +14,12 @@ use crate::{Format, ReadError, read_bytes_with_report};
 /// Opens a file in pieces: the content decides the format, then the extension.
 ///
 /// Files may be larger than the memory. Binary files and the buffers of glTF are mapped into it, text and
-/// compressed files are converted to temporary files first. Read at once are only PLY files with triangle
-/// strips, with lists among the properties of vertices, or with texture coordinates of faces. Of glTF, these are
-/// read in full when a piece needs them: buffer views and primitives that are compressed, primitives that lack
-/// normals which others have, and images.
+/// compressed files are converted to temporary files first. Only PLY files with triangle strips, with lists
+/// among the properties of vertices, or with texture coordinates of faces are read at once.
+///
+/// glTF is what its default scene shows, at rest. Some of it is read in full when a piece needs it: buffer
+/// views and primitives that are compressed, and primitives without normals if others have some, which take
+/// 24 bytes per vertex then. The JSON and the images are always kept.
 ///
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.

@@ -25,7 +25,7 @@ pub(super) fn block_normals(
     (document, piece_size): (&Document<'_>, usize),
 ) -> Result<Vec<[f32; 3]>, Fault> {
     let shown = &outline.blocks[block];
-    let counts = shown.iter().map(|&shown| outline.triangle_count(&outline.shown[shown as usize]));
+    let counts = shown.iter().map(|&shown| outline.triangle_count_of(&outline.shown[shown as usize]));
     let triangle_count = counts.fold(0, u64::saturating_add);
     if triangle_count > ALWAYS_ALLOWED.max(document.input_bytes.saturating_mul(TRIANGLES_PER_INPUT_BYTE)) {
         let reason = format!(
@@ -37,7 +37,7 @@ pub(super) fn block_normals(
     let vertex_count = Assembly::new(outline, document).claim_vertices(shown[0], size_of::<[f64; 3]>())?;
     let mut sums = NormalSums::of(vertex_count);
     for &shown in shown {
-        let count = outline.triangle_count(&outline.shown[shown as usize]);
+        let count = outline.triangle_count_of(&outline.shown[shown as usize]);
         for first in (0..count).step_by(piece_size) {
             let part = Part { shown: shown as usize, triangles: first..count.min(first + piece_size as u64) };
             let mut assembly = Assembly::new(outline, document);

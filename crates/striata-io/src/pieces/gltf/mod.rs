@@ -53,7 +53,7 @@ impl GltfPieces {
         });
         let (mut outline, appearance) = read.map_err(|fault| fault.in_file(opened.name()))?;
         let mut groups = std::mem::take(&mut outline.groups);
-        let counts = outline.shown.iter().map(|shown| outline.triangle_count(shown));
+        let counts = outline.shown.iter().map(|shown| outline.triangle_count_of(shown));
         if groups.is_empty() {
             groups.push(PieceGroup::default());
         }
@@ -63,7 +63,7 @@ impl GltfPieces {
             layers: layers.map(|layer| LayerKind::of(&layer)).collect(),
             groups,
             appearance,
-            triangle_count: counts.clone().sum(),
+            triangle_count: outline.triangle_count,
             byte_count: opened.byte_count(),
             georeference: None,
             warnings: warnings.into_list().iter().map(ToString::to_string).collect(),
@@ -78,7 +78,8 @@ impl GltfPieces {
         }
         let document = self.opened.document_of_piece()?;
         self.normals.begin_read();
-        let parts = self.cuts.parts(index, |shown| self.outline.triangle_count(&self.outline.shown[shown]));
+        let parts =
+            self.cuts.parts(index, |shown| self.outline.triangle_count_of(&self.outline.shown[shown]));
         let mut assembly = Assembly::new(&self.outline, &document);
         let shown = |part: &Part| self.outline.shown[part.shown];
         for parts in parts.chunk_by(|a, b| self.outline.share_vertices(shown(a), shown(b))) {

@@ -24,6 +24,9 @@ const BYTES_PER_PRIMITIVE: u64 = 64;
 /// Memory that the names of groups may take regardless of the size of the scene, in bytes.
 const ALWAYS_ALLOWED_NAME_BYTES: u64 = 1 << 28;
 
+/// Number of triangles that a scene may show regardless of its size, counting repetitions.
+const ALWAYS_ALLOWED_TRIANGLES: u64 = 1 << 36;
+
 /// Size of decompressed data after which a document is replaced by a fresh one, in bytes.
 const MAX_UNPACKED_BYTES: u64 = 1 << 26;
 
@@ -39,6 +42,7 @@ pub(super) struct Outline {
     pub(super) shown: Vec<Shown>,
     pub(super) formats: LayerFormats,
     pub(super) groups: Vec<PieceGroup>,
+    pub(super) triangle_count: u64,
     /// Blocks whose normals are computed: all primitives that show the same vertices at the same place, as
     /// indices into `shown`.
     pub(super) blocks: Vec<Vec<u32>>,
@@ -115,6 +119,14 @@ impl Outline {
         let document = opened.document()?;
         visit_instances(&document, BYTES_PER_PRIMITIVE, &mut |instance| walk.add_instance(&instance))?;
         let mut outline = walk.outline;
+        let counts = outline.shown.iter().map(|shown| outline.triangle_count_of(shown));
+        outline.triangle_count = counts.fold(0, u64::saturating_add);
+        if outline.triangle_count > ALWAYS_ALLOWED_TRIANGLES.max(document.input_bytes) {
+            let (count, bytes) = (outline.triangle_count, document.input_bytes);
+            return Err(document_fault(format!(
+                "the scene shows {count} triangles, too many for {bytes} bytes"
+            )));
+        }
         if outline.formats.contains_key(&Semantic::Normal) {
             outline.find_blocks();
         }
@@ -122,7 +134,7 @@ impl Outline {
     }
 
     /// Returns the number of triangles of a shown primitive.
-    pub(super) fn triangle_count(&self, shown: &Shown) -> u64 {
+    pub(super) fn triangle_count_of(&self, shown: &Shown) -> u64 {
         self.primitives[shown.primitive as usize].triangles.triangle_count
     }
 

@@ -177,6 +177,14 @@ fn small_files_do_not_become_huge() {
     product.document["nodes"] = json!(vec![json!({ "mesh": 0, "translation": [1, 0, 0] }); 2000]);
     let message = refused(&product, &[]);
     assert!(message.contains("the scene shows 1050000 primitives, too many for"), "{message}");
+    let mut zero = product.clone();
+    zero.document["accessors"][0] = zeros(300_000, "VEC3", 5126);
+    let bare = json!({ "attributes": { "POSITION": 0 } });
+    zero.document["meshes"][0]["primitives"] = json!(vec![bare; 1000]);
+    zero.document["nodes"] = json!(vec![json!({ "mesh": 0 }); 1000]);
+    zero.document["extras"] = json!("PADDING");
+    let message = refused(&zero, &[("PADDING", format!("\"{}\"", "x".repeat(1 << 20)))]);
+    assert!(message.contains("the scene shows 100000000000 triangles, too many for"), "{message}");
     // The name of a mesh is that of every group.
     product.document["nodes"] = json!(vec![json!({ "mesh": 0 }); 500]);
     product.document["meshes"][0]["name"] = json!("n".repeat(1000));

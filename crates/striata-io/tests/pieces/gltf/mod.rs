@@ -194,7 +194,8 @@ fn every_mode_and_type() {
     }
     scene.push("meshes", json!({ "name": "all", "primitives": primitives }));
     let mesh = check(&scene);
-    // 30 vertices in order, and 17 indices in six ways; strips lose degenerate triangles, and fans are joined.
+    // 30 vertices in order, and 17 indices in six ways; strips lose degenerate triangles, and fans are one
+    // group.
     let [lists, strips, fans] = [10 + 6 * 5, 28 + 6 * 10, 28 + 6 * 11];
     assert_eq!(mesh.triangle_count(), lists + strips + fans);
     assert_eq!(mesh.groups.len(), 7 + 7 + 1);
