@@ -8,7 +8,6 @@ use crate::cache::cheapest_for_cache;
 use crate::options::StripOptions;
 use crate::stripifier::Stripifier;
 use crate::task::{Budget, Limits, Reported, SpentFn, Task};
-use crate::tunnel::Identity;
 use crate::{cheapest, fewest, stripe, tunnel};
 
 /// Why no strips could be made.
@@ -98,10 +97,7 @@ fn run(
         }
         Stripifier::Stripe => stripe::run(&task, &mut links, &mut |now| limits.report(now))?,
         Stripifier::Tunnel { max_length } => {
-            tunnel::run(&task, &mut links, max_length, Identity::Dynamic, &mut |moves| limits.spent(moves));
-        }
-        Stripifier::StaticTunnel { max_length } => {
-            tunnel::run(&task, &mut links, max_length, Identity::Static, &mut |moves| limits.spent(moves));
+            tunnel::run(&task, &mut links, max_length, &mut |moves| limits.spent(moves));
         }
         Stripifier::Fewest => fewest::run(&task, &graph, &mut links, &mut |moves| limits.spent(moves)),
         Stripifier::Cheapest => cheapest::run(&task, &mut links, limits, &mut out)?,

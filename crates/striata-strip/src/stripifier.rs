@@ -17,11 +17,6 @@ pub enum Stripifier {
         /// Length of the longest tunnel, in links: odd (an even number acts as the odd one below it).
         max_length: u32,
     },
-    /// Tunnelling with the strip identities from before each search \[Ste01\]: a baseline for `Tunnel`.
-    StaticTunnel {
-        /// Length of the longest tunnel, in links, as in [`Stripifier::Tunnel`].
-        max_length: u32,
-    },
     /// Random walks of strip ends until they meet: fewest strips.
     Fewest,
     /// Simulated annealing of single links, then joins strips that meet at a vertex: fewest indices.
@@ -37,7 +32,6 @@ impl fmt::Display for Stripifier {
             Self::Greedy => f.write_str("greedy"),
             Self::Stripe => f.write_str("stripe"),
             Self::Tunnel { max_length } => write!(f, "tunnel:{max_length}"),
-            Self::StaticTunnel { max_length } => write!(f, "tunnel-static:{max_length}"),
             Self::Fewest => f.write_str("fewest"),
             Self::Cheapest => f.write_str("cheapest"),
         }
@@ -54,13 +48,13 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// Names of all stripifiers, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], tunnel-static[:MAX], fewest, cheapest";
+    pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], fewest, cheapest";
 
     /// Number of moves that the search makes per triangle of a mesh at effort 1.
     pub(crate) fn moves_per_triangle(self) -> f64 {
         match self {
             // These end without a budget.
-            Self::Greedy | Self::Stripe | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
+            Self::Greedy | Self::Stripe | Self::Tunnel { .. } => f64::INFINITY,
             Self::Fewest => 20.0,
             Self::Cheapest => 50.0,
         }
@@ -83,7 +77,6 @@ impl FromStr for Stripifier {
         };
         match name {
             "tunnel" => Ok(Self::Tunnel { max_length: max_length()? }),
-            "tunnel-static" => Ok(Self::StaticTunnel { max_length: max_length()? }),
             _ if parameter.is_some() => Err(wrong()),
             "greedy" => Ok(Self::Greedy),
             "stripe" => Ok(Self::Stripe),

@@ -5,19 +5,19 @@
 
 mod appearances;
 mod fractal_terrain;
-mod input;
+pub(crate) mod input;
 mod kinds;
 mod local;
 mod mesh_pieces;
-mod obj;
+pub(crate) mod obj;
 mod open;
 mod options;
-mod ply;
+pub(crate) mod ply;
 mod ply_faces;
-mod ply_text;
+pub(crate) mod ply_text;
 mod several;
-mod spool;
-mod stl;
+pub(crate) mod spool;
+pub(crate) mod stl;
 mod stl_text;
 #[cfg(feature = "terrain")]
 mod terrain;
@@ -30,6 +30,8 @@ pub use options::PieceOptions;
 pub use several::{Several, open_several};
 #[cfg(feature = "terrain")]
 pub use terrain::Terrain;
+#[cfg(all(feature = "terrain", feature = "blocks"))]
+pub(crate) use terrain::is_raster;
 pub use tiles::Tiles;
 
 use serde::{Deserialize, Serialize};

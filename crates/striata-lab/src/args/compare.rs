@@ -11,7 +11,7 @@ use striata_command::strip_chain::{StripChain, StripPlan};
 
 /// Stripifiers that are compared by default.
 const COMPARED_STRIPS: &str =
-    "greedy,stripe,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";
+    "greedy,stripe,tunnel:3,tunnel:17,greedy+tunnel:17,fewest,cheapest";
 
 /// Help heading of the flags about models.
 const MODELS: &str = "Models";
@@ -185,14 +185,24 @@ pub(crate) struct StripifierArgs {
     /// Merge equal vertices before comparing stripifiers; models always merge them
     #[arg(long)]
     pub(crate) weld: bool,
-    /// Search tunnels up to this length: every odd length up to it is measured
+    /// Search tunnels of at most these lengths
     #[arg(
         long,
-        value_name = "N",
-        default_value_t = 25,
+        value_name = "LENGTH,...",
+        value_delimiter = ',',
+        default_value = "1,3,5,9,13,17,25",
         value_parser = clap::value_parser!(u32).range(1..=999)
     )]
-    pub(crate) max_tunnel: u32,
+    pub(crate) tunnels: Vec<u32>,
+    /// Kinds of tunneling: published, per-path, static, grown, tunnel
+    #[arg(
+        long,
+        value_name = "NAME,...",
+        value_delimiter = ',',
+        default_value = "published,per-path,static,grown,tunnel",
+        hide_possible_values = true
+    )]
+    pub(crate) tunnel_searches: Vec<TunnelSearch>,
     /// Measure each tunnel length with this many seeds
     #[arg(
         long,
@@ -214,6 +224,44 @@ pub(crate) struct StripifierArgs {
         value_parser = parse_at_least_zero
     )]
     pub(crate) budgets: Vec<f64>,
+}
+
+/// A kind of tunneling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TunnelSearch {
+    /// To the letter of \[PS03\]: from single triangles, each visited once per search.
+    Published,
+    /// The same, but each triangle visited once per path.
+    PerPath,
+    /// The predecessor \[Ste01\] with static identities.
+    Static,
+    /// Our growth of strips, then the published search, once per path.
+    Grown,
+    /// Our stripifier: growth, and moves of ends that have no tunnel.
+    Tunnel,
+}
+
+impl TunnelSearch {
+    /// All kinds, from the published ones to ours.
+    #[cfg(test)]
+    pub(crate) const ALL: [Self; 5] =
+        [Self::Published, Self::PerPath, Self::Static, Self::Grown, Self::Tunnel];
+
+    /// What the names mean.
+    pub(crate) const LEGEND: &str = "published: from single triangles, each visited once per search; \
+        per-path: once per path; static: with the identities from before each search; grown: strips are grown \
+        first; tunnel: ours, which also moves ends.";
+
+    /// The name in reports.
+    pub(crate) const fn as_str(self) -> &'static str {
+        match self {
+            Self::Published => "published",
+            Self::PerPath => "per-path",
+            Self::Static => "static",
+            Self::Grown => "grown",
+            Self::Tunnel => "tunnel",
+        }
+    }
 }
 
 impl CompareArgs {
