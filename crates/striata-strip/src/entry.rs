@@ -95,7 +95,9 @@ fn run(
                 limits.report(now)
             })?;
         }
-        Stripifier::Stripe => stripe::run(&task, &mut links, &mut |now| limits.report(now))?,
+        Stripifier::Stripe { has_patches, swaps } => {
+            stripe::run(&task, &mut links, (has_patches, swaps), &mut |now| limits.report(now))?;
+        }
         Stripifier::Tunnel { max_length } => {
             tunnel::run(&task, &mut links, max_length, &mut |moves| limits.spent(moves));
         }

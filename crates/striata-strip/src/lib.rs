@@ -29,7 +29,7 @@
 //!
 //! | module | algorithm |
 //! | --- | --- |
-//! | `stripe` | the classic greedy walk that prefers neighbors with few free neighbors |
+//! | `stripe` | the classic greedy walk that prefers neighbors with few free neighbors; patches of quads |
 //! | `tunnel` | joins strip ends greedily, then along the shortest tunnels |
 //! | `fewest` | moves strip ends until they meet; proves how few strips are possible |
 //! | `cheapest` | simulated annealing of single links, then joins strips whose ends share a vertex |
@@ -63,7 +63,7 @@ pub use entry::{StripifyError, stripify, stripify_from, stripify_with_progress};
 pub use fewest::strip_count_bound;
 pub use options::StripOptions;
 pub use repair::{LiveStripBuffer, LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
-pub use stripifier::{DEFAULT_TUNNEL_LENGTH, ParseStripifierError, Stripifier};
+pub use stripifier::{DEFAULT_TUNNEL_LENGTH, ParseStripifierError, StripeSwaps, Stripifier};
 pub use task::SpentFn;
 
 /// The README's example, compiled with the documentation tests.

@@ -13,7 +13,17 @@ use striata_strip::{
 use striata_testing::meshes;
 
 /// One spelling of each stripifier, with relevant parameters.
-const SPECS: [&str; 7] = ["greedy", "stripe", "fewest", "cheapest", "tunnel:1", "tunnel:9", "tunnel:40"];
+const SPECS: [&str; 9] = [
+    "greedy",
+    "stripe",
+    "stripe:global:few-swaps",
+    "stripe:no-swaps",
+    "fewest",
+    "cheapest",
+    "tunnel:1",
+    "tunnel:9",
+    "tunnel:40",
+];
 
 fn options(spec: &str) -> StripOptions {
     StripOptions::default().with_stripifier(spec.parse().unwrap()).with_effort(0.2)

@@ -30,8 +30,10 @@ impl BinaryPly {
         if crate::pieces::is_raster(path) {
             return Self::of_pieces(&*crate::pieces::open_pieces(path, &options)?, scratch);
         }
-        let refused =
-            |found: &str| ReadError::NotInBlocks { file: path.display().to_string(), found: found.to_owned() };
+        let refused = |found: &str| ReadError::NotInBlocks {
+            file: path.display().to_string(),
+            found: found.to_owned(),
+        };
         if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
             return Err(refused("what is not a regular file"));
         }

@@ -4,8 +4,8 @@ use striata::mesh::{AttributeLayer, LayerData};
 
 use super::shared_vertices::KeyedTriangles;
 use crate::ReadError;
-use crate::pieces::obj::ObjPieces;
 use crate::pieces::PieceSource;
+use crate::pieces::obj::ObjPieces;
 use crate::ply::property_names;
 
 /// Triangles whose corners are identified by the numbers of position, texture coordinate and normal.
@@ -28,7 +28,12 @@ impl KeyedTriangles for ObjTriangles<'_> {
         let names = self.pieces.summary().layers.iter().flat_map(|kind| {
             let data = LayerData::F32(Vec::new());
             let (component_count, normalized) = (kind.component_count, kind.normalized);
-            property_names(&AttributeLayer { semantic: kind.semantic.clone(), component_count, normalized, data })
+            property_names(&AttributeLayer {
+                semantic: kind.semantic.clone(),
+                component_count,
+                normalized,
+                data,
+            })
         });
         names.collect()
     }

@@ -16,8 +16,8 @@ use super::body::{Vertices, index_list};
 use super::header::{Element, Encoding, Header, Property, Scalar};
 use super::rows::integer_from_bytes;
 use crate::ReadError;
-use crate::file_view::FileView;
 use crate::error::{Fault, Place};
+use crate::file_view::FileView;
 
 /// Largest supported size of a header, in bytes.
 const MAX_HEADER_BYTES: u64 = 1 << 20;
@@ -60,7 +60,17 @@ impl PlyStream {
         let axes = axes_of(vertex, header.body_at as u64).map_err(in_file)?;
         let (vertex_count, stride) = (vertex.count as u32, vertex.least_row_bytes());
         let (vertices_offset, faces_offset) = (places.vertices_offset, places.faces_offset);
-        Ok(Self { source, name, header, vertices_offset, vertex_count, stride, axes, faces_offset, file_bytes })
+        Ok(Self {
+            source,
+            name,
+            header,
+            vertices_offset,
+            vertex_count,
+            stride,
+            axes,
+            faces_offset,
+            file_bytes,
+        })
     }
 
     /// Returns the file's name for messages.

@@ -10,8 +10,7 @@ use striata_command::args::{BUILD_STRIPS, EffortArg, STRIPS, parse_at_least_zero
 use striata_command::strip_chain::{StripChain, StripPlan};
 
 /// Stripifiers that are compared by default.
-const COMPARED_STRIPS: &str =
-    "greedy,stripe,tunnel:3,tunnel:17,greedy+tunnel:17,fewest,cheapest";
+const COMPARED_STRIPS: &str = "greedy,stripe,tunnel:3,tunnel:17,greedy+tunnel:17,fewest,cheapest";
 
 /// Help heading of the flags about models.
 const MODELS: &str = "Models";

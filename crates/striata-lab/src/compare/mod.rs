@@ -249,9 +249,7 @@ impl MeshReport {
             text.push('\n');
         }
         if let Some(strips) = &self.strips {
-            text.push_str(
-                "Strips by the longest tunnel: mean and standard deviation, range, CPU seconds\n",
-            );
+            text.push_str("Strips by the longest tunnel: mean and standard deviation, range, CPU seconds\n");
             text.push_str(&text_of(tunnels::table(&strips.tunnel_lengths)));
             text.push_str("\nTime against quality\n");
             text.push_str(&text_of(stripifiers::table(&strips.stripifiers)));

@@ -68,11 +68,16 @@ impl TunnelSearch {
     /// Makes strips from none; returns their number.
     fn strip_count(self, mesh: &IndexedMesh, max_length: u32, seed: u64) -> Result<usize, Failure> {
         let ours = |max_length| {
-            stripify(mesh, &StripOptions::default().with_stripifier(Stripifier::Tunnel { max_length }).with_seed(seed))
+            stripify(
+                mesh,
+                &StripOptions::default().with_stripifier(Stripifier::Tunnel { max_length }).with_seed(seed),
+            )
         };
         let published = |identities, visits| TunnelOptions { max_length, identities, visits, seed };
         let from_none = |options: TunnelOptions| {
-            strips_of(mesh, |triangles, links| drop(join_along_tunnels(triangles, links, &options)))
+            strips_of(mesh, |triangles, links| {
+                join_along_tunnels(triangles, links, &options);
+            })
         };
         let strips = match self {
             Self::Published => from_none(published(Identities::Dynamic, Visits::OncePerSearch))?,

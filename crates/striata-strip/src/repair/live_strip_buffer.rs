@@ -219,7 +219,10 @@ impl LiveStripBuffer {
         let with_room = ids.filter(|&id| id != NO_TWIN && self.strips[id as usize].slot.capacity > 0);
         let longest = with_room.max_by_key(|&id| self.strips[id as usize].slot.capacity)?;
         let home = self.strips[longest as usize].slot;
-        debug_assert!(self.strips[longest as usize].is_stale, "a strip has changed, but none of its triangles");
+        debug_assert!(
+            self.strips[longest as usize].is_stale,
+            "a strip has changed, but none of its triangles"
+        );
         // Long enough for most strips: two indices and swaps.
         if home.capacity < Slot::needed(path.exits.len() as u32 + 3) {
             return None;

@@ -28,8 +28,8 @@ mod live_strip_buffer;
 mod live_strips;
 mod options;
 mod scratch;
-mod stars;
 mod slots;
+mod stars;
 mod step;
 mod tunnel_search;
 

@@ -17,9 +17,9 @@
 mod growth;
 mod location_table;
 mod search;
-mod trace;
 #[cfg(test)]
 mod tests;
+mod trace;
 
 pub(crate) use growth::join_ends;
 
@@ -41,12 +41,7 @@ const MOVE_COUNT: u32 = 4;
 const SEARCHES_PER_CHECK: u64 = 256;
 
 /// Applies tunnels until no end has one of at most `max_length` links, or the budget is spent.
-pub(crate) fn run(
-    task: &Task<'_>,
-    links: &mut StripLinks<'_>,
-    max_length: u32,
-    spent: &mut SpentFn<'_>,
-) {
+pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, max_length: u32, spent: &mut SpentFn<'_>) {
     let mut random = Random::new(task.options.seed);
     join_ends(&ends_of(task, links), links, &mut random);
     let mut ends = shuffled_ends(task, links, &mut random);
@@ -108,7 +103,9 @@ impl TunnelJoiner<'_, '_> {
             let last = self.search.find(end, self.links, &self.locations, &mut self.random);
             if last.is_some() {
                 tunnel_count += 1;
-            } else if moves > 0 && let Some(moved) = self.search.pick_move(&mut self.random) {
+            } else if moves > 0
+                && let Some(moved) = self.search.pick_move(&mut self.random)
+            {
                 moves -= 1;
                 end = moved;
             } else {

@@ -28,8 +28,7 @@ pub(crate) fn is_too_large(path: &Path) -> bool {
 /// Whether a name stands for an input that only an out-of-core build reads.
 pub(crate) fn is_streamed_only(path: &Path) -> bool {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
-    is_generated(path)
-        || ["tif", "tiff", "hgt", "png"].iter().any(|&raster| extension == raster)
+    is_generated(path) || ["tif", "tiff", "hgt", "png"].iter().any(|&raster| extension == raster)
 }
 
 /// Whether a name stands for an input that is generated piece by piece.

@@ -27,12 +27,7 @@ impl DynamicTunnels {
                 walk(side, links, |triangle| identities[triangle as usize] = end);
             }
         }
-        Self {
-            search: PathSearch::new(count, options),
-            identities,
-            changes: Vec::new(),
-            applied: Vec::new(),
-        }
+        Self { search: PathSearch::new(count, options), identities, changes: Vec::new(), applied: Vec::new() }
     }
 
     fn are_in_one_strip(&self, a: u32, b: u32) -> bool {

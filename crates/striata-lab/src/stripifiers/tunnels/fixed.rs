@@ -19,7 +19,8 @@ impl StaticTunnels {
     pub(super) fn new(links: &StripLinks<'_>, options: &TunnelOptions) -> Self {
         let count = links.triangle_count();
         let search = PathSearch::new(count, options);
-        let mut tunnels = Self { search, places: vec![(u32::MAX, 0); count], next_identity: 0, loop_count: 0 };
+        let mut tunnels =
+            Self { search, places: vec![(u32::MAX, 0); count], next_identity: 0, loop_count: 0 };
         for end in 0..count as u32 {
             if links.solid_degree(end) < 2 && tunnels.places[end as usize].0 == u32::MAX {
                 tunnels.number_strip(end, links);

@@ -185,18 +185,18 @@ fn check_traces(links: &StripLinks<'_>, start: u32, random: &mut Random) -> usiz
     let mut compared_count = 0;
     for _ in 0..12 {
         trace.follow(start, &steps, links, &locations);
-        let is_on_path =
-            |t: u32| t == start || steps.iter().any(|step| step.taken == t || step.end == t);
+        let is_on_path = |t: u32| t == start || steps.iter().any(|step| step.taken == t || step.end == t);
         for triangle in (0..links.triangle_count() as u32).filter(|&t| !is_on_path(t)) {
             let (is_same, is_end_above) = match trace.relation(triangle, &locations) {
                 Relation::Untouched | Relation::Other => (false, false),
-                Relation::Same { is_end_above } | Relation::SameMoved { is_end_above } => (true, is_end_above),
+                Relation::Same { is_end_above } | Relation::SameMoved { is_end_above } => {
+                    (true, is_end_above)
+                }
             };
             assert_eq!(is_same, pushed.are_in_one_strip(end, triangle), "{steps:?}, triangle {triangle}");
             compared_count += 1;
             for side in (3 * triangle..3 * triangle + 3).filter(|&side| is_same && links.is_solid(side)) {
-                let is_above =
-                    locations.index(links.twins()[side as usize] / 3) > locations.index(triangle);
+                let is_above = locations.index(links.twins()[side as usize] / 3) > locations.index(triangle);
                 assert_eq!(is_above == is_end_above, pushed.leads_to(side, end), "{steps:?}, side {side}");
             }
         }
