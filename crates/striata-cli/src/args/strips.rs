@@ -14,7 +14,6 @@ const DEFAULT_STRIPS: Stripifier = Stripifier::Cheapest;
 /// Arguments of `strip`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
-    striata strip shape:torus\n  \
     striata strip scan.ply -o scan.glb --strips greedy+cheapest --budget 10\n  \
     striata strip scan.striata --levels 100%,25%,5%,100%")]
 pub(crate) struct StripArgs {

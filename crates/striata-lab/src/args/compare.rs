@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use striata_lab::stripifiers::Tunneling;
 use striata_stream::Effort;
 
 use crate::compare::compared_models;
@@ -201,7 +202,7 @@ pub(crate) struct StripifierArgs {
         default_value = "published,per-path,static,grown,tunnel",
         hide_possible_values = true
     )]
-    pub(crate) tunnel_searches: Vec<TunnelSearch>,
+    pub(crate) tunnel_searches: Vec<Tunneling>,
     /// Measure each tunnel length with this many seeds
     #[arg(
         long,
@@ -223,44 +224,6 @@ pub(crate) struct StripifierArgs {
         value_parser = parse_at_least_zero
     )]
     pub(crate) budgets: Vec<f64>,
-}
-
-/// A kind of tunneling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum TunnelSearch {
-    /// To the letter of \[PS03\]: from single triangles, each visited once per search.
-    Published,
-    /// The same, but each triangle visited once per path.
-    PerPath,
-    /// The predecessor \[Ste01\] with static identities.
-    Static,
-    /// Our growth of strips, then the published search, once per path.
-    Grown,
-    /// Our stripifier: growth, and moves of ends that have no tunnel.
-    Tunnel,
-}
-
-impl TunnelSearch {
-    /// All kinds, from the published ones to ours.
-    #[cfg(test)]
-    pub(crate) const ALL: [Self; 5] =
-        [Self::Published, Self::PerPath, Self::Static, Self::Grown, Self::Tunnel];
-
-    /// What the names mean.
-    pub(crate) const LEGEND: &str = "published: from single triangles, each visited once per search; \
-        per-path: once per path; static: with the identities from before each search; grown: strips are grown \
-        first; tunnel: ours, which also moves ends.";
-
-    /// The name in reports.
-    pub(crate) const fn as_str(self) -> &'static str {
-        match self {
-            Self::Published => "published",
-            Self::PerPath => "per-path",
-            Self::Static => "static",
-            Self::Grown => "grown",
-            Self::Tunnel => "tunnel",
-        }
-    }
 }
 
 impl CompareArgs {

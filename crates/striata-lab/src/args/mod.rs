@@ -11,7 +11,7 @@ use striata_command::args::ReportArgs;
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::compare::{
-    AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs, TunnelSearch,
+    AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
 };
 pub(crate) use self::poses::PosesArgs;
 

@@ -8,16 +8,13 @@ use std::sync::mpsc;
 use std::thread;
 
 use serde::Serialize;
-use striata::mesh::{DualGraph, IndexedMesh};
-use striata::strip::StripLinks;
-use striata_lab::stripifiers::{Identities, TunnelOptions, Visits, join_along_tunnels, strips_of};
+use striata::mesh::IndexedMesh;
+use striata_lab::stripifiers::Tunneling;
 use striata_lab::{Spread, cpu_secs};
-use striata_strip::{StripOptions, Stripifier, stripify};
 
 use super::page::{Block, Section};
 use super::plot::{Chart, Series};
 use super::scale::Scale;
-use crate::args::TunnelSearch;
 use striata_command::failure::Failure;
 use striata_command::output::format_count;
 
@@ -46,7 +43,7 @@ struct RunResult {
 }
 
 impl TunnelRow {
-    fn new((search, max_length): (TunnelSearch, u32), runs: &[RunResult]) -> Self {
+    fn new((search, max_length): (Tunneling, u32), runs: &[RunResult]) -> Self {
         let counts: Vec<f64> = runs.iter().map(|run| run.strip_count as f64).collect();
         let secs: Vec<f64> = runs.iter().map(|run| run.secs).collect();
         let (counts, secs) = (Spread::of(&counts), Spread::of(&secs));
@@ -64,53 +61,19 @@ impl TunnelRow {
     }
 }
 
-impl TunnelSearch {
-    /// Makes strips from none; returns their number.
-    fn strip_count(self, mesh: &IndexedMesh, max_length: u32, seed: u64) -> Result<usize, Failure> {
-        let ours = |max_length| {
-            stripify(
-                mesh,
-                &StripOptions::default().with_stripifier(Stripifier::Tunnel { max_length }).with_seed(seed),
-            )
-        };
-        let published = |identities, visits| TunnelOptions { max_length, identities, visits, seed };
-        let from_none = |options: TunnelOptions| {
-            strips_of(mesh, |triangles, links| {
-                join_along_tunnels(triangles, links, &options);
-            })
-        };
-        let strips = match self {
-            Self::Published => from_none(published(Identities::Dynamic, Visits::OncePerSearch))?,
-            Self::PerPath => from_none(published(Identities::Dynamic, Visits::OncePerPath))?,
-            Self::Static => from_none(published(Identities::Static, Visits::OncePerSearch))?,
-            Self::Grown => {
-                // Tunnels of one link are our growth.
-                let grown = ours(1)?;
-                let graph = DualGraph::of_vertices(mesh);
-                let mut links = StripLinks::from_strips(&graph, &mesh.triangles, &grown);
-                let options = published(Identities::Dynamic, Visits::OncePerPath);
-                let tunnel_count = join_along_tunnels(&mesh.triangles, &mut links, &options).tunnel_count;
-                return Ok(grown.strip_count() - tunnel_count);
-            }
-            Self::Tunnel => ours(max_length)?,
-        };
-        Ok(strips.strip_count())
-    }
-}
-
 /// Runs each kind of tunneling from scratch, at every length, with seeds from 0.
 ///
 /// # Errors
 /// If the mesh is inconsistent.
 pub(super) fn measure(
     mesh: &IndexedMesh,
-    (searches, lengths): (&[TunnelSearch], &[u32]),
+    (searches, lengths): (&[Tunneling], &[u32]),
     seeds: u32,
     show: &mut dyn FnMut(f64),
 ) -> Result<Vec<TunnelRow>, Failure> {
-    let settings: Vec<(TunnelSearch, u32)> =
+    let settings: Vec<(Tunneling, u32)> =
         lengths.iter().flat_map(|&length| searches.iter().map(move |&search| (search, length))).collect();
-    let runs: Vec<(TunnelSearch, u32, u64)> = settings
+    let runs: Vec<(Tunneling, u32, u64)> = settings
         .iter()
         .flat_map(|&(search, length)| (0..u64::from(seeds)).map(move |seed| (search, length, seed)))
         .collect();
@@ -122,7 +85,7 @@ pub(super) fn measure(
 /// Makes all runs, on as many threads as the machine has.
 fn results_of(
     mesh: &IndexedMesh,
-    runs: &[(TunnelSearch, u32, u64)],
+    runs: &[(Tunneling, u32, u64)],
     show: &mut dyn FnMut(f64),
 ) -> Result<Vec<RunResult>, Failure> {
     let next = AtomicUsize::new(0);
@@ -218,7 +181,7 @@ pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
             "Tunneling from scratch with {seeds} seeds at each length: the line is the mean, the band \
              reaches from the lowest to the highest. The table has the mean, the standard deviation of the \
              sample, the range, and the CPU seconds of a run. {}",
-            TunnelSearch::LEGEND
+            Tunneling::LEGEND
         ),
         blocks: vec![Block::chart(&chart, "Strips against the longest tunnel")?, Block::Table(table(rows))],
     })
@@ -239,7 +202,7 @@ mod tests {
         let mesh = striata_io::read(spot).unwrap();
         let mut shares = Vec::new();
         let mut counts = || {
-            let settings = (&TunnelSearch::ALL[..], &[1, 3, 5][..]);
+            let settings = (&Tunneling::ALL[..], &[1, 3, 5][..]);
             let rows = measure(&mesh, settings, 3, &mut |share| shares.push(share)).unwrap();
             rows.iter().map(|row| (row.search, row.max_length, row.min, row.max)).collect::<Vec<_>>()
         };
@@ -247,14 +210,14 @@ mod tests {
         assert_eq!(counts(), rows);
         assert_eq!(shares.last(), Some(&1.0));
         assert_eq!(rows.iter().map(|row| row.1).collect::<Vec<_>>(), [[1; 5], [3; 5], [5; 5]].concat());
-        for search in TunnelSearch::ALL {
+        for search in Tunneling::ALL {
             let of = rows.iter().filter(|row| row.0 == search.as_str()).map(|row| row.3);
             assert!(of.clone().is_sorted_by(|a, b| a > b), "{search:?}: {:?}", of.collect::<Vec<_>>());
         }
-        let at_most = |search: TunnelSearch, length| {
+        let at_most = |search: Tunneling, length| {
             rows.iter().find(|row| (row.0, row.1) == (search.as_str(), length)).unwrap().3
         };
-        assert!(at_most(TunnelSearch::Tunnel, 5) < at_most(TunnelSearch::Grown, 5));
-        assert!(at_most(TunnelSearch::Grown, 5) < at_most(TunnelSearch::Published, 5));
+        assert!(at_most(Tunneling::Tunnel, 5) < at_most(Tunneling::Grown, 5));
+        assert!(at_most(Tunneling::Grown, 5) < at_most(Tunneling::Published, 5));
     }
 }

@@ -4,12 +4,16 @@
 //! compared. [`strips_of`] turns the marks into strips.
 
 pub mod tomesh;
+#[cfg(feature = "command")]
+mod tunneling;
 pub mod tunnels;
 
 use striata::mesh::{DualGraph, IndexedMesh, MeshError};
 use striata::strip::{StripLinks, StripSet, write_strips};
 
 pub use tomesh::join_like_tomesh;
+#[cfg(feature = "command")]
+pub use tunneling::Tunneling;
 pub use tunnels::{Identities, TunnelOptions, TunnelReport, Visits, join_along_tunnels};
 
 /// Covers a mesh by strips: calls `join` with links that are all dashed, and writes the strips that it leaves.
