@@ -42,7 +42,8 @@ impl GpuLodStrips {
     /// If the state belongs to another model.
     pub fn follow(&mut self, gpu: &Gpu, model: &LodStrips<'_>, state: &mut LodStripsState) {
         self.buffer.sync(model, state);
-        self.indices.write_changed(gpu, self.buffer.indices(), self.buffer.take_changed_ranges());
+        let changed = self.buffer.take_changed_ranges();
+        self.indices.write_changed(gpu, self.buffer.indices(), changed);
         self.groups.clear();
         self.groups.extend(self.buffer.group_ranges());
     }
