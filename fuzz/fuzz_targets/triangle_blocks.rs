@@ -5,13 +5,15 @@
 use std::path::PathBuf;
 
 use libfuzzer_sys::fuzz_target;
+use striata_fuzz::allow_contained_panics;
 use striata_io::{Format, StripSpool, TriangleBlocks};
 use striata_strip::{BlockOptions, stripify_blocks};
 
-const NAMES: [&str; 5] = ["x.ply", "x.obj", "x.stl", "x.ply.gz", "x.obj.zst"];
+const NAMES: [&str; 7] = ["x.ply", "x.obj", "x.stl", "x.off", "x.gltf", "x.glb", "x.obj.zst"];
 
 fuzz_target!(|data: &[u8]| {
     let Some((&name, bytes)) = data.split_first() else { return };
+    allow_contained_panics();
     let folder = folder();
     let path = folder.join(NAMES[usize::from(name) % NAMES.len()]);
     std::fs::write(&path, bytes).expect("the folder is writable");

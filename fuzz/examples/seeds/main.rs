@@ -27,8 +27,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .filter(|(_, mesh)| mesh.check().is_ok() && mesh.triangle_count() < 100)
         .collect();
     for (i, (_, mesh)) in meshes.iter().enumerate() {
-        // The first three names are the same in both targets.
-        for target in ["read_bytes", "triangle_blocks"] {
+        // The first three names are the same in all targets.
+        for target in ["read_bytes", "pieces", "triangle_blocks"] {
             write_formats(i, mesh, &folder(target)?)?;
         }
         let folder_of_files = folder("striata_file")?;

@@ -116,7 +116,7 @@ fn check_files(args: &StripArgs) -> Result<Option<Format>, Failure> {
         return Err(Failure::user(
             "stdin: --block-triangles needs an input file, which it reads several times",
         )
-        .with_hint("name a .ply, .stl or .obj file"));
+        .with_hint("name a .ply, .stl, .obj, .off or .glb file"));
     }
     let Some(path) = &args.output else { return Ok(None) };
     if is_stdout(path) {

@@ -5,15 +5,18 @@ use std::path::Path;
 
 use super::obj_triangles::ObjTriangles;
 use super::piece_triangles::PieceTriangles;
+use super::ply_writer::PlyWriter;
 use super::scratch::ScratchFolder;
-use super::shared_vertices::{write_in_file_order, write_shared};
+use super::shared_vertices::write_shared;
+use crate::pieces::gltf::GltfPieces;
 use crate::pieces::input::Input;
 use crate::pieces::obj::ObjPieces;
+use crate::pieces::off::OffPieces;
 use crate::pieces::ply::must_be_read_at_once;
 use crate::pieces::stl::StlPieces;
 use crate::pieces::{PieceOptions, PieceSource, PieceSummary, ply_text};
-use crate::ply::PlyStream;
 use crate::ply::header::{Encoding, Header};
+use crate::ply::{PlyStream, push_row};
 use crate::{Format, ReadError};
 
 /// Binary PLY file, and remarks on what it lacks of the input.
@@ -23,7 +26,8 @@ pub(super) struct BinaryPly {
 }
 
 impl BinaryPly {
-    /// Opens a binary PLY file, or converts a text file, a compressed file, an STL, an OBJ or a terrain.
+    /// Opens a binary PLY file, or converts a text file, a compressed file, an STL, an OBJ, an OFF, a glTF or a
+    /// terrain.
     pub(super) fn open(path: &Path, scratch: &ScratchFolder) -> Result<Self, ReadError> {
         let options = PieceOptions::default().with_scratch(scratch.folder.clone());
         #[cfg(feature = "terrain")]
@@ -42,6 +46,10 @@ impl BinaryPly {
             Some(Format::Ply) => Self::of_ply(input, &options),
             Some(Format::Stl) => Self::of_pieces(&StlPieces::open(input, &options)?, scratch),
             Some(Format::Obj) => Self::of_obj(&ObjPieces::open(&input, &options)?, scratch),
+            Some(Format::Off) => Self::of_off(&OffPieces::open(&input, &options)?, scratch),
+            Some(format @ (Format::Gltf | Format::Glb)) => {
+                Self::of_pieces(&GltfPieces::open(input, format, &options)?, scratch)
+            }
             Some(format) => Err(refused(&format!("the format {format}"))),
             None => Err(ReadError::UnknownFormat { file: input.name }),
         }
@@ -63,18 +71,30 @@ impl BinaryPly {
     }
 
     fn of_obj(pieces: &ObjPieces, scratch: &ScratchFolder) -> Result<Self, ReadError> {
-        let triangles = ObjTriangles::new(pieces);
-        let file = if pieces.has_positions_only() {
-            write_in_file_order(&triangles, pieces.position_count(), scratch)?
-        } else {
-            write_shared(&triangles, scratch)?
-        };
-        Self::converted(file, pieces.summary())
+        if !pieces.has_positions_only() {
+            return Self::converted(write_shared(&ObjTriangles(pieces), scratch)?, pieces.summary());
+        }
+        let mut ply = PlyWriter::new(pieces.summary(), scratch)?;
+        for vertex in 0..pieces.position_count() as u32 {
+            ply.vertex(|row| pieces.push_row([vertex, u32::MAX, u32::MAX], row))?;
+        }
+        pieces.for_each_triangle(|corners| ply.face(corners.map(|corner| corner[0])))?;
+        Self::converted(ply.finish()?, pieces.summary())
     }
 
-    /// Converts pieces without attributes; vertices with equal positions become one.
+    fn of_off(pieces: &OffPieces, scratch: &ScratchFolder) -> Result<Self, ReadError> {
+        let mut ply = PlyWriter::new(pieces.summary(), scratch)?;
+        for vertex in 0..pieces.vertex_count() {
+            let (positions, layers) = pieces.vertices([vertex]);
+            ply.vertex(|row| push_row(&positions, &layers, 0, row))?;
+        }
+        pieces.triangles().try_for_each(|corners| ply.face(corners))?;
+        Self::converted(ply.finish()?, pieces.summary())
+    }
+
+    /// Converts pieces; vertices with equal positions and attributes become one.
     pub(super) fn of_pieces(pieces: &dyn PieceSource, scratch: &ScratchFolder) -> Result<Self, ReadError> {
-        let file = write_shared(&PieceTriangles::new(pieces)?, scratch)?;
+        let file = write_shared(&PieceTriangles(pieces), scratch)?;
         Self::converted(file, pieces.summary())
     }
 

@@ -14,13 +14,14 @@
 //! name, so they disappear with the process, however it ends. They take 36 bytes per triangle and 4 per
 //! vertex while blocks are made; formats whose vertices have no numbers take 156 bytes per triangle before
 //! that. Memory contains pages of files (8 MB each for positions and for last uses), one run of the sort (6 MB)
-//! and one block; only 8 bytes per block grow with the mesh. Text, STL and OBJ are also mapped into memory,
+//! and one block; only 8 bytes per block grow with the mesh. Text, STL, OBJ, OFF and glTF are also mapped into memory,
 //! from where the system removes them if it needs room.
 
 mod binary_ply;
 mod obj_triangles;
 mod paged;
 mod piece_triangles;
+mod ply_writer;
 mod scratch;
 mod shared_vertices;
 mod sorter;

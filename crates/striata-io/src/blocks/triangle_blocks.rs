@@ -38,8 +38,8 @@ const TRIANGLE_BYTES: usize = 12;
 impl TriangleBlocks {
     /// Cuts the mesh of a file into blocks of at most `block_triangles` triangles (at least one).
     ///
-    /// Binary PLY is read in place. Text PLY, STL, OBJ, terrains (with the feature `terrain`), and compressed
-    /// files are converted first. Temporary files are created in the folder `scratch`.
+    /// Binary PLY is read in place. Text PLY, STL, OBJ, OFF, glTF, terrains (with the feature `terrain`), and
+    /// compressed files are converted first. Temporary files are created in the folder `scratch`.
     ///
     /// # Errors
     /// Returns [`ReadError`] if the file has another format or is damaged, or if a file cannot be read or
@@ -49,12 +49,12 @@ impl TriangleBlocks {
         Self::cut(BinaryPly::open(path, &scratch)?, block_triangles, scratch)
     }
 
-    /// Cuts pieces without attributes into blocks, as [`open`](Self::open) does with a file.
+    /// Cuts pieces into blocks, as [`open`](Self::open) does with a file.
     ///
-    /// Vertices with equal positions become one.
+    /// Vertices with equal positions and attributes become one.
     ///
     /// # Errors
-    /// See [`open`](Self::open); also if the pieces have attributes.
+    /// See [`open`](Self::open).
     pub fn of_pieces(
         pieces: &dyn PieceSource,
         block_triangles: usize,

@@ -5,11 +5,13 @@
 
 mod appearances;
 mod fractal_terrain;
+pub(crate) mod gltf;
 pub(crate) mod input;
 mod kinds;
 mod local;
 mod mesh_pieces;
 pub(crate) mod obj;
+pub(crate) mod off;
 mod open;
 mod options;
 pub(crate) mod ply;

@@ -24,10 +24,10 @@ pub(crate) mod textures;
 mod write;
 
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
-pub(crate) use names::property_names;
-#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use stream::{CopyError, PlyStream};
 pub(crate) use write::to_bytes;
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
+pub(crate) use write::{push_row, vertex_header};
 
 use striata::mesh::IndexedMesh;
 
