@@ -198,7 +198,11 @@ fn levels_of_any_stripifier_follow_the_oracle() {
     let mesh = with_seams_and_groups(grid(10, true));
     let sequence_options = RandomSequenceOptions { far_percent: 2, base_position_count: 4 };
     let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(6));
-    for stripifier in [Stripifier::Stripe, Stripifier::Fewest, Stripifier::Cheapest] {
+    for stripifier in [
+        Stripifier::Stripe { has_patches: false, swaps: Default::default() },
+        Stripifier::Fewest,
+        Stripifier::Cheapest,
+    ] {
         let options = StripOptions::default().with_stripifier(stripifier);
         let model =
             DiscreteLevels::build(&refinable, 3, |mesh| striata_strip::stripify(mesh, &options)).unwrap();

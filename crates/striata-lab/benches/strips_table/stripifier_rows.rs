@@ -19,7 +19,10 @@ const MAX_SECS: f64 = 3.0;
 const OURS: &[(&str, f64, f64)] = &[
     ("greedy", 1.0, 0.0),
     ("stripe", 1.0, 0.0),
-    ("tunnel-static:17", 1.0, 0.0),
+    ("stripe:few-swaps", 1.0, 0.0),
+    ("stripe:no-swaps", 1.0, 0.0),
+    ("stripe:global", 1.0, 0.0),
+    ("stripe:global:few-swaps", 1.0, 0.0),
     ("tunnel:5", 1.0, 0.0),
     ("tunnel:17", 1.0, 0.0),
     ("fewest", 1.0, 0.0),

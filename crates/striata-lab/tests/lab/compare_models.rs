@@ -175,8 +175,7 @@ fn sphere_of_the_papers_is_compared_with_their_figures() {
 #[test]
 fn page_with_all_parts_is_self_contained() {
     let bench = Workbench::with_ball();
-    let line =
-        "compare sphere.obj --model-strips greedy --frames 150 --seeds 1 --max-tunnel 3 --strips greedy";
+    let line = "compare sphere.obj --model-strips greedy --frames 150 --seeds 1 --tunnels 3 --strips greedy";
     let assert = bench.run(&format!("{line} --html page.html")).success();
     let text_report = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
     for text in ["Models: ", "Linear walk, 150 frames", "Exponential walk", "Strips by the longest tunnel"] {
