@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::ModelError;
+use super::{ModelError, PackedVertices};
 use crate::mesh::{CollapseSequence, Levels, PositionIndex};
 
 /// For each step, the vertices that it restores and the targets that they collapse to.
@@ -93,7 +93,7 @@ impl StepVertices<'_> {
     ///
     /// # Errors
     /// [`ModelError`] naming the first mismatch.
-    pub(super) fn check_firsts(&self, step_count: usize) -> Result<(), ModelError> {
+    pub(crate) fn check_firsts(&self, step_count: usize) -> Result<(), ModelError> {
         let vertex_count = self.vertex_count;
         let length = |what, found, expected| {
             if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
@@ -116,15 +116,16 @@ impl StepVertices<'_> {
     ///
     /// # Errors
     /// [`ModelError`] naming the first mismatch.
-    pub(super) fn check(&self, step_count: usize) -> Result<(), ModelError> {
+    pub(super) fn check(&self, step_count: usize, targets: &PackedVertices<'_>) -> Result<(), ModelError> {
         self.check_firsts(step_count)?;
-        let found = (self.base_vertex_count as usize).saturating_add(self.targets.len());
-        if found != self.vertex_count {
-            return Err(ModelError::Length { what: "targets", found, expected: self.vertex_count });
+        let base = self.base_vertex_count;
+        let (found, expected) = (targets.len(), self.vertex_count - base as usize);
+        if found != expected {
+            return Err(ModelError::Length { what: "targets", found, expected });
         }
         for step in 0..step_count {
             let range = self.of_step(step);
-            if range.clone().any(|v| self.target(v) >= range.start) {
+            if range.clone().any(|v| targets.get((v - base) as usize) >= range.start) {
                 return Err(ModelError::Record { step, reason: "collapses to a later vertex" });
             }
         }

@@ -1,48 +1,74 @@
 //! State of one LodStrips instance: its level and current strips, and how it moves between levels.
 
 use super::LodStrips;
-use super::record::{HAS_DROPS, RecordReader};
-use crate::model::StripModel;
-use crate::model::record_arena::{record_at, record_before};
-use crate::model::strip_run::{Run, drop_run, restore_run};
+use super::changes::Changes;
+use super::record::{ARENA_PADDING, Drop};
+use super::stage::Stage;
+use crate::model::strip_run::{drop_run, restore_run};
 
 /// An instance of the model: its level and its current strips. Created by
 /// [`LodModel::new_state`](crate::model::LodModel::new_state).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LodStripsState {
     split_count: usize,
-    /// Arena offset between the records of steps `split_count - 1` and `split_count`.
+    /// Arena offset between the records of the last refined vertex and of the next one.
     cursor: usize,
-    /// Slots of all strips at their full lengths; see the drawing in the [module](super).
-    pub(super) slots: Vec<u32>,
-    pub(super) strips: Vec<LiveStrip>,
-    /// Strips that changed since a buffer last synchronized, without duplicates.
-    changed: Vec<u32>,
-    /// Scratch, kept so that no step allocates.
-    drops: Vec<Run>,
+    /// The strips of the current stage last; before them, those of each finer stage at its coarsest level.
+    stages: Vec<LiveStrips>,
+    pub(super) changes: Changes,
 }
 
-/// One strip of an instance. Everything that a step needs of it is in one struct, for locality.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LiveStrip {
-    /// Index of its first slot.
-    pub(super) first: u32,
-    /// Number of live indices.
-    pub(super) length: u32,
-    is_changed: bool,
+/// The strips of one stage.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct LiveStrips {
+    /// Slots of all strips at their full lengths; see the drawing in the [module](super).
+    slots: Vec<u32>,
+    /// Number of live indices of each strip.
+    lengths: Vec<u8>,
+}
+
+impl LiveStrips {
+    /// The strips of a stage at its finest level.
+    fn new(stage: &Stage<'_>) -> Self {
+        Self { slots: stage.strips.indices.to_vec(), lengths: stage.strips.lengths.to_vec() }
+    }
+
+    /// Writes a vertex to a slot.
+    #[inline]
+    fn substitute(&mut self, slot: u32, vertex: u32) -> Option<()> {
+        *self.slots.get_mut(slot as usize)? = vertex;
+        Some(())
+    }
+
+    /// Drops a run of live indices.
+    #[inline]
+    fn drop(&mut self, firsts: &[u32], drop: Drop) -> Option<()> {
+        let (first, length) = (*firsts.get(drop.strip as usize)?, self.lengths.get_mut(drop.strip as usize)?);
+        let live = self.slots.get_mut(first as usize..first as usize + usize::from(*length))?;
+        drop_run(live, drop.run);
+        *length -= drop.run.count as u8;
+        Some(())
+    }
+
+    /// Restores a dropped run.
+    #[inline]
+    fn restore(&mut self, firsts: &[u32], drop: Drop) -> Option<()> {
+        let (first, length) = (*firsts.get(drop.strip as usize)?, self.lengths.get_mut(drop.strip as usize)?);
+        *length += drop.run.count as u8;
+        let live = self.slots.get_mut(first as usize..first as usize + usize::from(*length))?;
+        restore_run(live, drop.run);
+        Some(())
+    }
 }
 
 impl LodStripsState {
     pub(super) fn new(model: &LodStrips<'_>) -> Self {
-        let strip = |w: &[u32]| LiveStrip { first: w[0], length: w[1] - w[0], is_changed: false };
+        let most_slots = model.stage_index_counts().max().unwrap_or(0);
         Self {
-            split_count: model.record_lengths.len(),
-            cursor: model.arena.len(),
-            slots: model.indices.to_vec(),
-            strips: model.offsets.windows(2).map(strip).collect(),
-            // Room for all, so that no move allocates.
-            changed: Vec::with_capacity(model.strip_count()),
-            drops: Vec::with_capacity(16),
+            split_count: model.vertices.step_count(),
+            cursor: model.arena.len() - ARENA_PADDING,
+            stages: vec![LiveStrips::new(&model.stages[0])],
+            changes: Changes::none(most_slots),
         }
     }
 
@@ -51,154 +77,112 @@ impl LodStripsState {
         self.split_count
     }
 
-    /// Number of bytes that the instance owns.
+    /// Index of the stage whose strips the instance shows, 0 the finest.
+    pub fn stage(&self) -> usize {
+        self.stages.len() - 1
+    }
+
+    /// Number of bytes that the instance owns. It grows with each stage that the instance enters on its way
+    /// to the base, and shrinks again on its way back.
     pub fn bytes(&self) -> usize {
-        4 * (self.slots.len() + self.changed.capacity()) + size_of_val(&self.strips[..])
+        let of_stage = |strips: &LiveStrips| 4 * strips.slots.len() + strips.lengths.len();
+        self.stages.iter().map(of_stage).sum::<usize>() + self.changes.bytes()
     }
 
-    /// Returns the live indices of a strip.
-    pub(super) fn live(&self, strip: usize) -> &[u32] {
-        let LiveStrip { first, length, .. } = self.strips[strip];
-        &self.slots[first as usize..(first + length) as usize]
+    /// Returns the live indices of a strip of the current stage.
+    #[inline]
+    pub(super) fn live(&self, stage: &Stage<'_>, strip: usize) -> &[u32] {
+        let current = &self.stages[self.stages.len() - 1];
+        let first = stage.strips.firsts()[strip] as usize;
+        &current.slots[first..first + usize::from(current.lengths[strip])]
     }
 
-    /// Moves the list of changed strips into `strips` and clears it here.
-    pub(super) fn take_changed_into(&mut self, strips: &mut Vec<u32>) {
-        strips.clear();
-        std::mem::swap(&mut self.changed, strips);
-        for &strip in strips.iter() {
-            self.strips[strip as usize].is_changed = false;
-        }
-        // The two lists have been swapped, so both need room for all strips.
-        self.changed.reserve(self.strips.len());
+    /// Lists the strips of the current stage that may have changed since the last call, and returns whether
+    /// the stage itself is a new one, so that all have.
+    pub(super) fn take_changed_into(&mut self, model: &LodStrips<'_>, strips: &mut Vec<u32>) -> bool {
+        let is_new_stage = self.changes.is_new_stage;
+        self.changes.take_strips_into(&model.stages[self.stage()], strips);
+        is_new_stage
     }
 
     pub(super) fn move_to(&mut self, model: &LodStrips<'_>, split_count: usize) {
-        let step_count = model.record_lengths.len();
+        let step_count = model.vertices.step_count();
         assert!(split_count <= step_count, "split count {split_count} of {step_count}");
+        let stage = model.stages.get(self.stage());
         assert!(
-            self.slots.len() == model.indices.len() && self.strips.len() == model.strip_count(),
+            stage.is_some_and(|stage| self.stages[self.stage()].slots.len() == stage.strips.slot_count()),
             "the state belongs to a different model"
         );
         while self.split_count > split_count {
-            let done = self.coarsen(model);
+            let last = split_count.max(model.coarsest_of_stage(self.stage()));
+            let done = self.coarsen(model, last);
             debug_assert!(done.is_some(), "a checked record ended early");
+            if self.split_count > split_count {
+                self.enter_coarser_stage(model);
+            }
         }
         while self.split_count < split_count {
-            let done = self.refine(model);
+            let finest = model.stages[self.stage()].split_count;
+            let done = self.refine(model, split_count.min(finest));
             debug_assert!(done.is_some(), "a checked record ended early");
+            if self.split_count < split_count {
+                self.return_to_finer_stage();
+            }
         }
-        // Leaves no trace of the path, so that states of one level are equal once buffers have synchronized.
-        self.drops.clear();
     }
 
-    /// Applies the record of the step before: substitutes, then drops. `None` would mean that the record
-    /// was not validated.
-    fn coarsen(&mut self, model: &LodStrips<'_>) -> Option<()> {
+    /// Applies the records of all vertices down to a level of the current stage: substitutes, then drops.
+    /// `None` would mean that a record was not validated.
+    fn coarsen(&mut self, model: &LodStrips<'_>, split_count: usize) -> Option<()> {
+        let [first, end] = [split_count, self.split_count].map(|count| model.vertices.count_at(count) as u32);
+        self.split_count = split_count;
+        let stage = model.stages.get(self.stages.len() - 1)?;
+        let (strips, changes) = (self.stages.last_mut()?, &mut self.changes);
+        let (firsts, base) = (stage.strips.firsts(), model.vertices.base_vertex_count());
+        for vertex in (first..end).rev() {
+            let record = stage.format.record_before(&model.arena, self.cursor, model.head(vertex))?;
+            self.cursor = record.start();
+            let target = model.targets.get((vertex - base) as usize);
+            record.for_each_slot(|slot| {
+                changes.mark(slot);
+                strips.substitute(slot, target)
+            })?;
+            record.for_each_drop(|drop| strips.drop(firsts, drop))?;
+        }
+        Some(())
+    }
+
+    /// Undoes the records of all vertices up to a level of the current stage: restores the dropped runs, then
+    /// the vertices.
+    fn refine(&mut self, model: &LodStrips<'_>, split_count: usize) -> Option<()> {
+        let [first, end] = [self.split_count, split_count].map(|count| model.vertices.count_at(count) as u32);
+        self.split_count = split_count;
+        let stage = model.stages.get(self.stages.len() - 1)?;
+        let (strips, changes) = (self.stages.last_mut()?, &mut self.changes);
+        let firsts = stage.strips.firsts();
+        for vertex in first..end {
+            let record = stage.format.record_at(&model.arena, self.cursor, model.head(vertex))?;
+            self.cursor = record.end();
+            record.for_each_drop_reversed(|drop| strips.restore(firsts, drop))?;
+            record.for_each_slot(|slot| {
+                changes.mark(slot);
+                strips.substitute(slot, vertex)
+            })?;
+        }
+        Some(())
+    }
+
+    /// Collapses the step below the current stage: the next stage shows what is left with its own strips.
+    fn enter_coarser_stage(&mut self, model: &LodStrips<'_>) {
         self.split_count -= 1;
-        let step = self.split_count;
-        let (body, start) = record_before(&model.arena, self.cursor, model.record_lengths[step])?;
-        self.cursor = start;
-        let vertices = model.vertices.of_step(step);
-        let wedge_count = vertices.end - vertices.start;
-        let target = model.vertices.target(vertices.start);
-        let mut reader = RecordReader::new(body);
-        let mut last = None;
-        while !reader.is_empty() {
-            let (strip, flags) = reader.head(last, model.head_bytes)?;
-            last = Some(strip);
-            let live = &mut self.strips[strip as usize];
-            if !std::mem::replace(&mut live.is_changed, true) {
-                self.changed.push(strip);
-            }
-            let further = reader.further_substitution_count(flags)?;
-            let slots = &mut self.slots[live.first as usize..(live.first + live.length) as usize];
-            let (first_index, wedge) = reader.substitution(0, wedge_count)?;
-            slots[first_index as usize] =
-                if wedge == 0 { target } else { model.vertices.target(vertices.start + wedge) };
-            let mut index = first_index;
-            for _ in 0..further {
-                let (next, wedge) = reader.substitution(index + 1, wedge_count)?;
-                slots[next as usize] = model.vertices.target(vertices.start + wedge);
-                index = next;
-            }
-            if flags & HAS_DROPS != 0 {
-                let mut anchor = first_index;
-                loop {
-                    let (run, follows) = reader.run(anchor)?;
-                    drop_run(&mut slots[..live.length as usize], run);
-                    live.length -= run.count;
-                    anchor = run.first;
-                    if !follows {
-                        break;
-                    }
-                }
-            }
-        }
-        Some(())
+        self.stages.push(LiveStrips::new(&model.stages[self.stages.len()]));
+        self.changes.enter_stage();
     }
 
-    /// Undoes the record of the next step: restores the dropped runs, then the step's vertices.
-    fn refine(&mut self, model: &LodStrips<'_>) -> Option<()> {
-        let step = self.split_count;
-        let (body, end) = record_at(&model.arena, self.cursor, model.record_lengths[step])?;
+    /// Refines the step above the current stage: the finer stage has waited at its coarsest level.
+    fn return_to_finer_stage(&mut self) {
         self.split_count += 1;
-        self.cursor = end;
-        let vertices = model.vertices.of_step(step);
-        let wedge_count = vertices.end - vertices.start;
-        let mut reader = RecordReader::new(body);
-        let mut last = None;
-        while !reader.is_empty() {
-            let (strip, flags) = reader.head(last, model.head_bytes)?;
-            last = Some(strip);
-            let live = &mut self.strips[strip as usize];
-            if !std::mem::replace(&mut live.is_changed, true) {
-                self.changed.push(strip);
-            }
-            let further = reader.further_substitution_count(flags)?;
-            let (first_index, first_wedge) = reader.substitution(0, wedge_count)?;
-            // Substitutions refer to the strip before its drops: skip them, restore the drops, then come
-            // back.
-            let mut substitutions = reader;
-            for _ in 0..further {
-                reader.substitution(0, wedge_count)?;
-            }
-            if flags & HAS_DROPS != 0 {
-                let slots = &mut self.slots[live.first as usize..];
-                let (run, follows) = reader.run(first_index)?;
-                if follows {
-                    read_runs(&mut reader, run, &mut self.drops)?;
-                    for &run in self.drops.iter().rev() {
-                        live.length += run.count;
-                        restore_run(&mut slots[..live.length as usize], run);
-                    }
-                }
-                live.length += run.count;
-                restore_run(&mut slots[..live.length as usize], run);
-            }
-            let slots = &mut self.slots[live.first as usize..];
-            slots[first_index as usize] = vertices.start + first_wedge;
-            let mut index = first_index;
-            for _ in 0..further {
-                let (next, wedge) = substitutions.substitution(index + 1, wedge_count)?;
-                slots[next as usize] = vertices.start + wedge;
-                index = next;
-            }
-        }
-        Some(())
-    }
-}
-
-/// Reads the runs after `first` into `runs`.
-fn read_runs(reader: &mut RecordReader<'_>, first: Run, runs: &mut Vec<Run>) -> Option<()> {
-    runs.clear();
-    let mut anchor = first.first;
-    loop {
-        let (run, follows) = reader.run(anchor)?;
-        anchor = run.first;
-        runs.push(run);
-        if !follows {
-            return Some(());
-        }
+        self.stages.pop();
+        self.changes.enter_stage();
     }
 }
