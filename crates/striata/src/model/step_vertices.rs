@@ -65,9 +65,22 @@ impl StepVertices<'_> {
     /// If the split count exceeds the step count.
     #[inline]
     pub fn count_at(&self, split_count: usize) -> usize {
-        let step_count = self.step_count();
-        assert!(split_count <= step_count, "split count {split_count} of {step_count}");
-        if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
+        if self.firsts.is_empty() {
+            let vertex_count = (self.base_vertex_count as usize).saturating_add(split_count);
+            if vertex_count > self.vertex_count {
+                self.no_such_level(split_count);
+            }
+            return vertex_count;
+        }
+        match self.firsts.get(split_count) {
+            Some(&first) => first as usize,
+            None => self.no_such_level(split_count),
+        }
+    }
+
+    #[cold]
+    fn no_such_level(&self, split_count: usize) -> ! {
+        panic!("split count {split_count} of {}", self.step_count());
     }
 
     /// Returns the step that restores a vertex above the base.

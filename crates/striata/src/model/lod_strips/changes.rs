@@ -2,14 +2,17 @@
 
 use super::stage::Stage;
 
-/// Slots per bit, as a shift: 16.
+/// Slots per block, as a shift: 16.
 const BLOCK_SHIFT: u32 = 4;
+/// Number of flags that are scanned together.
+const WORD: usize = 8;
 
 /// What has changed since the last synchronization.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Changes {
-    /// A bit for each block of slots of the current stage.
-    blocks: Vec<u64>,
+    /// A flag for each block of slots of the current stage, rounded up to whole words. A byte each: setting a
+    /// bit would have to wait for the last one that was set in the same word.
+    blocks: Vec<u8>,
     /// Whether the stage is a different one, so that everything has changed.
     pub(super) is_new_stage: bool,
 }
@@ -17,15 +20,15 @@ pub(super) struct Changes {
 impl Changes {
     /// No changes, with room for the slots of any stage.
     pub(super) fn none(slot_count: usize) -> Self {
-        Self { blocks: vec![0; (slot_count >> (BLOCK_SHIFT + 6)) + 1], is_new_stage: false }
+        let block_count = (slot_count >> BLOCK_SHIFT) + 1;
+        Self { blocks: vec![0; block_count.next_multiple_of(WORD)], is_new_stage: false }
     }
 
     /// Marks a slot of the current stage.
     #[inline]
     pub(super) fn mark(&mut self, slot: u32) {
-        let block = slot >> BLOCK_SHIFT;
-        if let Some(word) = self.blocks.get_mut(block as usize / 64) {
-            *word |= 1 << (block % 64);
+        if let Some(block) = self.blocks.get_mut((slot >> BLOCK_SHIFT) as usize) {
+            *block = 1;
         }
     }
 
@@ -39,10 +42,10 @@ impl Changes {
         strips.clear();
         let firsts = stage.strips.firsts();
         let mut strip = 0;
-        for (index, word) in self.blocks.iter_mut().enumerate() {
-            let mut rest = std::mem::take(word);
+        for (index, word) in self.blocks.as_chunks_mut::<WORD>().0.iter_mut().enumerate() {
+            let mut rest = u64::from_le_bytes(std::mem::take(word));
             while rest != 0 {
-                let block = 64 * index as u32 + rest.trailing_zeros();
+                let block = (WORD * index) as u32 + rest.trailing_zeros() / 8;
                 rest &= rest - 1;
                 let [start, end] = [block, block + 1].map(|block| block << BLOCK_SHIFT);
                 // The first strip that ends behind the start of the block; nearby if the last block was.
@@ -59,7 +62,7 @@ impl Changes {
 
     /// Size in bytes.
     pub(super) fn bytes(&self) -> usize {
-        8 * self.blocks.len()
+        self.blocks.len()
     }
 }
 

@@ -142,14 +142,14 @@ impl<'a> LodStrips<'a> {
         let mut cursor = 0;
         for (stage, vertices) in self.stages_with_vertices().rev() {
             for vertex in vertices {
-                let Some(record) = stage.format.record_at(&self.arena, cursor, self.head(vertex)) else {
+                let found = record::counts_at(stage.format, &self.arena, cursor, self.head(vertex));
+                let Some((substitutions, drops, end)) = found else {
                     debug_assert!(false, "a checked record ended early");
                     return counts;
                 };
-                let (substitutions, drops) = record.counts();
                 counts.substitutions += substitutions;
                 counts.drops += drops;
-                cursor = record.end();
+                cursor = end;
             }
         }
         counts
@@ -178,15 +178,15 @@ impl<'a> LodStrips<'a> {
 
     /// Vertices that collapse within a stage.
     fn vertices_of_stage(&self, stage: usize) -> Range<u32> {
-        let finest = self.vertices.count_at(self.stages[stage].split_count);
-        let coarsest = self.vertices.count_at(self.coarsest_of_stage(stage));
+        let levels = self.levels_of_stage(stage);
+        let [coarsest, finest] = [levels.start, levels.end - 1].map(|count| self.vertices.count_at(count));
         coarsest as u32..finest as u32
     }
 
-    /// The lowest split count that a stage can show.
-    #[inline]
-    fn coarsest_of_stage(&self, stage: usize) -> usize {
-        self.stages.get(stage + 1).map_or(0, |next| next.split_count + 1)
+    /// The split counts that a stage can show.
+    fn levels_of_stage(&self, stage: usize) -> Range<usize> {
+        let coarsest = self.stages.get(stage + 1).map_or(0, |next| next.split_count + 1);
+        coarsest..self.stages[stage].split_count + 1
     }
 
     /// The strips that an instance shows, without those of other stages.

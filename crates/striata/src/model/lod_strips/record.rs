@@ -22,7 +22,7 @@ use crate::model::strip_run::Run;
 
 /// Head of a long record.
 pub(super) const LONG: u8 = u8::MAX;
-/// Number of zero bytes after the last record, so that any number can be read with one 32-bit load.
+/// Number of zero bytes after the last record, so that a drop can be read with one 64-bit load.
 pub(super) const ARENA_PADDING: usize = 4;
 /// Most substitutions of a short record.
 const MAX_SUBSTITUTIONS: usize = 31;
@@ -68,11 +68,9 @@ fn bytes_for(count: usize) -> usize {
     (bits as usize).div_ceil(8).clamp(2, 4)
 }
 
-/// Reads a number of at most four bytes.
-#[inline]
-fn read(bytes: &[u8], at: usize, width: usize) -> Option<u32> {
-    let word = u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?);
-    Some(word & (u32::MAX >> (32 - 8 * width as u32)))
+/// Reads a number of four bytes.
+fn read(bytes: &[u8], at: usize) -> Option<u32> {
+    Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?))
 }
 
 impl RecordFormat {
@@ -80,50 +78,33 @@ impl RecordFormat {
         Self { slot_bytes: bytes_for(slot_count), strip_bytes: bytes_for(strip_count) }
     }
 
-    /// Bytes of a short record and of its substitutions.
+    /// Bytes of the substitutions and of the drops of a short record.
     #[inline]
     fn short_bytes(self, head: u8) -> (usize, usize) {
         let (substitutions, drops) = counts(head);
-        let of_slots = if substitutions == 0 { 0 } else { self.slot_bytes + 2 * (substitutions - 1) };
-        (of_slots + drops * (self.strip_bytes + RUN_BYTES), of_slots)
+        let of_slots = (self.slot_bytes + 2 * substitutions).wrapping_sub(2);
+        (if substitutions == 0 { 0 } else { of_slots }, drops * (self.strip_bytes + RUN_BYTES))
     }
 
-    /// Finds the record that begins at `start`; `None` if it exceeds the arena.
+    /// Finds the short record that begins at `start`; `None` if it exceeds the arena.
     #[inline]
     pub(super) fn record_at(self, arena: &[u8], start: usize, head: u8) -> Option<Record<'_>> {
-        if head == LONG {
-            let length = read(arena, start, 4)? as usize;
-            return self.long_record(arena, start, start.checked_add(length)?);
-        }
-        let (length, of_slots) = self.short_bytes(head);
-        Some(Record { format: self, arena, start, drops_at: start + of_slots, end: start + length, head })
+        self.record(arena, start, self.short_bytes(head))
     }
 
-    /// Finds the record that ends at `end`; `None` if it exceeds the arena.
+    /// Finds the short record that ends at `end`; `None` if it exceeds the arena.
     #[inline]
     pub(super) fn record_before(self, arena: &[u8], end: usize, head: u8) -> Option<Record<'_>> {
-        if head == LONG {
-            let length = read(arena, end.checked_sub(4)?, 4)? as usize;
-            return self.long_record(arena, end.checked_sub(length)?, end);
-        }
-        let (length, of_slots) = self.short_bytes(head);
-        let start = end.checked_sub(length)?;
-        Some(Record { format: self, arena, start, drops_at: start + of_slots, end, head })
+        let bytes = self.short_bytes(head);
+        self.record(arena, end.checked_sub(bytes.0 + bytes.1)?, bytes)
     }
 
-    #[cold]
-    fn long_record(self, arena: &[u8], start: usize, end: usize) -> Option<Record<'_>> {
-        let rest = end.checked_sub(start)?.checked_sub(LONG_FRAME_BYTES)?;
-        if end + ARENA_PADDING > arena.len() {
-            return None;
-        }
-        let substitutions = read(arena, start + 4, 4)? as usize;
-        let of_drops = rest.checked_sub(substitutions.checked_mul(4)?)?;
-        if !of_drops.is_multiple_of(LONG_DROP_BYTES) || read(arena, end - 4, 4)? as usize != end - start {
-            return None;
-        }
-        let drops_at = start + 8 + 4 * substitutions;
-        Some(Record { format: self, arena, start, drops_at, end, head: LONG })
+    #[inline]
+    fn record(self, arena: &[u8], start: usize, (of_slots, of_drops): (usize, usize)) -> Option<Record<'_>> {
+        let end = start + of_slots + of_drops;
+        // The padding lets every number be read with one load.
+        let (slots, drops) = arena.get(start..end + ARENA_PADDING)?.split_at_checked(of_slots)?;
+        Some(Record { start, end, slots, drops, format: self })
     }
 
     /// Appends the record of an edit and returns its head.
@@ -150,6 +131,42 @@ impl RecordFormat {
     }
 }
 
+/// Finds the long record that begins at `start`; `None` if it exceeds the arena or contradicts itself.
+#[cold]
+pub(super) fn long_record_at(arena: &[u8], start: usize) -> Option<LongRecord> {
+    let length = read(arena, start)? as usize;
+    long_record(arena, start, start.checked_add(length)?)
+}
+
+/// Finds the long record that ends at `end`; `None` if it exceeds the arena or contradicts itself.
+#[cold]
+pub(super) fn long_record_before(arena: &[u8], end: usize) -> Option<LongRecord> {
+    let length = read(arena, end.checked_sub(4)?)? as usize;
+    long_record(arena, end.checked_sub(length)?, end)
+}
+
+fn long_record(arena: &[u8], start: usize, end: usize) -> Option<LongRecord> {
+    let rest = end.checked_sub(start)?.checked_sub(LONG_FRAME_BYTES)?;
+    let of_slots = (read(arena, start.checked_add(4)?)? as usize).checked_mul(4)?;
+    let of_drops = rest.checked_sub(of_slots)?;
+    let length = (end - start) as u32;
+    let lengths_agree = read(arena, start)? == length && read(arena, end - 4)? == length;
+    if !lengths_agree || !of_drops.is_multiple_of(LONG_DROP_BYTES) {
+        return None;
+    }
+    let (slots, drops) = arena.get(start + 8..end - 4)?.split_at_checked(of_slots)?;
+    let drop = |bytes: &[u8; LONG_DROP_BYTES]| {
+        let &[a, b, c, d, first, count] = bytes;
+        let run = Run { first: first.into(), count: count.into() };
+        Drop { strip: u32::from_le_bytes([a, b, c, d]), run }
+    };
+    let edit = Edit {
+        slots: slots.as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect(),
+        drops: drops.as_chunks().0.iter().map(drop).collect(),
+    };
+    Some(LongRecord { start, end, edit })
+}
+
 fn write_long(edit: &Edit, out: &mut Vec<u8>) {
     let length = LONG_FRAME_BYTES + 4 * edit.slots.len() + LONG_DROP_BYTES * edit.drops.len();
     let length = (length as u32).to_le_bytes();
@@ -169,59 +186,44 @@ fn counts(head: u8) -> (usize, usize) {
     (usize::from(head) & MAX_SUBSTITUTIONS, usize::from(head) >> DROPS_SHIFT)
 }
 
-/// A record in the arena.
+/// A long record. There are few, so it is copied out of the arena.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct LongRecord {
+    /// Offset of its first byte in the arena.
+    pub(super) start: usize,
+    /// Offset of the byte after its last.
+    pub(super) end: usize,
+    pub(super) edit: Edit,
+}
+
+/// A short record in the arena.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Record<'m> {
+    /// Offset of its first byte in the arena.
+    pub(super) start: usize,
+    /// Offset of the byte after its last.
+    pub(super) end: usize,
+    /// Bytes of the substitutions.
+    slots: &'m [u8],
+    /// Bytes of the drops, and [`ARENA_PADDING`] more.
+    drops: &'m [u8],
     format: RecordFormat,
-    arena: &'m [u8],
-    start: usize,
-    drops_at: usize,
-    end: usize,
-    head: u8,
 }
 
 impl Record<'_> {
-    /// Offset of its first byte in the arena.
-    #[inline]
-    pub(super) fn start(&self) -> usize {
-        self.start
-    }
-
-    /// Offset of the byte after its last.
-    #[inline]
-    pub(super) fn end(&self) -> usize {
-        self.end
-    }
-
-    /// Number of substitutions and drops.
-    pub(super) fn counts(&self) -> (usize, usize) {
-        match self.head {
-            LONG => {
-                let of_drops = self.end - 4 - self.drops_at;
-                ((self.drops_at - self.start - 8) / 4, of_drops / LONG_DROP_BYTES)
-            }
-            head => counts(head),
-        }
-    }
-
-    /// Calls `substitute` with each slot, ascending. Returns `None` if a number exceeds the arena, or if
-    /// `substitute` does.
+    /// Calls `substitute` with each slot, ascending. Returns `None` if `substitute` does, or if a slot has
+    /// more than 32 bits.
     #[inline]
     pub(super) fn for_each_slot(&self, mut substitute: impl FnMut(u32) -> Option<()>) -> Option<()> {
-        let Self { arena, start, head, .. } = *self;
-        if head == LONG {
-            return (start + 8..self.drops_at).step_by(4).try_for_each(|at| substitute(read(arena, at, 4)?));
-        }
-        let (count, _) = counts(head);
-        if count == 0 {
-            return Some(());
-        }
         let width = self.format.slot_bytes;
-        let mut slot = read(arena, start, width)?;
+        let Some((first, gaps)) = self.slots.split_at_checked(width) else { return Some(()) };
+        let mut slot = u32::from(u16::from_le_bytes(*first.first_chunk()?));
+        for (&byte, shift) in first[2..].iter().zip([16, 24]) {
+            slot |= u32::from(byte) << shift;
+        }
         substitute(slot)?;
-        let first = start + width;
-        for at in (first..self.drops_at).step_by(2) {
-            slot = slot.checked_add(read(arena, at, 2)?)?;
+        for &gap in gaps.as_chunks().0 {
+            slot = slot.checked_add(u32::from(u16::from_le_bytes(gap)))?;
             substitute(slot)?;
         }
         Some(())
@@ -230,10 +232,11 @@ impl Record<'_> {
     /// Calls `edit` with each drop, in the order in which they are dropped.
     #[inline]
     pub(super) fn for_each_drop(&self, mut edit: impl FnMut(Drop) -> Option<()>) -> Option<()> {
-        let (mut at, end, width) = self.drop_range();
-        while at < end {
-            edit(self.drop_at(at, width)?)?;
-            at += width + RUN_BYTES;
+        let bytes = self.format.strip_bytes + RUN_BYTES;
+        let mut rest = self.drops;
+        while rest.len() > ARENA_PADDING {
+            edit(self.drop_at(rest)?)?;
+            rest = rest.get(bytes..)?;
         }
         Some(())
     }
@@ -241,28 +244,39 @@ impl Record<'_> {
     /// Calls `edit` with each drop, the last one first.
     #[inline]
     pub(super) fn for_each_drop_reversed(&self, mut edit: impl FnMut(Drop) -> Option<()>) -> Option<()> {
-        let (start, mut at, width) = self.drop_range();
-        while at > start {
-            at -= width + RUN_BYTES;
-            edit(self.drop_at(at, width)?)?;
+        let bytes = self.format.strip_bytes + RUN_BYTES;
+        let mut at = self.drops.len() - ARENA_PADDING;
+        while at > 0 {
+            at = at.checked_sub(bytes)?;
+            edit(self.drop_at(self.drops.get(at..)?)?)?;
         }
         Some(())
     }
 
+    /// Reads the drop at the beginning of `bytes`.
     #[inline]
-    fn drop_range(&self) -> (usize, usize, usize) {
-        match self.head {
-            LONG => (self.drops_at, self.end - 4, 4),
-            _ => (self.drops_at, self.end, self.format.strip_bytes),
-        }
+    fn drop_at(&self, bytes: &[u8]) -> Option<Drop> {
+        let word = u64::from_le_bytes(*bytes.first_chunk()?);
+        let bits = 8 * self.format.strip_bytes as u32;
+        let run = (word >> bits) as u32;
+        let strip = word as u32 & (u32::MAX >> (u32::BITS - bits));
+        Some(Drop { strip, run: Run { first: run & 0xff, count: run >> 8 & 0xff } })
     }
+}
 
-    #[inline]
-    fn drop_at(&self, at: usize, width: usize) -> Option<Drop> {
-        let strip = read(self.arena, at, width)?;
-        let run = read(self.arena, at + width, RUN_BYTES)?;
-        Some(Drop { strip, run: Run { first: run & 0xff, count: run >> 8 } })
+/// Number of substitutions and drops of the record that begins at `start`, and its end.
+pub(super) fn counts_at(
+    format: RecordFormat,
+    arena: &[u8],
+    start: usize,
+    head: u8,
+) -> Option<(usize, usize, usize)> {
+    if head == LONG {
+        let LongRecord { edit, end, .. } = long_record_at(arena, start)?;
+        return Some((edit.slots.len(), edit.drops.len(), end));
     }
+    let (substitutions, drops) = counts(head);
+    Some((substitutions, drops, format.record_at(arena, start, head)?.end))
 }
 
 #[cfg(test)]
@@ -281,8 +295,28 @@ mod tests {
         record.for_each_drop_reversed(|drop| Some(reversed.push(drop))).unwrap();
         reversed.reverse();
         assert_eq!(reversed, edit.drops);
-        assert_eq!(record.counts(), (edit.slots.len(), edit.drops.len()));
         edit
+    }
+
+    /// Reads the record after `start` or the one before `end`; returns the edit and both ends.
+    fn read_either(
+        format: RecordFormat,
+        arena: &[u8],
+        from: Result<usize, usize>,
+        head: u8,
+    ) -> Option<(usize, usize, Edit)> {
+        if head == LONG {
+            let record = match from {
+                Ok(start) => long_record_at(arena, start),
+                Err(end) => long_record_before(arena, end),
+            };
+            return record.map(|LongRecord { start, end, edit }| (start, end, edit));
+        }
+        let record = match from {
+            Ok(start) => format.record_at(arena, start, head),
+            Err(end) => format.record_before(arena, end, head),
+        };
+        record.map(|record| (record.start, record.end, read_back(record)))
     }
 
     #[test]
@@ -300,21 +334,18 @@ mod tests {
             ];
             let mut arena = Vec::new();
             let heads: Vec<u8> = edits.iter().map(|edit| format.write(edit, &mut arena)).collect();
-            let end = arena.len();
+            let length = arena.len();
             arena.extend([0; ARENA_PADDING]);
             let mut at = 0;
-            for (edit, &head) in edits.iter().zip(&heads) {
-                let record = format.record_at(&arena, at, head).unwrap();
-                assert_eq!(&read_back(record), edit);
-                at = record.end();
+            for (expected, &head) in edits.iter().zip(&heads) {
+                let (start, end, edit) = read_either(format, &arena, Ok(at), head).unwrap();
+                assert_eq!((start, &edit), (at, expected));
+                assert_eq!(read_either(format, &arena, Err(end), head), Some((start, end, edit)));
+                let counts = (expected.slots.len(), expected.drops.len(), end);
+                assert_eq!(counts_at(format, &arena, at, head), Some(counts));
+                at = end;
             }
-            assert_eq!(at, end);
-            for (edit, &head) in edits.iter().zip(&heads).rev() {
-                let record = format.record_before(&arena, at, head).unwrap();
-                assert_eq!(&read_back(record), edit);
-                at = record.start();
-            }
-            assert_eq!(at, 0);
+            assert_eq!(at, length);
             assert_eq!((heads[4], heads[5] == LONG), (LONG, last > u32::from(u16::MAX)));
         }
     }
@@ -324,16 +355,18 @@ mod tests {
         let format = RecordFormat::new(100, 10);
         let mut arena = Vec::new();
         let edit = Edit { slots: (0..40).collect(), drops: vec![drop(1, 2, 3)] };
-        let head = format.write(&edit, &mut arena);
+        assert_eq!(format.write(&edit, &mut arena), LONG);
         let end = arena.len();
-        arena.extend([0; ARENA_PADDING]);
         for length in 0..end {
-            assert!(format.record_at(&arena[..length], 0, head).is_none());
-            assert!(format.record_before(&arena[..length], end, head).is_none());
+            assert_eq!(long_record_at(&arena[..length], 0), None);
+            assert_eq!(long_record_before(&arena[..length], end), None);
         }
-        assert!(format.record_before(&arena, 3, head).is_none());
+        for wrong in [0, 4, end - 4] {
+            let mut arena = arena.clone();
+            arena[wrong] ^= 1;
+            assert_eq!(long_record_at(&arena, 0), None);
+        }
         assert!(format.record_before(&arena, 3, 1 | 1 << DROPS_SHIFT).is_none());
-        let short = format.record_at(&arena[..5], 0, 3).unwrap();
-        assert_eq!(short.for_each_slot(|_| Some(())), None);
+        assert!(format.record_at(&arena[..5 + ARENA_PADDING], 0, 3).is_none());
     }
 }

@@ -1,8 +1,10 @@
 //! State of one LodStrips instance: its level and current strips, and how it moves between levels.
 
+use std::ops::Range;
+
 use super::LodStrips;
 use super::changes::Changes;
-use super::record::{ARENA_PADDING, Drop};
+use super::record::{ARENA_PADDING, Drop, LONG, LongRecord, long_record_at, long_record_before};
 use super::stage::Stage;
 use crate::model::strip_run::{drop_run, restore_run};
 
@@ -11,10 +13,15 @@ use crate::model::strip_run::{drop_run, restore_run};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LodStripsState {
     split_count: usize,
+    /// Number of vertices of the level.
+    vertex_count: u32,
     /// Arena offset between the records of the last refined vertex and of the next one.
     cursor: usize,
-    /// The strips of the current stage last; before them, those of each finer stage at its coarsest level.
-    stages: Vec<LiveStrips>,
+    /// The split counts that the current stage can show.
+    levels: Range<usize>,
+    current: LiveStrips,
+    /// The strips of each finer stage, at its coarsest level.
+    finer: Vec<LiveStrips>,
     pub(super) changes: Changes,
 }
 
@@ -31,13 +38,6 @@ impl LiveStrips {
     /// The strips of a stage at its finest level.
     fn new(stage: &Stage<'_>) -> Self {
         Self { slots: stage.strips.indices.to_vec(), lengths: stage.strips.lengths.to_vec() }
-    }
-
-    /// Writes a vertex to a slot.
-    #[inline]
-    fn substitute(&mut self, slot: u32, vertex: u32) -> Option<()> {
-        *self.slots.get_mut(slot as usize)? = vertex;
-        Some(())
     }
 
     /// Drops a run of live indices.
@@ -66,8 +66,11 @@ impl LodStripsState {
         let most_slots = model.stage_index_counts().max().unwrap_or(0);
         Self {
             split_count: model.vertices.step_count(),
+            vertex_count: model.vertices.vertex_count() as u32,
             cursor: model.arena.len() - ARENA_PADDING,
-            stages: vec![LiveStrips::new(&model.stages[0])],
+            levels: model.levels_of_stage(0),
+            current: LiveStrips::new(&model.stages[0]),
+            finer: Vec::new(),
             changes: Changes::none(most_slots),
         }
     }
@@ -79,22 +82,21 @@ impl LodStripsState {
 
     /// Index of the stage whose strips the instance shows, 0 the finest.
     pub fn stage(&self) -> usize {
-        self.stages.len() - 1
+        self.finer.len()
     }
 
     /// Number of bytes that the instance owns. It grows with each stage that the instance enters on its way
     /// to the base, and shrinks again on its way back.
     pub fn bytes(&self) -> usize {
         let of_stage = |strips: &LiveStrips| 4 * strips.slots.len() + strips.lengths.len();
-        self.stages.iter().map(of_stage).sum::<usize>() + self.changes.bytes()
+        self.finer.iter().map(of_stage).sum::<usize>() + of_stage(&self.current) + self.changes.bytes()
     }
 
     /// Returns the live indices of a strip of the current stage.
     #[inline]
     pub(super) fn live(&self, stage: &Stage<'_>, strip: usize) -> &[u32] {
-        let current = &self.stages[self.stages.len() - 1];
         let first = stage.strips.firsts()[strip] as usize;
-        &current.slots[first..first + usize::from(current.lengths[strip])]
+        &self.current.slots[first..first + usize::from(self.current.lengths[strip])]
     }
 
     /// Lists the strips of the current stage that may have changed since the last call, and returns whether
@@ -105,84 +107,144 @@ impl LodStripsState {
         is_new_stage
     }
 
+    #[inline]
     pub(super) fn move_to(&mut self, model: &LodStrips<'_>, split_count: usize) {
-        let step_count = model.vertices.step_count();
-        assert!(split_count <= step_count, "split count {split_count} of {step_count}");
-        let stage = model.stages.get(self.stage());
+        let vertex_count = model.vertices.count_at(split_count) as u32;
+        if split_count < self.levels.start || split_count >= self.levels.end {
+            self.change_stage(model, split_count);
+        }
+        self.move_within_stage(model, split_count, vertex_count);
+    }
+
+    /// Moves to a level of the current stage, which has this many vertices.
+    #[inline]
+    fn move_within_stage(&mut self, model: &LodStrips<'_>, split_count: usize, vertex_count: u32) {
+        self.split_count = split_count;
+        let done = if vertex_count < self.vertex_count {
+            self.coarsen(model, vertex_count)
+        } else {
+            self.refine(model, vertex_count)
+        };
+        debug_assert!(done.is_some(), "a checked record ended early");
+    }
+
+    /// The stage whose strips the instance shows.
+    #[inline]
+    fn stage_of<'m, 'a>(&self, model: &'m LodStrips<'a>) -> &'m Stage<'a> {
+        let stage = &model.stages[self.finer.len()];
         assert!(
-            stage.is_some_and(|stage| self.stages[self.stage()].slots.len() == stage.strips.slot_count()),
+            stage.strips.slot_count() == self.current.slots.len(),
             "the state belongs to a different model"
         );
-        while self.split_count > split_count {
-            let last = split_count.max(model.coarsest_of_stage(self.stage()));
-            let done = self.coarsen(model, last);
-            debug_assert!(done.is_some(), "a checked record ended early");
-            if self.split_count > split_count {
-                self.enter_coarser_stage(model);
-            }
-        }
-        while self.split_count < split_count {
-            let finest = model.stages[self.stage()].split_count;
-            let done = self.refine(model, split_count.min(finest));
-            debug_assert!(done.is_some(), "a checked record ended early");
-            if self.split_count < split_count {
-                self.return_to_finer_stage();
-            }
-        }
+        stage
     }
 
     /// Applies the records of all vertices down to a level of the current stage: substitutes, then drops.
     /// `None` would mean that a record was not validated.
-    fn coarsen(&mut self, model: &LodStrips<'_>, split_count: usize) -> Option<()> {
-        let [first, end] = [split_count, self.split_count].map(|count| model.vertices.count_at(count) as u32);
-        self.split_count = split_count;
-        let stage = model.stages.get(self.stages.len() - 1)?;
-        let (strips, changes) = (self.stages.last_mut()?, &mut self.changes);
-        let (firsts, base) = (stage.strips.firsts(), model.vertices.base_vertex_count());
-        for vertex in (first..end).rev() {
-            let record = stage.format.record_before(&model.arena, self.cursor, model.head(vertex))?;
-            self.cursor = record.start();
-            let target = model.targets.get((vertex - base) as usize);
-            record.for_each_slot(|slot| {
-                changes.mark(slot);
-                strips.substitute(slot, target)
-            })?;
-            record.for_each_drop(|drop| strips.drop(firsts, drop))?;
+    #[inline(never)]
+    fn coarsen(&mut self, model: &LodStrips<'_>, vertex_count: u32) -> Option<()> {
+        let stage = self.stage_of(model);
+        let base = model.vertices.base_vertex_count();
+        while self.vertex_count > vertex_count {
+            self.vertex_count -= 1;
+            let at = (self.vertex_count - base) as usize;
+            let (head, target) = (*model.heads.get(at)?, model.targets.get(at));
+            if head == LONG {
+                self.coarsen_long(model, stage, target)?;
+                continue;
+            }
+            let record = stage.format.record_before(&model.arena, self.cursor, head)?;
+            self.cursor = record.start;
+            record.for_each_slot(|slot| self.substitute(slot, target))?;
+            record.for_each_drop(|drop| self.current.drop(stage.strips.firsts(), drop))?;
         }
         Some(())
+    }
+
+    #[cold]
+    fn coarsen_long(&mut self, model: &LodStrips<'_>, stage: &Stage<'_>, target: u32) -> Option<()> {
+        let LongRecord { start, edit, .. } = long_record_before(&model.arena, self.cursor)?;
+        self.cursor = start;
+        edit.slots.into_iter().try_for_each(|slot| self.substitute(slot, target))?;
+        edit.drops.into_iter().try_for_each(|drop| self.current.drop(stage.strips.firsts(), drop))
     }
 
     /// Undoes the records of all vertices up to a level of the current stage: restores the dropped runs, then
     /// the vertices.
-    fn refine(&mut self, model: &LodStrips<'_>, split_count: usize) -> Option<()> {
-        let [first, end] = [self.split_count, split_count].map(|count| model.vertices.count_at(count) as u32);
-        self.split_count = split_count;
-        let stage = model.stages.get(self.stages.len() - 1)?;
-        let (strips, changes) = (self.stages.last_mut()?, &mut self.changes);
-        let firsts = stage.strips.firsts();
-        for vertex in first..end {
-            let record = stage.format.record_at(&model.arena, self.cursor, model.head(vertex))?;
-            self.cursor = record.end();
-            record.for_each_drop_reversed(|drop| strips.restore(firsts, drop))?;
-            record.for_each_slot(|slot| {
-                changes.mark(slot);
-                strips.substitute(slot, vertex)
-            })?;
+    #[inline(never)]
+    fn refine(&mut self, model: &LodStrips<'_>, vertex_count: u32) -> Option<()> {
+        let stage = self.stage_of(model);
+        let base = model.vertices.base_vertex_count();
+        while self.vertex_count < vertex_count {
+            let vertex = self.vertex_count;
+            self.vertex_count += 1;
+            let head = *model.heads.get((vertex - base) as usize)?;
+            if head == LONG {
+                self.refine_long(model, stage, vertex)?;
+                continue;
+            }
+            let record = stage.format.record_at(&model.arena, self.cursor, head)?;
+            self.cursor = record.end;
+            record.for_each_drop_reversed(|drop| self.current.restore(stage.strips.firsts(), drop))?;
+            record.for_each_slot(|slot| self.substitute(slot, vertex))?;
         }
         Some(())
     }
 
+    #[cold]
+    fn refine_long(&mut self, model: &LodStrips<'_>, stage: &Stage<'_>, vertex: u32) -> Option<()> {
+        let LongRecord { end, edit, .. } = long_record_at(&model.arena, self.cursor)?;
+        self.cursor = end;
+        let mut drops = edit.drops.into_iter().rev();
+        drops.try_for_each(|drop| self.current.restore(stage.strips.firsts(), drop))?;
+        edit.slots.into_iter().try_for_each(|slot| self.substitute(slot, vertex))
+    }
+
+    /// Writes a vertex to a slot.
+    #[inline]
+    fn substitute(&mut self, slot: u32, vertex: u32) -> Option<()> {
+        self.changes.mark(slot);
+        *self.current.slots.get_mut(slot as usize)? = vertex;
+        Some(())
+    }
+
+    /// Enters the stage that shows a level.
+    #[cold]
+    fn change_stage(&mut self, model: &LodStrips<'_>, split_count: usize) {
+        while split_count < self.levels.start {
+            self.move_to_level_of_stage(model, self.levels.start);
+            self.enter_coarser_stage(model);
+        }
+        while split_count >= self.levels.end {
+            self.move_to_level_of_stage(model, self.levels.end - 1);
+            self.return_to_finer_stage(model);
+        }
+    }
+
+    fn move_to_level_of_stage(&mut self, model: &LodStrips<'_>, split_count: usize) {
+        self.move_within_stage(model, split_count, model.vertices.count_at(split_count) as u32);
+    }
+
     /// Collapses the step below the current stage: the next stage shows what is left with its own strips.
     fn enter_coarser_stage(&mut self, model: &LodStrips<'_>) {
-        self.split_count -= 1;
-        self.stages.push(LiveStrips::new(&model.stages[self.stages.len()]));
-        self.changes.enter_stage();
+        let next = LiveStrips::new(&model.stages[self.stage() + 1]);
+        self.finer.push(std::mem::replace(&mut self.current, next));
+        self.enter_level(model, self.split_count - 1);
     }
 
     /// Refines the step above the current stage: the finer stage has waited at its coarsest level.
-    fn return_to_finer_stage(&mut self) {
-        self.split_count += 1;
-        self.stages.pop();
+    fn return_to_finer_stage(&mut self, model: &LodStrips<'_>) {
+        if let Some(finer) = self.finer.pop() {
+            self.current = finer;
+            self.enter_level(model, self.split_count + 1);
+        }
+    }
+
+    /// Notes the level at which the instance has entered its current stage.
+    fn enter_level(&mut self, model: &LodStrips<'_>, split_count: usize) {
+        self.split_count = split_count;
+        self.vertex_count = model.vertices.count_at(split_count) as u32;
+        self.levels = model.levels_of_stage(self.stage());
         self.changes.enter_stage();
     }
 }

@@ -5,8 +5,7 @@
 //! be left over anywhere else. A model that passes can be moved up and down without failing, and each of its
 //! levels uses only vertices of that level. Takes the time of one full sweep and the memory of one instance.
 
-use super::record::ARENA_PADDING;
-use super::record::Drop;
+use super::record::{ARENA_PADDING, Drop, LONG, LongRecord, long_record_before};
 use super::stage::Stage;
 use super::{LodStrips, ModelError};
 use crate::model::strip_run::drop_run;
@@ -85,21 +84,25 @@ impl<'m, 'a> Sweep<'m, 'a> {
 
     fn apply(&mut self, vertex: u32) -> Result<(), &'static str> {
         let Self { model, stage, .. } = *self;
-        let head = model.head(vertex);
-        let record = stage.format.record_before(&model.arena, self.cursor, head).ok_or(TRUNCATED)?;
-        // A long record stores its length at both ends; the two must agree.
-        let forward = stage.format.record_at(&model.arena, record.start(), head);
-        if forward.is_none_or(|forward| forward.end() != self.cursor) {
-            return Err("has different lengths at its ends");
-        }
-        self.cursor = record.start();
         let target = model.targets.get((vertex - model.vertices.base_vertex_count()) as usize);
-        let mut reason = TRUNCATED;
-        let mut checked = |result: Result<(), &'static str>| result.map_err(|found| reason = found).ok();
-        let applied = record
-            .for_each_slot(|slot| checked(self.substitute(slot, vertex, target)))
-            .and_then(|()| record.for_each_drop(|drop| checked(self.drop(drop))));
-        applied.ok_or(reason)?;
+        if model.head(vertex) == LONG {
+            // Both of its ends have been compared.
+            let LongRecord { start, edit, .. } =
+                long_record_before(&model.arena, self.cursor).ok_or("is truncated or contradicts itself")?;
+            self.cursor = start;
+            edit.slots.into_iter().try_for_each(|slot| self.substitute(slot, vertex, target))?;
+            edit.drops.into_iter().try_for_each(|drop| self.drop(drop))?;
+        } else {
+            let record = stage.format.record_before(&model.arena, self.cursor, model.head(vertex));
+            let record = record.ok_or(TRUNCATED)?;
+            self.cursor = record.start;
+            let mut reason = TRUNCATED;
+            let mut checked = |result: Result<(), &'static str>| result.map_err(|found| reason = found).ok();
+            record
+                .for_each_slot(|slot| checked(self.substitute(slot, vertex, target)))
+                .and_then(|()| record.for_each_drop(|drop| checked(self.drop(drop))))
+                .ok_or(reason)?;
+        }
         if self.uses[vertex as usize] != 0 {
             return Err("leaves a vertex of the step in a strip");
         }
@@ -143,6 +146,7 @@ impl<'m, 'a> Sweep<'m, 'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::record::counts_at;
     use super::*;
     use crate::mesh::{RefinableMesh, shapes};
     use crate::model::lod_strips::{LodStripsParts, StageOptions};
@@ -189,9 +193,10 @@ mod tests {
         let whole = model();
         let mut start = 0;
         for step in 0..whole.heads.len() {
-            let record = whole.stages[0].format.record_at(&whole.arena, start, whole.heads[step]).unwrap();
-            let range = start..record.end();
-            start = record.end();
+            let (_, _, end) =
+                counts_at(whole.stages[0].format, &whole.arena, start, whole.heads[step]).unwrap();
+            let range = start..end;
+            start = end;
             let found = checked(model(), |parts| {
                 parts.heads.to_mut()[step] = 0;
                 parts.arena.to_mut().drain(range);
@@ -214,7 +219,8 @@ mod tests {
         let found = damaged(|arena, end| arena[end - 1] = 255);
         assert!(matches!(found, Err(ModelError::Record { step, .. }) if step == last), "{found:?}");
         let found = checked(model(), |parts| parts.heads.to_mut()[last] = 255);
-        assert_eq!(found, Err(ModelError::Record { step: last, reason: TRUNCATED }));
+        let reason = "is truncated or contradicts itself";
+        assert_eq!(found, Err(ModelError::Record { step: last, reason }));
         let found = checked(model(), |parts| parts.arena.to_mut().truncate(2));
         assert!(matches!(found, Err(ModelError::Length { what: "record bytes", found: 2, .. })), "{found:?}");
         let found = checked(model(), |parts| parts.arena.to_mut().splice(0..0, [0]).for_each(drop));
