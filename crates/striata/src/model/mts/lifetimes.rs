@@ -3,13 +3,14 @@
 //! ```text
 //! u8 width of a lifetime, in bits; u8 number of breaks
 //! each break      u8 slot that it precedes; u8 change since which the strip breaks there
-//! lifetimes       for each slot 0 if it is never dropped, else 1 + the last change that it survives;
-//!                 `width` bits each, lowest bit first, up to a whole byte
+//! lifetimes       for each slot a bit: 1 if its lifetime is that of the slot before; else 0 and the lifetime
+//!                 in `width` bits; lowest bit first, up to a whole byte
 //! ```
 //!
+//! A lifetime is 0 if the slot is never dropped, else 1 + the last change that it survives; the slot before
+//! the first one counts as 0. Slots are mostly dropped in pairs, so half of them take one bit.
+//!
 //! The entries of all strips follow each other; [`PADDING`] zero bytes end the last one.
-
-use std::ops::Range;
 
 use super::MAX_STRIP_INDICES;
 use crate::model::bits::{Bits, PADDING, field, width_of};
@@ -31,7 +32,15 @@ pub(super) fn write(lifetimes: &[u32], breaks: &[[u8; 2]], out: &mut Vec<u8>) {
     out.extend([width as u8, breaks.len() as u8]);
     out.extend_from_slice(breaks.as_flattened());
     let mut bits = Bits::default();
-    lifetimes.iter().for_each(|&lifetime| bits.push(u64::from(lifetime), width));
+    let mut last = NEVER_DROPPED;
+    for &lifetime in lifetimes {
+        if lifetime == last {
+            bits.push(1, 1);
+        } else {
+            bits.push(u64::from(lifetime) << 1, width + 1);
+        }
+        last = lifetime;
+    }
     out.extend_from_slice(bits.as_bytes());
 }
 
@@ -46,17 +55,43 @@ pub(super) fn offsets(bytes: &[u8], lengths: &[u8]) -> Result<Vec<u32>, usize> {
     let mut offsets = Vec::with_capacity(lengths.len());
     for (strip, &length) in lengths.iter().enumerate() {
         offsets.push(u32::try_from(at).map_err(|_| strip)?);
-        let &[width, break_count] = bytes.get(at..).and_then(|rest| rest.first_chunk()).ok_or(strip)?;
+        let entry = bytes.get(at..).ok_or(strip)?;
+        let &[width, break_count] = entry.first_chunk().ok_or(strip)?;
         if u32::from(width) > u8::BITS {
             return Err(strip);
         }
-        let lifetime_bytes = (usize::from(length) * usize::from(width)).div_ceil(8);
-        at += HEAD_BYTES + 2 * usize::from(break_count) + lifetime_bytes;
+        let start = HEAD_BYTES + 2 * usize::from(break_count);
+        let mut lifetimes = Lifetimes { entry, bit: 8 * start, width: width.into(), last: NEVER_DROPPED };
+        for _ in 0..length {
+            lifetimes.next().ok_or(strip)?;
+        }
+        at += lifetimes.bit.div_ceil(8);
         if at + PADDING > bytes.len() {
             return Err(strip);
         }
     }
     if at + PADDING == bytes.len() { Ok(offsets) } else { Err(lengths.len()) }
+}
+
+/// The lifetimes of a strip's slots, in order; never ends.
+struct Lifetimes<'m> {
+    entry: &'m [u8],
+    bit: usize,
+    width: u32,
+    last: u32,
+}
+
+impl Lifetimes<'_> {
+    /// The next lifetime, or `None` if it lies beyond the padding.
+    #[inline]
+    fn next(&mut self) -> Option<u32> {
+        let code = field(self.entry, self.bit, self.width + 1)? as u32;
+        let is_new = code & 1 ^ 1;
+        // A branch here would be unpredictable.
+        self.last = std::hint::select_unpredictable(is_new != 0, code >> 1, self.last);
+        self.bit += 1 + (is_new * self.width) as usize;
+        Some(self.last)
+    }
 }
 
 /// The slots of one strip with their lifetimes and breaks.
@@ -78,47 +113,38 @@ impl<'m> StripSlots<'m> {
         self.entry[HEAD_BYTES..HEAD_BYTES + 2 * count].as_chunks().0
     }
 
+    /// For each slot the last change that it survives; the largest number if it is never dropped.
     #[inline]
-    fn width(&self) -> u32 {
-        u32::from(self.entry[0])
-    }
-
-    /// Lifetime of a slot, without its offset: slots that are never dropped have the largest number.
-    #[inline]
-    pub(super) fn last_change(&self, slot: usize) -> u32 {
-        let start = 8 * (HEAD_BYTES + 2 * usize::from(self.entry[1]));
-        let lifetime = field(self.entry, start + slot * self.width() as usize, self.width());
-        (lifetime.unwrap_or(0) as u32).wrapping_sub(1)
+    pub(super) fn last_changes(&self) -> impl Iterator<Item = u32> + 'm {
+        let bit = 8 * (HEAD_BYTES + 2 * usize::from(self.entry[1]));
+        let mut lifetimes =
+            Lifetimes { entry: self.entry, bit, width: self.entry[0].into(), last: NEVER_DROPPED };
+        (0..self.length).map(move |_| lifetimes.next().unwrap_or(NEVER_DROPPED).wrapping_sub(1))
     }
 
     /// Writes the indices that are left after `change` changes of the strip; returns their number.
     #[inline]
     pub(super) fn recover(&self, change: u8, slots: &mut [u32], shown: impl Fn(u32) -> u32) -> usize {
         let change = u32::from(change);
-        let take = |range: Range<usize>, slots: &mut [u32], mut length: usize| {
-            // Every index is written and then kept or overwritten: a branch here would be unpredictable.
-            for slot in range {
-                slots[length] = shown(self.indices.get(self.first + slot));
-                length += usize::from(self.last_change(slot) >= change);
-            }
-            length
-        };
+        let mut breaks = self.breaks().iter();
+        let mut next_break = breaks.next();
         let mut length = 0;
-        let mut from = 0;
-        for &[slot, since] in self.breaks() {
-            let slot = usize::from(slot);
-            if u32::from(since) <= change && self.last_change(slot) >= change {
-                length = take(from..slot, slots, length);
-                from = slot;
+        for (slot, last_change) in self.last_changes().enumerate() {
+            let survives = last_change >= change;
+            if let Some(&[_, since]) = next_break.filter(|found| usize::from(found[0]) == slot) {
+                next_break = breaks.next();
                 // Nothing may be left of the piece before. Otherwise the slot of the break follows the
-                // restart, so it survives.
-                if length > 0 {
+                // restart, so it must survive.
+                if u32::from(since) <= change && survives && length > 0 {
                     slots[length] = RESTART;
                     length += 1;
                 }
             }
+            // Every index is written and then kept or overwritten: a branch here would be unpredictable.
+            slots[length] = shown(self.indices.get(self.first + slot));
+            length += usize::from(survives);
         }
-        take(from..self.length, slots, length)
+        length
     }
 }
 
@@ -129,21 +155,21 @@ mod tests {
     #[test]
     fn entries_read_back() {
         let strips: [(&[u32], &[[u8; 2]]); 3] =
-            [(&[0, 3, 255, 1, 0], &[[2, 1], [4, 9]]), (&[], &[]), (&[0, 0, 0], &[])];
+            [(&[0, 3, 255, 255, 1, 0], &[[2, 1], [4, 9]]), (&[], &[]), (&[0, 0, 0], &[])];
         let mut bytes = Vec::new();
         strips.iter().for_each(|(lifetimes, breaks)| write(lifetimes, breaks, &mut bytes));
         finish(&mut bytes);
         let lengths = strips.map(|(lifetimes, _)| lifetimes.len() as u8);
         let starts = offsets(&bytes, &lengths).unwrap();
+        // The first strip takes two single bits and four lifetimes of nine bits.
         assert_eq!(starts, [0, 2 + 4 + 5, 2 + 4 + 5 + 2]);
         let indices = PackedVertices::pack(&[7; 8], 8);
         for ((lifetimes, breaks), start) in strips.iter().zip(starts) {
             let entry = &bytes[start as usize..];
             let slots = StripSlots { indices: &indices, first: 0, length: lifetimes.len(), entry };
             assert_eq!(&slots.breaks(), breaks);
-            for (slot, &lifetime) in lifetimes.iter().enumerate() {
-                assert_eq!(slots.last_change(slot), lifetime.wrapping_sub(1));
-            }
+            let expected = lifetimes.iter().map(|&lifetime| lifetime.wrapping_sub(1));
+            assert!(slots.last_changes().eq(expected));
         }
         for length in 0..bytes.len() {
             assert!(offsets(&bytes[..length], &lengths).is_err());

@@ -66,7 +66,8 @@ impl StripSlots<'_> {
         if breaks.last().is_some_and(|b| usize::from(b[0]) >= self.length) {
             return Err("has a break beyond its end");
         }
-        let survives = |slot: usize, change: u8| self.last_change(slot) >= u32::from(change);
+        let last_changes: Vec<u32> = self.last_changes().collect();
+        let survives = |slot: usize, change: u8| last_changes[slot] >= u32::from(change);
         // Slots only disappear and breaks only appear, so the strip is fullest just after a break appears.
         for &[_, change] in breaks {
             let (mut length, mut from) = (0, 0);
@@ -88,8 +89,7 @@ impl StripSlots<'_> {
     /// Checks that the strip is rebuilt at every step that removes a vertex shown by one of its slots.
     fn check_touches(&self, model: &Mts<'_>, touches: &[(u32, u8)]) -> Result<(), &'static str> {
         let vertices = &model.vertices;
-        for slot in 0..self.length {
-            let last = self.last_change(slot);
+        for (slot, last) in self.last_changes().enumerate() {
             let mut vertex = self.indices.get(self.first + slot);
             while vertex >= vertices.base_vertex_count() {
                 let step = vertices.step_of(vertex) as u32;
@@ -191,8 +191,7 @@ mod tests {
         let mut bytes = Vec::new();
         for strip in 0..model.strip_count() {
             let slots = model.strip_slots(strip);
-            let lifetime = |slot| slots.last_change(slot).wrapping_add(1);
-            let lifetimes: Vec<u32> = (0..slots.length).map(lifetime).collect();
+            let lifetimes: Vec<u32> = slots.last_changes().map(|last| last.wrapping_add(1)).collect();
             lifetimes::write(&lifetimes, breaks, &mut bytes);
         }
         lifetimes::finish(&mut bytes);
