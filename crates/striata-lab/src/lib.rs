@@ -3,7 +3,8 @@
 //! [`baseline`] contains level-of-detail models as described in their papers; [`mts_graph`] is the graph
 //! of \[BRR02\], which [`Mts`](striata::model::Mts) improves on. They implement the traits of
 //! [`striata::model`] and show the same triangles over the same vertex buffer as the library's models, so
-//! that only the data structures are compared. [`PaperBytes`] counts the memory of all of them, including
+//! that only the data structures are compared. [`lifetime_lod_strips`] is a form of our own that was tried and
+//! not taken over. [`PaperBytes`] counts the memory of all of them, including
 //! the library's, as the papers do.
 //!
 //! ```
@@ -23,9 +24,11 @@
 //! ```
 
 pub mod baseline;
+pub mod lifetime_lod_strips;
 pub mod mts_graph;
 mod paper_bytes;
 
+pub use lifetime_lod_strips::{LifetimeLodStrips, LifetimeLodStripsState};
 pub use mts_graph::{MtsGraph, MtsGraphState};
 pub use paper_bytes::{Accounting, PaperBytes};
 

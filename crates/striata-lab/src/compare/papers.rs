@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::models::{ModelRow, ModelsReport};
 use super::page::{Block, Section};
-use super::walks::Pace;
+use crate::pace::Pace;
 use striata_command::output::format_count;
 
 /// Explanation of the table.
