@@ -9,6 +9,9 @@
 //! strips that other tools wrote to this folder, and `--write-lists DIR` writes the input of these tools:
 //! `benches/peers/run.sh` does both.
 
+#[path = "strips_table/peer_strips.rs"]
+#[expect(dead_code, reason = "only `lod_strips_levels` builds models from the strips of other tools")]
+mod peer_strips;
 #[path = "strips_table/stripifier_rows.rs"]
 mod stripifier_rows;
 #[path = "quality/table.rs"]
@@ -20,8 +23,8 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use striata::mesh::{IndexedMesh, RefinableMesh, replay, weld};
-use striata::model::{LodModel, LodStrips, StripModel};
+use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::model::{LodModel, LodStrips};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata_strip::{StripOptions, Stripifier, stripify};
 use table::Table;
@@ -32,11 +35,6 @@ type Fallible<T> = Result<T, Box<dyn Error>>;
 const VERTEX_BYTES: usize = 24;
 /// The stripifier that `striata build` uses.
 const BUILD_STRIPIFIER: Stripifier = Stripifier::Cheapest;
-/// Stripifiers compared as the starting point of LodStrips.
-const LEVEL_STRIPIFIERS: [Stripifier; 4] =
-    [Stripifier::Greedy, Stripifier::Tunnel { max_length: 17 }, Stripifier::Fewest, Stripifier::Cheapest];
-/// Percentages of the triangles at which levels are shown.
-const LEVEL_PERCENTS: [usize; 5] = [100, 50, 25, 10, 2];
 /// Number of runs to take the fastest of.
 const RUN_COUNT: usize = 7;
 
@@ -90,7 +88,6 @@ fn main() -> Fallible<()> {
         "build ms",
         "sweep ns per step",
     ]);
-    let mut levels = Table::new(["mesh", "strips", "100 %", "50 %", "25 %", "10 %", "2 %", "all levels"]);
     for path in &arguments.meshes {
         let mesh = striata_io::read(path)?;
         let mesh = weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?.mesh;
@@ -104,7 +101,6 @@ fn main() -> Fallible<()> {
         if !arguments.is_strips_only {
             let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
             add_model(&name, &refinable, &mut models)?;
-            add_levels(&name, &refinable, &mut levels)?;
         }
     }
     if arguments.lists.is_some() {
@@ -117,11 +113,6 @@ fn main() -> Fallible<()> {
     }
     writeln!(out, "LodStrips: down to the base and back, best of {RUN_COUNT} sweeps.\n")?;
     models.print(&mut out)?;
-    writeln!(
-        out,
-        "Indices per triangle including restarts, of LodStrips at a level and of new strips for it.\n"
-    )?;
-    levels.print(&mut out)?;
     Ok(())
 }
 
@@ -169,62 +160,4 @@ fn add_model(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallib
         format!("{:.1}", sweep_secs * 1e9 / (2 * step_count).max(1) as f64),
     ]);
     Ok(())
-}
-
-fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
-    for stripifier in LEVEL_STRIPIFIERS {
-        let options = StripOptions::default().with_stripifier(stripifier);
-        let model = LodStrips::build(refinable, &stripify(&refinable.mesh, &options)?)?;
-        let mut state = model.new_state();
-        let mut index_count_at = |split_count: usize| {
-            model.move_to(&mut state, split_count);
-            let live =
-                (0..model.strip_count()).map(|strip| model.strip(&state, strip).len()).filter(|&n| n > 0);
-            // Each strip is followed by a restart or the end of the buffer.
-            live.map(|n| n + 1).sum::<usize>()
-        };
-        let what = format!("LodStrips of {stripifier}");
-        let mut row = levels_row(name, &what, refinable, &mut index_count_at);
-        row.push(format!("{:.3}", over_all_levels(refinable, &mut index_count_at)));
-        table.push(row);
-    }
-    let options = StripOptions::default().with_stripifier(BUILD_STRIPIFIER);
-    let mut from_scratch = |split_count: usize| {
-        let strips = stripify(&replay(refinable, split_count), &options);
-        strips.map_or(0, |strips| strips.to_restart_indices().indices.len())
-    };
-    let what = format!("{BUILD_STRIPIFIER}, from scratch for the level");
-    let mut row = levels_row(name, &what, refinable, &mut from_scratch);
-    row.push("–".to_owned());
-    table.push(row);
-    Ok(())
-}
-
-/// Indices per triangle at several percentages of the triangles.
-fn levels_row(
-    name: &str,
-    what: &str,
-    refinable: &RefinableMesh,
-    index_count_at: &mut dyn FnMut(usize) -> usize,
-) -> Vec<String> {
-    let sequence = &refinable.sequence;
-    let full = refinable.mesh.triangle_count();
-    let mut row = vec![name.to_owned(), what.to_owned()];
-    for percent in LEVEL_PERCENTS {
-        let split_count = sequence.split_count_for_triangles(full * percent / 100);
-        let triangle_count = sequence.triangle_count_at(split_count).max(1);
-        row.push(format!("{:.2}", index_count_at(split_count) as f64 / triangle_count as f64));
-    }
-    row
-}
-
-/// Indices per triangle over all levels, sampled at every hundredth.
-fn over_all_levels(refinable: &RefinableMesh, index_count_at: &mut dyn FnMut(usize) -> usize) -> f64 {
-    let (mut indices, mut triangles) = (0, 0);
-    for hundredth in (0..=100).rev() {
-        let split_count = refinable.sequence.step_count() * hundredth / 100;
-        indices += index_count_at(split_count);
-        triangles += refinable.sequence.triangle_count_at(split_count);
-    }
-    indices as f64 / triangles.max(1) as f64
 }

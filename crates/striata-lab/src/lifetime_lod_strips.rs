@@ -215,8 +215,11 @@ impl LifetimeLodStrips {
 }
 
 impl LifetimeLodStripsState {
-    /// Copies the scratch to the row of a strip.
+    /// Copies the scratch to the row of a strip. What is behind the row becomes zero, so that equal rows make
+    /// equal states.
     fn write_row(&mut self, first: usize, strip: usize) {
+        let behind = first + self.scratch.len()..first + usize::from(self.rows[strip].length);
+        self.shown[behind.start..behind.end.max(behind.start)].fill(0);
         for (at, &(vertex, slot)) in (first..).zip(&self.scratch) {
             (self.shown[at], self.slots[at]) = (vertex, slot);
         }

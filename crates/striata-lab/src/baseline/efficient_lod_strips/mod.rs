@@ -67,7 +67,7 @@ pub struct EfficientLodStrips {
 }
 
 /// State of one instance: its level and its strips.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct EfficientLodStripsState {
     split_count: usize,
     /// Strips at the current level, each in room for its full length.
@@ -79,6 +79,18 @@ pub struct EfficientLodStripsState {
     is_dirty: Vec<bool>,
     dirty: Vec<u32>,
 }
+
+/// The drawn strips follow from the others. Their slots beyond what is drawn hold whatever was drawn before.
+impl PartialEq for EfficientLodStripsState {
+    fn eq(&self, other: &Self) -> bool {
+        self.split_count == other.split_count
+            && self.hw_strips == other.hw_strips
+            && self.hw_lengths == other.hw_lengths
+            && self.dis_lengths == other.dis_lengths
+    }
+}
+
+impl Eq for EfficientLodStripsState {}
 
 impl EfficientLodStrips {
     /// Number of strips, including those without triangles at coarse levels.

@@ -25,8 +25,9 @@ impl LodStrips<'static> {
     /// [`ModelError`] if the strips do not belong to the mesh: different groups, different triangle
     /// counts, or vertices that do not exist.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
-        let options = StageOptions::default().with_max_indices_per_triangle(f64::INFINITY);
-        Self::build_staged(refinable, strips, &options, |_| Ok::<_, ModelError>(StripSet::new()))
+        Self::build_staged(refinable, strips, &StageOptions::single(), |_| {
+            Ok::<_, ModelError>(StripSet::new())
+        })
     }
 
     /// Builds the model from strips of the full mesh, and calls `stripify` for new strips whenever a level

@@ -18,6 +18,11 @@ impl Default for StageOptions {
 }
 
 impl StageOptions {
+    /// Options for a single stage, which keeps the strips of the full mesh at all levels.
+    pub fn single() -> Self {
+        Self { max_indices_per_triangle: f64::INFINITY }
+    }
+
     /// Sets [`StageOptions::max_indices_per_triangle`].
     pub fn with_max_indices_per_triangle(mut self, limit: f64) -> Self {
         self.max_indices_per_triangle = limit;
