@@ -1,15 +1,18 @@
 //! LodStrips of different strips at every level: indices, cache misses and time.
 //!
-//! `cargo bench -p striata-lab --bench lod_strips_levels -- [--peers DIR] MESH...` prints three Markdown tables:
-//! indices per triangle (restarts included), vertices that a cache of 16 misses per triangle, and the time of a
-//! step and of a frame on the linear walk of \[RCRG06\]. `--peers DIR` adds the strips that NvTriStrip wrote to this
-//! folder; see `benches/peers`.
+//! `cargo bench -p striata-lab --bench lod_strips_levels -- [--quick] [--peers DIR] MESH...` prints three Markdown
+//! tables: indices per triangle (restarts included), vertices that a cache of 16 misses per triangle, and bytes
+//! with the time of a step and of a frame on the linear walk of \[RCRG06\]. Bytes are counted as in the papers, with
+//! 24 for the position and the normal of a vertex and 4 per index. `--quick` takes only the strips that `striata
+//! build` makes, in one stage and in several. `--peers DIR` adds the strips that NvTriStrip wrote to this folder;
+//! see `benches/peers`.
 
 #[path = "strips_table/peer_strips.rs"]
 mod peer_strips;
 #[path = "quality/table.rs"]
 mod table;
 
+use std::collections::HashMap;
 use std::error::Error;
 use std::hint::black_box;
 use std::io::Write;
@@ -38,22 +41,17 @@ const RUN_COUNT: usize = 7;
 /// Levels with fewer triangles are left out of the worst level: a handful needs more in any case.
 const FEW_TRIANGLES: usize = 100;
 
-/// Our stripifiers, and whether they count cache misses.
-const OURS: [(Stripifier, bool); 6] = [
-    (Stripifier::Greedy, false),
-    (Stripifier::Stripe, false),
-    (Stripifier::Tunnel { max_length: 17 }, false),
-    (Stripifier::Fewest, false),
-    (Stripifier::Cheapest, false),
-    (Stripifier::Cheapest, true),
-];
+/// Stripifiers compared with the one that `striata build` uses.
+const OTHERS: [Stripifier; 4] =
+    [Stripifier::Greedy, Stripifier::Stripe, Stripifier::Tunnel { max_length: 17 }, Stripifier::Fewest];
 
 fn main() -> Fallible<()> {
-    let (mut peers, mut meshes) = (None, Vec::new());
+    let (mut peers, mut is_quick, mut meshes) = (None, false, Vec::new());
     let mut words = std::env::args().skip(1).filter(|word| word != "--bench");
     while let Some(word) = words.next() {
         match word.as_str() {
             "--peers" => peers = Some(PathBuf::from(words.next().ok_or("--peers needs a folder")?)),
+            "--quick" => is_quick = true,
             _ => meshes.push(PathBuf::from(word)),
         }
     }
@@ -67,7 +65,11 @@ fn main() -> Fallible<()> {
     }
     let mut tables = Tables::new();
     for path in &meshes {
-        tables.add_mesh(path, peers.as_deref())?;
+        let subject = Subject::read(path)?;
+        tables.add_builds(&subject)?;
+        if !is_quick {
+            tables.add_others(&subject, peers.as_deref())?;
+        }
     }
     writeln!(out, "Indices per triangle.\n")?;
     tables.indices.print(&mut out)?;
@@ -87,6 +89,8 @@ struct Tables {
 /// A mesh with its sequence, and its name in the tables.
 struct Subject {
     name: String,
+    /// Positions in the order of the input, which is that of other tools.
+    positions: Vec<[f32; 3]>,
     refinable: RefinableMesh,
 }
 
@@ -105,63 +109,87 @@ fn options(stripifier: Stripifier, counts_misses: bool) -> StripOptions {
         .with_cache_size(CACHE_SIZE)
 }
 
-fn label(stripifier: Stripifier, counts_misses: bool) -> String {
-    format!(
-        "{stripifier}{}",
-        if counts_misses { format!(", a miss weighs {CACHE_WEIGHT}") } else { String::new() }
-    )
+fn label(options: &StripOptions) -> String {
+    let StripOptions { stripifier, cache_weight, .. } = options;
+    let weight = if *cache_weight > 0.0 { format!(", a miss weighs {cache_weight}") } else { String::new() };
+    format!("{stripifier}{weight}")
 }
 
 impl Tables {
     fn new() -> Self {
-        let per_level = |more: &[&'static str]| {
-            let levels = LEVEL_PERCENTS.map(|percent| format!("{percent} %"));
+        let per_level = |what: &str, more: &[&'static str]| {
+            let levels = LEVEL_PERCENTS.map(|percent| format!("{what}{percent} %"));
             let head = ["mesh", "strips"].map(str::to_owned).into_iter().chain(levels);
             Table::new(head.chain(more.iter().map(|&cell| cell.to_owned())).collect::<Vec<_>>())
         };
         Self {
-            indices: per_level(&["all levels", "worst"]),
-            misses: per_level(&["all levels"]),
-            times: Table::new(["mesh", "strips", "stages", "ratio to plain", "ns per step", "ms per frame"]),
+            indices: per_level("", &["all levels", "worst"]),
+            misses: per_level("misses at ", &["misses at all levels"]),
+            times: Table::new([
+                "mesh",
+                "strips",
+                "stages",
+                "plain bytes",
+                "model bytes",
+                "ratio",
+                "instance",
+                "build ms",
+                "ns per step",
+                "ms per frame",
+            ]),
         }
     }
 
-    fn add_mesh(&mut self, path: &Path, peers: Option<&Path>) -> Fallible<()> {
-        let mesh = striata_io::read(path)?;
-        let mesh = weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?.mesh;
-        let file = path.file_name().map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
-        let name = file.split('.').next().unwrap_or_default().to_owned();
-        let subject =
-            Subject { refinable: build_sequence(&mesh, &SequenceOptions::default())?.refinable, name };
-        let full = &subject.refinable.mesh;
-        for (stripifier, counts_misses) in OURS {
-            let strips = stripify(full, &options(stripifier, counts_misses))?;
-            let model = LodStrips::build(&subject.refinable, &strips)?;
-            self.add_model(&subject, &label(stripifier, counts_misses), &strips, &model);
-        }
-        if let Some(strips) = peers.map(|folder| subject.nvtristrip(&mesh, folder)).transpose()?.flatten() {
-            let model = LodStrips::build(&subject.refinable, &strips)?;
-            self.add_model(&subject, "NvTriStrip", &strips, &model);
-        }
-        for counts_misses in [false, true] {
-            let options = options(Stripifier::Cheapest, counts_misses);
-            let strips = stripify(full, &options)?;
-            let new_strips = |level: &_| stripify(level, &options).map_err(Box::<dyn Error>::from);
-            let model =
-                LodStrips::build_staged(&subject.refinable, &strips, &StageOptions::default(), new_strips)?;
-            let label = format!("stages of {}", label(Stripifier::Cheapest, counts_misses));
-            self.add_model(&subject, &label, &strips, &model);
-        }
-        for counts_misses in [false, true] {
-            let options = options(Stripifier::Cheapest, counts_misses);
-            let label = format!("{}, from scratch for the level", label(Stripifier::Cheapest, counts_misses));
-            self.add_from_scratch(&subject, &label, &options);
-        }
+    /// Adds the strips that `striata build` makes: in one stage, in several, and from scratch for each level.
+    fn add_builds(&mut self, subject: &Subject) -> Fallible<()> {
+        let options = options(Stripifier::Cheapest, false);
+        self.add_one_stage(subject, &options)?;
+        self.add_stages(subject, &options)?;
+        self.add_from_scratch(subject, &options);
         Ok(())
     }
 
-    fn add_model(&mut self, subject: &Subject, label: &str, strips: &StripSet, model: &LodStrips<'_>) {
-        let Subject { name, refinable } = subject;
+    /// Adds other strips.
+    fn add_others(&mut self, subject: &Subject, peers: Option<&Path>) -> Fallible<()> {
+        for stripifier in OTHERS {
+            self.add_one_stage(subject, &options(stripifier, false))?;
+        }
+        if let Some(strips) = peers.map(|folder| subject.nvtristrip(folder)).transpose()?.flatten() {
+            let build = || Ok(LodStrips::build(&subject.refinable, &strips)?);
+            self.add_model(subject, "NvTriStrip", &strips, build)?;
+        }
+        let for_cache = options(Stripifier::Cheapest, true);
+        self.add_one_stage(subject, &for_cache)?;
+        self.add_stages(subject, &for_cache)?;
+        self.add_from_scratch(subject, &for_cache);
+        Ok(())
+    }
+
+    fn add_one_stage(&mut self, subject: &Subject, options: &StripOptions) -> Fallible<()> {
+        let strips = stripify(&subject.refinable.mesh, options)?;
+        let build = || Ok(LodStrips::build(&subject.refinable, &strips)?);
+        self.add_model(subject, &label(options), &strips, build)
+    }
+
+    fn add_stages(&mut self, subject: &Subject, options: &StripOptions) -> Fallible<()> {
+        let strips = stripify(&subject.refinable.mesh, options)?;
+        let new_strips = |level: &_| stripify(level, options).map_err(Box::<dyn Error>::from);
+        let stages = StageOptions::default();
+        let build = || LodStrips::build_staged(&subject.refinable, &strips, &stages, new_strips);
+        self.add_model(subject, &format!("stages of {}", label(options)), &strips, build)
+    }
+
+    fn add_model(
+        &mut self,
+        subject: &Subject,
+        label: &str,
+        strips: &StripSet,
+        build: impl FnOnce() -> Fallible<LodStrips<'static>>,
+    ) -> Fallible<()> {
+        let Subject { name, refinable, .. } = subject;
+        let started = Instant::now();
+        let model = build()?;
+        let build_secs = started.elapsed().as_secs_f64();
         let mut state = model.new_state();
         let mut indices = Vec::new();
         let mut cost_at = |split_count: usize| {
@@ -170,7 +198,7 @@ impl Tables {
             model.indices_into(&state, &mut indices);
             level_cost(refinable, split_count, &indices)
         };
-        let worst = subject.worst_level(model);
+        let worst = subject.worst_level(&model);
         let all = subject.over_all_levels(&mut cost_at);
         self.add_levels(
             subject,
@@ -186,20 +214,26 @@ impl Tables {
             name.clone(),
             label.to_owned(),
             stage_count.to_string(),
+            plain.to_string(),
+            bytes.to_string(),
             format!("{:.3}", bytes as f64 / plain as f64),
-            format!("{:.1}", 1e9 * sweep_secs(model)),
-            format!("{:.4}", 1e3 * frame_secs(model)),
+            model.state_bytes(&model.new_state()).to_string(),
+            format!("{:.1}", 1e3 * build_secs),
+            format!("{:.1}", 1e9 * sweep_secs(&model)),
+            format!("{:.4}", 1e3 * frame_secs(&model)),
         ]);
+        Ok(())
     }
 
-    fn add_from_scratch(&mut self, subject: &Subject, label: &str, options: &StripOptions) {
+    fn add_from_scratch(&mut self, subject: &Subject, options: &StripOptions) {
+        let label = format!("{}, from scratch for the level", label(options));
         let mut cost_at = |split_count: usize| {
             let strips = stripify(&replay(&subject.refinable, split_count), options);
             let indices = strips.map_or_else(|_| Vec::new(), |strips| strips.to_restart_indices().indices);
             level_cost(&subject.refinable, split_count, &indices)
         };
         let none = || "–".to_owned();
-        self.add_levels(subject, label, [none(), none()], none(), &mut cost_at);
+        self.add_levels(subject, &label, [none(), none()], none(), &mut cost_at);
     }
 
     /// Adds a row for indices and one for misses, with the given last cells.
@@ -211,7 +245,7 @@ impl Tables {
         misses_end: String,
         cost_at: &mut dyn FnMut(usize) -> LevelCost,
     ) {
-        let Subject { name, refinable } = subject;
+        let Subject { name, refinable, .. } = subject;
         let [mut indices, mut misses] = [(); 2].map(|()| vec![name.clone(), label.to_owned()]);
         for percent in LEVEL_PERCENTS {
             let triangle_count = refinable.mesh.triangle_count() * percent / 100;
@@ -228,6 +262,15 @@ impl Tables {
 }
 
 impl Subject {
+    fn read(path: &Path) -> Fallible<Self> {
+        let mesh = striata_io::read(path)?;
+        let mesh = weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?.mesh;
+        let file = path.file_name().map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
+        let name = file.split('.').next().unwrap_or_default().to_owned();
+        let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
+        Ok(Self { name, positions: mesh.positions, refinable })
+    }
+
     /// Positions and normals of 24 bytes, and 4 bytes per index.
     fn plain_bytes(&self, strips: &StripSet) -> usize {
         24 * self.refinable.mesh.vertex_count() + 4 * strips.to_restart_indices().indices.len()
@@ -267,7 +310,7 @@ impl Subject {
     }
 
     /// The strips that NvTriStrip made of the mesh, with the vertices of the sequence; `None` if there are none.
-    fn nvtristrip(&self, mesh: &IndexedMesh, folder: &Path) -> Fallible<Option<StripSet>> {
+    fn nvtristrip(&self, folder: &Path) -> Fallible<Option<StripSet>> {
         let path = folder.join(format!("{}.nvtristrip.strips", self.name));
         if !path.exists() {
             return Ok(None);
@@ -275,10 +318,12 @@ impl Subject {
         let (_, mut indices) = peer_strips::read(&path)?;
         // The sequence has sorted the vertices; their positions are all different.
         let bits = |position: &[f32; 3]| position.map(f32::to_bits);
-        let places: std::collections::HashMap<_, u32> =
-            self.refinable.mesh.positions.iter().map(bits).zip(0..).collect();
-        for index in indices.iter_mut().filter(|index| (**index as usize) < mesh.vertex_count()) {
-            *index = places[&bits(&mesh.positions[*index as usize])];
+        let places: HashMap<_, u32> = self.refinable.mesh.positions.iter().map(bits).zip(0..).collect();
+        for index in &mut indices {
+            // Restarts are not vertices.
+            if let Some(position) = self.positions.get(*index as usize) {
+                *index = places[&bits(position)];
+            }
         }
         Ok(Some(peer_strips::of_mesh(&indices, &self.refinable.mesh)))
     }
