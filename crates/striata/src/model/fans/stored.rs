@@ -40,7 +40,7 @@ impl Fans {
     ) -> Result<Self, ModelError> {
         let FansParts { entries, blocks, starts, waits, far, orphans } = parts;
         let step_count = removed.len();
-        vertices.check(step_count)?;
+        vertices.check_firsts(step_count)?;
         let arrays = TableArrays { entries, blocks, starts };
         let table = Table::from_arrays(arrays, vertices.vertex_count, group_count > 1)?;
         let fans = Self {

@@ -18,7 +18,7 @@
 //! The start of a vertex's fans is stored as a two-byte offset from the start of its block of vertices.
 
 use crate::model::ModelError;
-use crate::model::record_arena::{read_varint, write_varint};
+use crate::model::varint::{read_varint, write_varint};
 
 /// Largest number of arcs of a fan, limited by the width of its masks.
 pub const MAX_ARCS: usize = 32;
