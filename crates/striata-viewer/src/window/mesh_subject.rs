@@ -103,7 +103,7 @@ impl MeshSubject {
     /// The fans and the data to refine them for a view, if available.
     pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
         let (fans, refinable) = (self.fans.get()?, self.refinable()?);
-        Some((FanScene::new(fans, refinable), refinable))
+        Some((FanScene::new(fans, &refinable.mesh.positions), refinable))
     }
 
     /// The patterns and the data to refine them for a view, if available.

@@ -39,8 +39,8 @@ mod superfluous;
 pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
-    FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate, Fans,
-    FansLevel, MovingVertex, fan_triangles_into,
+    BoundScope, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanOptions, FanScene, FanSource,
+    FanTriangles, FanUpdate, Fans, FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphVertex, VertexBlend};
 pub use kind::{ModelKind, UnknownModel};

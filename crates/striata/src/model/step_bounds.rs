@@ -24,6 +24,11 @@ impl StepBounds {
         Ok(Self { records: bound(steps, progress)?.into() })
     }
 
+    /// Wraps the records of all steps.
+    pub(in crate::model) fn of_records(records: Vec<PartRecord>) -> Self {
+        Self { records: records.into() }
+    }
+
     /// Reads the bounds of `step_count` steps from stored records. If `errors` is given, the error of each
     /// record must match the error of its step.
     ///

@@ -44,7 +44,7 @@ pub(super) fn run_view(
     let stored = file.fans().transpose().map_err(|error| input.damaged(&error))?;
     let fans = if stored.is_some() { "stored" } else { "built" };
     let table = stored.unwrap_or_else(|| Fans::build(&refinable));
-    let scene = FanScene::new(&table, &refinable);
+    let scene = FanScene::new(&table, &refinable.mesh.positions);
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
     let (pixels, primitives) = (level.pixels, primitives_of(args.form, &level.mesh, None)?);

@@ -193,7 +193,7 @@ impl<'a> Source<'a> {
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
         let stored = stored.map_err(|error| input.damaged(&error))?;
         let fans = stored.unwrap_or_else(|| Fans::build(refinable));
-        let scene = FanScene::new(&fans, refinable);
+        let scene = FanScene::new(&fans, &refinable.mesh.positions);
         Ok(Figure::of_view(ModelKind::Fans, level_of_view(&scene, refinable, &view, camera, limit), limit))
     }
 }

@@ -72,7 +72,7 @@ impl<'r> Models<'r> {
 
     /// The fans with the data needed to evaluate criteria.
     pub(super) fn scene(&self) -> FanScene<'_> {
-        FanScene::new(&self.fans, self.refinable)
+        FanScene::new(&self.fans, &self.refinable.mesh.positions)
     }
 
     /// A follower for each of [`NAMES`], or why it cannot be built.

@@ -139,9 +139,9 @@ impl<C: Criterion + Clone> FanFront<C> {
     fn split_within(&mut self, fans: &Fans, step: u32, triangle_limit: usize) -> Option<usize> {
         let mut split_steps = Vec::new();
         self.instance.split_into(fans, step, &mut split_steps);
-        let added: usize = split_steps.iter().map(|&step| usize::from(fans.removed[step as usize])).sum();
+        let added: isize = split_steps.iter().map(|&step| fans.added.of(step)).sum();
         split_steps.iter().for_each(|&step| self.instance.collapsed.insert(step));
-        (self.triangle_count + added <= triangle_limit).then(|| {
+        (self.triangle_count.saturating_add_signed(added) <= triangle_limit).then(|| {
             self.wanted.insert(step);
             self.split(fans, step, usize::MAX)
         })

@@ -343,7 +343,7 @@ impl<C> FanFront<C> {
             split_steps.iter().for_each(|&step| self.unneeded.insert(step));
         }
         for &step in &split_steps {
-            self.triangle_count += usize::from(fans.removed[step as usize]);
+            self.triangle_count = self.triangle_count.saturating_add_signed(fans.added.of(step));
             if self.wanted.has(step) {
                 self.list_children(fans, step);
             }
@@ -380,7 +380,7 @@ impl<C> FanFront<C> {
             }
             if fans.is_free(step, &self.instance.collapsed) {
                 self.instance.collapsed.insert(step);
-                self.triangle_count -= usize::from(fans.removed[step as usize]);
+                self.triangle_count = self.triangle_count.saturating_add_signed(-fans.added.of(step));
                 update.collapse_count += 1;
                 fans.for_each_needed_by_split(step, |coarser| {
                     if !self.wanted.has(coarser) {

@@ -38,17 +38,20 @@ mod build;
 mod crowns;
 mod emit;
 mod fan_triangles;
+mod fragments;
 mod front;
 mod instance;
 mod level;
 mod morphs;
 mod scene;
 mod set_operations;
+mod step_counts;
 mod stored;
 mod table;
 mod table_fan;
 mod validate;
 
+pub use build::{BoundScope, FanOptions, FanSource};
 pub use emit::{FanForm, FanIndices, fan_triangles_into};
 pub use fan_triangles::FanTriangles;
 pub use front::{FanFront, FanUpdate};
@@ -59,6 +62,7 @@ pub(crate) use stored::FansParts;
 pub use table::MAX_ARCS;
 pub use table_fan::{ArcMaker, TableFan};
 
+use self::step_counts::StepCounts;
 use self::table::{Entry, Table};
 use super::step_bounds::StepBounds;
 use super::step_vertices::StepVertices;
@@ -77,8 +81,8 @@ pub struct Fans {
     far: Vec<[u32; 2]>,
     /// Steps that no entry lists as a child; in the tree they are children of the base.
     orphans: Vec<u32>,
-    /// Number of triangles that each step removes.
-    removed: Box<[u8]>,
+    /// Number of triangles that each step adds.
+    added: StepCounts,
     /// Bounds of each step for view-dependent refinement, unless the table was built without them.
     bounds: Option<StepBounds>,
 }
@@ -100,6 +104,18 @@ impl Fans {
     /// Number of triangles of the base mesh.
     pub fn base_triangle_count(&self) -> usize {
         self.draw_counts(&self.level_at(0)).index_count / 3
+    }
+
+    /// Returns the triangle count of each level, from coarse to fine.
+    pub fn triangle_counts(&self) -> Vec<u32> {
+        let mut count = self.base_triangle_count();
+        let mut counts = Vec::with_capacity(self.step_count + 1);
+        counts.push(count as u32);
+        for step in 0..self.step_count as u32 {
+            count = count.saturating_add_signed(self.added.of(step));
+            counts.push(count as u32);
+        }
+        counts
     }
 
     /// Number of triangle groups.
@@ -196,7 +212,7 @@ impl LodModel for Fans {
             part("starts", starts),
             part("waits", size_of_val(&self.waits[..]) + size_of_val(&self.far[..])),
             part("orphans", size_of_val(&self.orphans[..])),
-            part("triangle counts", self.removed.len()),
+            part("triangle counts", self.added.bytes()),
         ];
         parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));
         parts

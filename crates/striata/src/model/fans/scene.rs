@@ -1,7 +1,6 @@
 //! Combines a table with the positions that a view criterion needs.
 
 use super::Fans;
-use crate::mesh::RefinableMesh;
 use crate::model::step_bounds::StepBounds;
 use crate::view::{Part, Sphere};
 
@@ -15,12 +14,11 @@ pub struct FanScene<'a> {
 }
 
 impl<'a> FanScene<'a> {
-    /// Combines a table with the positions of its mesh.
+    /// Combines a table with the positions of its mesh, in refinement order.
     ///
     /// # Panics
     /// If their vertex counts differ, or the table was built without bounds.
-    pub fn new(fans: &'a Fans, refinable: &'a RefinableMesh) -> Self {
-        let positions = &refinable.mesh.positions[..];
+    pub fn new(fans: &'a Fans, positions: &'a [[f32; 3]]) -> Self {
         assert_eq!(fans.vertex_count(), positions.len(), "the table belongs to a different mesh");
         let bounds = fans.bounds.as_ref().expect("the table was built with bounds");
         Self { fans, bounds, positions }
