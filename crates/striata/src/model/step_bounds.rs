@@ -54,7 +54,7 @@ impl StepBounds {
     ///
     /// # Panics
     /// If the step does not exist.
-    #[inline]
+    #[inline(always)]
     pub(in crate::model) fn part(&self, step: u32, center: [f32; 3]) -> Part {
         self.records[step as usize].part(center)
     }

@@ -37,12 +37,14 @@ mod budget;
 mod build;
 mod crowns;
 mod emit;
+mod expiries;
 mod fan_triangles;
 mod fragments;
 mod front;
 mod instance;
 mod level;
 mod morphs;
+mod quick_table;
 mod scene;
 mod set_operations;
 mod step_counts;
@@ -62,6 +64,7 @@ pub(crate) use stored::FansParts;
 pub use table::MAX_ARCS;
 pub use table_fan::{ArcMaker, TableFan};
 
+use self::quick_table::LazyQuickTable;
 use self::step_counts::StepCounts;
 use self::table::{Entry, Table};
 use super::step_bounds::StepBounds;
@@ -85,6 +88,8 @@ pub struct Fans {
     added: StepCounts,
     /// Bounds of each step for view-dependent refinement, unless the table was built without them.
     bounds: Option<StepBounds>,
+    /// The table in a form that is decoded quickly.
+    quick: LazyQuickTable,
 }
 
 impl Fans {
@@ -215,6 +220,8 @@ impl LodModel for Fans {
             part("triangle counts", self.added.bytes()),
         ];
         parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));
+        let quick = self.quick.bytes();
+        parts.extend((quick > 0).then(|| part("quick records", quick)));
         parts
     }
 

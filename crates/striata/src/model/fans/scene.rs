@@ -33,7 +33,7 @@ impl<'a> FanScene<'a> {
     ///
     /// # Panics
     /// If the step does not exist.
-    #[inline]
+    #[inline(always)]
     pub fn part(&self, step: u32) -> Part {
         self.bounds.part(step, self.positions[self.fans.center_vertex(step)])
     }

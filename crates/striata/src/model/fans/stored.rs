@@ -57,6 +57,7 @@ impl Fans {
             orphans: orphans.to_vec(),
             added: StepCounts::default(),
             bounds: None,
+            quick: Default::default(),
         };
         fans.added = validate::check(&fans, removed)?;
         Ok(fans)

@@ -186,6 +186,7 @@ impl Fans {
             orphans: tree.orphans(),
             added: history.added_counts(levels),
             bounds: None,
+            quick: Default::default(),
         })
     }
 }
