@@ -46,6 +46,7 @@ pub use geomorph::{Geomorph, MorphVertex, VertexBlend};
 pub use kind::{ModelKind, UnknownModel};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsState};
+pub use part_record::PartRecord;
 pub use patterns::{
     Condition, CriterionCondition, Overlap, PatternChange, PatternInstance, PatternScene, Patterns,
     PatternsState,

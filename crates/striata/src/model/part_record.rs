@@ -80,10 +80,10 @@ fn some_step(step: u32) -> Option<u32> {
     (step != NO_STEP).then_some(step)
 }
 
-/// The packed bounds of a step.
+/// The bounds of a part in eight bytes, without the center of its sphere, which is stored anyway.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
-pub(in crate::model) struct PartRecord {
+pub struct PartRecord {
     radius: u16,
     error: u16,
     /// Axis of the cone; 127 stands for 1.
@@ -94,7 +94,7 @@ pub(in crate::model) struct PartRecord {
 
 impl PartRecord {
     /// Packs bounds, rounded up so that the record encloses them.
-    pub(in crate::model) fn holding(radius: f32, cone: &NormalCone, error: f32) -> Self {
+    pub fn holding(radius: f32, cone: &NormalCone, error: f32) -> Self {
         let mut record =
             Self { radius: round_up(radius), error: round_up(error), axis: [0; 3], sin: u8::MAX };
         if cone.cos > 0.0 {
@@ -145,7 +145,7 @@ impl PartRecord {
 
     /// Unpacks the bounds around a center.
     #[inline(always)]
-    pub(in crate::model) fn part(self, center: [f32; 3]) -> Part {
+    pub fn part(self, center: [f32; 3]) -> Part {
         // Rounding may have lengthened the axis a little; this makes up for it.
         let axis = self.axis.map(|x| f32::from(x) * (1.0 / 127.001));
         Part {

@@ -51,8 +51,8 @@ impl Models {
             models.lod_strips =
                 strips_for(ModelKind::LodStrips).map(|s| LodStrips::build(refinable, s)).transpose()?;
             models.mts = strips_for(ModelKind::Mts).map(|s| Mts::build(refinable, s)).transpose()?;
-            models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(refinable));
         }
+        models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(sequenced.steps.fan_source()));
         if is_wanted(ModelKind::Patterns) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
             models.patterns = Some(Patterns::build(&fragmented)?);

@@ -3,7 +3,7 @@
 
 use striata::mesh::RefinableMesh;
 use striata::model::{FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
-use striata::view::ScreenError;
+use striata::view::{Criterion as _, ScreenError};
 use striata_lab::baseline::{ViewDependentMeshes, ViewDependentState};
 
 use super::logged_criterion::{LoggedCriterion, QueryLog};
@@ -53,14 +53,16 @@ pub(super) struct Models<'r> {
 }
 
 /// Names of the followers; chart colors follow this order.
-pub(super) const NAMES: [&str; 5] = ["fans", "fans-kept", "fans-stateless", "vdpm", "uniform"];
+pub(super) const NAMES: [&str; 6] =
+    ["fans", "fans-kept", "fans-stateless", "vdpm", "vdpm-kept", "uniform"];
 
 /// Indices into [`NAMES`].
 pub(super) const FANS: usize = 0;
 pub(super) const KEPT: usize = 1;
 pub(super) const STATELESS: usize = 2;
 pub(super) const VDPM: usize = 3;
-pub(super) const UNIFORM: usize = 4;
+pub(super) const VDPM_KEPT: usize = 4;
+pub(super) const UNIFORM: usize = 5;
 
 impl<'r> Models<'r> {
     /// Builds all models that can be built.
@@ -81,12 +83,10 @@ impl<'r> Models<'r> {
         let vdpm = self.vdpm.as_ref().map_err(Clone::clone);
         vec![
             Ok(Box::new(Incremental { scene, front: FanFront::new(&scene) })),
-            Ok(Box::new(Kept::new(scene, self.refinable))),
+            Ok(Box::new(Kept::new(scene))),
             Ok(Box::new(Stateless { scene, instance: FanInstance::uniform(&self.fans, 0) })),
-            vdpm.map(|model| {
-                let follower = Vdpm { model, state: model.base_state() };
-                Box::new(follower) as Box<dyn Follower<'a> + 'a>
-            }),
+            vdpm.clone().map(|model| Vdpm::boxed(model, false)),
+            vdpm.map(|model| Vdpm::boxed(model, true)),
             Ok(Box::new(Uniform { fans: &self.fans, level: self.fans.new_state() })),
         ]
     }
@@ -118,25 +118,24 @@ impl<'a> Follower<'a> for Incremental<'a> {
     }
 }
 
-/// Incremental fans that keep all triangles from frame to frame, so that emission rewrites only those that
+/// Incremental fans that keep their triangles from frame to frame, so that emission writes only those that
 /// change.
 struct Kept<'a> {
     incremental: Incremental<'a>,
     triangles: FanTriangles,
-    refinable: &'a RefinableMesh,
 }
 
 impl<'a> Kept<'a> {
-    fn new(scene: FanScene<'a>, refinable: &'a RefinableMesh) -> Self {
+    fn new(scene: FanScene<'a>) -> Self {
         let incremental = Incremental { scene, front: FanFront::new(&scene) };
         let triangles = FanTriangles::new(scene.fans(), incremental.front.instance());
-        Self { incremental, triangles, refinable }
+        Self { incremental, triangles }
     }
 }
 
 impl<'a> Follower<'a> for Kept<'a> {
     fn restart(&mut self) {
-        *self = Self::new(self.incremental.scene, self.refinable);
+        *self = Self::new(self.incremental.scene);
     }
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
@@ -145,14 +144,13 @@ impl<'a> Follower<'a> for Kept<'a> {
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
         let (fans, shown) = (self.incremental.scene.fans(), self.incremental.front.instance());
-        self.triangles.follow(fans, &self.refinable.sequence, shown);
-        for group in 0..fans.group_count() {
-            out.extend_from_slice(self.triangles.triangles(group).as_flattened());
-        }
+        self.triangles.follow(fans, shown);
+        out.extend_from_slice(self.triangles.indices());
     }
 
     fn instance_bytes(&self) -> usize {
-        self.incremental.instance_bytes() + self.triangles.bytes()
+        let indices = size_of_val(self.triangles.indices());
+        self.incremental.instance_bytes() + self.triangles.bytes() + indices
     }
 }
 
@@ -181,19 +179,31 @@ impl<'a> Follower<'a> for Stateless<'a> {
     }
 }
 
-/// View-dependent progressive meshes.
+/// View-dependent progressive meshes, which evaluate every active vertex in each frame, or keep verdicts while they
+/// are valid.
 struct Vdpm<'a> {
     model: &'a ViewDependentMeshes,
     state: ViewDependentState,
+    keeps_verdicts: bool,
+    last: Option<&'a ScreenError>,
+}
+
+impl<'a> Vdpm<'a> {
+    fn boxed(model: &'a ViewDependentMeshes, keeps_verdicts: bool) -> Box<dyn Follower<'a> + 'a> {
+        Box::new(Self { model, state: model.base_state(), keeps_verdicts, last: None })
+    }
 }
 
 impl<'a> Follower<'a> for Vdpm<'a> {
     fn restart(&mut self) {
-        self.state = self.model.base_state();
+        (self.state, self.last) = (self.model.base_state(), None);
     }
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
-        let adapted = self.model.adapt(&mut self.state, &LoggedCriterion { screen: view.screen, log });
+        let last = self.last.replace(view.screen).filter(|_| self.keeps_verdicts);
+        let motion = last.map_or(f32::INFINITY, |last| view.screen.motion_since(last));
+        let criterion = LoggedCriterion { screen: view.screen, log };
+        let adapted = self.model.adapt_after(&mut self.state, &criterion, motion);
         Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count }
     }
 

@@ -37,7 +37,8 @@ pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
     // Uniform levels need no bounds.
     let bounds = models.fans.bytes().into_iter().find(|part| part.name == "bounds");
     let table = fans - bounds.map_or(0, |part| part.bytes);
-    [fans, fans, fans, models.vdpm.as_ref().map_or(0, bytes_of), table]
+    let vdpm = models.vdpm.as_ref().map_or(0, bytes_of);
+    [fans, fans, fans, vdpm, vdpm, table]
 }
 
 fn bytes_of(model: &impl LodModel) -> usize {

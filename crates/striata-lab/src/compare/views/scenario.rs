@@ -10,7 +10,7 @@ use std::time::Instant;
 use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::view::ScreenError;
 
-use super::followers::{FANS, Follower, KEPT, Models, NAMES, STATELESS, View};
+use super::followers::{FANS, Follower, KEPT, Models, NAMES, STATELESS, VDPM, VDPM_KEPT, View};
 use super::logged_criterion::QueryLog;
 use super::paths::{Frame, Path};
 use super::screen_errors::{ScreenErrors, VisiblePoints};
@@ -157,12 +157,17 @@ fn rehearse<'a>(
             run.triangles.push(indices.len() / 3);
             let Some(points) = &points else { continue };
             let triangles = canonical_triangles(indices.as_chunks().0);
-            let fans = shown.get(FANS).map(|(fans, _)| fans);
-            if matches!(i, KEPT | STATELESS) && fans != Some(&triangles) {
-                let name = NAMES[i];
-                return Err(Failure::internal(format!(
-                    "{name} and fans show different triangles in frame {frame}"
-                )));
+            let same_as = match i {
+                KEPT | STATELESS => Some(FANS),
+                VDPM_KEPT => Some(VDPM),
+                _ => None,
+            };
+            if let Some(other) = same_as
+                && shown.get(other).map(|(other, _)| other) != Some(&triangles)
+            {
+                let [name, other] = [i, other].map(|i| NAMES[i]);
+                let message = format!("{name} and {other} show different triangles in frame {frame}");
+                return Err(Failure::internal(message));
             }
             let errors = match shown.iter().find(|(other, _)| *other == triangles) {
                 Some((_, errors)) => errors.clone(),

@@ -33,6 +33,7 @@ const MAX_SCRATCH_SHARE: usize = 4;
 pub struct FanTriangles {
     shown: FanInstance,
     indices: Vec<u32>,
+    group_ranges: Vec<Range<u32>>,
     blocks: Blocks,
     /// For each group, the first index of each block; then the number of indices.
     starts: Vec<u32>,
@@ -118,6 +119,7 @@ impl FanTriangles {
         let mut triangles = Self {
             shown: instance.clone(),
             indices: Vec::new(),
+            group_ranges: vec![0..0; blocks.group_count],
             blocks,
             starts: vec![0; blocks.count as usize * blocks.group_count + 1],
             changed: StepBits::none(blocks.count as usize),
@@ -126,6 +128,7 @@ impl FanTriangles {
             moves: Vec::new(),
         };
         triangles.write_all(fans);
+        triangles.find_groups();
         triangles
     }
 
@@ -135,14 +138,9 @@ impl FanTriangles {
         &self.indices
     }
 
-    /// Returns the range of [`indices`](Self::indices) of a group; a mesh without groups has all triangles in
-    /// group 0.
-    ///
-    /// # Panics
-    /// If the group does not exist.
-    pub fn group_range(&self, group: usize) -> Range<usize> {
-        let count = self.blocks.count as usize;
-        self.starts[group * count] as usize..self.starts[(group + 1) * count] as usize
+    /// Returns the range of [`indices`](Self::indices) of each group; a mesh without groups has one range.
+    pub fn group_ranges(&self) -> &[Range<u32>] {
+        &self.group_ranges
     }
 
     /// Returns the triangles of a group.
@@ -150,7 +148,8 @@ impl FanTriangles {
     /// # Panics
     /// If the group does not exist.
     pub fn triangles(&self, group: usize) -> &[[u32; 3]] {
-        self.indices[self.group_range(group)].as_chunks().0
+        let Range { start, end } = self.group_ranges[group];
+        self.indices[start as usize..end as usize].as_chunks().0
     }
 
     /// Returns the instance whose triangles the list contains.
@@ -194,8 +193,16 @@ impl FanTriangles {
             }
             self.changed.set_range(0..0);
             self.release_scratch();
+            self.find_groups();
         }
         count
+    }
+
+    fn find_groups(&mut self) {
+        let count = self.blocks.count as usize;
+        for (group, range) in self.group_ranges.iter_mut().enumerate() {
+            *range = self.starts[group * count]..self.starts[(group + 1) * count];
+        }
     }
 
     /// Releases the memory that only a large change has needed.
