@@ -4,7 +4,8 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys};
 
-const FOLLOWERS: [&str; 6] = ["fans", "fans-kept", "fans-stateless", "vdpm", "vdpm-kept", "uniform"];
+const FOLLOWERS: [&str; 7] =
+    ["fans", "fans-kept", "fans-stateless", "vdpm", "vdpm-kept", "fans-published", "uniform"];
 
 fn list<'v>(object: &'v Value, key: &str) -> &'v [Value] {
     object[key].as_array().unwrap_or_else(|| panic!("no list {key} in {object}"))

@@ -1,12 +1,15 @@
-//! Followers of a camera: progressive fans with and without memory, view-dependent progressive meshes, and
-//! a uniform level.
+//! Followers of a camera: progressive fans with and without memory and as published, view-dependent progressive
+//! meshes, and a uniform level.
 
 use striata::mesh::RefinableMesh;
 use striata::model::{FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
 use striata::view::{Criterion as _, ScreenError};
-use striata_lab::baseline::{ViewDependentMeshes, ViewDependentState};
+use striata_lab::baseline::{
+    PublishedFans, PublishedFansState, PublishedView, ViewDependentMeshes, ViewDependentState,
+};
 
 use super::logged_criterion::{LoggedCriterion, QueryLog};
+use super::paths::PIXELS_PER_UNIT;
 
 /// The input of a follower in one frame.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +27,8 @@ pub(super) struct Changes {
     pub(super) split_count: usize,
     /// Number of collapses.
     pub(super) collapse_count: usize,
+    /// Number of steps evaluated, if the follower does not use the camera's criterion.
+    pub(super) evaluated: Option<usize>,
 }
 
 /// A model with one instance that follows a camera.
@@ -50,11 +55,13 @@ pub(super) struct Models<'r> {
     pub(super) fans: Fans,
     /// The view-dependent progressive mesh, or why it cannot be built.
     pub(super) vdpm: Result<ViewDependentMeshes, String>,
+    /// Fans as published, or why they cannot be built.
+    pub(super) published: Result<PublishedFans, String>,
 }
 
 /// Names of the followers; chart colors follow this order.
-pub(super) const NAMES: [&str; 6] =
-    ["fans", "fans-kept", "fans-stateless", "vdpm", "vdpm-kept", "uniform"];
+pub(super) const NAMES: [&str; 7] =
+    ["fans", "fans-kept", "fans-stateless", "vdpm", "vdpm-kept", "fans-published", "uniform"];
 
 /// Indices into [`NAMES`].
 pub(super) const FANS: usize = 0;
@@ -62,14 +69,22 @@ pub(super) const KEPT: usize = 1;
 pub(super) const STATELESS: usize = 2;
 pub(super) const VDPM: usize = 3;
 pub(super) const VDPM_KEPT: usize = 4;
-pub(super) const UNIFORM: usize = 5;
+pub(super) const PUBLISHED: usize = 5;
+pub(super) const UNIFORM: usize = 6;
 
 impl<'r> Models<'r> {
     /// Builds all models that can be built.
     pub(super) fn build(refinable: &'r RefinableMesh) -> Self {
         let fans = Fans::build(refinable);
         let vdpm = ViewDependentMeshes::build(refinable).map_err(|error| error.to_string());
-        Self { refinable, fans, vdpm }
+        let published = PublishedFans::build(refinable).map_err(|error| error.to_string());
+        Self { refinable, fans, vdpm, published }
+    }
+
+    /// Why a follower cannot be built.
+    pub(super) fn why_missing(&self, name: &str) -> Option<String> {
+        let is_published = name == NAMES[PUBLISHED];
+        if is_published { self.published.as_ref().err().cloned() } else { self.vdpm.as_ref().err().cloned() }
     }
 
     /// The fans with the data needed to evaluate criteria.
@@ -87,6 +102,10 @@ impl<'r> Models<'r> {
             Ok(Box::new(Stateless { scene, instance: FanInstance::uniform(&self.fans, 0) })),
             vdpm.clone().map(|model| Vdpm::boxed(model, false)),
             vdpm.map(|model| Vdpm::boxed(model, true)),
+            self.published.as_ref().map_err(Clone::clone).map(|model| {
+                let follower = Published { model, state: PublishedFansState::base(model) };
+                Box::new(follower) as Box<dyn Follower<'a> + 'a>
+            }),
             Ok(Box::new(Uniform { fans: &self.fans, level: self.fans.new_state() })),
         ]
     }
@@ -106,7 +125,11 @@ impl<'a> Follower<'a> for Incremental<'a> {
     fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
         let update =
             self.front.update(&self.scene, &LoggedCriterion { screen: view.screen, log }, usize::MAX);
-        Changes { split_count: update.split_count, collapse_count: update.collapse_count }
+        Changes {
+            split_count: update.split_count,
+            collapse_count: update.collapse_count,
+            evaluated: None,
+        }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -167,7 +190,7 @@ impl<'a> Follower<'a> for Stateless<'a> {
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
         let split_count = self.instance.refine(&self.scene, &LoggedCriterion { screen: view.screen, log });
-        Changes { split_count, collapse_count: 0 }
+        Changes { split_count, ..Changes::default() }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -204,11 +227,45 @@ impl<'a> Follower<'a> for Vdpm<'a> {
         let motion = last.map_or(f32::INFINITY, |last| view.screen.motion_since(last));
         let criterion = LoggedCriterion { screen: view.screen, log };
         let adapted = self.model.adapt_after(&mut self.state, &criterion, motion);
-        Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count }
+        Changes {
+            split_count: adapted.split_count,
+            collapse_count: adapted.collapse_count,
+            evaluated: None,
+        }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
         self.model.indices_into(&self.state, out);
+    }
+
+    fn instance_bytes(&self) -> usize {
+        self.state.bytes()
+    }
+}
+
+/// Fans as published: machine words, the published criterion, and a pass over all bits in each frame.
+struct Published<'a> {
+    model: &'a PublishedFans,
+    state: PublishedFansState,
+}
+
+impl<'a> Follower<'a> for Published<'a> {
+    fn restart(&mut self) {
+        self.state = PublishedFansState::base(self.model);
+    }
+
+    fn follow(&mut self, view: View<'a>, _log: Option<&'a QueryLog>) -> Changes {
+        let view = PublishedView::new(view.screen.camera(), PIXELS_PER_UNIT, view.screen.pixels());
+        let changes = self.model.adapt(&mut self.state, &view);
+        Changes {
+            split_count: changes.inserted,
+            collapse_count: changes.simplified,
+            evaluated: Some(changes.evaluated),
+        }
+    }
+
+    fn emit_into(&mut self, out: &mut Vec<u32>) {
+        self.state.triangles_into(self.model, out);
     }
 
     fn instance_bytes(&self) -> usize {
@@ -233,6 +290,7 @@ impl<'a> Follower<'a> for Uniform<'a> {
         Changes {
             split_count: view.split_count.saturating_sub(before),
             collapse_count: before.saturating_sub(view.split_count),
+            evaluated: None,
         }
     }
 

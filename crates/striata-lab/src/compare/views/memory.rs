@@ -38,7 +38,8 @@ pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
     let bounds = models.fans.bytes().into_iter().find(|part| part.name == "bounds");
     let table = fans - bounds.map_or(0, |part| part.bytes);
     let vdpm = models.vdpm.as_ref().map_or(0, bytes_of);
-    [fans, fans, fans, vdpm, vdpm, table]
+    let published = models.published.as_ref().map_or(0, bytes_of);
+    [fans, fans, fans, vdpm, vdpm, published, table]
 }
 
 fn bytes_of(model: &impl LodModel) -> usize {

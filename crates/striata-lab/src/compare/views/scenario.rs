@@ -148,7 +148,7 @@ fn rehearse<'a>(
             let (Some(follower), Some(run)) = (follower, run) else { continue };
             log.clear();
             let changes = follower.follow(scenario_frames.view(frame), Some(log));
-            run.evaluated.push(log.evaluated_count());
+            run.evaluated.push(changes.evaluated.unwrap_or_else(|| log.evaluated_count()));
             run.changes.push(changes.split_count + changes.collapse_count);
             run.criterion_secs.push(log.evaluation_secs(&scenario_frames.screens[frame]));
             run.instance_bytes = run.instance_bytes.max(follower.instance_bytes());
