@@ -12,6 +12,7 @@ use striata::view::Camera;
 
 use striata_command::args::ViewArgs;
 use striata_command::sequence::Steps;
+use striata_paged::ViewCut;
 
 /// Smallest pixel tolerance used with a triangle limit, so that weights stay finite.
 pub(crate) const MIN_PIXELS: f64 = 1e-6;
@@ -30,6 +31,22 @@ pub(crate) struct ViewLevel {
     pub(crate) stop_reason: StopReason,
     /// Time to adapt the model to the level, without building it, seconds.
     pub(crate) seek_secs: f64,
+}
+
+impl ViewLevel {
+    /// The level of a paged file for a view with this pixel tolerance.
+    pub(crate) fn of_pages(found: ViewCut, pixels: f64) -> Self {
+        let ViewCut { cut, relaxation, is_within_limit } = found;
+        let stop_reason = if is_within_limit { StopReason::TargetReached } else { StopReason::BaseReached };
+        Self {
+            mesh: cut.mesh,
+            split_count: cut.refined_count,
+            error: cut.error,
+            pixels: pixels * f64::from(relaxation),
+            stop_reason,
+            seek_secs: 0.0,
+        }
+    }
 }
 
 /// Returns the coarsest level within the pixel tolerance or, with a triangle limit, the best-looking level

@@ -36,7 +36,8 @@ impl PublishedFans {
     /// [`PublishedFansError`] if a position has several vertices, or a ring has more than 255.
     pub fn build(refinable: &RefinableMesh) -> Result<Self, PublishedFansError> {
         let positions = refinable.sequence.positions();
-        let seam = (0..positions.position_count() as u32).find(|&position| positions.wedges(position).len() > 1);
+        let seam =
+            (0..positions.position_count() as u32).find(|&position| positions.wedges(position).len() > 1);
         if let Some(position) = seam {
             return Err(PublishedFansError::Seam { first: positions.first_vertex(position) });
         }

@@ -80,7 +80,8 @@ impl PublishedFans {
             return false;
         }
         let scale = view.scale * view.scale;
-        surface * surface * scale >= square || dist * dist * scale * (square - along * along) >= square * square
+        surface * surface * scale >= square
+            || dist * dist * scale * (square - along * along) >= square * square
     }
 
     /// Adapts an instance to a view, beginning with what it shows: inserts what the view needs and what that needs,
@@ -95,7 +96,8 @@ impl PublishedFans {
             if self.step_of(vertex).is_some_and(|step| !state.is_refined(step)) {
                 continue;
             }
-            for finer in self.dependencies(vertex).iter().map(|d| d.step).filter(|&step| step != super::NONE) {
+            for finer in self.dependencies(vertex).iter().map(|d| d.step).filter(|&step| step != super::NONE)
+            {
                 if state.is_refined(finer) {
                     continue;
                 }

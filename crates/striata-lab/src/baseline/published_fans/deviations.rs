@@ -61,7 +61,8 @@ impl Deviation {
                 (across.abs(), (*vector - normal * across).length())
             })
         };
-        let (across, along) = parts().fold((0.0f64, 0.0f64), |all, part| (all.0.max(part.0), all.1.max(part.1)));
+        let (across, along) =
+            parts().fold((0.0f64, 0.0f64), |all, part| (all.0.max(part.0), all.1.max(part.1)));
         if across <= along * 1e-6 {
             let length = vectors.iter().map(|vector| vector.length()).fold(0.0, f64::max);
             return Self { surface: up(length), dist: 0.0 };

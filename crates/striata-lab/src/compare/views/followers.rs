@@ -125,11 +125,7 @@ impl<'a> Follower<'a> for Incremental<'a> {
     fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
         let update =
             self.front.update(&self.scene, &LoggedCriterion { screen: view.screen, log }, usize::MAX);
-        Changes {
-            split_count: update.split_count,
-            collapse_count: update.collapse_count,
-            evaluated: None,
-        }
+        Changes { split_count: update.split_count, collapse_count: update.collapse_count, evaluated: None }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -227,11 +223,7 @@ impl<'a> Follower<'a> for Vdpm<'a> {
         let motion = last.map_or(f32::INFINITY, |last| view.screen.motion_since(last));
         let criterion = LoggedCriterion { screen: view.screen, log };
         let adapted = self.model.adapt_after(&mut self.state, &criterion, motion);
-        Changes {
-            split_count: adapted.split_count,
-            collapse_count: adapted.collapse_count,
-            evaluated: None,
-        }
+        Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count, evaluated: None }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
