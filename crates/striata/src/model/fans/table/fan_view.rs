@@ -16,7 +16,7 @@ pub(in super::super) struct Entry<'t> {
 impl<'t> Entry<'t> {
     /// Decodes bytes that begin with the first fan; `own_step` is the step of the vertex plus 1, or 0 in the base.
     #[inline]
-    pub(super) fn new(bytes: &'t [u8], vertex: u32, own_step: u32, has_groups: bool) -> Self {
+    pub(in super::super) fn new(bytes: &'t [u8], vertex: u32, own_step: u32, has_groups: bool) -> Self {
         Self { bytes, vertex, own_step, has_groups }
     }
 }
