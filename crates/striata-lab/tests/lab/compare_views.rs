@@ -84,13 +84,18 @@ fn every_path_has_every_follower_with_every_key() {
             "fans",
             "fans, a front",
             "fans, all kept",
-            "vdpm"
+            "fans-published",
+            "vdpm",
+            "vdpm-kept"
         ]
     );
     let shown: Vec<f64> = list(views, "refinement")
         .iter()
         .map(|row| {
             assert_eq!(list(row, "contenders").len(), FOLLOWERS.len());
+            let [list_of, fans, strips] = [0, 1, 2].map(|i| number(&list(row, "drawn")[i], "index_count"));
+            assert!(fans < strips && strips < list_of, "{row}");
+            assert_eq!(list_of, 3.0 * number(contender(row, "fans-stateless"), "triangles"));
             number(contender(row, "fans"), "triangles")
         })
         .collect();
