@@ -4,8 +4,16 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys};
 
-const FOLLOWERS: [&str; 7] =
-    ["fans", "fans-kept", "fans-stateless", "vdpm", "vdpm-kept", "fans-published", "uniform"];
+const FOLLOWERS: [&str; 8] = [
+    "fans",
+    "fans-kept",
+    "fans-stateless",
+    "vdpm",
+    "vdpm-kept",
+    "fans-published",
+    "fans-dependents",
+    "uniform",
+];
 
 fn list<'v>(object: &'v Value, key: &str) -> &'v [Value] {
     object[key].as_array().unwrap_or_else(|| panic!("no list {key} in {object}"))
@@ -64,6 +72,8 @@ fn every_path_has_every_follower_with_every_key() {
         for key in ["triangles", "max_error_px", "p99_error_px", "bytes_per_vertex"] {
             assert!(fans[key] == kept[key] && fans[key] == stateless[key], "{key} depends on memory: {path}");
         }
+        let dependents = contender(path, "fans-dependents");
+        assert!(number(dependents, "triangles") >= number(fans, "triangles"), "bounds are wider: {path}");
         // On jumps everything changes in each frame, and the parts of the previous view are evaluated in
         // addition.
         let evaluates_less = number(fans, "asked_per_frame") < number(stateless, "asked_per_frame");

@@ -1,8 +1,10 @@
-//! Followers of a camera: progressive fans with and without memory and as published, view-dependent progressive
-//! meshes, and a uniform level.
+//! Followers of a camera: progressive fans with and without memory, as published, and with wider bounds;
+//! view-dependent progressive meshes; and a uniform level.
 
 use striata::mesh::RefinableMesh;
-use striata::model::{FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
+use striata::model::{
+    BoundScope, FanFront, FanInstance, FanOptions, FanScene, FanTriangles, Fans, FansLevel, LodModel,
+};
 use striata::view::{Criterion as _, ScreenError};
 use striata_lab::baseline::{
     PublishedFans, PublishedFansState, PublishedView, ViewDependentMeshes, ViewDependentState,
@@ -53,6 +55,8 @@ pub(super) struct Models<'r> {
     pub(super) refinable: &'r RefinableMesh,
     /// The fans with the bounds of their steps.
     pub(super) fans: Fans,
+    /// The same with bounds over everything that depends on a step.
+    dependents: Fans,
     /// The view-dependent progressive mesh, or why it cannot be built.
     pub(super) vdpm: Result<ViewDependentMeshes, String>,
     /// Fans as published, or why they cannot be built.
@@ -60,8 +64,16 @@ pub(super) struct Models<'r> {
 }
 
 /// Names of the followers; chart colors follow this order.
-pub(super) const NAMES: [&str; 7] =
-    ["fans", "fans-kept", "fans-stateless", "vdpm", "vdpm-kept", "fans-published", "uniform"];
+pub(super) const NAMES: [&str; 8] = [
+    "fans",
+    "fans-kept",
+    "fans-stateless",
+    "vdpm",
+    "vdpm-kept",
+    "fans-published",
+    "fans-dependents",
+    "uniform",
+];
 
 /// Indices into [`NAMES`].
 pub(super) const FANS: usize = 0;
@@ -70,7 +82,7 @@ pub(super) const STATELESS: usize = 2;
 pub(super) const VDPM: usize = 3;
 pub(super) const VDPM_KEPT: usize = 4;
 pub(super) const PUBLISHED: usize = 5;
-pub(super) const UNIFORM: usize = 6;
+pub(super) const UNIFORM: usize = 7;
 
 impl<'r> Models<'r> {
     /// Builds all models that can be built.
@@ -78,7 +90,10 @@ impl<'r> Models<'r> {
         let fans = Fans::build(refinable);
         let vdpm = ViewDependentMeshes::build(refinable).map_err(|error| error.to_string());
         let published = PublishedFans::build(refinable).map_err(|error| error.to_string());
-        Self { refinable, fans, vdpm, published }
+        let options = FanOptions::default().with_bounds(Some(BoundScope::Dependents));
+        let dependents = Fans::build_with(refinable, &options, &mut striata::ignore_progress)
+            .expect("nothing cancels this build");
+        Self { refinable, fans, dependents, vdpm, published }
     }
 
     /// Why a follower cannot be built.
@@ -106,6 +121,10 @@ impl<'r> Models<'r> {
                 let follower = Published { model, state: PublishedFansState::base(model) };
                 Box::new(follower) as Box<dyn Follower<'a> + 'a>
             }),
+            Ok(Box::new({
+                let scene = FanScene::new(&self.dependents, &self.refinable.mesh.positions);
+                Incremental { scene, front: FanFront::new(&scene) }
+            })),
             Ok(Box::new(Uniform { fans: &self.fans, level: self.fans.new_state() })),
         ]
     }

@@ -39,7 +39,7 @@ pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
     let table = fans - bounds.map_or(0, |part| part.bytes);
     let vdpm = models.vdpm.as_ref().map_or(0, bytes_of);
     let published = models.published.as_ref().map_or(0, bytes_of);
-    [fans, fans, fans, vdpm, vdpm, published, table]
+    [fans, fans, fans, vdpm, vdpm, published, fans, table]
 }
 
 fn bytes_of(model: &impl LodModel) -> usize {
