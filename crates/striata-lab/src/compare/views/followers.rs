@@ -46,6 +46,11 @@ pub(super) trait Follower<'a> {
 
     /// Bytes that the instance currently owns.
     fn instance_bytes(&self) -> usize;
+
+    /// How many of these are indices that can be drawn as they are.
+    fn index_bytes(&self) -> usize {
+        0
+    }
 }
 
 /// The static halves of the models, shared by all followers.
@@ -187,8 +192,11 @@ impl<'a> Follower<'a> for Kept<'a> {
     }
 
     fn instance_bytes(&self) -> usize {
-        let indices = size_of_val(self.triangles.indices());
-        self.incremental.instance_bytes() + self.triangles.bytes() + indices
+        self.incremental.instance_bytes() + self.triangles.bytes() + self.index_bytes()
+    }
+
+    fn index_bytes(&self) -> usize {
+        size_of_val(self.triangles.indices())
     }
 }
 

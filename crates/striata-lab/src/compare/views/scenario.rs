@@ -51,6 +51,8 @@ pub(super) struct Run {
     pub(super) triangles: Vec<usize>,
     /// Maximum bytes owned by the instance.
     pub(super) instance_bytes: usize,
+    /// The same without indices that can be drawn as they are.
+    pub(super) state_bytes: usize,
     /// Errors on the screen.
     pub(super) errors: ScreenErrors,
 }
@@ -151,7 +153,9 @@ fn rehearse<'a>(
             run.evaluated.push(changes.evaluated.unwrap_or_else(|| log.evaluated_count()));
             run.changes.push(changes.split_count + changes.collapse_count);
             run.criterion_secs.push(log.evaluation_secs(&scenario_frames.screens[frame]));
-            run.instance_bytes = run.instance_bytes.max(follower.instance_bytes());
+            let owned = follower.instance_bytes();
+            run.instance_bytes = run.instance_bytes.max(owned);
+            run.state_bytes = run.state_bytes.max(owned - follower.index_bytes());
             let mut indices = Vec::new();
             follower.emit_into(&mut indices);
             run.triangles.push(indices.len() / 3);
