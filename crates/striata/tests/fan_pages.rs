@@ -89,7 +89,7 @@ fn needs_more(fans: &Fans, instance: &FanInstance, step: u32) -> bool {
 
 fn cameras(scene: &FanScene<'_>, random: &mut Random) -> impl Iterator<Item = ScreenError> {
     let sphere = scene.sphere();
-    (0..6).filter_map(move |_| {
+    (0..4).filter_map(move |_| {
         let at = sphere.center.map(|x| x + (random.below(1000) as f32 / 250.0 - 2.0) * sphere.radius);
         let camera = Camera::new(at, sphere.center, [0.1, 1.0, 0.2], 0.4, [600, 600]).ok()?;
         Some(ScreenError::new(camera, 1.5))
@@ -127,7 +127,7 @@ fn follow(mesh: FragmentedMesh, seed: u64) {
                     model.load(absent.page);
                 }
                 rounds += 1;
-                assert!(rounds < 200, "loading does not end");
+                assert!(rounds <= model.pages.len(), "loading does not end");
             }
             let mut settled = whole;
             model.withhold(70, &mut random);
@@ -223,7 +223,9 @@ proptest! {
             let at = index.index(model.pages[page].len());
             model.pages[page][at] ^= byte;
         }
-        model.pages.iter().for_each(|page| drop(model.paged.load(page)));
+        for page in &model.pages {
+            let _ = model.paged.load(page);
+        }
         let mut instance = model.paged.base_instance();
         model.paged.refine(&mut instance, &ArbitraryCriterion(seed));
         model.paged.triangles(&instance);
