@@ -33,7 +33,8 @@ fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
     let models = [FileModel::Patterns(&patterns)];
     let with_collapses = to_striata(refinable, &models, &WriteOptions::default()).unwrap();
     let mut alone = Vec::new();
-    write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut alone).unwrap();
+    write_fragments(&fragmented, &[FileModel::Patterns(&patterns)], &WriteOptions::default(), &mut alone)
+        .unwrap();
     [with_collapses, alone]
 }
 
@@ -177,7 +178,12 @@ fn patterns_with_too_many_triangles_are_not_written() {
         let fragmented = FragmentedMesh { mesh, fragments: fragments.unwrap() };
         let patterns = Patterns::build(&fragmented).unwrap();
         let mut out = Vec::new();
-        let written = write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut out);
+        let written = write_fragments(
+            &fragmented,
+            &[FileModel::Patterns(&patterns)],
+            &WriteOptions::default(),
+            &mut out,
+        );
         assert_eq!(written.is_ok(), is_stored, "{count}: {written:?}");
     }
 }

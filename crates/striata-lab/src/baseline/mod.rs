@@ -11,6 +11,7 @@ pub mod multi_triangulation;
 pub mod ordered_meshes;
 pub mod original_lod_strips;
 pub mod progressive_meshes;
+pub mod published_fans;
 pub mod sequential_patterns;
 pub mod skip_strips;
 pub mod view_dependent;
@@ -28,6 +29,9 @@ pub use multi_triangulation::{MtQuery, MtTriangle, MultiTriangulation, MultiTria
 pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};
 pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};
+pub use published_fans::{
+    PublishedChanges, PublishedFans, PublishedFansError, PublishedFansState, PublishedView, VertexCriterion,
+};
 pub use sequential_patterns::{
     SequentialDecoder, SequentialPatterns, SequentialPatternsError, decode_sequential,
 };

@@ -147,9 +147,10 @@ impl<'a> StriataFile<'a> {
         Ok(errors)
     }
 
-    /// Whether the steps of the file are collapses; if not, its levels are only available as patterns.
+    /// Whether the steps of the file are collapses; if not, its levels are only available as fans or patterns.
     pub fn has_collapses(&self) -> bool {
-        self.has(SectionKind::TARGETS) || !self.has(SectionKind::PATTERN_RECORDS)
+        let has_fragments = self.has(SectionKind::PATTERN_RECORDS) || self.has(SectionKind::FAN_ENTRIES);
+        self.has(SectionKind::TARGETS) || !has_fragments
     }
 
     /// Sizes and errors of the levels, whether the steps are collapses or not.
@@ -160,7 +161,12 @@ impl<'a> StriataFile<'a> {
         if self.has_collapses() {
             return Ok(self.sequence()?.levels().clone());
         }
-        self.levels_of(&self.read_patterns()?)
+        let counts = if self.has(SectionKind::FAN_ENTRIES) {
+            self.read_fans()?.triangle_counts()
+        } else {
+            self.read_patterns()?.triangle_counts()
+        };
+        self.levels_of(counts)
     }
 
     /// The collapse sequence, validated and copied out of the file.
@@ -361,15 +367,18 @@ impl<'a> StriataFile<'a> {
             orphans: &self.container.numbers(SectionKind::FAN_ORPHANS)?,
         };
         let unsound = |reason| DecodeError::Model { model: ModelKind::Fans, reason };
-        let removed = self.container.get(SectionKind::REMOVED)?;
-        let group_count = self.summary.group_count.max(1);
+        let has_collapses = self.has_collapses();
+        let removed = has_collapses.then(|| self.container.get(SectionKind::REMOVED)).transpose()?;
+        let group_count = self.groups()?.len().max(1);
         let fans = Fans::from_parts(self.step_vertices()?, removed, group_count, parts).map_err(unsound)?;
-        self.expect(SectionKind::REMOVED, "steps", fans.step_count(), self.summary.step_count)?;
-        let base_triangle_count = self.summary.base_triangle_count;
         let kind = SectionKind::FAN_ENTRIES;
+        self.expect(kind, "steps", fans.step_count(), self.summary.step_count)?;
+        let base_triangle_count = self.summary.base_triangle_count;
         self.expect(kind, "triangles of the base", fans.base_triangle_count(), base_triangle_count)?;
         let records = self.container.get(SectionKind::FAN_BOUNDS)?;
-        fans.with_stored_bounds(records, &self.errors()?).map_err(unsound)
+        // The errors of the levels say nothing about single floors.
+        let errors = has_collapses.then(|| self.errors()).transpose()?;
+        fans.with_stored_bounds(records, errors.as_deref()).map_err(unsound)
     }
 
     fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {

@@ -165,24 +165,31 @@ pub fn write_striata(
     write_sections(&lay_out(source, models, options)?, out)
 }
 
-/// Writes a mesh with fragments and its patterns as a `.striata` file; no other model can be built from
-/// fragments.
+/// Writes a mesh with fragments and its models as a `.striata` file. Fans and patterns can be built from
+/// fragments; the other models need collapses. At least one model is needed.
 ///
-/// A given input yields identical bytes on every machine. The triangles are read back in the order of the
-/// patterns. The file keeps the errors of the levels; the errors of individual floors are only kept as part
-/// of the patterns' bounds.
+/// A given input yields identical bytes on every machine. The triangles are read back in the order of the fans
+/// or, without these, of the patterns. The file keeps the errors of the levels; the errors of individual floors
+/// are only kept as part of the bounds of the models.
 ///
 /// # Errors
-/// [`EncodeError`] under the conditions of [`write_striata`].
+/// [`EncodeError`] under the conditions of [`write_striata`], or if a model needs collapses, or there is none.
 pub fn write_fragments(
     fragmented: &FragmentedMesh,
-    patterns: &Patterns,
+    models: &[FileModel<'_>],
     options: &WriteOptions,
     out: &mut dyn Write,
 ) -> Result<(), EncodeError> {
+    let is_general = |model: &&FileModel<'_>| matches!(model, FileModel::Fans(_) | FileModel::Patterns(_));
+    if let Some(model) = models.iter().find(|model| !is_general(model)) {
+        return Err(EncodeError::NeedsCollapses { model: model.kind() });
+    }
+    if models.is_empty() {
+        return Err(EncodeError::NoModel);
+    }
     let levels = fragmented.fragments.levels();
     let source = Source { mesh: &fragmented.mesh, levels, collapses: None };
-    write_sections(&lay_out(source, &[FileModel::Patterns(patterns)], options)?, out)
+    write_sections(&lay_out(source, models, options)?, out)
 }
 
 /// The contents of a file other than models.

@@ -41,14 +41,16 @@ mod varint;
 pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
-    FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate, Fans,
-    FansLevel, MovingVertex, fan_triangles_into,
+    AbsentPage, BoundScope, FanDirectory, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanOptions,
+    FanScene, FanSource, FanTriangles, FanUpdate, Fans, FansLevel, MovingVertex, PageDemand, PagedFans,
+    fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphVertex, VertexBlend};
 pub use kind::{ModelKind, UnknownModel};
 pub use lod_strips::{LodStrips, LodStripsState, StageOptions, StripBuffer};
 pub use mts::{Mts, MtsState};
 pub(crate) use packed_vertices::PackedVertices;
+pub use part_record::PartRecord;
 pub use patterns::{
     Condition, CriterionCondition, Overlap, PatternChange, PatternInstance, PatternScene, Patterns,
     PatternsState,

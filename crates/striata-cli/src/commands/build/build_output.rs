@@ -176,15 +176,13 @@ impl BuildOutput {
             .with_metadata("source", source)
             .with_metadata("order", self.order.as_str())
             .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
-        match (&self.steps, &self.models.patterns) {
-            (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file()?, &options)?),
-            (Steps::Fragments(fragmented), Some(patterns)) => {
+        let models = self.models.in_file()?;
+        match &self.steps {
+            Steps::Collapses(refinable) => Ok(to_striata(refinable, &models, &options)?),
+            Steps::Fragments(fragmented) => {
                 let mut bytes = Vec::new();
-                write_fragments(fragmented, patterns, &options, &mut bytes)?;
+                write_fragments(fragmented, &models, &options, &mut bytes)?;
                 Ok(bytes)
-            }
-            (Steps::Fragments(_), None) => {
-                Err(Failure::internal("only patterns support steps that are not collapses"))
             }
         }
     }

@@ -125,7 +125,8 @@ fn adapt_retriangulation(
     models: &[ModelKind],
     is_free: bool,
 ) -> Result<Option<String>, Failure> {
-    let demanding_model = models.iter().find(|&&model| model != ModelKind::Patterns);
+    let is_demanding = |model: &&ModelKind| !matches!(model, ModelKind::Patterns | ModelKind::Fans);
+    let demanding_model = models.iter().find(is_demanding);
     let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, demanding_model) else {
         return Ok(None);
     };

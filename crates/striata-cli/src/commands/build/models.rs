@@ -74,8 +74,8 @@ impl Models {
                 strips_for(ModelKind::LodStrips).map(|strips| strips.lod_strips(refinable)).transpose()?;
             models.mts =
                 strips_for(ModelKind::Mts).map(|strips| Mts::build(refinable, strips.full)).transpose()?;
-            models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(refinable));
         }
+        models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(sequenced.steps.fan_source()));
         if is_wanted(ModelKind::Patterns) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
             models.patterns = Some(Patterns::build(&fragmented)?);
