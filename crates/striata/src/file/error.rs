@@ -112,6 +112,9 @@ pub enum DecodeError {
         "the file was made by vertex removals instead of collapses; its levels are only available as patterns"
     )]
     NoCollapses,
+    /// The file has patterns in the form of a development version.
+    #[error("the file has patterns of an earlier version, which cannot be read; build it again")]
+    OldPatterns,
     /// The file contains a scene, but a single mesh was requested.
     #[error("the file contains a scene of several meshes instead of one mesh; striata_scene::open reads it")]
     Scene,

@@ -26,7 +26,7 @@ use crate::strip::{StripSet, strip_triangles};
 pub struct StriataFile<'a> {
     container: Container<'a>,
     summary: Summary,
-    /// The patterns, cached after validation, which takes as long as building them.
+    /// The patterns, cached after validation.
     patterns: OnceLock<Patterns>,
     /// The decoded mesh of a file that contains only a stream.
     decoded: OnceLock<RefinableMesh>,
@@ -148,7 +148,7 @@ impl<'a> StriataFile<'a> {
 
     /// Whether the steps of the file are collapses; if not, its levels are only available as patterns.
     pub fn has_collapses(&self) -> bool {
-        self.has(SectionKind::TARGETS) || !self.has(SectionKind::PATTERN_RECORDS)
+        self.has(SectionKind::TARGETS) || !self.has_patterns()
     }
 
     /// Sizes and errors of the levels, whether the steps are collapses or not.
@@ -159,7 +159,7 @@ impl<'a> StriataFile<'a> {
         if self.has_collapses() {
             return Ok(self.sequence()?.levels().clone());
         }
-        self.levels_of(&self.read_patterns()?)
+        self.levels_of(self.read_patterns()?)
     }
 
     /// The collapse sequence, validated and copied out of the file.
@@ -382,8 +382,8 @@ impl<'a> StriataFile<'a> {
                 self.append_full(&self.read_fans()?, SectionKind::FAN_ENTRIES, &mut mesh)?;
                 SectionKind::FAN_ENTRIES
             }
-            None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::PATTERN_RECORDS) => {
-                self.append_full(&self.read_patterns()?, SectionKind::PATTERN_RECORDS, &mut mesh)?;
+            None if !self.has(SectionKind::TRIANGLES) && self.has_patterns() => {
+                self.append_full(self.read_patterns()?, SectionKind::PATTERN_RECORDS, &mut mesh)?;
                 SectionKind::PATTERN_RECORDS
             }
             None => {
@@ -418,7 +418,10 @@ impl<'a> StriataFile<'a> {
             return self.moved(&model?, split_count);
         }
         let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
-        self.moved(&self.patterns().ok_or(missing)??, split_count)
+        if !self.has_patterns() {
+            return Err(missing);
+        }
+        self.moved(self.read_patterns()?, split_count)
     }
 
     fn moved<M: StoredModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {

@@ -86,6 +86,7 @@ impl Bits {
 }
 
 /// Returns the number of bits needed for values below `count`.
+#[inline]
 pub(in crate::model) fn width_of(count: u64) -> u32 {
     u64::BITS - count.saturating_sub(1).leading_zeros()
 }
