@@ -5,10 +5,11 @@ use std::borrow::Cow;
 use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, RemovalOptions, Retriangulation, SeamRule,
-    SequenceOptions, SimplifyError, StopReason, TopologyRule, build_welded_batches_with_progress,
-    build_welded_fragments_with_progress, build_welded_sequence_with_progress,
-    certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
+    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, RemovalOptions, RemovalOrder,
+    Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
+    build_welded_batches_with_progress, build_welded_fragments_with_progress,
+    build_welded_sequence_with_progress, certify_collapses_in_any_state_with_progress,
+    certify_collapses_with_progress, certify_with_progress,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
@@ -165,7 +166,7 @@ impl SequencePlan {
     pub fn use_batches(&mut self, terms: BatchSettings) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
             return Err(Failure::user("streams require quadric order")
-                .with_hint("remove --order hausdorff, or do not make a stream"));
+                .with_hint("remove --order, or do not make a stream"));
         };
         *batches = Some(terms);
         Ok(())
@@ -175,6 +176,7 @@ impl SequencePlan {
     pub fn order(&self) -> OrderArg {
         match self {
             Self::Quadric { .. } => OrderArg::Quadric,
+            Self::Hausdorff(options) if options.order == RemovalOrder::Hausdorff => OrderArg::HausdorffStrict,
             Self::Hausdorff(_) => OrderArg::Hausdorff,
         }
     }
@@ -290,20 +292,21 @@ impl SequenceArgs {
         let (boundary, group_borders) = (rule(self.lock_boundary), rule(self.lock_groups));
         let seams = if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross };
         let topology = if self.keep_parts { TopologyRule::KeepParts } else { TopologyRule::Change };
-        let misplaced = match self.order {
-            OrderArg::Quadric => self.removal.first_given_flag(),
-            OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
-            OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
-            OrderArg::Hausdorff => self.weights.first_given_flag(),
+        let removal_order = self.order.of_removals();
+        let misplaced = match removal_order {
+            None => self.removal.first_given_flag(),
+            Some(_) if self.cost.is_some() => Some("--cost"),
+            Some(_) if self.pair_distance.is_some() => Some("--pair-distance"),
+            Some(_) => self.weights.first_given_flag(),
         };
         if let Some(flag) = misplaced {
             let order = self.order.as_str();
-            let other = if self.order == OrderArg::Quadric { "hausdorff" } else { "quadric" };
+            let other = if removal_order.is_none() { "hausdorff" } else { "quadric" };
             return Err(Failure::user(format!("{flag} has no meaning in {order} order"))
                 .with_hint(format!("use --order {other}, or remove {flag}")));
         }
-        match self.order {
-            OrderArg::Quadric => {
+        match removal_order {
+            None => {
                 let mut options = SequenceOptions::default()
                     .with_boundary(boundary)
                     .with_group_borders(group_borders)
@@ -318,8 +321,9 @@ impl SequenceArgs {
                 let guarantee = if is_certified { ErrorGuarantee::Levels } else { ErrorGuarantee::None };
                 Ok(SequencePlan::Quadric { options, guarantee, batches: None })
             }
-            OrderArg::Hausdorff => {
+            Some(order) => {
                 let mut options = RemovalOptions::default()
+                    .with_order(order)
                     .with_boundary(boundary)
                     .with_group_borders(group_borders)
                     .with_seams(seams)
@@ -328,7 +332,11 @@ impl SequenceArgs {
                 options.max_error = max_error;
                 let removal = &self.removal;
                 options.retriangulation = removal.retriangulation.map_or(Retriangulation::Free, Into::into);
-                options.criterion = removal.criterion.map_or(options.criterion, Into::into);
+                let criterion = match order {
+                    RemovalOrder::Hausdorff => HoleCriterion::Maximum,
+                    _ => options.criterion,
+                };
+                options.criterion = removal.criterion.map_or(criterion, Into::into);
                 options.degree_limit = removal.degree_limit.map_or(options.degree_limit, |n| n as usize);
                 options.feature_angle = removal.feature_angle.map(f64::to_radians);
                 Ok(SequencePlan::Hausdorff(options))
@@ -340,7 +348,7 @@ impl SequenceArgs {
     pub fn describe_limit(&self, kind: StepKind) -> String {
         let step = match self.order {
             OrderArg::Quadric => "no more edges can be collapsed",
-            OrderArg::Hausdorff => "no more vertices can be removed",
+            OrderArg::Hausdorff | OrderArg::HausdorffStrict => "no more vertices can be removed",
         };
         let loss = match kind {
             StepKind::Single | StepKind::Optimal => "removing the last triangles",

@@ -1,7 +1,7 @@
 //! Flags of the verbs that simplify: the order of the steps, and what they must preserve.
 
 use clap::{Args, ValueEnum};
-use striata::simplify::{AttributeWeights, HoleCriterion, RemovalOptions, Retriangulation};
+use striata::simplify::{AttributeWeights, HoleCriterion, RemovalOptions, RemovalOrder, Retriangulation};
 
 use super::Length;
 
@@ -15,8 +15,9 @@ const HAUSDORFF: &str = "Simplification with --order hausdorff";
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Simplification")]
 pub struct SequenceArgs {
-    /// What to remove first: quadric (edges of least quadric cost) or hausdorff (vertices, by distance, area
-    /// and attributes; slower, with guaranteed errors)
+    /// What to remove first: quadric (edges of least quadric cost), hausdorff (vertices, by distance, area
+    /// and attributes; slower, with guaranteed errors) or hausdorff-strict (vertices, by the largest distance
+    /// alone)
     #[arg(long, value_name = "ORDER", default_value = "quadric", hide_possible_values = true)]
     pub order: OrderArg,
     /// Guarantee errors in quadric order too: no point of the original is farther from a level than its error
@@ -120,8 +121,8 @@ pub struct RemovalArgs {
     /// half-edge collapse would; required by every model but patterns) [default: free if the models allow it]
     #[arg(long, value_name = "METHOD", hide_possible_values = true)]
     pub retriangulation: Option<RetriangulationArg>,
-    /// Which triangulation is best: distance (closest to the original), flatness or shape (roundest
-    /// triangles) [default: distance]
+    /// Which triangulation is best: distance (closest to the original), maximum (smallest largest distance),
+    /// flatness or shape (roundest triangles) [default: distance; in strict order maximum]
     #[arg(long, hide_possible_values = true)]
     pub criterion: Option<CriterionArg>,
     #[arg(
@@ -158,6 +159,8 @@ pub enum OrderArg {
     Quadric,
     /// Vertex removals that leave the smallest distance
     Hausdorff,
+    /// Vertex removals in the order of the one-sided Hausdorff distance
+    HausdorffStrict,
 }
 
 impl OrderArg {
@@ -166,6 +169,16 @@ impl OrderArg {
         match self {
             Self::Quadric => "quadric",
             Self::Hausdorff => "hausdorff",
+            Self::HausdorffStrict => "hausdorff-strict",
+        }
+    }
+
+    /// Returns the order of vertex removals; `None` for other orders.
+    pub const fn of_removals(self) -> Option<RemovalOrder> {
+        match self {
+            Self::Quadric => None,
+            Self::Hausdorff => Some(RemovalOrder::Mixed),
+            Self::HausdorffStrict => Some(RemovalOrder::Hausdorff),
         }
     }
 }
@@ -204,6 +217,8 @@ impl From<RetriangulationArg> for Retriangulation {
 pub enum CriterionArg {
     /// The one closest to the original surface
     Distance,
+    /// The one with the smallest largest distance from it
+    Maximum,
     /// The flattest one
     Flatness,
     /// The one with the roundest triangles
@@ -214,6 +229,7 @@ impl From<CriterionArg> for HoleCriterion {
     fn from(criterion: CriterionArg) -> Self {
         match criterion {
             CriterionArg::Distance => Self::Distance,
+            CriterionArg::Maximum => Self::Maximum,
             CriterionArg::Flatness => Self::Flatness,
             CriterionArg::Shape => Self::Shape,
         }
