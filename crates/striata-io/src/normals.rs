@@ -33,16 +33,40 @@ pub(crate) fn of_vertices(
     triangles: &[[u32; 3]],
     range: Range<usize>,
 ) -> Vec<[f32; 3]> {
-    let mut sums = vec![[0.0f64; 3]; range.len()];
+    let mut sums = NormalSums::of(range.len());
     for &triangle in triangles {
-        if !triangle.iter().all(|&v| range.contains(&(v as usize))) {
-            continue;
+        if triangle.iter().all(|&v| range.contains(&(v as usize))) {
+            sums.add(area_normal(positions, triangle), triangle.map(|v| v as usize - range.start));
         }
-        let normal = area_normal(positions, triangle);
-        for v in triangle {
-            let sum = &mut sums[v as usize - range.start];
+    }
+    sums.into_normals()
+}
+
+/// Sums of the normals of the triangles around each vertex.
+pub(crate) struct NormalSums(Vec<[f64; 3]>);
+
+impl NormalSums {
+    /// Starts with zero for each vertex.
+    pub(crate) fn of(vertex_count: usize) -> Self {
+        Self(vec![[0.0; 3]; vertex_count])
+    }
+
+    /// Adds a triangle of a part of the mesh; `numbers` are those of the part's vertices in the whole mesh.
+    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+    pub(crate) fn add_triangle(&mut self, positions: &[[f32; 3]], triangle: [u32; 3], numbers: &[u32]) {
+        let corners = triangle.map(|vertex| numbers[vertex as usize] as usize);
+        self.add(area_normal(positions, triangle), corners);
+    }
+
+    fn add(&mut self, normal: [f64; 3], corners: [usize; 3]) {
+        for vertex in corners {
+            let sum = &mut self.0[vertex];
             *sum = [0, 1, 2].map(|i| sum[i] + normal[i]);
         }
     }
-    sums.into_iter().map(|sum| unit(sum).unwrap_or([0.0, 0.0, 1.0])).collect()
+
+    /// Normalizes the sums; a sum of zero becomes +z.
+    pub(crate) fn into_normals(self) -> Vec<[f32; 3]> {
+        self.0.into_iter().map(|sum| unit(sum).unwrap_or([0.0, 0.0, 1.0])).collect()
+    }
 }

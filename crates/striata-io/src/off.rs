@@ -11,50 +11,72 @@ use crate::text::{Cursor, push_f32, quoted};
 
 /// Attributes of each vertex after its position, in this order.
 #[derive(Clone, Copy, Default)]
-struct Layout {
+pub(crate) struct Layout {
     has_normal: bool,
     has_color: bool,
+    /// Number of color components: 3 or 4; 0 before the first vertex, which shows how many there are.
+    color_count: usize,
     has_texcoord: bool,
+    colors_are_bytes: bool,
 }
 
-/// Numbers read at the vertices so far.
+/// Numbers of some vertices, by attribute.
 #[derive(Default)]
-struct Columns {
+pub(crate) struct Columns {
+    positions: Vec<[f32; 3]>,
     normals: Vec<f32>,
     colors: Vec<f32>,
-    /// Number of color components: 3 or 4; 0 before the first vertex.
-    color_count: usize,
-    colors_are_bytes: bool,
     texcoords: Vec<f32>,
 }
 
 /// Reads a mesh from the bytes of an OFF file.
 pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+    let (mut columns, mut triangles) = (Columns::default(), Vec::new());
+    let vertex = |layout: &Layout, row: &[f32]| {
+        columns.push(layout, row);
+        Ok(())
+    };
+    let layout = read_rows(bytes, vertex, |triangle| triangles.push(triangle))?;
+    let (positions, layers) = columns.into_mesh(&layout);
+    Ok(IndexedMesh { positions, layers, triangles, ..IndexedMesh::default() })
+}
+
+/// Reads a file row by row: `vertex` gets the numbers of each vertex and may refuse them, `triangle` the
+/// triangles of each polygon. Whether colors are bytes is only known at the end.
+pub(crate) fn read_rows(
+    bytes: &[u8],
+    mut vertex: impl FnMut(&Layout, &[f32]) -> Result<(), String>,
+    mut triangle: impl FnMut([u32; 3]),
+) -> Result<Layout, Fault> {
     let mut cursor = Cursor::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     cursor.skip_lines(Some(b'#'));
-    let layout = read_keyword(&mut cursor)?;
+    let mut layout = read_keyword(&mut cursor)?;
     cursor.skip_lines(Some(b'#'));
     let vertex_count = read_count(&mut cursor, "vertices")?;
     let polygon_count = read_count(&mut cursor, "polygons")?;
     // The edge count is not used; some writers omit it.
     cursor.next_line();
     check_room(&cursor, vertex_count, 6)?;
-    let mut mesh = IndexedMesh::default();
-    mesh.positions.reserve_exact(vertex_count);
-    let mut columns = Columns { colors_are_bytes: true, ..Columns::default() };
-    for vertex in 0..vertex_count {
+    let (mut row, mut has_large_color) = (Vec::new(), false);
+    for number in 0..vertex_count {
         cursor.skip_lines(Some(b'#'));
-        read_vertex(&mut cursor, layout, &mut columns, &mut mesh.positions)
-            .map_err(|fault| in_row(fault, "vertex", vertex))?;
+        let line = cursor.line();
+        let read = read_vertex(&mut cursor, &mut layout, &mut row);
+        let read = read.and_then(|()| vertex(&layout, &row).map_err(|reason| Fault::at_line(line, reason)));
+        read.map_err(|fault| in_row(fault, "vertex", number))?;
+        let color = layout.color_in(&row);
+        layout.colors_are_bytes &= color.iter().all(|c| c.fract() == 0.0 && (0.0..=255.0).contains(c));
+        has_large_color |= color.iter().any(|&c| c > 1.0);
     }
+    // If there are only zeros and ones, they are fractions, as in a white mesh.
+    layout.colors_are_bytes &= has_large_color;
     check_room(&cursor, polygon_count, 2)?;
     for polygon in 0..polygon_count {
         cursor.skip_lines(Some(b'#'));
-        read_polygon(&mut cursor, vertex_count, &mut mesh.triangles)
+        read_polygon(&mut cursor, vertex_count, &mut triangle)
             .map_err(|fault| in_row(fault, "polygon", polygon))?;
     }
-    mesh.layers = columns.into_layers(layout);
-    Ok(mesh)
+    Ok(layout)
 }
 
 fn in_row(fault: Fault, what: &str, row: usize) -> Fault {
@@ -84,7 +106,7 @@ fn read_keyword(cursor: &mut Cursor<'_>) -> Result<Layout, Fault> {
     if cursor.clone().word() == b"BINARY" {
         return Err(Fault::Unsupported(Place::Line(cursor.line()), "binary OFF".to_owned()));
     }
-    Ok(Layout { has_normal, has_color, has_texcoord })
+    Ok(Layout { has_normal, has_color, color_count: 0, has_texcoord, colors_are_bytes: true })
 }
 
 fn read_count(cursor: &mut Cursor<'_>, what: &str) -> Result<usize, Fault> {
@@ -101,54 +123,38 @@ fn check_room(cursor: &Cursor<'_>, count: usize, least_bytes: usize) -> Result<(
     Ok(())
 }
 
-fn read_vertex(
-    cursor: &mut Cursor<'_>,
-    layout: Layout,
-    columns: &mut Columns,
-    positions: &mut Vec<[f32; 3]>,
-) -> Result<(), Fault> {
-    positions.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
-    if layout.has_normal {
-        for _ in 0..3 {
-            columns.normals.push(cursor.f32()?);
-        }
+/// Reads the numbers of a vertex.
+fn read_vertex(cursor: &mut Cursor<'_>, layout: &mut Layout, row: &mut Vec<f32>) -> Result<(), Fault> {
+    row.clear();
+    for _ in 0..layout.color_start() {
+        row.push(cursor.f32()?);
     }
-    if layout.has_color {
-        read_color(cursor, layout, columns)?;
+    if layout.has_color && layout.color_count == 0 {
+        layout.color_count = count_color_words(cursor, layout.has_texcoord);
     }
-    if layout.has_texcoord {
-        for _ in 0..2 {
-            columns.texcoords.push(cursor.f32()?);
-        }
+    for _ in 0..layout.color_count + if layout.has_texcoord { 2 } else { 0 } {
+        row.push(cursor.f32()?);
     }
     cursor.next_line();
     Ok(())
 }
 
-/// Reads a color of 3 or 4 numbers; only the first vertex shows how many.
-fn read_color(cursor: &mut Cursor<'_>, layout: Layout, columns: &mut Columns) -> Result<(), Fault> {
-    if columns.color_count == 0 {
-        let mut ahead = cursor.clone();
-        let mut word_count = 0;
-        while !ahead.at_line_end() && ahead.peek() != Some(b'#') {
-            ahead.word();
-            word_count += 1;
-        }
-        let color_words = if layout.has_texcoord { word_count.max(2) - 2 } else { word_count };
-        columns.color_count = if color_words >= 4 { 4 } else { 3 };
+/// Returns how many numbers the color has that follows: 3 or 4.
+fn count_color_words(cursor: &Cursor<'_>, has_texcoord: bool) -> usize {
+    let mut ahead = cursor.clone();
+    let mut word_count = 0;
+    while !ahead.at_line_end() && ahead.peek() != Some(b'#') {
+        ahead.word();
+        word_count += 1;
     }
-    for _ in 0..columns.color_count {
-        let value = cursor.f32()?;
-        columns.colors_are_bytes &= value.fract() == 0.0 && (0.0..=255.0).contains(&value);
-        columns.colors.push(value);
-    }
-    Ok(())
+    let color_words = if has_texcoord { word_count.max(2) - 2 } else { word_count };
+    if color_words >= 4 { 4 } else { 3 }
 }
 
 fn read_polygon(
     cursor: &mut Cursor<'_>,
     vertex_count: usize,
-    triangles: &mut Vec<[u32; 3]>,
+    triangle: &mut impl FnMut([u32; 3]),
 ) -> Result<(), Fault> {
     let corner_count = cursor.integer()?;
     if corner_count < 0 {
@@ -163,7 +169,7 @@ fn read_polygon(
         match corner {
             0 => first = vertex,
             1 => {}
-            _ => triangles.push([first, last, vertex]),
+            _ => triangle([first, last, vertex]),
         }
         last = vertex;
     }
@@ -171,8 +177,34 @@ fn read_polygon(
     Ok(())
 }
 
+impl Layout {
+    /// Returns how many numbers a vertex has.
+    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+    pub(crate) fn width(&self) -> usize {
+        self.color_start() + self.color_count + if self.has_texcoord { 2 } else { 0 }
+    }
+
+    fn color_start(&self) -> usize {
+        if self.has_normal { 6 } else { 3 }
+    }
+
+    fn color_in<'r>(&self, row: &'r [f32]) -> &'r [f32] {
+        &row[self.color_start()..self.color_start() + self.color_count]
+    }
+}
+
 impl Columns {
-    fn into_layers(self, layout: Layout) -> Vec<AttributeLayer> {
+    /// Appends the numbers of a vertex.
+    pub(crate) fn push(&mut self, layout: &Layout, row: &[f32]) {
+        let (color_start, color) = (layout.color_start(), layout.color_in(row));
+        self.positions.push([row[0], row[1], row[2]]);
+        self.normals.extend_from_slice(&row[3..color_start]);
+        self.colors.extend_from_slice(color);
+        self.texcoords.extend_from_slice(&row[color_start + color.len()..]);
+    }
+
+    /// Returns positions and layers.
+    pub(crate) fn into_mesh(self, layout: &Layout) -> (Vec<[f32; 3]>, Vec<AttributeLayer>) {
         let mut layers = Vec::new();
         if layout.has_normal {
             layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, self.normals));
@@ -181,17 +213,15 @@ impl Columns {
             layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, self.texcoords));
         }
         if layout.has_color {
-            let component_count = self.color_count.max(3) as u8;
-            // If there are only zeros and ones, they are fractions, as in a white mesh.
-            let are_bytes = self.colors_are_bytes && self.colors.iter().any(|&c| c > 1.0);
-            layers.push(if are_bytes {
+            let component_count = layout.color_count.max(3) as u8;
+            layers.push(if layout.colors_are_bytes {
                 let data = LayerData::U8(self.colors.iter().map(|&c| c as u8).collect());
                 AttributeLayer { semantic: Semantic::Color(0), component_count, normalized: true, data }
             } else {
                 AttributeLayer::from_f32(Semantic::Color(0), component_count, self.colors)
             });
         }
-        layers
+        (self.positions, layers)
     }
 }
 

@@ -5,14 +5,17 @@
 //! its members is a valid mesh: what is absent is coarser, never cracked.
 //!
 //! [`PagedFile`] reads the pages that a level needs; [`PagedReader`] does the same without any input and output,
-//! for programs that fetch bytes themselves. [`assemble`] makes a mesh of pages, with all of its levels.
+//! for programs that fetch bytes themselves. [`assemble`] makes a mesh of pages, with all of its levels;
+//! [`CutPages`] makes levels whose detail varies, for a view or a box.
 //!
 //! | file | what it does |
 //! | --- | --- |
 //! | `metadata.rs`, `directory.rs`, `head.rs` | what is known before any page is read |
 //! | `page.rs`, `codec/` | pages and their bytes |
-//! | `reader.rs`, `store.rs`, `paged_file.rs` | reading what a level needs |
-//! | `assemble.rs`, `cut.rs` | a mesh made of pages, and its levels of varying detail |
+//! | `reader.rs`, `store.rs`, `paged_file.rs`, `paged_view.rs` | reading what a level or a view needs |
+//! | `loaded.rs`, `replaced.rs`, `mesh_parts.rs` | how pages in memory refer to each other |
+//! | `assemble.rs` | a mesh made of pages, with all of its levels |
+//! | `cut/` | levels of varying detail made of pages |
 //! | `build/` | building from inputs of any size |
 
 mod assemble;
@@ -25,21 +28,27 @@ mod directory;
 mod error;
 mod hash;
 mod head;
+mod loaded;
+mod mesh_parts;
 mod metadata;
 mod page;
 mod paged_file;
+mod paged_view;
+mod parallel;
 mod reader;
 #[cfg(feature = "remote")]
 mod remote;
+mod replaced;
 mod store;
 
 pub use assemble::{Assembled, assemble};
-pub use cut::Cut;
+pub use cut::{Cut, CutPages};
 pub use directory::{PageBound, PageEntry, page_path};
 pub use error::{HeadDefect, PageDefect, PagedError};
 pub use head::{HEAD_NAME, Leaf, PAGED_MAGIC, PREFIX_BYTES, Prefix, Root, write_head};
 pub use metadata::{Grid, Metadata, PagedGroup, PagedLayer};
 pub use page::{Import, Page, PageId};
 pub use paged_file::{PagedFile, ReadStatistics};
+pub use paged_view::ViewCut;
 pub use reader::{PagedReader, Place, Want};
 pub use store::{FileStore, Store, open_store};

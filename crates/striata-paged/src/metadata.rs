@@ -73,6 +73,13 @@ pub struct Metadata {
 
 /// Largest magnitude of a grid index: differences of indices stay exact.
 const MAX_INDEX: f64 = (1u64 << 40) as f64;
+/// Largest multiple of the step of a layer.
+const LARGEST_MULTIPLE: f64 = (1u64 << 52) as f64;
+/// The multiple of a step that is nearest to a value; very large ones are clamped.
+pub(crate) fn index_of(value: f32, step: f64) -> i64 {
+    ((f64::from(value) / step).round()).clamp(-LARGEST_MULTIPLE, LARGEST_MULTIPLE) as i64
+}
+
 /// Name of the layer that tells wedges of different materials apart.
 const MATERIAL: &str = "generic_material";
 
@@ -148,7 +155,7 @@ impl PagedLayer {
         let LayerData::F32(values) = &mut layer.data else { return };
         for value in values {
             let rounded = match self.step {
-                Some(step) => ((f64::from(*value) / step).round() * step) as f32,
+                Some(step) => (index_of(*value, step) as f64 * step) as f32,
                 None => *value,
             };
             *value = if rounded.is_finite() { rounded + 0.0 } else { 0.0 };

@@ -5,6 +5,7 @@ use striata::mesh::AttributeLayer;
 
 use crate::Metadata;
 use crate::error::{PageDefect, PagedError};
+use crate::loaded::position_of;
 
 /// Name of a page: the level and the cell whose steps it contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -98,12 +99,11 @@ impl Page {
     /// The first target that is not at a position with a larger key, or that differs between wedges.
     fn find_bad_target(&self) -> Option<PageDefect> {
         let (owned, all) = (self.positions.len() as u32, (self.positions.len() + self.imports.len()) as u32);
-        let position_of = |v: u32| self.first.partition_point(|&first| first <= v) - 1;
         for p in 0..self.keys.len() {
             let mut common = None;
             for v in self.first[p] as usize..self.first[p + 1] as usize {
                 let target = self.targets[v];
-                let at = (target < owned).then(|| position_of(target));
+                let at = (target < owned).then(|| position_of(self, target) as usize);
                 let reason = if target >= all {
                     "does not exist"
                 } else if at.is_some_and(|q| self.keys[q].total_cmp(&self.keys[p]).is_le()) {

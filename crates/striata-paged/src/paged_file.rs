@@ -2,7 +2,17 @@
 
 use std::collections::BTreeSet;
 
-use crate::{Assembled, Metadata, Page, PageBound, PagedError, PagedReader, Store, assemble, open_store};
+use striata::simplify::Target;
+
+use crate::{
+    Assembled, CutPages, Metadata, Page, PageBound, PagedError, PagedReader, Store, Want, assemble,
+    open_store,
+};
+
+/// Pages of earlier levels are kept as long as all pages in memory have at most so many vertices, about 600 MB.
+const MAX_CACHED_VERTICES: u64 = 10_000_000;
+/// At most so many bytes are in memory before their pages are decoded, if no single want has more.
+const MAX_BATCH_BYTES: u64 = 32 << 20;
 
 /// What has been read so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,13 +87,24 @@ impl PagedFile {
 
     /// Fetches everything that the reader wants now.
     fn fetch(&mut self) -> Result<(), PagedError> {
-        for want in self.reader.wants() {
+        let wants = self.reader.wants();
+        let mut rest = wants.as_slice();
+        while !rest.is_empty() {
+            let mut byte_count = 0;
+            let is_within = |want: &&Want| {
+                byte_count += want.range.end - want.range.start;
+                byte_count <= MAX_BATCH_BYTES
+            };
+            let count = rest.iter().take_while(is_within).count().max(1);
+            let (batch, others) = rest.split_at(count);
+            let arrived = self.store.read_all(batch)?;
+            self.statistics.request_count += batch.len() as u64;
+            self.statistics.byte_count += arrived.iter().map(|bytes| bytes.len() as u64).sum::<u64>();
             let before = self.reader.pages().count();
-            let bytes = self.store.read(want.place, want.range.clone())?;
-            self.statistics.request_count += 1;
-            self.statistics.byte_count += bytes.len() as u64;
-            self.reader.supply(&want, &bytes)?;
+            let arrived: Vec<(&Want, &[u8])> = batch.iter().zip(arrived.iter().map(Vec::as_slice)).collect();
+            self.reader.supply_all(&arrived)?;
             self.statistics.page_count += (self.reader.pages().count() - before) as u64;
+            rest = others;
         }
         Ok(())
     }
@@ -101,16 +122,46 @@ impl PagedFile {
         }
     }
 
-    /// Reads pages, which must contain all of their ancestors, and makes one mesh of them.
+    /// Reads pages, which must contain all of their ancestors, and makes one mesh with levels of them.
     ///
     /// # Errors
     /// [`PagedError`] if a page cannot be read or does not fit to the others.
     pub fn assemble(&mut self, pages: &[u32]) -> Result<Assembled, PagedError> {
+        self.load(pages)?;
+        assemble(&self.loaded(pages), self.metadata())
+    }
+
+    /// Reads pages, which must contain all of their ancestors, to cut levels of varying detail from them.
+    ///
+    /// # Errors
+    /// [`PagedError`] if a page cannot be read or does not fit to the others.
+    pub fn cut_pages(&mut self, pages: &[u32]) -> Result<CutPages<'_>, PagedError> {
+        self.load(pages)?;
+        CutPages::new(&self.loaded(pages), self.metadata())
+    }
+
+    /// Reads pages, unless they have been read.
+    fn load(&mut self, pages: &[u32]) -> Result<(), PagedError> {
+        self.make_room(pages);
         self.reader.request(pages.iter().copied());
-        self.fetch()?;
-        let loaded: Vec<(u32, &Page)> =
-            pages.iter().filter_map(|&index| Some((index, self.reader.page(index)?))).collect();
-        assemble(&loaded, self.metadata())
+        self.fetch()
+    }
+
+    /// Forgets pages of earlier levels, if there would be too many with those that are needed now.
+    fn make_room(&mut self, pages: &[u32]) {
+        let vertices = |page: u32| self.reader.entry(page).map_or(0, |entry| u64::from(entry.vertex_count));
+        let known: Vec<u32> = self.reader.pages().map(|(index, _)| index).collect();
+        let needed: BTreeSet<u32> = pages.iter().copied().collect();
+        let others: Vec<u32> = known.into_iter().filter(|page| !needed.contains(page)).collect();
+        let total: u64 = others.iter().chain(&needed).map(|&page| vertices(page)).sum();
+        if total > MAX_CACHED_VERTICES {
+            others.into_iter().for_each(|page| self.reader.evict(page));
+        }
+    }
+
+    /// Those of some pages that have been read.
+    fn loaded(&self, pages: &[u32]) -> Vec<(u32, &Page)> {
+        pages.iter().filter_map(|&index| Some((index, self.reader.page(index)?))).collect()
     }
 
     /// The mesh with all levels whose error exceeds `error`, in mesh units.
@@ -161,6 +212,33 @@ impl PagedFile {
                 return Ok(level);
             }
             wanted = wanted.max(sum) * 3 / 2 + 1;
+        }
+    }
+
+    /// The mesh with all levels that some targets select; each target is resolved in its sequence.
+    ///
+    /// # Errors
+    /// See [`Self::assemble`].
+    pub fn levels_for(&mut self, targets: &[Target]) -> Result<Assembled, PagedError> {
+        let (mut triangles, mut error) = (None, None::<f64>);
+        for &target in targets {
+            let needed = match target {
+                Target::Error(distance) => {
+                    error = Some(error.map_or(distance, |least| least.min(distance)));
+                    continue;
+                }
+                Target::Triangles(count) => count,
+                // A surface has about two triangles per vertex, a soup fewer.
+                Target::Vertices(count) => count.saturating_mul(3),
+                // Steps are counted from the base, so all must be known.
+                _ => usize::MAX,
+            };
+            triangles = triangles.max(Some(needed));
+        }
+        match (triangles, error) {
+            (Some(count), None) => self.level_for_triangles(count),
+            (None, Some(error)) => self.level_for_error(error as f32),
+            _ => self.level_for_triangles(usize::MAX),
         }
     }
 

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use crate::parallel::map_in_parallel;
 use crate::{
     HeadDefect, Leaf, Metadata, PREFIX_BYTES, Page, PageBound, PageEntry, PageId, PagedError, Prefix, Root,
 };
@@ -163,6 +164,14 @@ impl PagedReader {
         self.head.iter().flat_map(|head| &head.entries).map(|(&index, entry)| (index, entry))
     }
 
+    /// Largest errors in parts of the directory that have not been read, in mesh units.
+    pub(crate) fn unread_errors(&self) -> impl Iterator<Item = f32> {
+        let unread = |head: &Head, leaf: &Leaf| !head.entries.contains_key(&leaf.first_page);
+        self.head.iter().flat_map(move |head| {
+            head.leaves.iter().filter(move |leaf| unread(head, leaf)).map(|leaf| leaf.bound.error)
+        })
+    }
+
     /// The bytes that are wanted now. Pages that are close to each other are wanted together.
     pub fn wants(&self) -> Vec<Want> {
         let have = self.head_bytes.len() as u64;
@@ -171,7 +180,7 @@ impl PagedReader {
                 .map_or(FIRST_BYTES, |prefix| PREFIX_BYTES + prefix.metadata_bytes + prefix.root_bytes);
             return vec![Want { place: Place::Head, range: have..need.max(have + 1) }];
         };
-        let leaves_at = PREFIX_BYTES + head.prefix.metadata_bytes + head.prefix.root_bytes;
+        let leaves_at = head.leaves_offset();
         let mut wants: Vec<Want> = Vec::new();
         for &index in &head.wanted_leaves {
             let leaf = &head.leaves[index as usize];
@@ -205,41 +214,32 @@ impl PagedReader {
     /// # Errors
     /// [`PagedError`] if they are damaged, or fewer than wanted.
     pub fn supply(&mut self, want: &Want, bytes: &[u8]) -> Result<(), PagedError> {
-        let Some(head) = &mut self.head else { return self.supply_head(want, bytes) };
-        if let Place::Page(id) = want.place {
-            let found = head.entries.iter().find(|(_, entry)| entry.id == id).map(|(&index, _)| index);
-            return found.map_or(Ok(()), |index| self.supply_page(index, bytes));
-        }
-        let within = |range: &Range<u64>| {
-            let from = range.start.checked_sub(want.range.start)? as usize;
-            bytes.get(from..from.checked_add((range.end - range.start) as usize)?)
+        self.supply_all(&[(want, bytes)])
+    }
+
+    /// Takes bytes of several wants; pages are decoded in parallel (feature `parallel`).
+    ///
+    /// # Errors
+    /// See [`Self::supply`]. Pages that arrived undamaged are kept.
+    pub fn supply_all(&mut self, arrived: &[(&Want, &[u8])]) -> Result<(), PagedError> {
+        let Some(head) = &mut self.head else {
+            return arrived.iter().try_for_each(|(want, bytes)| self.supply_head(want, bytes));
         };
-        let leaves_at = PREFIX_BYTES + head.prefix.metadata_bytes + head.prefix.root_bytes;
-        for index in head.wanted_leaves.clone() {
-            let leaf = &head.leaves[index as usize];
-            let first = leaves_at + leaf.offset;
-            if let Some(bytes) = within(&(first..first + leaf.byte_count)) {
-                let entries = leaf.parse(bytes, &head.metadata)?;
-                head.entries.extend((leaf.first_page..).zip(entries));
-                head.wanted_leaves.remove(&index);
+        for (want, bytes) in arrived.iter().filter(|(want, _)| want.place == Place::Head) {
+            head.supply_leaves(want, bytes)?;
+        }
+        let head = &*head;
+        let pages = self.requested.iter().filter(|index| !self.pages.contains_key(index));
+        let found: Vec<(u32, &PageEntry, &[u8])> = head.find_pages(pages.copied(), arrived);
+        let decoded = map_in_parallel(&found, |&(index, entry, bytes)| (index, head.decode(entry, bytes)));
+        let mut result = Ok(());
+        for (index, page) in decoded {
+            match page {
+                Ok(page) => drop(self.pages.insert(index, page)),
+                Err(error) => result = result.and(Err(error)),
             }
         }
-        let offset = head.prefix.pages_offset;
-        let mut arrived = Vec::new();
-        for &index in self.requested.iter().filter(|index| !self.pages.contains_key(index)) {
-            let Some(entry) = head.entries.get(&index) else { continue };
-            let first = offset + entry.offset;
-            let range = first..first + u64::from(entry.byte_count);
-            if range.start >= want.range.start && range.end <= want.range.end {
-                arrived.push((index, range));
-            }
-        }
-        for (index, range) in arrived {
-            let id = self.entry(index).map_or(PageId { level: 0, cell: 0 }, |entry| entry.id);
-            let bytes = within(&range).ok_or(PagedError::Checksum { id })?;
-            self.supply_page(index, bytes)?;
-        }
-        Ok(())
+        result
     }
 
     fn supply_head(&mut self, want: &Want, bytes: &[u8]) -> Result<(), PagedError> {
@@ -267,19 +267,70 @@ impl PagedReader {
         self.head_bytes = Vec::new();
         Ok(())
     }
+}
 
-    fn supply_page(&mut self, index: u32, bytes: &[u8]) -> Result<(), PagedError> {
-        let Some(head) = &self.head else { return Ok(()) };
-        let Some(entry) = head.entries.get(&index) else { return Ok(()) };
+impl Head {
+    /// First byte of the directory's leaves.
+    fn leaves_offset(&self) -> u64 {
+        PREFIX_BYTES + self.prefix.metadata_bytes + self.prefix.root_bytes
+    }
+
+    /// Takes the parts of the directory that are in some bytes.
+    fn supply_leaves(&mut self, want: &Want, bytes: &[u8]) -> Result<(), PagedError> {
+        for index in self.wanted_leaves.clone() {
+            let leaf = &self.leaves[index as usize];
+            let first = self.leaves_offset() + leaf.offset;
+            if let Some(bytes) = within(want, bytes, &(first..first + leaf.byte_count)) {
+                let entries = leaf.parse(bytes, &self.metadata)?;
+                self.entries.extend((leaf.first_page..).zip(entries));
+                self.wanted_leaves.remove(&index);
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the bytes of pages among those that have arrived.
+    fn find_pages<'a>(
+        &'a self,
+        pages: impl Iterator<Item = u32>,
+        arrived: &[(&Want, &'a [u8])],
+    ) -> Vec<(u32, &'a PageEntry, &'a [u8])> {
+        let mut by_place: Vec<&(&Want, &'a [u8])> = arrived.iter().collect();
+        by_place.sort_by_key(|(want, _)| (want.place, want.range.start));
+        let bytes_of = |entry: &PageEntry| {
+            let (place, first) = match self.prefix.is_separate {
+                true => (Place::Page(entry.id), 0),
+                false => (Place::Head, self.prefix.pages_offset + entry.offset),
+            };
+            let after =
+                by_place.partition_point(|(want, _)| (want.place, want.range.start) <= (place, first));
+            let (want, bytes) = by_place[..after].last().filter(|(want, _)| want.place == place)?;
+            let range = first..first + u64::from(entry.byte_count);
+            // Fewer bytes than wanted do not match the checksum.
+            (want.range.end >= range.end).then(|| within(want, bytes, &range).unwrap_or_default())
+        };
+        let found = pages.filter_map(|index| {
+            let entry = self.entries.get(&index)?;
+            Some((index, entry, bytes_of(entry)?))
+        });
+        found.collect()
+    }
+
+    fn decode(&self, entry: &PageEntry, bytes: &[u8]) -> Result<Page, PagedError> {
         if bytes.len() as u64 != u64::from(entry.byte_count) || crc32fast::hash(bytes) != entry.crc {
             return Err(PagedError::Checksum { id: entry.id });
         }
-        let page = Page::from_bytes(entry.id, bytes, &head.metadata)?;
+        let page = Page::from_bytes(entry.id, bytes, &self.metadata)?;
         if page.imports.iter().any(|import| !entry.parents.contains(&import.page)) {
             let reason = "it imports from a page that is not its parent";
             return Err(PagedError::Mismatch { id: entry.id, reason });
         }
-        self.pages.insert(index, page);
-        Ok(())
+        Ok(page)
     }
+}
+
+/// The bytes of a range among those of a want.
+fn within<'a>(want: &Want, bytes: &'a [u8], range: &Range<u64>) -> Option<&'a [u8]> {
+    let from = usize::try_from(range.start.checked_sub(want.range.start)?).ok()?;
+    bytes.get(from..from.checked_add(usize::try_from(range.end - range.start).ok()?)?)
 }

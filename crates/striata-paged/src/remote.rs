@@ -1,18 +1,23 @@
 //! Paged files behind addresses: web servers and buckets.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use object_store::path::Path;
 use object_store::{ObjectStore, ObjectStoreExt, parse_url_opts};
 use tokio::runtime::{Builder, Runtime};
+use tokio::sync::Semaphore;
 use url::Url;
 
-use crate::{HEAD_NAME, PagedError, Place, Store, page_path};
+use crate::{HEAD_NAME, PagedError, Place, Store, Want, page_path};
+
+/// Requests that are made at the same time.
+const MAX_REQUESTS: usize = 16;
 
 /// A web server or a bucket, read in ranges.
 pub(crate) struct RemoteStore {
     name: String,
-    store: Box<dyn ObjectStore>,
+    store: Arc<dyn ObjectStore>,
     path: Path,
     /// Whether the address is a folder with one object per page.
     is_folder: bool,
@@ -35,7 +40,26 @@ impl RemoteStore {
         let (store, path) = parse_url_opts(&url, options).map_err(|error| other(error.to_string()))?;
         let runtime = Builder::new_multi_thread().worker_threads(1).enable_all().build().map_err(failed)?;
         let is_folder = !url.path().ends_with(".striata");
-        Ok(Self { name: address.to_owned(), store, path, is_folder, runtime })
+        Ok(Self { name: address.to_owned(), store: Arc::from(store), path, is_folder, runtime })
+    }
+
+    /// Whether the address has one object per page.
+    #[cfg(feature = "build")]
+    pub(crate) fn is_folder(&self) -> bool {
+        self.is_folder
+    }
+
+    fn path_of(&self, place: Place) -> Result<Path, PagedError> {
+        let path = match place {
+            Place::Head if self.is_folder => Path::parse(format!("{}/{HEAD_NAME}", self.path)),
+            Place::Head => Ok(self.path.clone()),
+            Place::Page(id) => Path::parse(format!("{}/{}", self.path, page_path(id))),
+        };
+        path.map_err(|error| self.failed(&error))
+    }
+
+    fn failed(&self, error: &dyn std::fmt::Display) -> PagedError {
+        PagedError::Io { place: self.name.clone(), source: std::io::Error::other(error.to_string()) }
     }
 }
 
@@ -45,15 +69,131 @@ impl Store for RemoteStore {
     }
 
     fn read(&self, place: Place, range: Range<u64>) -> Result<Vec<u8>, PagedError> {
-        let path = match place {
-            Place::Head if self.is_folder => Path::parse(format!("{}/{HEAD_NAME}", self.path)),
-            Place::Head => Ok(self.path.clone()),
-            Place::Page(id) => Path::parse(format!("{}/{}", self.path, page_path(id))),
-        };
-        let failed =
-            |error: String| PagedError::Io { place: self.name.clone(), source: std::io::Error::other(error) };
-        let path = path.map_err(|error| failed(error.to_string()))?;
+        let path = self.path_of(place)?;
         let bytes = self.runtime.block_on(self.store.get_range(&path, range));
-        Ok(bytes.map_err(|error| failed(error.to_string()))?.to_vec())
+        Ok(bytes.map_err(|error| self.failed(&error))?.to_vec())
+    }
+
+    fn read_all(&self, wants: &[Want]) -> Result<Vec<Vec<u8>>, PagedError> {
+        let permits = Arc::new(Semaphore::new(MAX_REQUESTS));
+        let mut requests = Vec::with_capacity(wants.len());
+        for want in wants {
+            let (path, range) = (self.path_of(want.place)?, want.range.clone());
+            let (store, permits) = (Arc::clone(&self.store), Arc::clone(&permits));
+            requests.push(self.runtime.spawn(async move {
+                // The semaphore is never closed.
+                let _permit = permits.acquire().await;
+                store.get_range(&path, range).await
+            }));
+        }
+        let bytes = requests.into_iter().map(|request| {
+            let bytes = self.runtime.block_on(request).map_err(|error| self.failed(&error))?;
+            Ok(bytes.map_err(|error| self.failed(&error))?.to_vec())
+        });
+        bytes.collect()
+    }
+}
+
+/// Writing, in `build`.
+#[cfg(feature = "build")]
+mod writing {
+    use object_store::{ObjectStoreExt, WriteMultipart};
+    use tokio::task::JoinSet;
+
+    use super::{Arc, MAX_REQUESTS, PagedError, Place, RemoteStore};
+
+    /// Bytes of one part of an upload; buckets refuse smaller ones than 5 MiB.
+    const PART_BYTES: usize = 8 << 20;
+
+    /// An object that is written in parts and becomes visible as a whole.
+    pub(crate) struct Upload<'a> {
+        store: &'a RemoteStore,
+        parts: WriteMultipart,
+    }
+
+    /// Objects that are written at the same time.
+    pub(crate) struct Puts<'a> {
+        store: &'a RemoteStore,
+        requests: JoinSet<object_store::Result<object_store::PutResult>>,
+    }
+
+    impl RemoteStore {
+        /// Refuses an address whose bucket does not exist. What a server does not let us list, it may still let us
+        /// write.
+        pub(crate) fn check_bucket(&self) -> Result<(), PagedError> {
+            match self.runtime.block_on(self.store.list_with_delimiter(Some(&self.path))) {
+                Err(error @ object_store::Error::NotFound { .. }) => Err(self.failed(&error)),
+                _ => Ok(()),
+            }
+        }
+
+        /// Begins to write the file.
+        pub(crate) fn upload(&self) -> Result<Upload<'_>, PagedError> {
+            let path = self.path_of(Place::Head)?;
+            let upload = self.runtime.block_on(self.store.put_multipart(&path));
+            let upload = upload.map_err(|error| self.failed(&error))?;
+            // Parts are sent by tasks of the runtime.
+            let _inside = self.runtime.enter();
+            Ok(Upload { store: self, parts: WriteMultipart::new_with_chunk_size(upload, PART_BYTES) })
+        }
+
+        /// Begins to write objects.
+        pub(crate) fn put_all(&self) -> Puts<'_> {
+            Puts { store: self, requests: JoinSet::new() }
+        }
+    }
+
+    impl Upload<'_> {
+        /// Appends bytes.
+        pub(crate) fn write(&mut self, bytes: &[u8]) -> Result<(), PagedError> {
+            let _inside = self.store.runtime.enter();
+            let has_room = self.store.runtime.block_on(self.parts.wait_for_capacity(MAX_REQUESTS));
+            has_room.map_err(|error| self.store.failed(&error))?;
+            self.parts.write(bytes);
+            Ok(())
+        }
+
+        /// Drops what has been written, so that nobody pays for it.
+        pub(crate) fn abort(self) {
+            // The error that led here is the one to report.
+            let _ = self.store.runtime.block_on(self.parts.abort());
+        }
+
+        /// Makes the object visible.
+        pub(crate) fn finish(self) -> Result<(), PagedError> {
+            let done = self.store.runtime.block_on(self.parts.finish());
+            done.map(drop).map_err(|error| self.store.failed(&error))
+        }
+    }
+
+    impl Puts<'_> {
+        /// Writes an object.
+        pub(crate) fn put(&mut self, place: Place, bytes: &[u8]) -> Result<(), PagedError> {
+            while self.requests.len() >= MAX_REQUESTS {
+                self.wait()?;
+            }
+            let path = self.store.path_of(place)?;
+            let (store, bytes) = (Arc::clone(&self.store.store), bytes.to_vec());
+            let request = async move { store.put(&path, bytes.into()).await };
+            self.requests.spawn_on(request, self.store.runtime.handle());
+            Ok(())
+        }
+
+        /// Waits until all objects are written.
+        pub(crate) fn finish(mut self) -> Result<(), PagedError> {
+            while !self.requests.is_empty() {
+                self.wait()?;
+            }
+            Ok(())
+        }
+
+        fn wait(&mut self) -> Result<(), PagedError> {
+            let failed = |error: &dyn std::fmt::Display| self.store.failed(error);
+            match self.store.runtime.block_on(self.requests.join_next()) {
+                Some(Ok(written)) => written.map(drop).map_err(|error| failed(&error)),
+                Some(Err(error)) => Err(failed(&error)),
+                None => Ok(()),
+            }
+        }
     }
 }

@@ -5,7 +5,7 @@ use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::{HEAD_NAME, PagedError, Place, page_path};
+use crate::{HEAD_NAME, PagedError, Place, Want, page_path};
 
 /// A place that ranges of bytes are read from.
 pub trait Store: Send + Sync {
@@ -17,6 +17,14 @@ pub trait Store: Send + Sync {
     /// # Errors
     /// [`PagedError::Io`] if the bytes cannot be read.
     fn read(&self, place: Place, range: Range<u64>) -> Result<Vec<u8>, PagedError>;
+
+    /// Reads several ranges, at once if that is quicker.
+    ///
+    /// # Errors
+    /// [`PagedError::Io`] of the first range that cannot be read.
+    fn read_all(&self, wants: &[Want]) -> Result<Vec<Vec<u8>>, PagedError> {
+        wants.iter().map(|want| self.read(want.place, want.range.clone())).collect()
+    }
 }
 
 /// Opens a file, a folder, or an address (`https://`, `s3://`, `gs://`, `az://`).

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use crate::errors::Outcome;
 use crate::lod::LodData;
 use crate::mesh::MeshData;
+use crate::paged::PagedLodData;
 use crate::scene::{LodSceneData, SceneData};
 
 /// One of the classes of the module.
@@ -14,6 +15,7 @@ pub(crate) enum Content {
     Scene(SceneData),
     Lod(LodData),
     LodScene(LodSceneData),
+    PagedLod(PagedLodData),
 }
 
 impl Content {
@@ -23,6 +25,7 @@ impl Content {
             Self::Scene(data) => data.into_bound_py_any(py),
             Self::Lod(data) => data.into_bound_py_any(py),
             Self::LodScene(data) => data.into_bound_py_any(py),
+            Self::PagedLod(data) => data.into_bound_py_any(py),
         }
     }
 }

@@ -14,6 +14,7 @@ use crate::decode::decoded;
 use crate::errors::{Outcome, cancelled, decode_error, os_error, read_error, write_error};
 use crate::job;
 use crate::mesh::MeshData;
+use crate::paged::{PagedLodData, is_paged};
 use crate::scene::{LodSceneData, SceneData};
 
 /// Work that always deserves a thread, since its size is unknown before it is done.
@@ -28,6 +29,9 @@ pub(crate) fn open_file(py: Python<'_>, path: PathBuf) -> Outcome<(Bound<'_, PyA
 
 fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(Content, Vec<String>)> {
     let name = path.display().to_string();
+    if is_paged(path) {
+        return Ok((Content::PagedLod(PagedLodData::open(path)?), Vec::new()));
+    }
     let bytes = fs::read(path).map_err(|error| os_error(&error, name.clone()))?;
     let (bytes, inner_name) = striata_io::decompressed(bytes.into(), &name).map_err(read_error)?;
     let folder = path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p });

@@ -39,6 +39,8 @@ mod module;
 #[cfg(feature = "python")]
 mod options;
 #[cfg(feature = "python")]
+mod paged;
+#[cfg(feature = "python")]
 mod plan;
 #[cfg(feature = "python")]
 mod pool;

@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 use crate::errors::DecodeError;
 use crate::lod::LodData;
 use crate::mesh::MeshData;
+use crate::paged::PagedLodData;
 use crate::plan::PlanData;
 use crate::scene::{LodSceneData, SceneData};
 use crate::stream::DecoderData;
@@ -23,6 +24,7 @@ fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<LodSceneData>()?;
     module.add_class::<DecoderData>()?;
     module.add_class::<PlanData>()?;
+    module.add_class::<PagedLodData>()?;
     module.add_function(wrap_pyfunction!(simplify::simplify, module)?)?;
     module.add_function(wrap_pyfunction!(simplify::simplify_mesh, module)?)?;
     module.add_function(wrap_pyfunction!(lod::build, module)?)?;

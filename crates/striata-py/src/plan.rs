@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use striata::simplify::AttributeWeights;
-use striata_paged::build::{BuildError, BuildInput, BuildOptions, Plan, Stage, run_task};
+use striata_paged::build::{BuildError, BuildInput, BuildOptions, Plan, SimulationOptions, run_task};
 
 use crate::errors::{Outcome, cancelled, decode_error, internal_error, os_error, read_error, value_error};
 use crate::job;
@@ -114,22 +114,7 @@ impl PlanData {
 
     /// Name and task numbers of each stage, in order.
     fn stages(&self) -> Vec<(String, Vec<usize>)> {
-        let name = |stage: Stage| match stage {
-            Stage::Sort => "sort".to_owned(),
-            Stage::Level(level) => format!("simplify level {level}"),
-            Stage::Encode(_) => "encode".to_owned(),
-            Stage::Finish => "write".to_owned(),
-        };
-        let mut stages: Vec<(String, Vec<usize>)> = Vec::new();
-        for stage in self.plan.stages() {
-            let numbers: Vec<usize> = self.plan.tasks_of(stage).map(|(number, _)| number).collect();
-            match stages.last_mut() {
-                // Pages of all levels may be encoded at once.
-                Some((last, known)) if *last == name(stage) => known.extend(numbers),
-                _ => stages.push((name(stage), numbers)),
-            }
-        }
-        stages
+        self.plan.stages().into_iter().map(|stage| (stage.name.clone(), stage.tasks().collect())).collect()
     }
 
     fn is_done(&self, task: usize) -> bool {
@@ -143,6 +128,20 @@ impl PlanData {
 
     fn remove_work(&self) -> Outcome<()> {
         self.plan.remove_work().map_err(build_error)
+    }
+
+    /// Simulates the build; returns seconds, seconds of all workers, attempts, bytes of the work folder, and name,
+    /// seconds and busy share of each stage.
+    fn simulate(
+        &self,
+        workers: usize,
+        failing_share: f64,
+        seed: u64,
+    ) -> (f64, f64, usize, u64, Vec<(String, f64, f64)>) {
+        let options = SimulationOptions { failing_share, seed, ..SimulationOptions::new(workers) };
+        let found = self.plan.simulate(&options);
+        let stages = found.stages.into_iter().map(|stage| (stage.name, stage.seconds, stage.busy_share));
+        (found.seconds, found.core_seconds, found.attempts, found.work_bytes, stages.collect())
     }
 
     #[getter]

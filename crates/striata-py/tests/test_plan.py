@@ -54,6 +54,20 @@ def test_a_plan_says_what_it_needs(tmp_path):
         plan.run_task(plan.task_count)
 
 
+def test_a_plan_is_simulated(tmp_path):
+    plan = make(tmp_path)
+    one, four = plan.simulate(1), plan.simulate(4)
+    assert one.attempts == plan.task_count
+    assert one.seconds == pytest.approx(one.core_seconds) and four.seconds < one.seconds
+    assert [name for name, _, _ in four.stages] == [name for name, _ in plan.stages]
+    failing = plan.simulate(4, failing_share=0.3, seed=2)
+    assert failing.attempts > plan.task_count and failing == plan.simulate(4, failing_share=0.3, seed=2)
+    with pytest.raises(ValueError, match="workers is 0"):
+        plan.simulate(0)
+    with pytest.raises(ValueError, match="failing_share is 1"):
+        plan.simulate(1, failing_share=1.0)
+
+
 def test_bad_arguments_are_named(tmp_path):
     with pytest.raises(ValueError, match="no file matches"):
         striata.plan(tmp_path / "*.ply", tmp_path / "a.striata")

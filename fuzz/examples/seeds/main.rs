@@ -28,6 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     for (i, (_, mesh)) in meshes.iter().enumerate() {
         write_formats(i, mesh, &folder("read_bytes")?)?;
+        write_formats(i, mesh, &folder("pieces")?)?;
         let folder_of_files = folder("striata_file")?;
         for (name, bytes) in containers(mesh)? {
             fs::write(folder_of_files.join(format!("{i}-{name}.striata")), bytes)?;

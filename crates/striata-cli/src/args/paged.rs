@@ -70,7 +70,7 @@ impl PagedArgs {
     override_usage = "striata plan [OPTIONS] <INPUT>... -o <OUT>",
     after_help = "Examples:\n  \
     striata plan scans/*.ply -o city.striata\n  \
-    striata plan N35E138.hgt N35E139.hgt -o fuji.striata --json"
+    striata plan N35E138.hgt N35E139.hgt -o fuji.striata --workers 8,64"
 )]
 pub(crate) struct PlanArgs {
     /// Meshes or rasters that are one mesh
@@ -85,6 +85,9 @@ pub(crate) struct PlanArgs {
     /// Threads that read the input [default: one per core]
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<usize>,
+    /// Simulate the build on these numbers of workers, each with one core
+    #[arg(long, value_name = "N,...", value_delimiter = ',', default_values_t = [1usize, 16, 256])]
+    pub(crate) workers: Vec<usize>,
     /// How cells and positions are chosen.
     #[command(flatten)]
     pub(crate) cells: CellArgs,

@@ -25,7 +25,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let path = args.output().ok_or_else(|| Failure::internal("no output was named"))?;
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.format)?;
-    let input = paged::open_input(&args.input, paged::Need::Triangles(usize::MAX))?;
+    let input = paged::open_input(&args.input, usize::MAX)?;
     let is_gltf = matches!(format, Format::Gltf | Format::Glb);
     if is_gltf && input.scene_kind().is_some() && !args.scene.flat {
         return scene::convert(args, &input, (path, format.extension()), output);

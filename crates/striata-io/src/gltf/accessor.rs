@@ -1,30 +1,38 @@
 //! Accessors: typed arrays in buffers, optionally interleaved or sparse. Every bound is checked before a
 //! byte is read.
 
+use std::ops::Deref;
+
 use super::component_type::ComponentType;
 use super::document::Document;
 use super::json::JsonNode;
 use crate::error::{Fault, Place};
 
-/// Checked accessor: all its elements lie within `bytes`.
-pub(super) struct Accessor<'a> {
-    pub count: usize,
-    pub component_count: usize,
-    pub component: ComponentType,
-    pub normalized: bool,
+/// Number and types of an accessor's elements.
+#[derive(Clone)]
+pub(crate) struct Shape {
+    pub(crate) count: usize,
+    pub(crate) component_count: usize,
+    pub(super) component: ComponentType,
+    pub(super) normalized: bool,
     path: String,
+}
+
+/// Checked accessor: all its elements lie within `bytes`.
+pub(crate) struct Accessor<'a> {
+    pub(super) shape: Shape,
     /// Bytes from the first element on, or [`None`] if all elements are initially zero.
-    bytes: Option<&'a [u8]>,
-    stride: usize,
-    sparse: Option<Sparse<'a>>,
+    pub(super) bytes: Option<&'a [u8]>,
+    pub(super) stride: usize,
+    pub(super) sparse: Option<Sparse<'a>>,
 }
 
 /// Replacements for some elements of the array.
-struct Sparse<'a> {
-    count: usize,
+pub(super) struct Sparse<'a> {
+    pub(super) count: usize,
     index_type: ComponentType,
     indices: &'a [u8],
-    values: &'a [u8],
+    pub(super) values: &'a [u8],
 }
 
 /// Reads and checks accessor `index`; `from` is the value that refers to it.
@@ -34,34 +42,70 @@ pub(super) fn accessor<'a>(
     from: &JsonNode<'_>,
 ) -> Result<Accessor<'a>, Fault> {
     let at = document.item("accessors", index, from)?;
-    let component = component_type(&at)?;
-    let component_count = component_count(&at, component)?;
-    let element_bytes = component_count * component.bytes();
-    let count = at.required_unsigned("count")?;
-    if count > u64::from(u32::MAX) / 4 {
-        return Err(at.fault(format!("{count} elements are more than can be handled")));
-    }
-    let count = count as usize;
+    let shape = Shape::parse(document, &at)?;
     let (bytes, stride) = match at.unsigned("bufferView")? {
         Some(view) => {
             let (bytes, stride) = document.view(view, &at)?;
-            let stride = stride.unwrap_or(element_bytes);
-            if stride < element_bytes {
-                let reason = format!("elements of {element_bytes} bytes overlap at a stride of {stride}");
-                return Err(at.fault(reason));
-            }
-            (Some(elements(bytes, &at, count, [stride, element_bytes])?), stride)
+            let (offset, stride) = shape.place(&at, bytes.len() as u64, stride)?;
+            (Some(&bytes[offset..]), stride)
         }
-        None if count as u64 > document.input_bytes => {
+        None => (None, shape.element_bytes()),
+    };
+    let sparse = at.get("sparse").map(|at| sparse(document, &at, &shape)).transpose()?;
+    Ok(Accessor { shape, bytes, stride, sparse })
+}
+
+impl Shape {
+    pub(super) fn parse(document: &Document<'_>, at: &JsonNode<'_>) -> Result<Self, Fault> {
+        let component = component_type(at)?;
+        let component_count = component_count(at, component)?;
+        let count = at.required_unsigned("count")?;
+        let Some(count) = usize::try_from(count).ok().filter(|_| count <= document.max_elements) else {
+            return Err(at.fault(format!("{count} elements are more than can be handled")));
+        };
+        if at.get("bufferView").is_none() && count as u64 > document.input_bytes {
             let reason = format!("{count} zeros in a file of {} bytes", document.input_bytes);
             return Err(at.fault(reason));
         }
-        None => (None, element_bytes),
-    };
-    let sparse = at.get("sparse").map(|at| sparse(document, &at, count, element_bytes)).transpose()?;
-    let normalized = at.flag("normalized");
-    let path = at.path;
-    Ok(Accessor { count, component_count, component, normalized, path, bytes, stride, sparse })
+        let (normalized, path) = (at.flag("normalized"), at.path.clone());
+        Ok(Self { count, component_count, component, normalized, path })
+    }
+
+    /// Creates a fault at this accessor.
+    pub(crate) fn fault(&self, reason: impl Into<String>) -> Fault {
+        Fault::Malformed(Place::Json(self.path.clone()), reason.into())
+    }
+
+    /// Returns the size of an element in bytes.
+    pub(super) fn element_bytes(&self) -> usize {
+        self.component_count * self.component.bytes()
+    }
+
+    /// Returns the place of the first element in a view of `view_bytes`, and the distance of two elements, if
+    /// all elements fit into the view.
+    pub(super) fn place(
+        &self,
+        at: &JsonNode<'_>,
+        view_bytes: u64,
+        stride: Option<usize>,
+    ) -> Result<(usize, usize), Fault> {
+        let element_bytes = self.element_bytes();
+        let stride = stride.unwrap_or(element_bytes);
+        if stride < element_bytes {
+            let reason = format!("elements of {element_bytes} bytes overlap at a stride of {stride}");
+            return Err(at.fault(reason));
+        }
+        let offset = elements(at, view_bytes, self.count, [stride, element_bytes])?;
+        Ok((offset, stride))
+    }
+}
+
+impl Deref for Accessor<'_> {
+    type Target = Shape;
+
+    fn deref(&self) -> &Shape {
+        &self.shape
+    }
 }
 
 fn component_type(at: &JsonNode<'_>) -> Result<ComponentType, Fault> {
@@ -90,36 +134,30 @@ fn component_count(at: &JsonNode<'_>, component: ComponentType) -> Result<usize,
     Ok(count)
 }
 
-/// Returns the bytes from the accessor's own offset on, if `count` elements fit into them.
-fn elements<'a>(
-    bytes: &'a [u8],
+/// Returns the offset that `at` declares, if `count` elements fit into the bytes of its view from there on.
+fn elements(
     at: &JsonNode<'_>,
+    view_bytes: u64,
     count: usize,
     [stride, element_bytes]: [usize; 2],
-) -> Result<&'a [u8], Fault> {
+) -> Result<usize, Fault> {
     let offset = at.unsigned("byteOffset")?.unwrap_or(0);
     let length = if count == 0 { 0 } else { (count as u64 - 1) * stride as u64 + element_bytes as u64 };
-    match offset.checked_add(length).filter(|&end| end <= bytes.len() as u64) {
-        Some(_) => Ok(&bytes[offset as usize..]),
+    match offset.checked_add(length).filter(|&end| end <= view_bytes) {
+        Some(_) => Ok(offset as usize),
         None => {
             let reason = format!(
-                "{count} elements from byte {offset} on take {length} bytes, but the view has {}",
-                bytes.len()
+                "{count} elements from byte {offset} on take {length} bytes, but the view has {view_bytes}"
             );
             Err(at.fault(reason))
         }
     }
 }
 
-fn sparse<'a>(
-    document: &'a Document<'_>,
-    at: &JsonNode<'_>,
-    element_count: usize,
-    element_bytes: usize,
-) -> Result<Sparse<'a>, Fault> {
+fn sparse<'a>(document: &'a Document<'_>, at: &JsonNode<'_>, shape: &Shape) -> Result<Sparse<'a>, Fault> {
     let count = at.required_unsigned("count")?;
-    if count > element_count as u64 {
-        return Err(at.fault(format!("{count} replacements for {element_count} elements")));
+    if count > shape.count as u64 {
+        return Err(at.fault(format!("{count} replacements for {} elements", shape.count)));
     }
     let count = count as usize;
     let part = |key: &str| at.get(key).ok_or_else(|| at.fault(format!("`{key}` is missing")));
@@ -130,19 +168,20 @@ fn sparse<'a>(
     }
     let bytes_of = |at: &JsonNode<'_>, size: usize| {
         let (bytes, _) = document.view(at.required_unsigned("bufferView")?, at)?;
-        elements(bytes, at, count, [size, size])
+        elements(at, bytes.len() as u64, count, [size, size]).map(|offset| &bytes[offset..])
     };
     let indices = bytes_of(&index_at, index_type.bytes())?;
-    let values = bytes_of(&value_at, element_bytes)?;
+    let values = bytes_of(&value_at, shape.element_bytes())?;
     let sparse = Sparse { count, index_type, indices, values };
-    if let Some(index) = sparse.indices().find(|&index| index >= element_count) {
-        return Err(index_at.fault(format!("element {index} of {element_count} does not exist")));
+    if let Some(index) = sparse.indices().find(|&index| index >= shape.count) {
+        return Err(index_at.fault(format!("element {index} of {} does not exist", shape.count)));
     }
     Ok(sparse)
 }
 
 impl Sparse<'_> {
-    fn indices(&self) -> impl Iterator<Item = usize> {
+    /// Returns the numbers of the elements that are replaced.
+    pub(super) fn indices(&self) -> impl Iterator<Item = usize> {
         let size = self.index_type.bytes();
         self.indices.chunks_exact(size).take(self.count).map(move |chunk| {
             let mut word = [0; 4];
@@ -161,19 +200,14 @@ impl<'a> Accessor<'a> {
         bytes: &'a [u8],
         path: &str,
     ) -> Self {
-        let (path, bytes) = (path.to_owned(), Some(bytes));
-        Self { count, component_count, component, normalized: false, path, bytes, stride, sparse: None }
+        let shape = Shape { count, component_count, component, normalized: false, path: path.to_owned() };
+        Self { shape, bytes: Some(bytes), stride, sparse: None }
     }
 }
 
 impl Accessor<'_> {
-    /// Creates a fault at this accessor.
-    pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {
-        Fault::Malformed(Place::Json(self.path.clone()), reason.into())
-    }
-
     /// Returns all numbers as floats, normalized integers as fractions.
-    pub(super) fn floats(&self) -> Vec<f32> {
+    pub(crate) fn floats(&self) -> Vec<f32> {
         let one = |x: f32, most: f32| if self.normalized { (x / most).max(-1.0) } else { x };
         match self.component {
             ComponentType::F32 => self.read::<4, _>(f32::from_le_bytes),

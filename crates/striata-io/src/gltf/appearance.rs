@@ -14,7 +14,7 @@ use crate::images::{ImageBudget, ImageError, media_type};
 use crate::report::Warnings;
 
 /// Reads the materials, textures, samplers and images of a document.
-pub(super) fn appearance(document: &Document<'_>, warnings: &mut Warnings) -> Result<Appearance, Fault> {
+pub(crate) fn appearance(document: &Document<'_>, warnings: &mut Warnings) -> Result<Appearance, Fault> {
     let root = &document.root;
     let mut extensions = BTreeSet::new();
     let mut raw = |at: &JsonNode<'_>| {

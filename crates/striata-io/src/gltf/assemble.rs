@@ -11,10 +11,11 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGr
 use super::appearance;
 use super::document::Document;
 use super::draco::{DracoKey, DracoLink};
-use super::layers::{LayerFormat, append, fill};
-use super::node_tree::{Transform, instances};
+use super::gpu_instancing::BYTES_PER_INSTANCE;
+use super::layers::{LayerFormats, add_vertices, append, fill};
+use super::node_tree::{Transform, visit_instances};
 use super::primitive::{Primitive, document_fault};
-use super::rest_pose::RestPose;
+use super::rest_pose::{PoseKey, RestPose};
 use crate::error::Fault;
 use crate::normals;
 use crate::report::Warnings;
@@ -52,7 +53,7 @@ struct Piece<'a> {
 struct Plan<'a> {
     blocks: Vec<Block<'a>>,
     pieces: Vec<Piece<'a>>,
-    formats: BTreeMap<Semantic, LayerFormat>,
+    formats: LayerFormats,
     vertex_count: usize,
     triangle_limit: u64,
     block_of: BTreeMap<BlockKey, usize>,
@@ -62,22 +63,23 @@ struct Plan<'a> {
 
 /// Identity of a block: the accessor of the positions, the other accessors, the compressed mesh with the
 /// identifiers of its attributes, the transform and the pose.
-type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>, (Option<u64>, Vec<u32>));
+type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>, PoseKey);
 
 /// Builds the mesh of a document's scene.
 pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let mut plan = Plan::default();
-    for instance in instances(document)? {
-        for at in instance.mesh.entries("primitives")? {
+    visit_instances(document, BYTES_PER_INSTANCE, &mut |instance| {
+        let transform = Transform::new(instance.matrix);
+        for at in document.item("meshes", instance.mesh, &document.root)?.entries("primitives")? {
             if plan.pieces.len() == MAX_PRIMITIVES {
                 return Err(document_fault(format!("the scene shows more than {MAX_PRIMITIVES} primitives")));
             }
             if let Some(primitive) = Primitive::parse(document, at)? {
-                let place = (instance.transform, instance.pose.clone());
-                plan.add(document, primitive, place, instance.name)?;
+                plan.add(document, primitive, (transform, instance.pose.clone()), instance.name)?;
             }
         }
-    }
+        Ok(())
+    })?;
     let mut mesh =
         IndexedMesh { appearance: appearance::appearance(document, warnings)?, ..IndexedMesh::default() };
     mesh.positions = plan.positions(document)?;
@@ -158,20 +160,9 @@ impl<'a> Plan<'a> {
         primitive: Primitive<'a>,
         (transform, pose): (Option<Transform>, RestPose),
     ) -> Result<(), Fault> {
-        let positions = primitive.positions(document)?;
-        if positions.component_count != 3 {
-            return Err(positions.fault("POSITION must be VEC3"));
-        }
-        let vertex_count = positions.count;
-        for (semantic, index) in &primitive.attributes {
-            let accessor = primitive.attribute(document, (semantic, *index))?;
-            if accessor.count != vertex_count {
-                let reason = format!("{} elements for {vertex_count} vertices", accessor.count);
-                return Err(accessor.fault(reason));
-            }
-            let format = LayerFormat::of(semantic, &accessor)?;
-            self.formats.entry(semantic.clone()).and_modify(|f| *f = f.united(format)).or_insert(format);
-        }
+        let shape_of =
+            |semantic: Option<&Semantic>, index| Ok(primitive.data(document, semantic, index)?.shape);
+        let vertex_count = add_vertices(&primitive, &mut self.formats, shape_of)?;
         let first_vertex = self.vertex_count;
         self.vertex_count += vertex_count;
         self.blocks.push(Block { primitive, transform, pose, first_vertex, vertex_count });

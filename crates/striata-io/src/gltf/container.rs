@@ -1,5 +1,7 @@
 //! GLB container: a header of 12 bytes, a JSON chunk, and optionally a binary chunk.
 
+use std::ops::Range;
+
 use crate::error::{Fault, Place};
 
 const HEADER_BYTES: usize = 12;
@@ -10,8 +12,15 @@ fn word_at(bytes: &[u8], at: usize) -> Option<u32> {
     bytes.get(at..).and_then(|b| b.first_chunk()).map(|word| u32::from_le_bytes(*word))
 }
 
-/// Returns the JSON and the binary data; chunks of other kinds are skipped, as the specification demands.
+/// Returns the JSON and the binary data.
 pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
+    let (json, binary) = chunk_ranges(bytes)?;
+    Ok((&bytes[json], binary.map(|range| &bytes[range])))
+}
+
+/// Returns where the JSON and the binary data are; chunks of other kinds are skipped, as the specification
+/// demands.
+pub(crate) fn chunk_ranges(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Fault> {
     let cut = || Fault::at_byte(bytes.len(), format!("a GLB header takes {HEADER_BYTES} bytes"));
     let (version, length) = (word_at(bytes, 4).ok_or_else(cut)?, word_at(bytes, 8).ok_or_else(cut)?);
     if version != 2 {
@@ -30,16 +39,17 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
             return Err(Fault::at_byte(at, "the file ends within a chunk's header"));
         };
         let start = at + 8;
-        let Some(data) = bytes.get(start..start.saturating_add(size as usize)) else {
+        let end = start.saturating_add(size as usize);
+        if end > length {
             let reason = format!("a chunk declares {size} bytes, found {}", length - start);
             return Err(Fault::at_byte(at, reason));
-        };
-        if kind == JSON_CHUNK && json.is_none() {
-            json = Some(data);
-        } else if kind == BINARY_CHUNK && binary.is_none() {
-            binary = Some(data);
         }
-        at = start + data.len().next_multiple_of(4);
+        if kind == JSON_CHUNK && json.is_none() {
+            json = Some(start..end);
+        } else if kind == BINARY_CHUNK && binary.is_none() {
+            binary = Some(start..end);
+        }
+        at = start + (size as usize).next_multiple_of(4);
     }
     match json {
         Some(json) => Ok((json, binary)),

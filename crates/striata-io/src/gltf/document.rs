@@ -1,12 +1,10 @@
 //! Document with its buffers loaded, and bounds-checked access to them.
 
-use std::borrow::Cow;
-use std::collections::BTreeMap;
-use std::fs;
-use std::rc::Rc;
+use std::ops::Deref;
 
 use serde_json::Value;
 
+use super::buffers::Buffers;
 use super::compression::{self, Compression};
 use super::json::JsonNode;
 use super::meshopt;
@@ -38,58 +36,67 @@ fn can_be_required(extension: &str) -> bool {
 /// Size that a document may have whose text is not at hand, bytes.
 const JSON_BYTES: u64 = 1 << 20;
 
+/// Largest number of elements of an accessor that is read as a whole.
+const MAX_ELEMENTS: u64 = u32::MAX as u64 / 4;
+
 /// Parsed document with its buffers.
-pub(super) struct Document<'a> {
-    pub root: JsonNode<'a>,
-    buffers: Vec<Rc<Cow<'a, [u8]>>>,
+pub(crate) struct Document<'a> {
+    pub(crate) root: JsonNode<'a>,
+    /// Bytes of each buffer; empty for placeholders.
+    buffers: Vec<&'a [u8]>,
     /// Size of the document and its buffers in bytes; limits the size of the mesh.
-    pub input_bytes: u64,
-    pub source: Source<'a>,
-    pub unpacked: Unpacked,
+    pub(crate) input_bytes: u64,
+    pub(super) source: Source<'a>,
+    pub(crate) unpacked: Unpacked<'a>,
+    /// Largest number of elements that an accessor may have.
+    pub(crate) max_elements: u64,
+}
+
+/// Checks the version of a document and the extensions that it requires.
+pub(crate) fn check_requirements(root: &JsonNode<'_>) -> Result<(), Fault> {
+    let version = root.get("asset").map_or("", |asset| asset.text("version"));
+    if !version.starts_with("2.") {
+        let place = Place::Json("asset.version".to_owned());
+        return Err(match version {
+            "" => Fault::Malformed(place, "`asset.version` is missing: this is not a glTF file".to_owned()),
+            _ => Fault::Unsupported(place, format!("glTF version `{}`", uri::shortened(version))),
+        });
+    }
+    for extension in root.entries("extensionsRequired")? {
+        let name = extension.value.as_str().unwrap_or("");
+        match Compression::of_extension(name) {
+            Some(compression) if compression.is_on() => {}
+            Some(compression) => return Err(compression.feature_off()),
+            None if can_be_required(name) => {}
+            None => return Err(Fault::Extension(name.to_owned())),
+        }
+    }
+    Ok(())
 }
 
 impl<'a> Document<'a> {
-    /// Checks the requirements of the document and loads its buffers.
-    pub(super) fn open(
-        root: &'a Value,
-        blob: Option<&'a [u8]>,
-        json_bytes: usize,
-        source: &Source<'a>,
+    /// Joins a document, which takes `json_bytes` as text, with its buffers; `chunk` is the binary chunk of a
+    /// GLB.
+    pub(crate) fn new<B: Deref<Target = [u8]> + From<Vec<u8>>>(
+        (root, json_bytes): (&'a Value, usize),
+        (buffers, chunk): (&'a Buffers<B>, Option<&'a [u8]>),
+        source: Source<'a>,
     ) -> Result<Self, Fault> {
         let root = JsonNode { value: root, path: String::new() };
-        let version = root.get("asset").map_or("", |asset| asset.text("version"));
-        if !version.starts_with("2.") {
-            let place = Place::Json("asset.version".to_owned());
-            return Err(match version {
-                "" => {
-                    Fault::Malformed(place, "`asset.version` is missing: this is not a glTF file".to_owned())
-                }
-                _ => Fault::Unsupported(place, format!("glTF version `{}`", uri::shortened(version))),
-            });
-        }
-        for extension in root.entries("extensionsRequired")? {
-            let name = extension.value.as_str().unwrap_or("");
-            match Compression::of_extension(name) {
-                Some(compression) if compression.is_on() => {}
-                Some(compression) => return Err(compression.feature_off()),
-                None if can_be_required(name) => {}
-                None => return Err(Fault::Extension(name.to_owned())),
-            }
-        }
         let unpacked = Unpacked::new(root.values("bufferViews")?.len());
-        let (buffers, input_bytes) = (Vec::new(), json_bytes as u64);
-        let mut document = Self { root, buffers, input_bytes, source: *source, unpacked };
-        document.load_buffers(blob)?;
-        Ok(document)
+        let input_bytes =
+            json_bytes as u64 + buffers.loaded_bytes() + chunk.map_or(0, |chunk| chunk.len() as u64);
+        let buffers = buffers.slices(chunk);
+        Ok(Self { root, buffers, input_bytes, source, unpacked, max_elements: MAX_ELEMENTS })
     }
 
     /// Opens a document without buffers of its own: all its buffer views lie in `buffer`.
     pub(super) fn over(root: &'a Value, buffer: &'a [u8]) -> Result<Self, Fault> {
         let root = JsonNode { value: root, path: String::new() };
         let unpacked = Unpacked::new(root.values("bufferViews")?.len());
-        let buffers = vec![Rc::new(Cow::Borrowed(buffer))];
         let (input_bytes, source) = (JSON_BYTES + buffer.len() as u64, Source::default());
-        Ok(Self { root, buffers, input_bytes, source, unpacked })
+        let (buffers, max_elements) = (vec![buffer], MAX_ELEMENTS);
+        Ok(Self { root, buffers, input_bytes, source, unpacked, max_elements })
     }
 
     /// Opens a document whose first buffer is at hand, whatever it requires. Other buffers are not loaded,
@@ -98,73 +105,31 @@ impl<'a> Document<'a> {
         let root = JsonNode { value: root, path: String::new() };
         let count = |key: &str| root.value.get(key).and_then(Value::as_array).map_or(0, Vec::len);
         let bytes_of = |index: usize| if index == 0 { binary } else { &[][..] };
-        let buffers = (0..count("buffers")).map(|i| Rc::new(Cow::Borrowed(bytes_of(i)))).collect();
+        let buffers = (0..count("buffers")).map(bytes_of).collect();
         let unpacked = Unpacked::new(count("bufferViews"));
-        let input_bytes = JSON_BYTES + binary.len() as u64;
-        Self { root, buffers, input_bytes, source: Source::default(), unpacked }
-    }
-
-    fn load_buffers(&mut self, blob: Option<&'a [u8]>) -> Result<(), Fault> {
-        let mut known: BTreeMap<&str, Rc<Cow<'a, [u8]>>> = BTreeMap::new();
-        for (index, at) in self.root.entries("buffers")?.iter().enumerate() {
-            let length = at.required_unsigned("byteLength")?;
-            // Nothing is read from buffers for readers that cannot decompress.
-            let is_fallback = compression::meshopt(at).is_some_and(|at| at.flag("fallback"));
-            let uri = if is_fallback && Compression::Meshopt.is_on() { "" } else { at.text("uri") };
-            let bytes = if let Some(bytes) = known.get(uri) {
-                Rc::clone(bytes)
-            } else if uri.is_empty() {
-                match blob.filter(|_| index == 0) {
-                    Some(blob) => Rc::new(Cow::Borrowed(blob)),
-                    // A placeholder for compressed data; uncompressed views into it report an error.
-                    None => Rc::new(Cow::Borrowed(&[][..])),
-                }
-            } else {
-                let bytes = Rc::new(Cow::Owned(self.buffer_bytes(at, uri)?));
-                known.insert(uri, Rc::clone(&bytes));
-                self.input_bytes += bytes.len() as u64;
-                bytes
-            };
-            if !uri.is_empty() && (bytes.len() as u64) < length {
-                return Err(at.fault(format!("{length} bytes are declared, found {}", bytes.len())));
-            }
-            self.buffers.push(bytes);
-        }
-        self.input_bytes += blob.map_or(0, |b| b.len() as u64);
-        Ok(())
-    }
-
-    fn buffer_bytes(&self, at: &JsonNode<'_>, uri: &str) -> Result<Vec<u8>, Fault> {
-        if let Some(data) = uri::data(uri) {
-            return data.map(|(bytes, _)| bytes).map_err(|reason| at.fault(reason));
-        }
-        let path = uri::path(uri, &self.source).map_err(|reason| at.fault(reason))?;
-        if path.exists() && !path.is_file() {
-            // Reading a pipe could block forever.
-            return Err(at.fault(format!("`{}` is not a regular file", uri::shortened(uri))));
-        }
-        fs::read(&path).map_err(|error| at.fault(format!("`{}`: {error}", uri::shortened(uri))))
+        let (input_bytes, source) = (JSON_BYTES + binary.len() as u64, Source::default());
+        Self { root, buffers, input_bytes, source, unpacked, max_elements: MAX_ELEMENTS }
     }
 
     /// Returns entry `index` of an array at the document's root; `from` is the value that refers to it.
-    pub(super) fn item(&self, array: &str, index: u64, from: &JsonNode<'_>) -> Result<JsonNode<'a>, Fault> {
+    pub(crate) fn item(&self, array: &str, index: u64, from: &JsonNode<'_>) -> Result<JsonNode<'a>, Fault> {
         self.root.item(array, index, from)
     }
 
     /// Returns the bytes of a buffer view, and its stride if it has one.
     pub(super) fn view(&self, index: u64, from: &JsonNode<'_>) -> Result<(&[u8], Option<usize>), Fault> {
         let at = self.item("bufferViews", index, from)?;
-        let stride = at.unsigned("byteStride")?;
-        if stride.is_some_and(|s| !(1..=252).contains(&s)) {
-            return Err(at.fault(format!("byteStride is {}, but may be 4 to 252", stride.unwrap_or(0))));
-        }
-        let bytes = match compression::meshopt(&at) {
-            Some(packed) if Compression::Meshopt.is_on() || self.lacks_bytes(&at) => {
-                self.unpacked.view(index, || meshopt::decompressed(self, &at, &packed))?
-            }
-            _ => self.range(&at)?,
+        let stride = stride(&at)?;
+        let bytes = match self.packed(&at) {
+            Some(packed) => self.unpacked.view(index, || meshopt::decompressed(self, &at, &packed))?,
+            None => self.range(&at)?,
         };
-        Ok((bytes, stride.map(|s| s as usize)))
+        Ok((bytes, stride))
+    }
+
+    /// Returns the extension object of a view that must be decompressed.
+    pub(super) fn packed(&self, at: &JsonNode<'a>) -> Option<JsonNode<'a>> {
+        compression::meshopt(at).filter(|_| Compression::Meshopt.is_on() || self.lacks_bytes(at))
     }
 
     /// Whether the buffer of a view is only a placeholder.
@@ -189,5 +154,14 @@ impl<'a> Document<'a> {
             return Err(at.fault(reason));
         };
         Ok(&buffer[offset as usize..end as usize])
+    }
+}
+
+/// Returns the stride of a buffer view, if it has one.
+pub(super) fn stride(view: &JsonNode<'_>) -> Result<Option<usize>, Fault> {
+    let stride = view.unsigned("byteStride")?;
+    match stride.filter(|s| !(1..=252).contains(s)) {
+        Some(stride) => Err(view.fault(format!("byteStride is {stride}, but may be 4 to 252"))),
+        None => Ok(stride.map(|s| s as usize)),
     }
 }

@@ -14,10 +14,10 @@ use crate::error::Fault;
 type Ids = Vec<(Option<Semantic>, u32)>;
 
 /// Identity of the vertices of a compressed mesh: its buffer view, and the attributes that are used.
-pub(super) type DracoKey = (u64, Ids);
+pub(crate) type DracoKey = (u64, Ids);
 
 /// Compressed mesh of a primitive.
-pub(super) struct DracoLink<'a> {
+pub(crate) struct DracoLink<'a> {
     at: JsonNode<'a>,
     view: u64,
     ids: Ids,
@@ -50,7 +50,7 @@ impl<'a> DracoLink<'a> {
     }
 
     /// Returns what identifies the vertices of the compressed mesh.
-    pub(super) fn key(&self) -> DracoKey {
+    pub(crate) fn key(&self) -> DracoKey {
         (self.view, self.ids.clone())
     }
 
@@ -76,7 +76,7 @@ impl<'a> DracoLink<'a> {
             let reason = format!("the compressed mesh has no attribute {id} of a type that glTF knows");
             return Err(self.at.fault(reason));
         };
-        accessor.normalized = declared.flag("normalized");
+        accessor.shape.normalized = declared.flag("normalized");
         Ok(Some(accessor))
     }
 

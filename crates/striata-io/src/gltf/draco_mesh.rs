@@ -13,7 +13,7 @@ use crate::error::Fault;
 
 /// Decoded mesh.
 #[derive(Debug, Default)]
-pub(super) struct DracoMesh {
+pub(crate) struct DracoMesh {
     point_count: usize,
     index_count: usize,
     /// Indices in 32 bits, three for each triangle.
@@ -31,6 +31,12 @@ struct DracoAttribute {
 }
 
 impl DracoMesh {
+    /// Returns the size of the decoded arrays in bytes.
+    pub(super) fn bytes(&self) -> u64 {
+        let attributes = self.attributes.values().map(|attribute| attribute.bytes.len());
+        (self.indices.len() + attributes.sum::<usize>()) as u64
+    }
+
     /// Returns the indices of all triangles.
     pub(super) fn indices(&self, path: &str) -> Accessor<'_> {
         Accessor::packed(self.index_count, [1, 4], ComponentType::U32, &self.indices, path)

@@ -17,13 +17,13 @@ const EXTENSION: &str = "EXT_mesh_gpu_instancing";
 /// Instances that a document may have regardless of its size.
 const ALWAYS_ALLOWED: u64 = 1 << 18;
 
-/// Bytes of the document and its buffers for each instance more.
-const BYTES_PER_INSTANCE: u64 = 4;
+/// Bytes of the document and its buffers for each instance more, if all are kept in memory anyway.
+pub(super) const BYTES_PER_INSTANCE: u64 = 4;
 
 /// Reads the instances of nodes, and limits their number.
-#[derive(Default)]
 pub(super) struct GpuInstances {
     count: u64,
+    bytes_per_instance: u64,
 }
 
 /// Accessors of the places of instances; a missing one means the identity.
@@ -43,6 +43,11 @@ fn attributes<'a>(node: &JsonNode<'a>) -> Option<JsonNode<'a>> {
 }
 
 impl GpuInstances {
+    /// Allows an instance for so many bytes of the document and its buffers, besides a fixed number.
+    pub(super) fn new(bytes_per_instance: u64) -> Self {
+        Self { count: 0, bytes_per_instance }
+    }
+
     /// Returns the transforms from the mesh to the node; a single [`None`] if the node has no instances of
     /// its own.
     pub(super) fn of_node(
@@ -78,7 +83,7 @@ impl GpuInstances {
     /// Accounts for instances that are about to be read.
     fn claim(&mut self, count: u64, document: &Document<'_>, at: &JsonNode<'_>) -> Result<(), Fault> {
         self.count = self.count.saturating_add(count);
-        let limit = ALWAYS_ALLOWED.max(document.input_bytes / BYTES_PER_INSTANCE);
+        let limit = ALWAYS_ALLOWED.max(document.input_bytes / self.bytes_per_instance);
         if self.count > limit {
             let (found, bytes) = (self.count, document.input_bytes);
             return Err(at.fault(format!("{found} instances are too many for a file of {bytes} bytes")));

@@ -6,13 +6,13 @@ use crate::error::{Fault, Place};
 
 /// Value and its path, such as `meshes[2].primitives[0]`.
 #[derive(Clone)]
-pub(super) struct JsonNode<'a> {
-    pub value: &'a Value,
-    pub path: String,
+pub(crate) struct JsonNode<'a> {
+    pub(crate) value: &'a Value,
+    pub(crate) path: String,
 }
 
 /// Parses the document.
-pub(super) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
+pub(crate) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     serde_json::from_slice(bytes).map_err(|error| {
         let line = error.line() as u64;
@@ -22,7 +22,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
 
 impl<'a> JsonNode<'a> {
     /// Creates a fault at this value.
-    pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {
+    pub(crate) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::Malformed(Place::Json(self.path.clone()), reason.into())
     }
 
@@ -84,13 +84,22 @@ impl<'a> JsonNode<'a> {
     }
 
     /// Returns the entries of an array; empty if the key is missing.
-    pub(super) fn entries(&self, key: &str) -> Result<Vec<JsonNode<'a>>, Fault> {
+    pub(crate) fn entries(&self, key: &str) -> Result<Vec<JsonNode<'a>>, Fault> {
         let Some(at) = self.get(key) else { return Ok(Vec::new()) };
         let Some(values) = at.value.as_array() else {
             return Err(at.fault(format!("expected an array, found {}", describe(at.value))));
         };
         let entry = |(i, value)| JsonNode { value, path: format!("{}[{i}]", at.path) };
         Ok(values.iter().enumerate().map(entry).collect())
+    }
+
+    /// Returns one entry of an array; fails if it does not exist.
+    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+    pub(crate) fn entry(&self, key: &str, index: usize) -> Result<JsonNode<'a>, Fault> {
+        match self.values(key)?.get(index) {
+            Some(value) => Ok(JsonNode { value, path: format!("{}.{key}[{index}]", self.path) }),
+            None => Err(self.fault(format!("`{key}` has no entry {index}"))),
+        }
     }
 
     /// Returns the members of an object, sorted by name; empty if the key is missing.

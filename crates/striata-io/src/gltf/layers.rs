@@ -1,11 +1,14 @@
 //! Attribute layers from accessors: a common type for all primitives, and default values for missing
 //! attributes.
 
+use std::collections::BTreeMap;
+
 use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
-use super::accessor::Accessor;
+use super::accessor::{Accessor, Shape};
 use super::component_type::ComponentType;
 use super::node_tree::Transform;
+use super::primitive::Primitive;
 use crate::error::Fault;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,7 +21,7 @@ enum Kind {
 
 /// Storage format of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LayerFormat {
+pub(crate) struct LayerFormat {
     component_count: u8,
     kind: Kind,
     normalized: bool,
@@ -26,7 +29,7 @@ pub(super) struct LayerFormat {
 
 impl LayerFormat {
     /// Returns the format that keeps an accessor's numbers unchanged, or floats if a layer cannot.
-    pub(super) fn of(semantic: &Semantic, accessor: &Accessor<'_>) -> Result<Self, Fault> {
+    fn of(semantic: &Semantic, accessor: &Shape) -> Result<Self, Fault> {
         let count = accessor.component_count;
         let fits = match semantic {
             Semantic::Normal
@@ -60,7 +63,7 @@ impl LayerFormat {
     }
 
     /// Returns a format that can represent both.
-    pub(super) fn united(self, other: Self) -> Self {
+    fn united(self, other: Self) -> Self {
         let component_count = self.component_count.max(other.component_count);
         if self.kind == other.kind && self.normalized == other.normalized {
             return Self { component_count, ..self };
@@ -75,7 +78,7 @@ impl LayerFormat {
     }
 
     /// Returns the size of one vertex's values in bytes.
-    pub(super) fn vertex_bytes(self) -> u64 {
+    pub(crate) fn vertex_bytes(self) -> u64 {
         let size = match self.kind {
             Kind::U8 => 1,
             Kind::U16 => 2,
@@ -85,7 +88,7 @@ impl LayerFormat {
     }
 
     /// Creates an empty layer with capacity for all vertices.
-    pub(super) fn layer(self, semantic: &Semantic, vertex_count: usize) -> AttributeLayer {
+    pub(crate) fn layer(self, semantic: &Semantic, vertex_count: usize) -> AttributeLayer {
         let room = vertex_count * self.component_count as usize;
         let data = match self.kind {
             Kind::U8 => LayerData::U8(Vec::with_capacity(room)),
@@ -98,8 +101,34 @@ impl LayerFormat {
     }
 }
 
+/// Formats of the layers of a scene.
+pub(crate) type LayerFormats = BTreeMap<Semantic, LayerFormat>;
+
+/// Checks the shapes of a primitive's accessors, and widens the formats of the layers for them; returns the
+/// number of vertices.
+pub(crate) fn add_vertices(
+    primitive: &Primitive<'_>,
+    formats: &mut LayerFormats,
+    shape_of: impl Fn(Option<&Semantic>, u64) -> Result<Shape, Fault>,
+) -> Result<usize, Fault> {
+    let positions = shape_of(None, primitive.position)?;
+    if positions.component_count != 3 {
+        return Err(positions.fault("POSITION must be VEC3"));
+    }
+    let vertex_count = positions.count;
+    for (semantic, index) in &primitive.attributes {
+        let shape = shape_of(Some(semantic), *index)?;
+        if shape.count != vertex_count {
+            return Err(shape.fault(format!("{} elements for {vertex_count} vertices", shape.count)));
+        }
+        let format = LayerFormat::of(semantic, &shape)?;
+        formats.entry(semantic.clone()).and_modify(|f| *f = f.united(format)).or_insert(format);
+    }
+    Ok(vertex_count)
+}
+
 /// Appends an accessor's elements, transformed like the instance.
-pub(super) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transform: Option<&Transform>) {
+pub(crate) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transform: Option<&Transform>) {
     let width = layer.component_count as usize;
     let is_full_width = accessor.component_count == width;
     match (&mut layer.data, accessor.component) {
@@ -155,7 +184,7 @@ fn widen<T: Copy + Default>(
 }
 
 /// Transforms the numbers of some vertices of a layer like their instance.
-pub(super) fn transform_values(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
+pub(crate) fn transform_values(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
     match semantic {
         Semantic::Normal | Semantic::MorphNormal(_) => {
             let is_displacement = *semantic != Semantic::Normal;
@@ -185,7 +214,7 @@ pub(super) fn transform_values(semantic: &Semantic, numbers: &mut [f32], transfo
 }
 
 /// Appends default values for vertices without the attribute: white, a tangent along x, else zero.
-pub(super) fn fill(layer: &mut AttributeLayer, vertex_count: usize) {
+pub(crate) fn fill(layer: &mut AttributeLayer, vertex_count: usize) {
     let count = vertex_count * layer.component_count as usize;
     let is_white = matches!(layer.semantic, Semantic::Color(_));
     match &mut layer.data {

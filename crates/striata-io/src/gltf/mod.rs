@@ -23,6 +23,7 @@
 mod accessor;
 mod appearance;
 mod assemble;
+mod buffers;
 mod builder;
 mod carry;
 mod component_type;
@@ -37,11 +38,18 @@ mod json;
 mod layers;
 mod meshopt;
 mod node_tree;
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+mod partial;
 mod passes;
 mod primitive;
 mod read_scene;
 mod references;
 mod rest_pose;
+#[cfg_attr(
+    not(all(feature = "pieces", not(target_family = "wasm"))),
+    expect(dead_code, reason = "only files in pieces are read by several threads")
+)]
+mod shared_cache;
 mod shown_meshes;
 mod unpacked;
 mod uri;
@@ -52,6 +60,24 @@ mod write_layers;
 mod write_scene;
 
 use striata::mesh::IndexedMesh;
+
+/// What readers of parts of a document need.
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+pub(crate) mod parts {
+    pub(crate) use super::accessor::Accessor;
+    pub(crate) use super::appearance::appearance;
+    pub(crate) use super::buffers::Buffers;
+    pub(crate) use super::container::chunk_ranges;
+    pub(crate) use super::document::{Document, check_requirements};
+    pub(crate) use super::draco::{DracoKey, DracoLink};
+    pub(crate) use super::json::{JsonNode, parse};
+    pub(crate) use super::layers::{LayerFormats, add_vertices, append, fill};
+    pub(crate) use super::node_tree::{Instance, Transform, visit_instances};
+    pub(crate) use super::partial::{TriangleCount, TriangleRuns};
+    pub(crate) use super::primitive::{Primitive, document_fault};
+    pub(crate) use super::rest_pose::RestPose;
+    pub(crate) use super::shared_cache::{SharedCache, UnpackedCache};
+}
 
 pub(crate) use references::has_triangles;
 pub(crate) use shown_meshes::shown_meshes;
@@ -64,7 +90,8 @@ pub(crate) use write_scene::{scene_to_glb_bytes, scene_to_json_bytes};
 use crate::error::Fault;
 use crate::report::Warnings;
 use crate::{Format, MeshData, Scene, Source};
-use document::Document;
+use buffers::Buffers;
+use document::{Document, check_requirements};
 
 /// Reads a mesh from the bytes of a glTF or GLB file.
 pub(crate) fn read(
@@ -122,11 +149,14 @@ fn with_document<T>(
     source: &Source<'_>,
     read: impl FnOnce(&Document<'_>) -> Result<T, Fault>,
 ) -> Result<T, Fault> {
-    let (json, blob) = match format {
+    let (json, chunk) = match format {
         Format::Glb => container::chunks(bytes)?,
         _ => (bytes, None),
     };
     let root = json::parse(json)?;
-    let document = Document::open(&root, blob, json.len(), source)?;
+    let at = json::JsonNode { value: &root, path: String::new() };
+    check_requirements(&at)?;
+    let buffers = Buffers::load(&at, source, |path| std::fs::read(path))?;
+    let document = Document::new((&root, json.len()), (&buffers, chunk), *source)?;
     read(&document)
 }

@@ -9,31 +9,33 @@ use super::rest_pose::{RestPose, RestPoses};
 use crate::error::Fault;
 
 /// One mesh as shown by one node.
-pub(super) struct Instance<'a> {
-    pub mesh: JsonNode<'a>,
+pub(crate) struct Instance<'a> {
+    /// Index of the mesh.
+    pub(crate) mesh: u64,
     /// Name of the mesh, or of the node if the mesh has none.
-    pub name: &'a str,
-    /// [`None`] for the identity, and for skinned meshes, whose node transforms glTF ignores.
-    pub transform: Option<Transform>,
+    pub(crate) name: &'a str,
+    /// Transform from the mesh to the scene; the identity for skinned meshes, whose node transforms glTF
+    /// ignores.
+    pub(crate) matrix: DMat4,
     /// What its morph targets and its skin do to it.
-    pub pose: RestPose,
+    pub(crate) pose: RestPose,
 }
 
 /// Transform, prepared for points and for directions.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct Transform {
+pub(crate) struct Transform {
     matrix: DMat4,
     linear: DMat3,
     /// Cofactor matrix for normals, scaled so that a uniform scale keeps their length.
     cofactor: DMat3,
     /// Average scale factor of lengths.
     scale: f64,
-    pub is_mirrored: bool,
+    pub(crate) is_mirrored: bool,
 }
 
 impl Transform {
     /// Returns [`None`] for the identity.
-    pub(super) fn new(matrix: DMat4) -> Option<Self> {
+    pub(crate) fn new(matrix: DMat4) -> Option<Self> {
         if matrix == DMat4::IDENTITY {
             return None;
         }
@@ -53,7 +55,7 @@ impl Transform {
         self.matrix.to_cols_array().map(f64::to_bits)
     }
 
-    pub(super) fn point(&self, point: [f32; 3]) -> [f32; 3] {
+    pub(crate) fn point(&self, point: [f32; 3]) -> [f32; 3] {
         self.matrix.transform_point3(wide(point)).as_vec3().to_array()
     }
 
@@ -95,35 +97,41 @@ fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
     unit.unwrap_or_else(|| vector.as_vec3().to_array())
 }
 
-/// Returns the meshes of the default scene in tree order, or all meshes if there are no nodes.
-pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>, Fault> {
+/// Visits the meshes of the default scene in tree order, or all meshes if there are no nodes.
+///
+/// Instances of `EXT_mesh_gpu_instancing` are limited to one for so many bytes of the document and its
+/// buffers, unless there are few.
+pub(crate) fn visit_instances<'a>(
+    document: &Document<'a>,
+    bytes_per_instance: u64,
+    visit: &mut dyn FnMut(Instance<'a>) -> Result<(), Fault>,
+) -> Result<(), Fault> {
     let root = &document.root;
     if root.values("nodes")?.is_empty() {
-        let bare = |mesh: JsonNode<'a>| Instance {
-            name: mesh.text("name"),
-            mesh,
-            transform: None,
-            pose: RestPose::default(),
-        };
-        return Ok(root.entries("meshes")?.into_iter().map(bare).collect());
+        for (mesh, at) in root.entries("meshes")?.iter().enumerate() {
+            let (name, pose) = (at.text("name"), RestPose::default());
+            visit(Instance { mesh: mesh as u64, name, matrix: DMat4::IDENTITY, pose })?;
+        }
+        return Ok(());
     }
-    let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::default());
+    let mut gpu_instances = GpuInstances::new(bytes_per_instance);
     let nodes = placed_nodes(root)?;
     let mut poses = RestPoses::new(&nodes);
     for PlacedNode { node, matrix, .. } in nodes {
-        if let Some(mesh) = node.get("mesh") {
-            let mesh = root.item("meshes", mesh.as_unsigned()?, &mesh)?;
+        if let Some(from) = node.get("mesh") {
+            let index = from.as_unsigned()?;
+            let mesh = root.item("meshes", index, &from)?;
             let own_name = mesh.text("name");
             let name = if own_name.is_empty() { node.text("name") } else { own_name };
             let pose = poses.of_node(document, &node, &mesh)?;
             for placement in gpu_instances.of_node(document, &node)? {
                 let matrix = placement.map_or(matrix, |placement| matrix * placement);
-                let transform = if node.get("skin").is_some() { None } else { Transform::new(matrix) };
-                found.push(Instance { mesh: mesh.clone(), name, transform, pose: pose.clone() });
+                let matrix = if node.get("skin").is_some() { DMat4::IDENTITY } else { matrix };
+                visit(Instance { mesh: index, name, matrix, pose: pose.clone() })?;
             }
         }
     }
-    Ok(found)
+    Ok(())
 }
 
 /// Node of the default scene.

@@ -10,28 +10,28 @@ use crate::error::{Fault, Place};
 
 /// Rule by which indices become triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Topology {
+pub(super) enum Topology {
     List,
     Strip,
     Fan,
 }
 
 /// Primitive that draws triangles.
-pub(super) struct Primitive<'a> {
-    pub at: JsonNode<'a>,
-    pub position: u64,
+pub(crate) struct Primitive<'a> {
+    pub(crate) at: JsonNode<'a>,
+    pub(crate) position: u64,
     /// Semantics, sorted, and the index of each accessor.
-    pub attributes: Vec<(Semantic, u64)>,
-    pub material: Option<u32>,
+    pub(crate) attributes: Vec<(Semantic, u64)>,
+    pub(crate) material: Option<u32>,
     /// Compressed mesh that contains the indices and some attributes.
-    pub draco: Option<DracoLink<'a>>,
-    indices: Option<u64>,
-    topology: Topology,
+    pub(crate) draco: Option<DracoLink<'a>>,
+    pub(super) indices: Option<u64>,
+    pub(super) topology: Topology,
 }
 
 impl<'a> Primitive<'a> {
     /// Reads a primitive; [`None`] if it draws points or lines.
-    pub(super) fn parse(document: &Document<'_>, at: JsonNode<'a>) -> Result<Option<Self>, Fault> {
+    pub(crate) fn parse(document: &Document<'_>, at: JsonNode<'a>) -> Result<Option<Self>, Fault> {
         let topology = match at.unsigned("mode")?.unwrap_or(4) {
             0..=3 => return Ok(None),
             4 => Topology::List,
@@ -78,12 +78,12 @@ impl<'a> Primitive<'a> {
     }
 
     /// Returns the positions, decompressed if necessary.
-    pub(super) fn positions<'d>(&self, document: &'d Document<'_>) -> Result<Accessor<'d>, Fault> {
+    pub(crate) fn positions<'d>(&self, document: &'d Document<'_>) -> Result<Accessor<'d>, Fault> {
         self.data(document, None, self.position)
     }
 
     /// Returns an attribute, decompressed if necessary.
-    pub(super) fn attribute<'d>(
+    pub(crate) fn attribute<'d>(
         &self,
         document: &'d Document<'_>,
         (semantic, index): (&Semantic, u64),
@@ -91,7 +91,8 @@ impl<'a> Primitive<'a> {
         self.data(document, Some(semantic), index)
     }
 
-    fn data<'d>(
+    /// Returns the positions ([`None`]) or another attribute, decompressed if necessary.
+    pub(super) fn data<'d>(
         &self,
         document: &'d Document<'_>,
         semantic: Option<&Semantic>,
@@ -104,7 +105,11 @@ impl<'a> Primitive<'a> {
         compressed.map_or_else(|| accessor(document, index, &self.at), Ok)
     }
 
-    fn index_accessor<'d>(&self, document: &'d Document<'_>) -> Result<Option<Accessor<'d>>, Fault> {
+    /// Returns the indices, decompressed if necessary; [`None`] if the vertices are drawn in their order.
+    pub(super) fn index_accessor<'d>(
+        &self,
+        document: &'d Document<'_>,
+    ) -> Result<Option<Accessor<'d>>, Fault> {
         match (&self.draco, self.indices) {
             (Some(draco), _) => draco.indices(document).map(Some),
             (None, Some(index)) => accessor(document, index, &self.at).map(Some),
@@ -113,7 +118,7 @@ impl<'a> Primitive<'a> {
     }
 
     /// Whether it is a single fan; glTF needs a primitive for each fan.
-    pub(super) fn is_fan(&self) -> bool {
+    pub(crate) fn is_fan(&self) -> bool {
         self.topology == Topology::Fan
     }
 
@@ -174,10 +179,14 @@ impl<'a> Primitive<'a> {
 }
 
 fn push_proper(triangle: [u32; 3], first_vertex: u32, triangles: &mut Vec<[u32; 3]>) {
-    let [a, b, c] = triangle;
-    if a != b && b != c && c != a {
+    if is_proper(triangle) {
         triangles.push(triangle.map(|v| v + first_vertex));
     }
+}
+
+/// Whether the corners of a triangle of a strip or fan are different.
+pub(super) fn is_proper([a, b, c]: [u32; 3]) -> bool {
+    a != b && b != c && c != a
 }
 
 /// Returns the semantic of an attribute other than the positions.
@@ -201,6 +210,6 @@ pub(super) fn semantic(name: &str) -> Semantic {
 }
 
 /// Creates a fault for the whole document.
-pub(super) fn document_fault(reason: String) -> Fault {
+pub(crate) fn document_fault(reason: String) -> Fault {
     Fault::Malformed(Place::File, reason)
 }

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::DMat4;
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
@@ -18,25 +18,28 @@ use super::node_tree::{PlacedNode, Transform};
 use crate::error::Fault;
 
 /// Matrices of the joints of a skin, from the mesh to the scene.
-pub(super) struct SkinPose {
+pub(crate) struct SkinPose {
     /// Index of the skin.
-    pub index: u64,
+    index: u64,
     matrices: Vec<DMat4>,
 }
 
 /// Weights of the morph targets of a node and the pose of its skin.
 #[derive(Clone, Default)]
-pub(super) struct RestPose {
-    /// Weight of each morph target; none if all are 0.
-    pub morph_weights: Vec<f32>,
-    pub skin: Option<Rc<SkinPose>>,
+pub(crate) struct RestPose {
+    /// Bits of the weight of each morph target; none if all are 0.
+    morph_weights: Arc<[u32]>,
+    skin: Option<Arc<SkinPose>>,
 }
+
+/// Identity of a pose: the skin, and the bits of the weights.
+pub(crate) type PoseKey = (Option<u64>, Arc<[u32]>);
 
 /// Reads the poses of nodes; each skin is read once.
 pub(super) struct RestPoses {
     /// Transform of each node of the scene.
     matrix_of: BTreeMap<usize, DMat4>,
-    skins: BTreeMap<u64, Rc<SkinPose>>,
+    skins: BTreeMap<u64, Arc<SkinPose>>,
 }
 
 impl RestPoses {
@@ -56,18 +59,16 @@ impl RestPoses {
         // Like the poses of scenes, malformed weights count as none.
         let weights = node.get("weights").or_else(|| mesh.get("weights"));
         let weights = weights.and_then(|at| at.value.as_array()).into_iter().flatten();
-        let mut morph_weights: Vec<f32> =
-            weights.map(|weight| weight.as_f64().unwrap_or(0.0) as f32).collect();
-        if morph_weights.iter().all(|&weight| weight == 0.0) {
-            morph_weights.clear();
-        }
-        Ok(RestPose { morph_weights, skin })
+        let weights: Vec<f32> = weights.map(|weight| weight.as_f64().unwrap_or(0.0) as f32).collect();
+        let is_at_rest = weights.iter().all(|&weight| weight == 0.0);
+        let bits = weights.iter().map(|weight| weight.to_bits()).filter(|_| !is_at_rest);
+        Ok(RestPose { morph_weights: bits.collect(), skin })
     }
 
-    fn skin(&mut self, document: &Document<'_>, from: &JsonNode<'_>) -> Result<Rc<SkinPose>, Fault> {
+    fn skin(&mut self, document: &Document<'_>, from: &JsonNode<'_>) -> Result<Arc<SkinPose>, Fault> {
         let index = from.as_unsigned()?;
         if let Some(known) = self.skins.get(&index) {
-            return Ok(Rc::clone(known));
+            return Ok(Arc::clone(known));
         }
         let at = document.item("skins", index, from)?;
         let joints = at.entries("joints")?;
@@ -87,21 +88,20 @@ impl RestPoses {
             let placed = node.and_then(|node| self.matrix_of.get(&node)).copied().unwrap_or_default();
             matrices.push(placed * inverse_binds.get(joint).copied().unwrap_or_default());
         }
-        let pose = Rc::new(SkinPose { index, matrices });
-        self.skins.insert(index, Rc::clone(&pose));
+        let pose = Arc::new(SkinPose { index, matrices });
+        self.skins.insert(index, Arc::clone(&pose));
         Ok(pose)
     }
 }
 
 impl RestPose {
-    /// Returns the bits that identify the pose: the skin and the weights.
-    pub(super) fn key(&self) -> (Option<u64>, Vec<u32>) {
-        let weights = self.morph_weights.iter().map(|weight| weight.to_bits()).collect();
-        (self.skin.as_ref().map(|skin| skin.index), weights)
+    /// Returns what identifies the pose.
+    pub(crate) fn key(&self) -> PoseKey {
+        (self.skin.as_ref().map(|skin| skin.index), Arc::clone(&self.morph_weights))
     }
 
     /// Moves a range of vertices: first by the morph targets, then by the joints.
-    pub(super) fn apply(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
+    pub(crate) fn apply(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
         self.morph(mesh, range.clone());
         if let Some(skin) = &self.skin {
             skin.deform(mesh, range);
@@ -109,12 +109,12 @@ impl RestPose {
     }
 
     fn morph(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
-        for (target, &weight) in self.morph_weights.iter().enumerate().filter(|&(_, &w)| w != 0.0) {
+        let weights = self.morph_weights.iter().map(|&bits| f32::from_bits(bits));
+        for (target, weight) in weights.enumerate().filter(|&(_, weight)| weight != 0.0) {
             let Ok(target) = u16::try_from(target) else { return };
             let IndexedMesh { positions, layers, .. } = mesh;
-            if let Some(deltas) =
-                layers.iter().find(|layer| layer.semantic == Semantic::MorphPosition(target))
-            {
+            if let Some(deltas) = place_of(layers, &Semantic::MorphPosition(target)) {
+                let deltas = &layers[deltas];
                 for vertex in range.clone() {
                     for (axis, x) in positions[vertex].iter_mut().enumerate() {
                         *x += weight * deltas.get(vertex, axis);
@@ -140,13 +140,26 @@ fn add_directions(
     weight: f32,
     range: Range<usize>,
 ) {
-    let Some(deltas) = mesh.layer(deltas).cloned() else { return };
+    let Some(deltas) = part_of(mesh, deltas, &range) else { return };
     let Some((data, width)) = floats_of(mesh, directions) else { return };
-    for vertex in range {
+    for (own, vertex) in range.enumerate() {
         for axis in 0..3 {
-            data[vertex * width + axis] += weight * deltas.get(vertex, axis);
+            data[vertex * width + axis] += weight * deltas.get(own, axis);
         }
     }
+}
+
+/// Copies a range of the vertices of a layer.
+fn part_of(mesh: &IndexedMesh, semantic: &Semantic, range: &Range<usize>) -> Option<AttributeLayer> {
+    let layer = &mesh.layers[place_of(&mesh.layers, semantic)?];
+    let vertices: Vec<u32> = range.clone().map(|vertex| vertex as u32).collect();
+    Some(layer.gather(&vertices))
+}
+
+/// Returns the place of a layer. The layers of a flattened scene are sorted, and there may be any number.
+fn place_of(layers: &[AttributeLayer], semantic: &Semantic) -> Option<usize> {
+    debug_assert!(layers.is_sorted_by(|a, b| a.semantic < b.semantic), "layers are sorted");
+    layers.binary_search_by(|layer| layer.semantic.cmp(semantic)).ok()
 }
 
 /// Makes the directions of a layer unit vectors again; those without a length stay.
@@ -163,7 +176,8 @@ fn normalize(mesh: &mut IndexedMesh, semantic: &Semantic, range: Range<usize>) {
 
 /// Returns the numbers of a layer of directions, and how many there are for each vertex.
 fn floats_of<'m>(mesh: &'m mut IndexedMesh, semantic: &Semantic) -> Option<(&'m mut [f32], usize)> {
-    let layer = mesh.layers.iter_mut().find(|layer| layer.semantic == *semantic)?;
+    let place = place_of(&mesh.layers, semantic)?;
+    let layer = &mut mesh.layers[place];
     let width = layer.component_count as usize;
     match &mut layer.data {
         LayerData::F32(data) if width >= 3 => Some((data, width)),
@@ -177,11 +191,12 @@ impl SkinPose {
     fn deform(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
         let sets: Vec<(AttributeLayer, AttributeLayer)> = (0..=u8::MAX)
             .map_while(|set| {
-                mesh.layer(&Semantic::Joints(set)).cloned().zip(mesh.layer(&Semantic::Weights(set)).cloned())
+                let part = |semantic| part_of(mesh, &semantic, &range);
+                part(Semantic::Joints(set)).zip(part(Semantic::Weights(set)))
             })
             .collect();
-        for vertex in range {
-            let Some(transform) = self.matrix(&sets, vertex).and_then(Transform::new) else { continue };
+        for (own, vertex) in range.enumerate() {
+            let Some(transform) = self.matrix(&sets, own).and_then(Transform::new) else { continue };
             mesh.positions[vertex] = transform.point(mesh.positions[vertex]);
             for layer in &mut mesh.layers {
                 let width = layer.component_count as usize;

@@ -4,7 +4,7 @@ use glam::{DMat3, DMat4, DVec3};
 use serde_json::Value;
 
 use super::document::Document;
-use super::gpu_instancing::{GpuInstances, is_instanced};
+use super::gpu_instancing::{BYTES_PER_INSTANCE, GpuInstances, is_instanced};
 use super::json::JsonNode;
 use super::node_tree::{PlacedNode, placed_nodes};
 use crate::error::Fault;
@@ -32,7 +32,7 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
         matrix_of[*index] = Some(*matrix);
     }
     let mut poses = SkinPoses { root: &root, buffer, matrix_of: &matrix_of, known: Vec::new() };
-    let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::default());
+    let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::new(BYTES_PER_INSTANCE));
     let mut opened = None;
     for PlacedNode { index, node, matrix } in &nodes {
         let Some(at) = node.get("mesh") else { continue };

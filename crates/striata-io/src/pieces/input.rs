@@ -37,6 +37,12 @@ impl Mapped {
     }
 }
 
+impl From<Vec<u8>> for Mapped {
+    fn from(bytes: Vec<u8>) -> Self {
+        Self::Owned(bytes)
+    }
+}
+
 impl Deref for Mapped {
     type Target = [u8];
 

@@ -5,11 +5,13 @@
 
 mod appearances;
 mod fractal_terrain;
+mod gltf;
 mod input;
 mod kinds;
 mod local;
 mod mesh_pieces;
 mod obj;
+mod off;
 mod open;
 mod options;
 mod ply;

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use super::gltf::GltfPieces;
 use super::input::Input;
 use super::obj::ObjPieces;
+use super::off::OffPieces;
 use super::ply::PlyPieces;
 use super::stl::StlPieces;
 use super::{MeshPieces, PieceOptions, PieceSource};
@@ -11,9 +13,13 @@ use crate::{Format, ReadError, read_bytes_with_report};
 
 /// Opens a file in pieces: the content decides the format, then the extension.
 ///
-/// PLY, STL and OBJ may be larger than the memory. Binary files are mapped into it, text and compressed
-/// files are converted to temporary files first. The rest is read at once: OFF, glTF, and PLY with triangle
-/// strips, with lists among the properties of vertices, or with texture coordinates of faces.
+/// Files may be larger than the memory. Binary files and the buffers of glTF are mapped into it, text and
+/// compressed files are converted to temporary files first. Only PLY files with triangle strips, with lists
+/// among the properties of vertices, or with texture coordinates of faces are read at once.
+///
+/// glTF is what its default scene shows, at rest. Some of it is read in full when a piece needs it: buffer
+/// views and primitives that are compressed, and primitives without normals if others have some, which take
+/// 24 bytes per vertex then. The JSON and the images are always kept.
 ///
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.
@@ -30,6 +36,10 @@ pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceS
         },
         Some(Format::Stl) => return Ok(Box::new(StlPieces::open(input, options)?)),
         Some(Format::Obj) => return Ok(Box::new(ObjPieces::open(&input, options)?)),
+        Some(Format::Off) => return Ok(Box::new(OffPieces::open(&input, options)?)),
+        Some(format @ (Format::Gltf | Format::Glb)) => {
+            return Ok(Box::new(GltfPieces::open(input, format, options)?));
+        }
         _ => {}
     }
     in_memory(&input, options)

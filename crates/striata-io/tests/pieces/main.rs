@@ -1,6 +1,7 @@
 //! Files that are read in pieces have the triangles that the readers of whole files find.
 
 mod damaged;
+mod gltf;
 mod text;
 
 use std::collections::BTreeMap;

@@ -93,3 +93,36 @@ fn large_texts_are_read_in_batches() {
     let whole = whole.groups.iter().flat_map(|g| g.range().map(|_| g.material)).collect();
     assert!(counts(of_pieces).eq(counts(whole)));
 }
+
+/// Colors are bytes, fractions or zeros and ones, which only the last vertex decides.
+#[test]
+fn off_files_with_all_attributes() {
+    let mesh = shapes::torus(15, 10, 2.0, 0.5);
+    let folder = Folder::new();
+    for (name, last) in
+        [("bytes", "255 7 1"), ("fractions", "0.5 1 0"), ("white", "1 1 1"), ("large", "300 1 1")]
+    {
+        let mut text =
+            format!("# made by hand\nSTCNOFF\n{} {} 0\n", mesh.vertex_count(), mesh.triangle_count());
+        for (index, [x, y, z]) in mesh.positions.iter().enumerate() {
+            let color = if index + 1 == mesh.vertex_count() { last } else { "0 1 1" };
+            text += &format!("{x} {y} {z} 0 0 1 {color} 0.25 {index} # vertex {index}\n");
+        }
+        for [a, b, c] in &mesh.triangles {
+            text += &format!("3 {a} {b} {c} 0.5 0.5 0.5\n");
+        }
+        folder.check(&format!("{name}.off"), text.as_bytes());
+        for (from, to, expected) in [
+            (
+                "# vertex 9\n",
+                "# vertex 9\nnan 0 0 0 0 1 0 1 1 0 0\n",
+                "line 14: vertex 10: NaN is not a usable",
+            ),
+            ("3 1 ", "3 1000000 ", "vertex 1000000 of 150 does not exist"),
+            ("150 300 0", "150 3000000 0", "3000000 rows are declared"),
+        ] {
+            let message = folder.error("bad.off", text.replacen(from, to, 1).as_bytes());
+            assert!(message.contains(expected), "{message}");
+        }
+    }
+}

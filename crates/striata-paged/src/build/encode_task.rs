@@ -7,7 +7,7 @@ use striata::mesh::AttributeLayer;
 
 use super::BuildError;
 use super::part_file::{PartIndex, PartWriter};
-use super::plan::{Plan, Stage, Task};
+use super::plan::{Plan, Task, TaskKind};
 use super::simplify_task::base_page;
 use super::wire::{PendingPage, Reader};
 use crate::{Import, PageEntry, PageId};
@@ -30,10 +30,10 @@ impl EncodeInputs {
         let mut steps = Vec::new();
         let mut triangles = Vec::new();
         for task in &plan.tasks {
-            if let Stage::Level(level) = task.stage {
+            if let TaskKind::Level(level) = task.kind {
                 steps.push(plan.steps_path(level, task.first));
             }
-            if matches!(task.stage, Stage::Level(_) | Stage::Sort) {
+            if matches!(task.kind, TaskKind::Level(_) | TaskKind::Sort) {
                 triangles.push(plan.triangles_path(task));
             }
         }
@@ -138,7 +138,8 @@ impl Owners<'_> {
 }
 
 /// Runs an encode task. Each segment has the length of the page's entry, the entry as JSON, and the page.
-pub(super) fn run(plan: &Plan, task: &Task, level: u8, inputs: &EncodeInputs) -> Result<(), BuildError> {
+pub(super) fn run(plan: &Plan, task: &Task, inputs: &EncodeInputs) -> Result<(), BuildError> {
+    let TaskKind::Encode(level) = task.kind else { return Ok(()) };
     let mut owners = Owners { plan, inputs, known: HashMap::new() };
     let mut writer = PartWriter::create(&plan.pages_path(level, task.first))?;
     for cell in task.first..task.first + task.count {

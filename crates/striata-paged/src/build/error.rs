@@ -60,7 +60,7 @@ pub enum BuildError {
         input: String,
     },
     /// Not enough room on the disk.
-    #[error("{}: {needed} bytes are needed, {available} are free", path.display())]
+    #[error("{}: {:.2} GB are needed, {:.2} GB are free", path.display(), gigabytes(*needed), gigabytes(*available))]
     DiskSpace {
         /// The folder.
         path: PathBuf,
@@ -96,6 +96,10 @@ pub enum BuildError {
     /// The caller stopped the build.
     #[error(transparent)]
     Cancelled(#[from] striata::Cancelled),
+}
+
+fn gigabytes(bytes: u64) -> f64 {
+    bytes as f64 * 1e-9
 }
 
 impl BuildError {

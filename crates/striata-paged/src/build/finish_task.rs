@@ -1,4 +1,4 @@
-//! The last task: collects all pages into one file, or into a folder of objects.
+//! The last task: collects all pages into one file, or into a folder of objects, here or at an address.
 
 use std::fs;
 use std::io::{BufWriter, Write};
@@ -6,13 +6,15 @@ use std::path::Path;
 
 use super::BuildError;
 use super::part_file::{PartFile, PartIndex, Segment};
-use super::plan::{Plan, Stage, temporary_in, write_whole};
+use super::plan::{Plan, TaskKind, temporary_in, write_whole};
+#[cfg(feature = "remote")]
+use crate::Place;
 use crate::{HEAD_NAME, PageEntry, PageId, page_path, write_head};
 
 /// Writes the result.
 pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
-    let paths = plan.tasks.iter().filter_map(|task| match task.stage {
-        Stage::Encode(level) => Some(plan.pages_path(level, task.first)),
+    let paths = plan.tasks.iter().filter_map(|task| match task.kind {
+        TaskKind::Encode(level) => Some(plan.pages_path(level, task.first)),
         _ => None,
     });
     let pages = PartIndex::open(paths)?;
@@ -30,25 +32,68 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
     let mut metadata = plan.metadata.clone();
     metadata.position_count = entries.iter().map(|entry| u64::from(entry.position_count)).sum();
     metadata.vertex_count = entries.iter().map(|entry| u64::from(entry.vertex_count)).sum();
-    let is_folder = is_folder(&plan.output);
-    let head = write_head(&metadata, &entries, is_folder);
+    let destination = Destination::of(&plan.output)?;
+    let head = write_head(&metadata, &entries, destination.is_folder());
     let each = |write: &mut WritePage<'_>| {
         ids.iter().try_for_each(|&id| {
             let Some((part, segment)) = pages.find(id).next() else { return Ok(()) };
             write(id, &split(part, segment)?.1)
         })
     };
-    if is_folder {
-        each(&mut |id, bytes| {
-            let path = plan.output.join(page_path(id));
-            let folder = path.parent().unwrap_or(&plan.output);
-            fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
-            write_whole(&path, bytes)
-        })?;
-        // The head comes last: without it, nobody sees the pages.
-        write_whole(&plan.output.join(HEAD_NAME), &head)
-    } else {
-        write_file(&plan.output, &head, &each)
+    match destination {
+        Destination::File => write_file(&plan.output, &head, &each),
+        Destination::Folder => write_folder(&plan.output, &head, &each),
+        #[cfg(feature = "remote")]
+        Destination::Address(store) => write_to_address(&store, &head, &each),
+    }
+}
+
+/// Where the result goes.
+pub(super) enum Destination {
+    /// One file.
+    File,
+    /// A folder with one object per page.
+    Folder,
+    /// An address, with one object or one per page.
+    #[cfg(feature = "remote")]
+    Address(crate::remote::RemoteStore),
+}
+
+impl Destination {
+    /// The kind of an output: a path without an extension is a folder.
+    ///
+    /// # Errors
+    /// [`BuildError::Page`] if it is an address that cannot be written.
+    pub(super) fn of(output: &Path) -> Result<Self, BuildError> {
+        let name = output.to_string_lossy();
+        if is_address(output) {
+            #[cfg(feature = "remote")]
+            return Ok(Self::Address(crate::remote::RemoteStore::open(&name)?));
+            #[cfg(not(feature = "remote"))]
+            return Err(
+                crate::PagedError::FeatureOff { address: name.into_owned(), feature: "remote" }.into()
+            );
+        }
+        let is_folder = output.is_dir() || output.extension().is_none();
+        Ok(if is_folder { Self::Folder } else { Self::File })
+    }
+
+    /// Refuses an address that cannot be written, as far as this is known without writing.
+    pub(super) fn check(&self) -> Result<(), BuildError> {
+        match self {
+            Self::File | Self::Folder => Ok(()),
+            #[cfg(feature = "remote")]
+            Self::Address(store) => Ok(store.check_bucket()?),
+        }
+    }
+
+    fn is_folder(&self) -> bool {
+        match self {
+            Self::File => false,
+            Self::Folder => true,
+            #[cfg(feature = "remote")]
+            Self::Address(store) => store.is_folder(),
+        }
     }
 }
 
@@ -69,9 +114,46 @@ fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), Bui
     Ok(())
 }
 
-/// Whether pages become separate objects in a folder.
-pub(super) fn is_folder(output: &Path) -> bool {
-    output.is_dir() || output.extension().is_none()
+fn write_folder(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), BuildError> {
+    each(&mut |id, bytes| {
+        let path = output.join(page_path(id));
+        let folder = path.parent().unwrap_or(output);
+        fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
+        write_whole(&path, bytes)
+    })?;
+    // The head comes last: without it, nobody sees the pages.
+    write_whole(&output.join(HEAD_NAME), head)
+}
+
+#[cfg(feature = "remote")]
+fn write_to_address(
+    store: &crate::remote::RemoteStore,
+    head: &[u8],
+    each: &EachPage<'_>,
+) -> Result<(), BuildError> {
+    if !store.is_folder() {
+        let mut upload = store.upload()?;
+        let written = upload.write(head).map_err(BuildError::from);
+        return match written.and_then(|()| each(&mut |_, bytes| Ok(upload.write(bytes)?))) {
+            Ok(()) => Ok(upload.finish()?),
+            Err(error) => {
+                upload.abort();
+                Err(error)
+            }
+        };
+    }
+    let mut pages = store.put_all();
+    each(&mut |id, bytes| Ok(pages.put(Place::Page(id), bytes)?))?;
+    pages.finish()?;
+    // The head comes last: without it, nobody sees the pages.
+    let mut last = store.put_all();
+    last.put(Place::Head, head)?;
+    Ok(last.finish()?)
+}
+
+/// Whether an output is an address and not a path.
+pub fn is_address(output: &Path) -> bool {
+    output.to_string_lossy().contains("://")
 }
 
 /// Entry and bytes of a page.

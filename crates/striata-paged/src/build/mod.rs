@@ -20,6 +20,7 @@ mod plan;
 mod runner;
 mod scan;
 mod simplify_task;
+mod simulation;
 mod sort_task;
 mod wire;
 
@@ -27,10 +28,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::BuildError;
+pub use finish_task::is_address;
 pub use input::BuildInput;
 pub use options::BuildOptions;
-pub use plan::{Plan, Stage, Task};
+pub use plan::{Plan, Stage, Task, TaskKind};
 pub use runner::{run_all, run_stage, run_task};
+pub use simulation::{SimulatedStage, Simulation, SimulationOptions, TaskCosts};
 use striata::ProgressFn;
 use striata_io::pieces::PieceOptions;
 
@@ -66,6 +69,8 @@ impl Plan {
         folder: &Path,
         (threads, progress): (usize, &mut ProgressFn<'_>),
     ) -> Result<Self, BuildError> {
+        // An output that cannot be written must be known before hours of work.
+        finish_task::Destination::of(output)?.check()?;
         fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
         let piece_options =
             PieceOptions::default().with_scratch(folder.to_owned()).with_z_scale(options.z_scale);

@@ -11,15 +11,17 @@ use crate::Metadata;
 
 /// Version of the plan and of all part files.
 const VERSION: u32 = 1;
+/// A stage has at least so many tasks, if it has as many cells.
+const MIN_TASKS: u64 = 16;
 /// Name of the plan in its folder.
 pub(super) const PLAN_NAME: &str = "plan.json";
 /// Name of the partition in the same folder.
 const PARTITION_NAME: &str = "partition.bin";
 
-/// One step of a build. A stage may begin when all tasks of the stages before it are done.
+/// What a task does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Stage {
+pub enum TaskKind {
     /// Read pieces of the input and sort their triangles into cells.
     Sort,
     /// Simplify the cells of a level.
@@ -30,15 +32,45 @@ pub enum Stage {
     Finish,
 }
 
+impl TaskKind {
+    /// Name of its stage. Pages of all levels may be encoded at the same time.
+    pub(super) fn stage(self) -> String {
+        match self {
+            Self::Sort => "sort".to_owned(),
+            Self::Level(level) => format!("simplify level {level}"),
+            Self::Encode(_) => "encode".to_owned(),
+            Self::Finish => "write".to_owned(),
+        }
+    }
+}
+
 /// One task: it reads results of earlier stages and writes one file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Task {
-    /// Stage that the task belongs to.
-    pub stage: Stage,
+    /// What it does.
+    pub kind: TaskKind,
     /// First piece or cell.
     pub first: u64,
     /// Number of pieces or cells.
     pub count: u64,
+}
+
+/// Tasks that may run in any order and at the same time, when all tasks of the stages before are done.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Stage {
+    /// Name: `sort`, `simplify level 2`, `encode`, `write`.
+    pub name: String,
+    /// Number of the first task.
+    pub first_task: usize,
+    /// Number of tasks, which are numbered consecutively.
+    pub task_count: usize,
+}
+
+impl Stage {
+    /// Numbers of the tasks.
+    pub fn tasks(&self) -> std::ops::Range<usize> {
+        self.first_task..self.first_task + self.task_count
+    }
 }
 
 /// Everything that tasks need to know.
@@ -77,22 +109,24 @@ impl Plan {
     ) -> Self {
         let Scanned { metadata, partition, piece_count } = scanned;
         let mut tasks = Vec::new();
-        let mut bundle = |stage: Stage, count: u64, size: u64| {
+        let mut bundle = |kind: TaskKind, count: u64, size: u64| {
             for first in (0..count).step_by(size as usize) {
-                tasks.push(Task { stage, first, count: size.min(count - first) });
+                tasks.push(Task { kind, first, count: size.min(count - first) });
             }
         };
-        bundle(Stage::Sort, piece_count, options.pieces_per_task);
+        bundle(TaskKind::Sort, piece_count, options.pieces_per_task.max(1));
+        // Coarse levels have few cells: with one task for all of them, all other workers would wait.
+        let cells_per_task = |cells: u64| cells.div_ceil(MIN_TASKS).clamp(1, options.cells_per_task.max(1));
         let cells = |level: usize| u64::from(partition.levels()[level].cell_count());
         let level_count = partition.levels().len();
         for level in 0..level_count {
-            bundle(Stage::Level(level as u8), cells(level), options.cells_per_task);
+            bundle(TaskKind::Level(level as u8), cells(level), cells_per_task(cells(level)));
         }
-        bundle(Stage::Encode(level_count as u8), 1, 1);
+        bundle(TaskKind::Encode(level_count as u8), 1, 1);
         for level in (0..level_count).rev() {
-            bundle(Stage::Encode(level as u8), cells(level), options.cells_per_task);
+            bundle(TaskKind::Encode(level as u8), cells(level), cells_per_task(cells(level)));
         }
-        bundle(Stage::Finish, 1, 1);
+        bundle(TaskKind::Finish, 1, 1);
         Self { version: VERSION, input, options, metadata, output, tasks, folder, partition: Some(partition) }
     }
 
@@ -139,22 +173,23 @@ impl Plan {
         self.metadata.cell_counts.len() as u8
     }
 
-    /// Tasks of a stage, with their numbers.
-    pub fn tasks_of(&self, stage: Stage) -> impl Iterator<Item = (usize, &Task)> {
-        self.tasks.iter().enumerate().filter(move |(_, task)| task.stage == stage)
-    }
-
     /// The stages in order.
     pub fn stages(&self) -> Vec<Stage> {
-        let mut stages: Vec<Stage> = self.tasks.iter().map(|task| task.stage).collect();
-        stages.dedup();
+        let mut stages: Vec<Stage> = Vec::new();
+        for (number, task) in self.tasks.iter().enumerate() {
+            let name = task.kind.stage();
+            match stages.last_mut() {
+                Some(last) if last.name == name => last.task_count += 1,
+                _ => stages.push(Stage { name, first_task: number, task_count: 1 }),
+            }
+        }
         stages
     }
 
     /// File of triangles that a task writes, for the cells of later levels.
     pub(super) fn triangles_path(&self, task: &Task) -> PathBuf {
-        match task.stage {
-            Stage::Level(level) => self.folder.join(format!("level-{level}-{:08}.part", task.first)),
+        match task.kind {
+            TaskKind::Level(level) => self.folder.join(format!("level-{level}-{:08}.part", task.first)),
             _ => self.folder.join(format!("sort-{:08}.part", task.first)),
         }
     }
@@ -171,13 +206,13 @@ impl Plan {
 
     /// Whether a task has been run.
     pub fn is_done(&self, task: &Task) -> bool {
-        match task.stage {
-            Stage::Sort => self.triangles_path(task).exists(),
-            Stage::Level(level) => {
+        match task.kind {
+            TaskKind::Sort => self.triangles_path(task).exists(),
+            TaskKind::Level(level) => {
                 self.triangles_path(task).exists() && self.steps_path(level, task.first).exists()
             }
-            Stage::Encode(level) => self.pages_path(level, task.first).exists(),
-            Stage::Finish => self.is_finished(),
+            TaskKind::Encode(level) => self.pages_path(level, task.first).exists(),
+            TaskKind::Finish => self.is_finished(),
         }
     }
 

@@ -5,7 +5,7 @@ use std::sync::{Mutex, mpsc};
 
 use super::encode_task::{self, EncodeInputs};
 use super::part_file::PartIndex;
-use super::plan::{Plan, Stage, Task};
+use super::plan::{Plan, Stage, Task, TaskKind};
 use super::{BuildError, finish_task, simplify_task, sort_task};
 use striata::{Cancelled, Progress, ProgressFn};
 use striata_io::pieces::PieceOptions;
@@ -63,7 +63,7 @@ pub(super) fn in_parallel(
 /// # Errors
 /// [`BuildError`] of the first task that fails. What other tasks have completed stays, and a later run goes on.
 pub fn run_all(plan: &Plan, threads: usize, progress: &mut ProgressFn<'_>) -> Result<(), BuildError> {
-    plan.stages().into_iter().try_for_each(|stage| run_stage(plan, stage, (threads, progress)))
+    plan.stages().iter().try_for_each(|stage| run_stage(plan, stage, (threads, progress)))
 }
 
 /// Runs all tasks of a stage that have not been run.
@@ -72,17 +72,18 @@ pub fn run_all(plan: &Plan, threads: usize, progress: &mut ProgressFn<'_>) -> Re
 /// See [`run_all`]; also [`BuildError::TaskOrder`] if an earlier stage is not complete.
 pub fn run_stage(
     plan: &Plan,
-    stage: Stage,
+    stage: &Stage,
     (threads, progress): (usize, &mut ProgressFn<'_>),
 ) -> Result<(), BuildError> {
-    let open: Vec<(usize, &Task)> = plan.tasks_of(stage).filter(|(_, task)| !plan.is_done(task)).collect();
-    let Some(&(first, _)) = open.first() else { return Ok(()) };
-    check_order(plan, stage, first)?;
-    let inputs = StageInputs::open(plan, stage)?;
-    let (phase, before, total) = phase_of(plan, stage);
-    let before = before + (plan.tasks_of(stage).count() - open.len()) as u64;
-    let mut report = |done: u64| Progress { phase, done: before + done, total }.report(progress);
-    in_parallel(open.len(), (threads, &mut report), |index| inputs.run(plan, open[index].1))
+    let tasks = plan.tasks.get(stage.tasks()).unwrap_or_default();
+    let open: Vec<&Task> = tasks.iter().filter(|task| !plan.is_done(task)).collect();
+    let Some(first) = open.first() else { return Ok(()) };
+    check_order(plan, stage.first_task)?;
+    let inputs = StageInputs::open(plan, first.kind)?;
+    let (name, before, total) = progress_of(plan, stage);
+    let before = before + (tasks.len() - open.len()) as u64;
+    let mut report = |done: u64| Progress { phase: name, done: before + done, total }.report(progress);
+    in_parallel(open.len(), (threads, &mut report), |index| inputs.run(plan, open[index]))
 }
 
 /// Runs one task, whether or not it has been run before. The result is the same.
@@ -93,58 +94,59 @@ pub fn run_stage(
 pub fn run_task(plan: &Plan, number: usize) -> Result<(), BuildError> {
     let count = plan.tasks.len();
     let task = plan.tasks.get(number).ok_or(BuildError::NoTask { task: number, count })?;
-    check_order(plan, task.stage, number)?;
-    StageInputs::open(plan, task.stage)?.run(plan, task)
+    check_order(plan, number)?;
+    StageInputs::open(plan, task.kind)?.run(plan, task)
 }
 
-/// Whether all stages before this one are complete.
-fn check_order(plan: &Plan, stage: Stage, number: usize) -> Result<(), BuildError> {
-    let earlier = plan.tasks.iter().enumerate().take_while(|(_, task)| task.stage != stage);
-    // Pages need the steps of all levels, but not each other.
-    let is_needed =
-        |task: &Task| !(matches!(stage, Stage::Encode(_)) && matches!(task.stage, Stage::Encode(_)));
-    match earlier.filter(|(_, task)| is_needed(task)).find(|(_, task)| !plan.is_done(task)) {
-        Some((needed, _)) => Err(BuildError::TaskOrder { task: number, needed }),
+/// Whether all stages before that of a task are complete.
+fn check_order(plan: &Plan, number: usize) -> Result<(), BuildError> {
+    let stages = plan.stages();
+    let before = stages.iter().take_while(|stage| !stage.tasks().contains(&number));
+    match before.flat_map(Stage::tasks).find(|&task| !plan.is_done(&plan.tasks[task])) {
+        Some(needed) => Err(BuildError::TaskOrder { task: number, needed }),
         None => Ok(()),
     }
 }
 
-/// Name of the phase that a stage belongs to, the number of its tasks in earlier stages, and of all its tasks.
-fn phase_of(plan: &Plan, stage: Stage) -> (&'static str, u64, u64) {
-    let name = |stage: Stage| match stage {
-        Stage::Sort => "sort",
-        Stage::Level(_) => "simplify",
-        Stage::Encode(_) => "encode",
-        Stage::Finish => "write",
+/// Name of the part of a build that a stage belongs to, the number of tasks in earlier stages of this part, and of all
+/// its tasks.
+fn progress_of(plan: &Plan, stage: &Stage) -> (&'static str, u64, u64) {
+    let name = |name: &str| match name {
+        "sort" => "sort",
+        "encode" => "encode",
+        "write" => "write",
+        _ => "simplify",
     };
-    let tasks = || plan.tasks.iter().filter(|task| name(task.stage) == name(stage));
-    let before = tasks().take_while(|task| task.stage != stage).count();
-    (name(stage), before as u64, tasks().count() as u64)
+    let stages = plan.stages();
+    let alike = || stages.iter().filter(|other| name(&other.name) == name(&stage.name));
+    let sum = |count: usize, other: &Stage| count + other.task_count;
+    let before = alike().take_while(|other| other.first_task < stage.first_task).fold(0, sum);
+    (name(&stage.name), before as u64, alike().fold(0, sum) as u64)
 }
 
 /// What the tasks of a stage share.
 enum StageInputs {
     Sort(Box<dyn striata_io::pieces::PieceSource>),
     Level(u8, PartIndex),
-    Encode(u8, EncodeInputs),
+    Encode(EncodeInputs),
     Finish,
 }
 
 impl StageInputs {
-    fn open(plan: &Plan, stage: Stage) -> Result<Self, BuildError> {
-        Ok(match stage {
-            Stage::Sort => Self::Sort(plan.input.open(&piece_options(plan))?),
-            Stage::Level(level) => {
-                let is_earlier = |task: &&Task| match task.stage {
-                    Stage::Sort => true,
-                    Stage::Level(other) => other < level,
+    fn open(plan: &Plan, kind: TaskKind) -> Result<Self, BuildError> {
+        Ok(match kind {
+            TaskKind::Sort => Self::Sort(plan.input.open(&piece_options(plan))?),
+            TaskKind::Level(level) => {
+                let is_earlier = |task: &&Task| match task.kind {
+                    TaskKind::Sort => true,
+                    TaskKind::Level(other) => other < level,
                     _ => false,
                 };
                 let parts = plan.tasks.iter().filter(is_earlier).map(|task| plan.triangles_path(task));
                 Self::Level(level, PartIndex::open(parts)?)
             }
-            Stage::Encode(level) => Self::Encode(level, EncodeInputs::open(plan)?),
-            Stage::Finish => Self::Finish,
+            TaskKind::Encode(_) => Self::Encode(EncodeInputs::open(plan)?),
+            TaskKind::Finish => Self::Finish,
         })
     }
 
@@ -152,7 +154,7 @@ impl StageInputs {
         match self {
             Self::Sort(source) => sort_task::run(plan, task, source.as_ref()),
             Self::Level(level, parts) => simplify_task::run(plan, task, *level, parts),
-            Self::Encode(level, inputs) => encode_task::run(plan, task, *level, inputs),
+            Self::Encode(inputs) => encode_task::run(plan, task, inputs),
             Self::Finish => {
                 finish_task::run(plan)?;
                 plan.set_finished()

@@ -9,22 +9,27 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `order.rs` | the order in which triangles and vertices are numbered: [`Page::normalize`] |
+//! | `lattice.rs` | the lattice that all positions of the page lie on |
 //! | `border.rs` | open edges of the region that has been coded |
 //! | `triangles.rs` | the walk over all triangles, for both directions |
+//! | `wedges.rs` | vertices of each position |
 //! | `vertices.rs` | positions, attributes, keys, errors and imports of new corners |
 //! | `targets.rs` | targets of owned vertices |
 
 mod border;
+mod lattice;
 mod order;
 mod targets;
 mod triangles;
 mod vertices;
+mod wedges;
 
 use striata_stream::entropy::{Coder, RangeReader, RangeWriter};
 
 use crate::bytes::{put_varint, take_varint};
 use crate::error::{PageDefect, PagedError};
 use crate::{Import, Metadata, Page, PageId};
+use lattice::Lattice;
 use triangles::{Shape, TriangleCoder};
 
 /// More vertices or triangles than this cannot be in a page.
@@ -35,7 +40,7 @@ const MAX_PER_BYTE: u64 = 4096;
 impl Page {
     /// Encodes a page that [`Page::normalize`] has ordered, and whose values are rounded as the metadata say.
     pub fn to_bytes(&self, metadata: &Metadata) -> Vec<u8> {
-        let counts = Counts::of(self);
+        let counts = Counts::of(self, metadata);
         let mut bytes = Vec::new();
         for count in [counts.positions, counts.vertices, counts.imports, counts.triangles] {
             put_varint(&mut bytes, count as u64);
@@ -46,6 +51,7 @@ impl Page {
             put_varint(&mut bytes, u64::from(page - last));
             last = page;
         }
+        counts.lattice.put(&mut bytes);
         let mut writer = RangeWriter::new();
         let mut coder = TriangleCoder::new(&counts, metadata, self.targets.is_empty());
         coder.run(&mut writer, Some(self));
@@ -64,7 +70,7 @@ impl Page {
     }
 }
 
-/// Counts at the start of a page.
+/// Counts and lattice at the start of a page.
 pub(super) struct Counts {
     positions: usize,
     vertices: usize,
@@ -72,10 +78,12 @@ pub(super) struct Counts {
     triangles: usize,
     /// Pages of imports, ascending.
     pages: Vec<u32>,
+    /// Where positions are.
+    lattice: Lattice,
 }
 
 impl Counts {
-    fn of(page: &Page) -> Self {
+    fn of(page: &Page, metadata: &Metadata) -> Self {
         let mut pages: Vec<u32> = page.imports.iter().map(|import| import.page).collect();
         pages.sort_unstable();
         pages.dedup();
@@ -85,6 +93,7 @@ impl Counts {
             imports: page.imports.len(),
             triangles: page.triangles.len(),
             pages,
+            lattice: Lattice::of(page, metadata),
         }
     }
 }
@@ -118,7 +127,8 @@ fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDef
         }
         pages.push(page as u32);
     }
-    let counts = Counts { positions, vertices, imports, triangles, pages };
+    let lattice = Lattice::take(&mut rest).ok_or(PageDefect::Truncated)?;
+    let counts = Counts { positions, vertices, imports, triangles, pages, lattice };
     if counts.imports > 0 && counts.pages.is_empty() {
         return Err(PageDefect::Entry { what: "pages", index: 0, reason: "is missing" });
     }
@@ -133,21 +143,34 @@ fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDef
 }
 
 impl Shape {
+    /// Vertices with those of a position adjacent, and the first one of each position.
+    fn order_of_vertices(&self) -> Result<(Vec<u32>, Vec<u32>), PageDefect> {
+        if self.wedges.is_trivial() {
+            let count = self.vertices.len() as u32;
+            return Ok(((0..count).collect(), (0..=count).collect()));
+        }
+        let mut order = Vec::with_capacity(self.vertices.len());
+        let mut first = Vec::with_capacity(self.wedges.position_count() + 1);
+        let mut wedges = Vec::new();
+        for position in 0..self.wedges.position_count() as u32 {
+            first.push(order.len() as u32);
+            self.wedges.of(position, &mut wedges);
+            if wedges.is_empty() {
+                return Err(PageDefect::Entry { what: "positions", index: 0, reason: "has no vertex" });
+            }
+            order.extend_from_slice(&wedges);
+        }
+        first.push(order.len() as u32);
+        Ok((order, first))
+    }
+
     /// The page in the final numbering: wedges of a position adjacent, in the order in which they were met.
     fn into_page(self, id: PageId, is_base: bool) -> Result<Page, PageDefect> {
-        let position_count = self.wedges.len();
-        if self.wedges.iter().any(Vec::is_empty) {
-            return Err(PageDefect::Entry { what: "positions", index: 0, reason: "has no vertex" });
-        }
-        let mut first = vec![0];
-        let mut number = vec![0; self.vertices.len()];
-        let mut order = Vec::with_capacity(self.vertices.len());
-        for wedges in &self.wedges {
-            for &v in wedges {
-                number[v as usize] = order.len() as u32;
-                order.push(v);
-            }
-            first.push(order.len() as u32);
+        let position_count = self.wedges.position_count();
+        let (order, first) = self.order_of_vertices()?;
+        let mut number = vec![0; order.len()];
+        for (new, &v) in (0..).zip(&order) {
+            number[v as usize] = new;
         }
         let owned = order.len() as u32;
         let rename = |v: u32| match v.checked_sub(Self::IMPORTS) {
@@ -176,22 +199,3 @@ impl Shape {
 
 /// An import that nothing has named yet.
 const UNKNOWN: Import = Import { page: 0, vertex: 0 };
-
-/// Codes an integer of up to 48 bits: most fit into the model, others are escaped.
-fn code_wide<C: Coder>(
-    coder: &mut C,
-    model: &mut striata_stream::entropy::AdaptiveNumber,
-    context: usize,
-    value: i64,
-) -> i64 {
-    const ESCAPE: i32 = 1 << 28;
-    let is_small = value.unsigned_abs() < ESCAPE as u64;
-    let coded = model.signed(coder, context, if is_small { value as i32 } else { ESCAPE });
-    if coded != ESCAPE {
-        return i64::from(coded);
-    }
-    let high = coder.raw((value as u64 >> 24) as u32 & 0xFF_FFFF, 24);
-    let low = coder.raw(value as u32 & 0xFF_FFFF, 24);
-    // Extends the sign of the 48 bits.
-    ((u64::from(high) << 24 | u64::from(low)) << 16) as i64 >> 16
-}

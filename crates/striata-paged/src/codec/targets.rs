@@ -1,54 +1,46 @@
 //! Targets of owned vertices, coded from fine to coarse: nearly always one of the current neighbors.
 
-use striata_stream::entropy::{AdaptiveNumber, Coder, Rate, code_uniform};
+use striata_stream::entropy::{Coder, QuickSymbol, code_uniform};
 
 use super::triangles::{Shape, TriangleCoder};
 use crate::Page;
 
-/// More neighbors than this are not distinguished.
-const MAX_RANK: usize = 62;
+/// Symbol of targets that are not among the first neighbors.
+const OTHER: usize = 15;
+/// More neighbors than this are not looked at.
+const MAX_NEIGHBORS: usize = 62;
+/// Negative binary logarithm of the rate at which ranks are learned.
+const LAST_SHIFT: u32 = 7;
 
 impl TriangleCoder<'_> {
     /// Codes all targets.
     pub(super) fn targets<C: Coder>(&mut self, coder: &mut C, page: Option<&Page>) {
         let corners = CornersOfVertices::new(&self.shape);
         let mut order: Vec<u32> = (0..self.shape.positions.len() as u32).collect();
-        let keys = &self.shape.keys;
-        order.sort_by(|&p, &q| keys[p as usize].total_cmp(&keys[q as usize]).then(p.cmp(&q)));
+        // Keys are not negative, so their bits are in their order.
+        order.sort_unstable_by_key(|&p| (self.shape.keys[p as usize].to_bits(), p));
         let mut targets: Vec<u32> = (0..self.shape.vertices.len() as u32).collect();
         let mut links = targets.clone();
         let actual_of = self.actual_targets(page);
-        let mut ranks = AdaptiveNumber::new(32, Rate::Steady);
-        let mut neighbors: Vec<u32> = Vec::new();
+        let mut ranks = [QuickSymbol::new(8); 32];
+        let (mut wedges, mut neighbors) = (Vec::new(), Neighbors::default());
         for p in order {
             if coder.overran() {
                 break;
             }
             let mut first: Option<u32> = None;
-            for i in 0..self.shape.wedges[p as usize].len() {
-                let v = self.shape.wedges[p as usize][i];
-                neighbors.clear();
-                corners.for_each(v, |t| {
-                    let t = self.shape.triangles[t as usize];
-                    let at = t.iter().position(|&w| w == v).unwrap_or(0);
-                    for w in [t[(at + 1) % 3], t[(at + 2) % 3]] {
-                        let w = current(&mut links, w);
-                        if w != v && !neighbors.contains(&w) && neighbors.len() < MAX_RANK {
-                            neighbors.push(w);
-                        }
-                    }
-                });
+            self.shape.wedges.of(p, &mut wedges);
+            for &v in &wedges {
+                neighbors.gather(&self.shape.triangles, corners.of(v), v, &mut links);
                 // All wedges go to the same position.
-                if let Some(first) = first
-                    && let Some(at) = neighbors.iter().position(|&w| self.is_same_position(w, first))
-                {
-                    neighbors.swap(0, at);
+                if let Some(first) = first {
+                    neighbors.prefer(|w| self.is_same_position(w, first));
                 }
                 let actual = actual_of.get(v as usize).copied().unwrap_or(v);
-                let rank = neighbors.iter().position(|&w| w == actual).unwrap_or(neighbors.len());
-                let context = if first.is_some() { 16 } else { 0 } + neighbors.len().min(15);
-                let rank = ranks.unsigned(coder, context, rank as u32) as usize;
-                let target = match neighbors.get(rank) {
+                let context = if first.is_some() { 16 } else { 0 } + neighbors.known.len().min(15);
+                let rank = neighbors.known.iter().position(|&w| w == actual).unwrap_or(OTHER);
+                let rank = ranks[context].code(coder, rank, LAST_SHIFT);
+                let target = match neighbors.known.get(rank) {
                     Some(&target) => target,
                     None => self.any_vertex(coder, actual),
                 };
@@ -133,8 +125,52 @@ impl CornersOfVertices {
         Self { first, triangles }
     }
 
-    fn for_each(&self, v: u32, visit: impl FnMut(u32)) {
-        let range = self.first[v as usize] as usize..self.first[v as usize + 1] as usize;
-        self.triangles[range].iter().copied().for_each(visit);
+    /// Triangles at a vertex.
+    fn of(&self, v: u32) -> &[u32] {
+        &self.triangles[self.first[v as usize] as usize..self.first[v as usize + 1] as usize]
+    }
+}
+
+/// What the neighbors of a vertex have become.
+#[derive(Default)]
+struct Neighbors {
+    /// Neighbors at full detail.
+    original: Vec<u32>,
+    /// What they have become, each once, at most 15.
+    known: Vec<u32>,
+}
+
+impl Neighbors {
+    /// Finds the neighbors of a vertex in its triangles.
+    fn gather(&mut self, triangles: &[[u32; 3]], at: &[u32], v: u32, links: &mut [u32]) {
+        self.original.clear();
+        self.known.clear();
+        for &t in at {
+            let [a, b, c] = triangles[t as usize];
+            for w in if a == v {
+                [b, c]
+            } else if b == v {
+                [c, a]
+            } else {
+                [a, b]
+            } {
+                // Few neighbors: a search is quicker than a set.
+                if self.original.contains(&w) || self.original.len() >= MAX_NEIGHBORS {
+                    continue;
+                }
+                self.original.push(w);
+                let w = current(links, w);
+                if w != v && !self.known.contains(&w) && self.known.len() < OTHER {
+                    self.known.push(w);
+                }
+            }
+        }
+    }
+
+    /// Moves the first neighbor with a property to the front.
+    fn prefer(&mut self, has_property: impl Fn(u32) -> bool) {
+        if let Some(at) = self.known.iter().position(|&w| has_property(w)) {
+            self.known.swap(0, at);
+        }
     }
 }

@@ -2,10 +2,11 @@
 //! the values that it passes.
 
 use striata::mesh::AttributeLayer;
-use striata_stream::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
+use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate, code_uniform};
 
 use super::border::{Border, Gate};
 use super::vertices::VertexModels;
+use super::wedges::Wedges;
 use super::{Counts, UNKNOWN};
 use crate::error::PageDefect;
 use crate::{Import, Metadata, Page, PageId};
@@ -22,7 +23,7 @@ pub(super) struct Shape {
     /// Positions, in the order in which they are met.
     pub(super) positions: Vec<[f32; 3]>,
     /// Vertices of each position.
-    pub(super) wedges: Vec<Vec<u32>>,
+    pub(super) wedges: Wedges,
     /// Position of each vertex.
     pub(super) vertices: Vec<u32>,
     pub(super) layers: Vec<AttributeLayer>,
@@ -52,10 +53,10 @@ pub(super) struct TriangleCoder<'a> {
     history: usize,
     is_import: Vec<AdaptiveBit>,
     same_wedge: Vec<AdaptiveBit>,
-    wedge_rank: AdaptiveNumber,
+    wedge_rank: QuickNumber,
     same_group: AdaptiveBit,
-    group: AdaptiveNumber,
-    lone: AdaptiveNumber,
+    group: QuickNumber,
+    lone: QuickNumber,
     /// In a writer: the number that each vertex of the page has here; `u32::MAX` for those not met.
     pub(super) met: Vec<u32>,
 }
@@ -72,15 +73,15 @@ impl<'a> TriangleCoder<'a> {
             is_base,
             shape,
             models: VertexModels::new(metadata),
-            border: Border::new(counts.positions + counts.imports),
+            border: Border::new(counts.positions + counts.imports, counts.triangles),
             kinds: vec![[bit; 7]; 49 * 4],
             history: 0,
             is_import: vec![bit; 4],
             same_wedge: vec![bit; 3],
-            wedge_rank: AdaptiveNumber::new(1, Rate::Quick),
+            wedge_rank: QuickNumber::new(1, Rate::Quick),
             same_group: bit,
-            group: AdaptiveNumber::new(1, Rate::Quick),
-            lone: AdaptiveNumber::new(2, Rate::Quick),
+            group: QuickNumber::new(1, Rate::Quick),
+            lone: QuickNumber::new(2, Rate::Quick),
             met: Vec::new(),
         }
     }
@@ -159,7 +160,7 @@ impl<'a> TriangleCoder<'a> {
         };
         let kind = self.kind(coder, &candidates, kind);
         if kind == CLOSED {
-            self.border.close(&gate);
+            self.border.close(gate.nodes);
             return;
         }
         let c = match kind {
@@ -281,7 +282,7 @@ impl<'a> TriangleCoder<'a> {
         if self.same_group.code(coder, actual == expected) {
             return expected;
         }
-        self.group.unsigned(coder, 0, actual)
+        self.group.unsigned(coder, 0, actual.into()) as u32
     }
 
     /// Codes which wedge of a known node a corner is; `actual` is its number in the page that is written.
@@ -296,7 +297,7 @@ impl<'a> TriangleCoder<'a> {
             return Shape::IMPORTS + import;
         }
         if self.counts.positions == self.counts.vertices {
-            return self.shape.wedges[node as usize][0];
+            return node;
         }
         let met = page.map_or(UNMET, |_| self.met[actual as usize]);
         let [same, is_known, _] = &mut self.same_wedge[..] else { return expected };
@@ -304,12 +305,12 @@ impl<'a> TriangleCoder<'a> {
             return expected;
         }
         let is_full = self.shape.vertices.len() == self.counts.vertices;
-        let count = self.shape.wedges[node as usize].len();
+        let count = self.shape.wedges.count(node);
         if is_full || (count > 1 && is_known.code(coder, met != UNMET)) {
-            let wedges = &self.shape.wedges[node as usize];
-            let rank = wedges.iter().rev().position(|&w| w == met).unwrap_or(0);
-            let rank = self.wedge_rank.unsigned(coder, 0, rank as u32) as usize;
-            return wedges[count - 1 - rank.min(count - 1)];
+            let rank = self.shape.wedges.from_last(node).position(|w| w == met).unwrap_or(0);
+            let rank = self.wedge_rank.unsigned(coder, 0, rank as u64) as usize;
+            // Damaged bytes may name a wedge that does not exist.
+            return self.shape.wedges.from_last(node).take(rank + 1).last().unwrap_or(expected);
         }
         self.new_vertex(coder, page, actual, (Some(node), [UNMET; 3]))
     }
@@ -362,8 +363,9 @@ impl<'a> TriangleCoder<'a> {
                 _ => position,
             };
             // Positions are numbered here as in the page.
-            position += self.lone.unsigned(coder, 0, at.saturating_sub(position));
-            position = position.min(self.counts.positions.saturating_sub(1) as u32);
+            let step = self.lone.unsigned(coder, 0, at.saturating_sub(position).into());
+            let last = self.counts.positions.saturating_sub(1) as u64;
+            position = u64::from(position).saturating_add(step).min(last) as u32;
             self.new_vertex(coder, page, actual.unwrap_or(0), (Some(position), [UNMET; 3]));
         }
         while self.shape.imports.len() < self.counts.imports && !coder.overran() {

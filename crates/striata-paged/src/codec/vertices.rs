@@ -1,10 +1,11 @@
 //! What a new corner brings: an import, or the position, attributes, key and error of an owned vertex.
 
 use striata::mesh::LayerData;
-use striata_stream::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
+use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate};
 
-use super::code_wide;
+use super::lattice::{from_ordered, ordered};
 use super::triangles::{Shape, TriangleCoder};
+use crate::metadata::index_of;
 use crate::{Import, Metadata, Page, PagedLayer};
 
 /// Low bits of keys and errors that are always zero.
@@ -15,15 +16,15 @@ const UNMET: u32 = u32::MAX;
 /// Models of what vertices bring.
 pub(super) struct VertexModels {
     /// One context per axis and quality of the prediction.
-    positions: AdaptiveNumber,
+    positions: QuickNumber,
     /// One context per component of each layer, for known neighbors and without.
-    layers: AdaptiveNumber,
+    layers: QuickNumber,
     same_page: AdaptiveBit,
-    page: AdaptiveNumber,
-    import: AdaptiveNumber,
-    keys: AdaptiveNumber,
-    errors: AdaptiveNumber,
-    /// Grid indices of positions, or their bits in order.
+    page: QuickNumber,
+    import: QuickNumber,
+    keys: QuickNumber,
+    errors: QuickNumber,
+    /// Coordinates of positions in units of the lattice.
     places: Vec<[i64; 3]>,
     /// Vertex that was last imported from each page.
     last_imports: Vec<u32>,
@@ -36,13 +37,13 @@ impl VertexModels {
     pub(super) fn new(metadata: &Metadata) -> Self {
         let components: usize = metadata.layers.iter().map(|layer| layer.component_count as usize).sum();
         Self {
-            positions: AdaptiveNumber::new(9, Rate::Steady),
-            layers: AdaptiveNumber::new(2 * components, Rate::Steady),
+            positions: QuickNumber::new(9, Rate::Steady),
+            layers: QuickNumber::new(2 * components, Rate::Steady),
             same_page: AdaptiveBit::new(Rate::Quick),
-            page: AdaptiveNumber::new(1, Rate::Quick),
-            import: AdaptiveNumber::new(3, Rate::Steady),
-            keys: AdaptiveNumber::new(2, Rate::Steady),
-            errors: AdaptiveNumber::new(2, Rate::Steady),
+            page: QuickNumber::new(1, Rate::Quick),
+            import: QuickNumber::new(3, Rate::Steady),
+            keys: QuickNumber::new(2, Rate::Steady),
+            errors: QuickNumber::new(2, Rate::Steady),
             places: Vec::new(),
             last_imports: Vec::new(),
             last_slot: 0,
@@ -65,13 +66,13 @@ impl TriangleCoder<'_> {
         let mut known = near[..2].iter().copied().find(|&v| v < Shape::IMPORTS);
         let position = match node {
             Some(position) => {
-                known = self.shape.wedges[position as usize].last().copied();
+                known = self.shape.wedges.from_last(position).next();
                 position
             }
             None => {
                 let position = self.shape.positions.len() as u32;
                 self.position(coder, page.map(|page| page.positions[actual as usize]), near);
-                self.shape.wedges.push(Vec::new());
+                self.shape.wedges.add_position();
                 if !self.is_base {
                     self.cost(coder, page, position, near);
                 }
@@ -85,7 +86,7 @@ impl TriangleCoder<'_> {
             self.layers(coder, None, known);
         }
         self.shape.vertices.push(position);
-        self.shape.wedges[position as usize].push(vertex);
+        self.shape.wedges.add_vertex(position);
         vertex
     }
 
@@ -100,23 +101,16 @@ impl TriangleCoder<'_> {
             (Some(p), None, _) | (None, Some(p), _) | (None, None, Some(p)) => (1, p),
             (None, None, None) => (2, places.last().copied().unwrap_or_default()),
         };
-        let grid = self.metadata.grid.as_ref();
-        let actual = actual.map_or([0; 3], |p| match grid {
-            Some(grid) => grid.index_of(p),
-            None => p.map(ordered),
-        });
+        let lattice = &self.counts.lattice;
+        let actual = actual.map_or([0; 3], |position| lattice.place_of(position, self.metadata));
         let place: [i64; 3] = std::array::from_fn(|axis| {
             let difference = actual[axis].wrapping_sub(expected[axis]);
-            let context = 3 * quality + axis;
-            expected[axis] + code_wide(coder, &mut self.models.positions, context, difference)
+            let difference = self.models.positions.signed(coder, 3 * quality + axis, difference);
+            // Damaged bytes must not overflow sums of places.
+            (expected[axis] + difference).clamp(-(1 << 50), 1 << 50)
         });
-        // Damaged bytes must not overflow sums of places.
-        let place = place.map(|x| x.clamp(-(1 << 50), 1 << 50));
         self.models.places.push(place);
-        self.shape.positions.push(match grid {
-            Some(grid) => grid.position_of(place),
-            None => place.map(from_ordered),
-        });
+        self.shape.positions.push(lattice.position_of(place, self.metadata));
     }
 
     /// Codes key and error of a position.
@@ -132,13 +126,13 @@ impl TriangleCoder<'_> {
         let near_class = |classes: &[i32]| neighbor.or(last).map_or(0, |p| classes[p]);
         let (near_key, near_error) = (near_class(&models.key_classes), near_class(&models.error_classes));
         let key = page.map_or(0, |page| actual(&page.keys, KEY_BITS));
-        let key = near_key.wrapping_add(models.keys.signed(coder, context, key.wrapping_sub(near_key)));
-        let key = key.clamp(0, largest_class(KEY_BITS));
+        let key = i64::from(near_key) + models.keys.signed(coder, context, i64::from(key - near_key));
+        let key = key.clamp(0, largest_class(KEY_BITS).into()) as i32;
         // An error is a length and a key its fourth power, in classes half as fine.
         let expected = (near_error + (key - near_key) / 2).clamp(0, largest_class(ERROR_BITS));
         let error = page.map_or(0, |page| actual(&page.errors, ERROR_BITS));
-        let error = expected.wrapping_add(models.errors.signed(coder, context, error.wrapping_sub(expected)));
-        let error = error.clamp(0, largest_class(ERROR_BITS));
+        let error = i64::from(expected) + models.errors.signed(coder, context, i64::from(error - expected));
+        let error = error.clamp(0, largest_class(ERROR_BITS).into()) as i32;
         models.key_classes.push(key);
         models.error_classes.push(error);
         self.shape.keys.push(f32::from_bits((key as u32) << KEY_BITS));
@@ -158,7 +152,7 @@ impl TriangleCoder<'_> {
                 let expected = near.map_or(0, |v| place(data, v));
                 let value = actual.map_or(0, |(page, v)| place(&page.layers[i].data, v));
                 let slot = 2 * context + usize::from(known.is_none());
-                let coded = code_wide(coder, &mut self.models.layers, slot, value - expected);
+                let coded = self.models.layers.signed(coder, slot, value - expected);
                 push_place(kind, &mut self.shape.layers[i].data, expected + coded);
                 context += 1;
             }
@@ -178,15 +172,15 @@ impl TriangleCoder<'_> {
         let slot = if pages.len() == 1 || models.same_page.code(coder, actual_slot == expected_slot) {
             expected_slot
         } else {
-            (models.page.unsigned(coder, 0, actual_slot as u32) as usize).min(pages.len() - 1)
+            (models.page.unsigned(coder, 0, actual_slot as u64) as usize).min(pages.len() - 1)
         };
         let neighbor = near.iter().find(|import| import.page == pages[slot]);
         let (context, expected) = match neighbor {
             Some(import) => (0, import.vertex),
             None => (1, models.last_imports[slot]),
         };
-        let difference = actual.vertex.wrapping_sub(expected) as i32;
-        let vertex = expected.wrapping_add(models.import.signed(coder, context, difference) as u32);
+        let difference = i64::from(actual.vertex) - i64::from(expected);
+        let vertex = (i64::from(expected) + models.import.signed(coder, context, difference)) as u32;
         models.last_imports[slot] = vertex;
         models.last_slot = slot;
         Import { page: pages[slot], vertex }
@@ -198,23 +192,10 @@ fn largest_class(bits: u32) -> i32 {
     (f32::MAX.to_bits() >> bits) as i32
 }
 
-/// The bits of a number, in the order of numbers.
-fn ordered(x: f32) -> i64 {
-    let bits = i64::from(x.to_bits() & 0x7FFF_FFFF);
-    if x.is_sign_negative() { -bits } else { bits }
-}
-
-/// The number with these ordered bits; 0 if it would not be finite.
-fn from_ordered(place: i64) -> f32 {
-    let magnitude = f32::from_bits(place.unsigned_abs().min(0x7FFF_FFFF) as u32);
-    let value = if place < 0 { -magnitude } else { magnitude };
-    if value.is_finite() { value } else { 0.0 }
-}
-
 /// A value as an integer: multiples of the step, or ordered bits.
 fn place_of(kind: &PagedLayer, data: &LayerData, index: usize) -> i64 {
     match (data, kind.step) {
-        (LayerData::F32(values), Some(step)) => (f64::from(values[index]) / step).round() as i64,
+        (LayerData::F32(values), Some(step)) => index_of(values[index], step),
         (LayerData::F32(values), None) => ordered(values[index]),
         (LayerData::U8(values), _) => i64::from(values[index]),
         (LayerData::U16(values), _) => i64::from(values[index]),

@@ -15,7 +15,8 @@ from ._files import convert, open, save
 from ._level import Level
 from ._lod import Lod
 from ._mesh import Group, Image, Material, Mesh
-from ._plan import Plan, plan
+from ._paged import PagedLod
+from ._plan import Plan, Simulation, plan
 from ._run import run
 from ._scene import Instance, LodScene, Scene, SceneLevel
 from ._sequence import Sequence
@@ -40,11 +41,13 @@ __all__ = [
     "Material",
     "Mesh",
     "OneSidedDistance",
+    "PagedLod",
     "Plan",
     "Scene",
     "SceneLevel",
     "Sequence",
     "Simplified",
+    "Simulation",
     "StreamDecoder",
     "Strips",
     "View",

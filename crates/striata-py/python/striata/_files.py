@@ -11,6 +11,7 @@ from ._build import build
 from ._level import Level
 from ._lod import Lod
 from ._mesh import Mesh
+from ._paged import PagedLod
 from ._progress import Progress
 from ._read import read
 from ._scene import LodScene, Scene, SceneLevel
@@ -22,6 +23,7 @@ _CLASSES: dict[type, Any] = {
     _striata.SceneData: Scene,
     _striata.LodData: Lod,
     _striata.LodSceneData: LodScene,
+    _striata.PagedLodData: PagedLod,
 }
 
 
@@ -35,8 +37,9 @@ def open(path: Path) -> Any:
 
     Returns
     -------
-    Mesh, Scene, Lod or LodScene
-        A `Mesh` for mesh files, a `Scene` for glTF, a `Lod` or a `LodScene` for files with levels.
+    Mesh, Scene, Lod, LodScene or PagedLod
+        A `Mesh` for mesh files, a `Scene` for glTF, a `Lod` or a `LodScene` for files with levels, a `PagedLod`
+        for paged files and folders of pages.
 
     Raises
     ------

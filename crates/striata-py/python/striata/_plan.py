@@ -5,6 +5,7 @@ from __future__ import annotations
 import glob
 import os
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path as _PathClass
 from typing import Any
 
@@ -12,6 +13,22 @@ from . import _striata
 from ._progress import Progress, reporting
 
 Path = str | os.PathLike[str]
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """What a simulated build takes."""
+
+    #: Seconds from the first task to the last.
+    seconds: float
+    #: Seconds of all workers with a task.
+    core_seconds: float
+    #: Number of tasks that were started, with those that failed.
+    attempts: int
+    #: Bytes of the work folder when it is largest.
+    work_bytes: int
+    #: Name, seconds, and share of the workers' time with a task, of each stage.
+    stages: list[tuple[str, float, float]]
 
 
 class Plan:
@@ -83,6 +100,24 @@ class Plan:
             If something cannot be read or written, such as on a full disk.
         """
         self._data.run_task(task)
+
+    def simulate(self, workers: int, *, failing_share: float = 0.0, seed: int = 1) -> Simulation:
+        """Run all tasks in simulated time.
+
+        Parameters
+        ----------
+        workers : int
+            Number of workers, each with one core.
+        failing_share : float
+            Share of the attempts that fail after a random part of their time and are repeated, 0 to 0.9.
+        seed : int
+            Seed of these failures.
+        """
+        if workers < 1:
+            raise ValueError(f"workers is {workers}, but must be at least 1")
+        if not 0.0 <= failing_share <= 0.9:
+            raise ValueError(f"failing_share is {failing_share}, but must be from 0 to 0.9")
+        return Simulation(*self._data.simulate(workers, failing_share, seed))
 
     def remove_work(self) -> None:
         """Remove the plan and everything that tasks passed to each other; the result stays."""

@@ -65,23 +65,10 @@ class View:
         budget : int, optional
             Largest number of faces. They go where the error is most visible.
         """
-        offset = self.lod._offset
-        from_eye = _vector(eye, "eye", offset)
-        to_target = _vector(target, "target", offset)
-        limit = number(pixels, "pixels")
-        if limit < 0:
-            raise ValueError(f"pixels is {limit}, but must be at least 0")
-        angle = number(fov, "fov")
-        if not 0 < angle < 180:
-            raise ValueError(f"fov is {angle}, but must be an angle between 0 and 180 degrees")
-        width, height = (int(side) for side in screen)
-        if not (0 < width < 2**31 and 0 < height < 2**31):
-            raise ValueError(f"screen is {screen}, but must be a width and a height in pixels")
-        upward = _upward(np.subtract(to_target, from_eye), np.asarray(_vector(up, "up", (0.0, 0.0, 0.0))))
-        if budget is not None:
-            budget = int(length(budget, 0.0, "budget"))
-        tangent = float(np.tan(np.radians(angle) / 2))
-        self._data.update(from_eye, to_target, upward, tangent, (width, height), limit, budget)
+        camera = camera_arguments(
+            (eye, target, up), fov=fov, screen=screen, pixels=pixels, budget=budget, offset=self.lod._offset
+        )
+        self._data.update(*camera)
         self._faces = None
 
     @property
@@ -100,7 +87,48 @@ class View:
         return f"<striata.View: {counted(self.triangle_count, 'face')} of {self.lod.face_count:,}>"
 
 
-def _vector(values: ArrayLike, name: str, offset: tuple[float, float, float]) -> tuple[float, float, float]:
+#: Eye, target, upward direction, tangent of half the angle, screen, pixels and budget, as the extension takes them.
+Camera = tuple[
+    tuple[float, float, float],
+    tuple[float, float, float],
+    tuple[float, float, float],
+    float,
+    tuple[int, int],
+    float,
+    int | None,
+]
+
+
+def camera_arguments(
+    vectors: tuple[ArrayLike, ArrayLike, ArrayLike],
+    *,
+    fov: float,
+    screen: tuple[int, int],
+    pixels: float,
+    budget: int | None,
+    offset: tuple[float, float, float] = (0.0, 0.0, 0.0),
+) -> Camera:
+    """Convert the arguments of a view, or raise an error with the name of the argument."""
+    eye, target, up = vectors
+    from_eye = vector(eye, "eye", offset)
+    to_target = vector(target, "target", offset)
+    limit = number(pixels, "pixels")
+    if limit < 0:
+        raise ValueError(f"pixels is {limit}, but must be at least 0")
+    angle = number(fov, "fov")
+    if not 0 < angle < 180:
+        raise ValueError(f"fov is {angle}, but must be an angle between 0 and 180 degrees")
+    width, height = (int(side) for side in screen)
+    if not (0 < width < 2**31 and 0 < height < 2**31):
+        raise ValueError(f"screen is {screen}, but must be a width and a height in pixels")
+    upward = _upward(np.subtract(to_target, from_eye), np.asarray(vector(up, "up", (0.0, 0.0, 0.0))))
+    if budget is not None:
+        budget = int(length(budget, 0.0, "budget"))
+    tangent = float(np.tan(np.radians(angle) / 2))
+    return (from_eye, to_target, upward, tangent, (width, height), limit, budget)
+
+
+def vector(values: ArrayLike, name: str, offset: tuple[float, float, float]) -> tuple[float, float, float]:
     array = np.asarray(values, dtype=np.float64)
     if array.shape != (3,) or not np.isfinite(array).all():
         raise ValueError(f"{name} is {values!r}, but must be three finite numbers")

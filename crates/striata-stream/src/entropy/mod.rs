@@ -17,6 +17,7 @@
 //! | `symbol.rs` | `AdaptiveSymbol`: one of sixteen symbols |
 //! | `quick_symbol.rs` | `QuickSymbol`: one of sixteen symbols, in 16-bit lanes |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
+//! | `quick_number.rs` | [`QuickNumber`]: integers of any size, with few operations |
 //! | `mixed_number.rs` | `MixedNumber`: integers predicted by several contexts |
 
 mod adaptive;
@@ -25,6 +26,7 @@ mod logistic;
 mod mixed_number;
 mod mixer;
 mod number;
+mod quick_number;
 mod quick_symbol;
 mod range;
 mod symbol;
@@ -36,7 +38,9 @@ pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixed_number::MixedNumber;
 pub(crate) use mixer::{Mixer, ProbabilityMap};
 pub use number::{AdaptiveNumber, code_uniform};
-pub(crate) use quick_symbol::{QuickSymbol, code_by_two, code_shares};
+pub use quick_number::QuickNumber;
+pub use quick_symbol::QuickSymbol;
+pub(crate) use quick_symbol::{code_by_two, code_shares};
 pub use range::{RangeReader, RangeWriter};
 pub(crate) use symbol::{AdaptiveSymbol, code_symbol};
 pub(crate) use wide_mixer::WideMixer;

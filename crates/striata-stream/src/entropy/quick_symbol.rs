@@ -15,7 +15,7 @@ const FIRST_SHIFT: u32 = 2;
 
 /// Adaptive frequencies of sixteen symbols.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct QuickSymbol {
+pub struct QuickSymbol {
     begins: [i16x8; 2],
     /// Number of symbols learned, up to a limit.
     seen: u16,
@@ -47,6 +47,7 @@ const UNIFORM: [i16; SYMBOLS] = {
     uniform
 };
 
+#[inline]
 fn halves(all: &[i16; SYMBOLS]) -> [i16x8; 2] {
     let (low, high) = all.split_at(8);
     [low, high].map(i16x8::from_slice_unaligned)
@@ -55,7 +56,7 @@ fn halves(all: &[i16; SYMBOLS]) -> [i16x8; 2] {
 impl QuickSymbol {
     /// Creates an untrained model in which the first `count` symbols are equally likely and the others
     /// nearly impossible.
-    pub(crate) fn new(count: usize) -> Self {
+    pub fn new(count: usize) -> Self {
         let begins: QuickShares = std::array::from_fn(|i| ((i << 15) / count.max(1)).min(32_767) as i16);
         Self { begins: halves(&begins), seen: 0 }
     }
@@ -71,7 +72,7 @@ impl QuickSymbol {
 
     /// Codes a symbol and learns it; `last_shift` is the final learning rate, as a negative power of two.
     #[inline]
-    pub(crate) fn code<C: Coder>(&mut self, coder: &mut C, actual: usize, last_shift: u32) -> usize {
+    pub fn code<C: Coder>(&mut self, coder: &mut C, actual: usize, last_shift: u32) -> usize {
         let symbol = coder.quick_symbol(actual, &with_uniform_share(self.begins));
         self.learn(symbol, last_shift);
         symbol

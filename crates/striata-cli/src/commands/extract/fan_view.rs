@@ -11,6 +11,7 @@ use striata::simplify::StopReason;
 use striata::view::Camera;
 
 use striata_command::args::ViewArgs;
+use striata_paged::ViewCut;
 
 /// Smallest pixel tolerance used with a triangle limit, so that weights stay finite.
 pub(crate) const MIN_PIXELS: f64 = 1e-6;
@@ -29,6 +30,22 @@ pub(crate) struct ViewLevel {
     pub(crate) stop_reason: StopReason,
     /// Time to adapt the model to the level, without building it, seconds.
     pub(crate) seek_secs: f64,
+}
+
+impl ViewLevel {
+    /// The level of a paged file for a view with this pixel tolerance.
+    pub(crate) fn of_pages(found: ViewCut, pixels: f64) -> Self {
+        let ViewCut { cut, relaxation, is_within_limit } = found;
+        let stop_reason = if is_within_limit { StopReason::TargetReached } else { StopReason::BaseReached };
+        Self {
+            mesh: cut.mesh,
+            split_count: cut.refined_count,
+            error: cut.error,
+            pixels: pixels * f64::from(relaxation),
+            stop_reason,
+            seek_secs: 0.0,
+        }
+    }
 }
 
 /// Returns the coarsest level within the pixel tolerance or, with a triangle limit, the best-looking level

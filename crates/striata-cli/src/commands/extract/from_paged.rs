@@ -5,9 +5,8 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::mesh::replay;
 use striata::model::ModelKind;
-use striata::simplify::{StopReason, Target};
-use striata::view::{Camera, Criterion, DetailBox, Sphere};
-use striata_paged::{Assembled, Cut, PageBound, PagedFile};
+use striata::view::DetailBox;
+use striata_paged::{PagedFile, ViewCut};
 
 use super::fan_view::{MIN_PIXELS, ViewLevel};
 use super::level_output::{no_level, primitives_of, view_output_path};
@@ -15,16 +14,11 @@ use super::report::{LevelMesh, LevelsReport, Report};
 use crate::args::ExtractArgs;
 use crate::commands::paged::{camera_of, failure_of};
 use crate::strip_lists::without_unused_vertices;
-use striata_command::args::{AxisAlignedBox, Point, ViewArgs};
+use striata_command::args::{AxisAlignedBox, Point};
 use striata_command::failure::Failure;
 use striata_command::level::{FullMesh, check_strict, level_requests};
 use striata_command::output::Output;
 use striata_command::save::{LevelFiles, write_mesh};
-
-/// A tolerance is relaxed by at most this factor.
-const MAX_RELAXATION: f64 = 1e9;
-/// Number of halvings of the interval in which the tolerance for a triangle limit is searched.
-const SEARCH_STEPS: usize = 6;
 
 /// What was read of a paged file.
 #[derive(Clone, Copy, Serialize)]
@@ -66,14 +60,16 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
     let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
     let targets = requests.iter().map(|request| request.target.ok_or_else(no_level));
     let targets = targets.collect::<Result<Vec<_>, _>>()?;
-    let assembled = assembled_for(&mut file, &targets)?;
+    let assembled = file.levels_for(&targets).map_err(failure_of)?;
     let sequence = &assembled.refinable.sequence;
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut reports = Vec::new();
     for (request, target) in requests.iter().zip(targets) {
         let (split_count, stop_reason) = target.resolve(sequence);
         let level = replay(&assembled.refinable, split_count);
-        let pages = pages_read(&file, &assembled, level.triangles.as_flattened());
+        let corners = level.triangles.as_flattened().iter();
+        let shown: Vec<u32> = corners.map(|&v| assembled.page_of_vertex[v as usize]).collect();
+        let pages = pages_read(&file, &shown, sequence.step_count());
         let level = without_unused_vertices(level, None).0;
         let shown = LevelMesh { mesh: &level, split_count, stop_reason };
         let secs = started.elapsed().as_secs_f64();
@@ -96,42 +92,6 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
     output.summary(&report, &report.to_text(sequence.step_count()))
 }
 
-/// Reads the pages that all targets need.
-///
-/// # Errors
-/// If the file is damaged.
-fn assembled_for(file: &mut PagedFile, targets: &[Target]) -> Result<Assembled, Failure> {
-    let (mut triangles, mut error) = (None, None::<f64>);
-    for &target in targets {
-        let needed = match target {
-            Target::Error(distance) => {
-                error = Some(error.map_or(distance, |least| least.min(distance)));
-                continue;
-            }
-            Target::Triangles(count) => count,
-            // A surface has about two triangles per vertex, a soup fewer.
-            Target::Vertices(count) => 3 * count,
-            // Steps are counted from the base, so all must be known.
-            _ => usize::MAX,
-        };
-        triangles = triangles.max(Some(needed));
-    }
-    match (triangles, error) {
-        (Some(count), None) => file.level_for_triangles(count),
-        (None, Some(error)) => file.level_for_error(error as f32),
-        _ => file.level_for_triangles(usize::MAX),
-    }
-    .map_err(failure_of)
-}
-
-/// The sphere around a part of a page.
-fn sphere_of(bound: &PageBound) -> Sphere {
-    let center = [0, 1, 2].map(|a| 0.5 * (bound.min[a] + bound.max[a]));
-    let half = [0, 1, 2].map(|a| 0.5 * f64::from(bound.max[a] - bound.min[a]));
-    let radius = half.iter().map(|x| x * x).sum::<f64>().sqrt() as f32;
-    Sphere { center, radius }
-}
-
 fn run_view(
     args: &ExtractArgs,
     eye: Point,
@@ -142,66 +102,11 @@ fn run_view(
     let triangle_limit = args.level.triangle_count();
     let triangle_limit = triangle_limit.map(|count| count.of_triangles(metadata.triangle_count as usize));
     let camera = camera_of(&args.view, eye, metadata)?;
-    let pages = pages_of_view(file, &camera, args.view.pixels() as f32)?;
-    let assembled = file.assemble(&pages).map_err(failure_of)?;
-    let pixels = args.view.pixels();
-    let (cut, pixels, stop_reason) = view_cut(&assembled, &args.view, (camera, pixels), triangle_limit);
-    let pages = pages_read(file, &assembled, &cut.source_vertex);
-    finish(args, (level_of(cut, (pixels, stop_reason)), triangle_limit), (pages, started), output)
-}
-
-/// Pages that a camera sees with errors of more than so many pixels.
-///
-/// # Errors
-/// If the directory is damaged.
-pub(crate) fn pages_of_view(file: &mut PagedFile, camera: &Camera, pixels: f32) -> Result<Vec<u32>, Failure> {
-    let needs = |bound: &PageBound| {
-        let sphere = sphere_of(bound);
-        camera.may_see(&sphere) && camera.error_px(bound.error, &sphere) > pixels
-    };
-    file.select(needs).map_err(failure_of)
-}
-
-/// The coarsest level within the pixel tolerance, or, with a triangle limit, within the least tolerance that
-/// respects it.
-fn view_cut(
-    assembled: &Assembled,
-    view: &ViewArgs,
-    (camera, pixels): (Camera, f64),
-    triangle_limit: Option<usize>,
-) -> (Cut, f64, StopReason) {
-    let criterion = view.criterion(camera, MIN_PIXELS);
-    let cut = |factor: f64| {
-        let criterion = criterion.clone().relaxed(factor as f32);
-        assembled.cut(|part| criterion.weigh(part).should_refine())
-    };
-    let limit = triangle_limit.unwrap_or(usize::MAX);
-    let (mut low, mut best) = (1.0, cut(1.0));
-    let mut high = 1.0;
-    let mut stop_reason = StopReason::TargetReached;
-    while best.mesh.triangles.len() > limit {
-        if high > MAX_RELAXATION {
-            stop_reason = StopReason::BaseReached;
-            break;
-        }
-        (low, high) = (high, 4.0 * high);
-        best = cut(high);
-    }
-    for _ in 0..if high > low { SEARCH_STEPS } else { 0 } {
-        let middle = f64::sqrt(low * high);
-        let other = cut(middle);
-        if other.mesh.triangles.len() > limit {
-            low = middle;
-        } else {
-            (high, best) = (middle, other);
-        }
-    }
-    (best, pixels * high, stop_reason)
-}
-
-fn level_of(cut: Cut, (pixels, stop_reason): (f64, StopReason)) -> ViewLevel {
-    let Cut { mesh, refined_count, error, .. } = cut;
-    ViewLevel { mesh, split_count: refined_count, error, pixels, stop_reason, seek_secs: 0.0 }
+    let criterion = args.view.criterion(camera, MIN_PIXELS);
+    let found = file.level_for_view(&criterion, triangle_limit).map_err(failure_of)?;
+    let pages = pages_read(file, &found.cut.page_of_vertex, found.cut.step_count);
+    let level = ViewLevel::of_pages(found, args.view.pixels());
+    finish(args, (level, triangle_limit), (pages, started), output)
 }
 
 fn run_box(
@@ -212,14 +117,11 @@ fn run_box(
 ) -> Result<(), Failure> {
     let diagonal = file.metadata().diagonal();
     let error_outside = args.level.error.map_or(f32::INFINITY, |error| error.in_units(diagonal) as f32);
-    let is_within =
-        |bound: &PageBound| (0..3).all(|a| bound.min[a] <= corners.max[a] && bound.max[a] >= corners.min[a]);
-    let pages = file.select(|bound| is_within(bound) || bound.error > error_outside).map_err(failure_of)?;
-    let assembled = file.assemble(&pages).map_err(failure_of)?;
     let criterion = DetailBox { min: corners.min, max: corners.max, error_outside };
-    let cut = assembled.cut(|part| criterion.weigh(part).should_refine());
-    let pages = pages_read(file, &assembled, &cut.source_vertex);
-    finish(args, (level_of(cut, (0.0, StopReason::TargetReached)), None), (pages, started), output)
+    let cut = file.level_for(&criterion).map_err(failure_of)?;
+    let pages = pages_read(file, &cut.page_of_vertex, cut.step_count);
+    let level = ViewLevel::of_pages(ViewCut { cut, relaxation: 1.0, is_within_limit: true }, 0.0);
+    finish(args, (level, None), (pages, started), output)
 }
 
 /// Writes the level for a view or a box, and reports it.
@@ -238,10 +140,10 @@ fn finish(
 }
 
 /// What was read, and how many pages the vertices of a level come from.
-fn pages_read(file: &PagedFile, assembled: &Assembled, vertices: &[u32]) -> PagesRead {
+fn pages_read(file: &PagedFile, page_of_vertex: &[u32], step_count: usize) -> PagesRead {
     let mut is_shown = vec![false; file.reader().page_count() as usize];
-    for &v in vertices {
-        is_shown[assembled.page_of_vertex[v as usize] as usize] = true;
+    for &page in page_of_vertex {
+        is_shown[page as usize] = true;
     }
     let statistics = file.statistics();
     PagesRead {
@@ -249,7 +151,7 @@ fn pages_read(file: &PagedFile, assembled: &Assembled, vertices: &[u32]) -> Page
         read: statistics.page_count,
         shown: is_shown.into_iter().filter(|&is_shown| is_shown).count(),
         bytes: statistics.byte_count,
-        step_count: assembled.refinable.sequence.step_count(),
+        step_count,
     }
 }
 

@@ -10,8 +10,7 @@ mod stream_level;
 mod uniform_levels;
 mod view_and_box;
 
-pub(crate) use self::fan_view::{ViewLevel, level_of_view};
-pub(crate) use self::from_paged::pages_of_view;
+pub(crate) use self::fan_view::{MIN_PIXELS, ViewLevel, level_of_view};
 pub(crate) use self::patterns::FilePatterns;
 pub(super) use self::stream_level::{
     INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,

@@ -7,12 +7,13 @@ use serde::Serialize;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
 use striata_paged::build::{
-    BuildError, BuildInput, BuildOptions, Plan, remove_work, run_all, threads_for_memory,
+    BuildError, BuildInput, BuildOptions, Plan, is_address, remove_work, run_all, threads_for_memory,
 };
 
-use super::input::{build_input, build_options, work_folder};
-use super::{core_count, failure};
+use super::input::{build_input, build_options, scratch_bytes, work_folder};
+use super::{core_count, failure, failure_of};
 use crate::args::PagedArgs;
+use striata_paged::PagedFile;
 
 /// What was built.
 #[derive(Serialize)]
@@ -47,6 +48,7 @@ pub(crate) fn build(
         remove_work(&folder).map_err(failure)?;
     }
     let mut bar = output.bar();
+    check_input_space(&input, &folder)?;
     let known = known_plan(&folder, (&input, &options), path)?;
     let resumed = known.is_some();
     let plan = match known {
@@ -63,7 +65,7 @@ pub(crate) fn build(
     let triangles = plan.metadata.triangle_count;
     let report = Report {
         output: path.to_owned(),
-        bytes: size_of_output(path),
+        bytes: if is_address(path) { size_at_address(path)? } else { size_of_output(path) },
         triangles,
         levels: plan.level_count(),
         pages: plan.estimate().page_count,
@@ -103,7 +105,7 @@ fn known_plan(
 
 /// Checks that the folder of the output exists, before hours of work.
 fn check_output(path: &Path) -> Result<(), Failure> {
-    match path.parent() {
+    match path.parent().filter(|_| !is_address(path)) {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
             Err(Failure::user(format!("{}: the folder {} does not exist", path.display(), folder.display())))
         }
@@ -111,18 +113,61 @@ fn check_output(path: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Checks that the disk has room for the work folder and the result.
+/// Checks that the disks have room for what is missing of the work folder and for the result.
 fn check_space(plan: &Plan) -> Result<(), Failure> {
     let estimate = plan.estimate();
-    let needed = estimate.work_bytes + estimate.result_bytes;
-    match fs4::available_space(&plan.folder) {
+    let missing = estimate.work_bytes.saturating_sub(size_of_output(&plan.folder));
+    let output = plan.output.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let output = output.unwrap_or(Path::new(".")).to_owned();
+    if is_address(&plan.output) {
+        return check_disk(&plan.folder, missing);
+    }
+    if is_same_disk(&plan.folder, &output) {
+        return check_disk(&plan.folder, missing + estimate.result_bytes);
+    }
+    check_disk(&plan.folder, missing)?;
+    check_disk(&output, estimate.result_bytes)
+}
+
+/// Checks that so many bytes are free.
+fn check_disk(folder: &Path, needed: u64) -> Result<(), Failure> {
+    match fs4::available_space(folder) {
         Ok(available) if available < needed => {
-            let path = plan.folder.clone();
-            Err(failure(BuildError::DiskSpace { path, needed, available }))
+            Err(failure(BuildError::DiskSpace { path: folder.to_owned(), needed, available }))
         }
         // An unknown size must not stop anybody.
         _ => Ok(()),
     }
+}
+
+/// Whether two folders share their free space; if nothing is known, they do.
+fn is_same_disk(one: &Path, other: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let device = |path: &Path| std::fs::metadata(path).ok().map(|metadata| metadata.dev());
+        device(one) == device(other)
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = (one, other);
+        true
+    }
+}
+
+/// Checks that there is room for the temporary copies of text and compressed inputs, before they are read.
+fn check_input_space(input: &BuildInput, folder: &Path) -> Result<(), Failure> {
+    let BuildInput::Files(paths) = input else { return Ok(()) };
+    let needed = paths.iter().map(|path| scratch_bytes(path)).sum();
+    let folder = folder.ancestors().find(|folder| folder.is_dir()).unwrap_or(Path::new("."));
+    check_disk(folder, needed)
+}
+
+/// Size of all pages at an address.
+fn size_at_address(path: &Path) -> Result<u64, Failure> {
+    let mut file = PagedFile::open(&path.to_string_lossy()).map_err(failure_of)?;
+    file.select(|_| true).map_err(failure_of)?;
+    Ok(file.reader().entries().map(|(_, entry)| u64::from(entry.byte_count)).sum())
 }
 
 /// Size of the result: one file, or all files of a folder.

@@ -3,25 +3,60 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
 use striata_command::args::Length;
 use striata_command::failure::Failure;
 use striata_command::output::Output;
-use striata_paged::build::{BuildInput, BuildOptions};
+use striata_paged::build::{BuildInput, BuildOptions, is_address};
 
 use crate::args::CellArgs;
 
 /// Prefix of generated inputs.
 const SHAPE: &str = "shape:";
+/// Factor by which compressed meshes grow, about.
+const COMPRESSED_RATIO: u64 = 3;
 /// Memory that an in-memory build takes per byte of the input file, about.
 const MEMORY_PER_BYTE: u64 = 12;
+/// Largest `.gltf` file that is read to learn how large its buffers are, in bytes.
+const MAX_JSON_BYTES: u64 = 64 << 20;
 
 /// Whether a file is too large to be built in memory.
 pub(crate) fn is_too_large(path: &Path) -> bool {
-    let size = fs::metadata(path).map_or(0, |metadata| metadata.len());
+    let size = file_bytes(path).saturating_add(buffer_bytes(path));
     let Ok(mut system) = sysinfo::System::new() else { return false };
     system.refresh_memory();
     let available = system.available_memory();
     available > 0 && size.saturating_mul(MEMORY_PER_BYTE) > available
+}
+
+/// Bytes of the temporary copy that a file needs to be read in pieces: text takes less as numbers, compressed files
+/// take more.
+pub(super) fn scratch_bytes(path: &Path) -> u64 {
+    let size = file_bytes(path);
+    match path.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
+        Some("gz" | "zst") => size.saturating_mul(COMPRESSED_RATIO),
+        Some("obj" | "off") => size,
+        _ => 0,
+    }
+}
+
+fn file_bytes(path: &Path) -> u64 {
+    fs::metadata(path).map_or(0, |metadata| metadata.len())
+}
+
+/// Size of the buffers that a `.gltf` file declares besides those within it.
+fn buffer_bytes(path: &Path) -> u64 {
+    let is_gltf = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf"));
+    if !is_gltf || file_bytes(path) > MAX_JSON_BYTES {
+        return 0;
+    }
+    let document = fs::read(path).ok().and_then(|bytes| serde_json::from_slice::<Value>(&bytes).ok());
+    let buffers = document.as_ref().and_then(|document| document.get("buffers")?.as_array());
+    let bytes = |buffer: &Value| {
+        let is_file = buffer.get("uri")?.as_str().is_some_and(|uri| !uri.starts_with("data:"));
+        buffer.get("byteLength")?.as_u64().filter(|_| is_file)
+    };
+    buffers.into_iter().flatten().filter_map(bytes).fold(0, u64::saturating_add)
 }
 
 /// Whether a name stands for an input that only an out-of-core build reads.
@@ -93,9 +128,30 @@ pub(super) fn build_options(args: &CellArgs, output: &Output) -> Result<BuildOpt
 /// The work folder of an output.
 pub(super) fn work_folder(output: &Path, given: Option<&Path>) -> PathBuf {
     let beside = || {
-        let mut name = output.as_os_str().to_owned();
+        // What is built at an address is prepared here.
+        let here = is_address(output).then(|| output.file_name()).flatten();
+        let mut name = here.unwrap_or(output.as_os_str()).to_owned();
         name.push(".work");
         PathBuf::from(name)
     };
     given.map_or_else(beside, Path::to_owned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn buffers_in_files_count() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scene.gltf");
+        let document = r#"{"buffers":[{"byteLength":7,"uri":"a.bin"},{"byteLength":5,"uri":"data:,"},
+            {"byteLength":18446744073709551615,"uri":"b.bin"},{}]}"#;
+        fs::write(&path, document).unwrap();
+        assert_eq!(buffer_bytes(&path), u64::MAX);
+        assert!(is_too_large(&path));
+        fs::write(&path, r#"{"buffers":[{"byteLength":7,"uri":"a.bin"},{"byteLength":5}]}"#).unwrap();
+        assert_eq!(buffer_bytes(&path), 7);
+        assert_eq!(buffer_bytes(Path::new("no such.gltf")), 0);
+    }
 }

@@ -4,33 +4,26 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, Table, format_bytes, format_count};
-use striata_paged::build::{Plan, Stage};
+use striata_command::output::{Output, Table, format_bytes, format_count, format_duration};
+use striata_paged::build::{Plan, Simulation, SimulationOptions, Stage};
 
 use super::input::{build_input, build_options, work_folder};
 use super::{core_count, failure};
 use crate::args::PlanArgs;
 
-/// Triangles that one core builds per second, measured on terrains; see docs/results/scale.md.
-const TRIANGLES_PER_SECOND: f64 = 500_000.0;
+/// Largest number of workers that is simulated.
+const MAX_WORKERS: usize = 100_000;
 
 #[derive(Serialize)]
 struct Report {
     plan: PathBuf,
     triangles: u64,
     tasks: usize,
-    stages: Vec<StageReport>,
+    stages: Vec<Stage>,
     pages: u64,
     work_bytes: u64,
     result_bytes: u64,
-    core_seconds: f64,
-}
-
-#[derive(Serialize)]
-struct StageReport {
-    stage: Stage,
-    first_task: usize,
-    task_count: usize,
+    simulations: Vec<Simulation>,
 }
 
 /// Plans a build.
@@ -41,26 +34,24 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     let input = build_input(&args.inputs)?;
     let options = build_options(&args.cells, output)?;
     let folder = work_folder(&args.output, args.work.as_deref());
+    if let Some(wrong) = args.workers.iter().find(|n| !(1..=MAX_WORKERS).contains(*n)) {
+        return Err(Failure::user(format!("--workers has {wrong}, but must be 1 to {MAX_WORKERS}")));
+    }
     let threads = args.threads.unwrap_or_else(core_count);
     let mut bar = output.bar();
     let plan = Plan::make((input, options), &args.output, &folder, (threads, &mut |p| bar.show(p)));
     let plan = plan.map_err(failure)?;
     drop(bar);
     let estimate = plan.estimate();
-    let stages = plan.stages().into_iter().filter_map(|stage| {
-        let mut tasks = plan.tasks_of(stage);
-        let (first_task, _) = tasks.next()?;
-        Some(StageReport { stage, first_task, task_count: 1 + tasks.count() })
-    });
     let report = Report {
         plan: folder.join("plan.json"),
         triangles: plan.metadata.triangle_count,
         tasks: plan.tasks.len(),
-        stages: stages.collect(),
+        stages: plan.stages(),
         pages: estimate.page_count,
         work_bytes: estimate.work_bytes,
         result_bytes: estimate.result_bytes,
-        core_seconds: plan.metadata.triangle_count as f64 / TRIANGLES_PER_SECOND,
+        simulations: args.workers.iter().map(|&n| plan.simulate(&SimulationOptions::new(n))).collect(),
     };
     output.summary(&report, &text(&report))
 }
@@ -68,17 +59,21 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
 fn text(report: &Report) -> String {
     let mut table = Table::with_head(&["stage", "tasks", "first task"]);
     for stage in &report.stages {
-        let name = match stage.stage {
-            Stage::Sort => "sort".to_owned(),
-            Stage::Level(level) => format!("simplify level {level}"),
-            Stage::Encode(level) => format!("encode level {level}"),
-            Stage::Finish => "write".to_owned(),
-        };
-        table.row(vec![name, stage.task_count.to_string(), stage.first_task.to_string()]);
+        table.row(vec![stage.name.clone(), stage.task_count.to_string(), stage.first_task.to_string()]);
+    }
+    let mut times = Table::with_head(&["workers", "time", "core time", "workers busy"]);
+    for simulation in &report.simulations {
+        let busy = simulation.core_seconds / (simulation.seconds * simulation.workers as f64);
+        times.row(vec![
+            format_count(simulation.workers),
+            format_duration(simulation.seconds),
+            format_duration(simulation.core_seconds),
+            format!("{:.0} %", 100.0 * busy),
+        ]);
     }
     format!(
-        "{}: {} triangles, {} tasks\n\n{}\nwork folder about {}, result about {}, at most {} pages\n\
-        about {:.0} core seconds\n",
+        "{}: {} triangles, {} tasks\n\n{}\nwork folder about {}, result about {}, at most {} pages\n\n\
+        simulated:\n{}",
         report.plan.display(),
         format_count(report.triangles as usize),
         report.tasks,
@@ -86,6 +81,6 @@ fn text(report: &Report) -> String {
         format_bytes(report.work_bytes as usize),
         format_bytes(report.result_bytes as usize),
         format_count(report.pages as usize),
-        report.core_seconds,
+        times.to_text(),
     )
 }

@@ -13,7 +13,6 @@ use striata_command::input::Input;
 use striata_paged::{HEAD_NAME, Metadata, PAGED_MAGIC, PagedFile};
 
 use super::failure_of;
-use crate::commands::extract::pages_of_view;
 
 /// Whether a path or an address is a paged file or a folder of pages.
 pub(crate) fn is_paged_file(path: &Path) -> bool {
@@ -24,33 +23,18 @@ pub(crate) fn is_paged_file(path: &Path) -> bool {
     File::open(path).is_ok_and(|mut file| file.read_exact(&mut magic).is_ok()) && &magic == PAGED_MAGIC
 }
 
-/// What a verb needs of a paged file.
-pub(crate) enum Need<'a> {
-    /// All levels of up to so many triangles.
-    Triangles(usize),
-    /// What the eye of a view sees.
-    View(&'a ViewArgs, Point),
-}
-
-/// Opens an input. Of a paged file, reads the pages that are needed; the result is the same as a .striata file with
-/// fans.
+/// Opens an input. Of a paged file, reads all levels of up to so many triangles; the result is the same as a
+/// .striata file with fans.
 ///
 /// # Errors
 /// If the input cannot be read.
-pub(crate) fn open_input(path: &Path, need: Need<'_>) -> Result<Input, Failure> {
+pub(crate) fn open_input(path: &Path, triangle_count: usize) -> Result<Input, Failure> {
     if !is_paged_file(path) {
         return Input::open(path);
     }
     let name = path.to_string_lossy();
     let mut file = PagedFile::open(&name).map_err(failure_of)?;
-    let assembled = match need {
-        Need::Triangles(count) => file.level_for_triangles(count).map_err(failure_of)?,
-        Need::View(view, eye) => {
-            let camera = camera_of(view, eye, file.metadata())?;
-            let pages = pages_of_view(&mut file, &camera, view.pixels() as f32)?;
-            file.assemble(&pages).map_err(failure_of)?
-        }
-    };
+    let assembled = file.level_for_triangles(triangle_count).map_err(failure_of)?;
     let known = assembled.refinable;
     let fans = Fans::build(&known);
     let mut bytes = Vec::new();

@@ -17,6 +17,7 @@ use striata_viewer::picture::{
 };
 
 /// A level to draw.
+#[derive(Clone)]
 pub(super) struct Figure {
     /// Title above the level.
     pub(super) title: String,

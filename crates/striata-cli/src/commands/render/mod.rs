@@ -11,16 +11,20 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::args::{Background, RenderArgs};
-use crate::commands::paged::{Need, open_input};
+use crate::commands::extract::{MIN_PIXELS, ViewLevel};
+use crate::commands::paged::{camera_of, failure_of, is_paged_file, open_input};
 use figure::Figure;
 use layout::Layout;
 use report::{Drawing, Report};
 use source::Source;
+use striata::model::ModelKind;
+use striata_command::args::Point;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::check_strict;
 use striata_command::output::{Bar, Output};
 use striata_command::save::{is_stdout, write_bytes};
+use striata_paged::PagedFile;
 use striata_viewer::picture::{Canvas, PictureRenderer, Theme};
 use viewpoint::Viewpoint;
 
@@ -34,30 +38,58 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     check(args)?;
     let mut bar = output.bar();
     bar.phase("read");
-    let need = match args.level.eye {
-        Some(eye) => Need::View(&args.view, eye),
-        None => Need::Triangles(PAGED_TRIANGLES),
-    };
-    let input = open_input(&args.input, need)?;
-    let mut artist = artist(args, output)?;
+    if let Some(eye) = args.level.eye.filter(|_| is_paged_file(&args.input)) {
+        let source = Source::of_view(args, paged_view(args, eye)?);
+        let figures = vec![source.target(None)?];
+        return draw(args, (&source, figures), (output, bar, started));
+    }
+    let input = open_input(&args.input, PAGED_TRIANGLES)?;
     let source = Source::read(args, &input, output, &mut bar)?;
+    let figures = figures(args, &source, &input)?;
+    draw(args, (&source, figures), (output, bar, started))
+}
+
+/// Draws levels, writes the picture, and reports.
+///
+/// # Errors
+/// If any of this fails; nothing is written then.
+fn draw(
+    args: &RenderArgs,
+    (source, figures): (&Source<'_>, Vec<Figure>),
+    (output, mut bar, started): (&Output, Bar, Instant),
+) -> Result<(), Failure> {
+    let mut artist = artist(args, output)?;
     for warning in source.look().iter().flat_map(|look| look.warnings()) {
         output.say(&format!("warning: {warning}"));
     }
-    let figures = figures(args, &source, &input)?;
     for figure in &figures {
         let name = (!figure.title.is_empty()).then_some(figure.title.as_str());
         check_strict(args.strict, name, figure.shortfall.as_deref())?;
     }
     bar.phase("draw");
-    let viewpoint = Viewpoint::new(args, &source)?;
-    let layout = Layout::new(args, &source, (&figures, &viewpoint))?;
+    let viewpoint = Viewpoint::new(args, source)?;
+    let layout = Layout::new(args, source, (&figures, &viewpoint))?;
     let picture = layout.draw(&mut artist, &theme(args.background))?;
     write(&args.output, &picture.canvas, &mut bar)?;
     drop(bar);
     let drawing = Drawing { artist: &artist, frame_secs: picture.frame_secs, started };
-    let report = Report::new(args, (&source, &figures), &layout, drawing);
+    let report = Report::new(args, (source, &figures), &layout, drawing);
     output.summary(&report, &report.to_text())
+}
+
+/// Returns the level of a paged file for a view.
+///
+/// # Errors
+/// If the camera is degenerate, or the file is damaged.
+fn paged_view(args: &RenderArgs, eye: Point) -> Result<Figure, Failure> {
+    let mut file = PagedFile::open(&args.input.to_string_lossy()).map_err(failure_of)?;
+    let metadata = file.metadata();
+    let limit = args.level.level.triangle_count();
+    let limit = limit.map(|count| count.of_triangles(metadata.triangle_count as usize));
+    let view = args.view.on_screen(args.size.0);
+    let criterion = view.criterion(camera_of(&view, eye, metadata)?, MIN_PIXELS);
+    let found = file.level_for_view(&criterion, limit).map_err(failure_of)?;
+    Ok(Figure::of_view(ModelKind::Fans, ViewLevel::of_pages(found, view.pixels()), limit))
 }
 
 /// A picture shows no more triangles of a paged file than this: more than it has pixels.

@@ -31,6 +31,8 @@ pub(super) enum Source<'a> {
     Levels(Box<Levels<'a>>, Option<Box<SceneLook>>),
     /// A scene in a pose, with or without levels.
     Scene(Box<SceneSource>),
+    /// The level for a view, made of pages.
+    View(Box<Figure>, Option<Box<SceneLook>>),
 }
 
 /// All levels of a mesh, and the model that provides their triangles.
@@ -89,10 +91,16 @@ impl<'a> Source<'a> {
         Ok(Self::Levels(Box::new(levels), look))
     }
 
+    /// Wraps the level for a view, made of pages.
+    pub(super) fn of_view(args: &RenderArgs, figure: Figure) -> Self {
+        let look = look_of(args, &figure.mesh);
+        Self::View(Box::new(figure), look)
+    }
+
     /// Returns the materials, if the picture shows them.
     pub(super) fn look(&self) -> Option<&SceneLook> {
         match self {
-            Self::Mesh(_, look) | Self::Levels(_, look) => look.as_deref(),
+            Self::Mesh(_, look) | Self::Levels(_, look) | Self::View(_, look) => look.as_deref(),
             Self::Scene(scene) => scene.look(),
         }
     }
@@ -111,6 +119,7 @@ impl<'a> Source<'a> {
             Self::Mesh(mesh, _) => mesh,
             Self::Levels(levels, _) => levels.steps.mesh(),
             Self::Scene(scene) => scene.mesh(),
+            Self::View(figure, _) => &figure.mesh,
         }
     }
 
@@ -130,6 +139,11 @@ impl<'a> Source<'a> {
             },
             Self::Levels(levels, _) => FullMesh::of_levels(levels.steps.levels(), diagonal),
             Self::Scene(scene) => scene.full(),
+            Self::View(figure, _) => FullMesh {
+                diagonal,
+                vertex_count: figure.mesh.vertex_count(),
+                triangle_count: figure.mesh.triangle_count(),
+            },
         }
     }
 
@@ -141,6 +155,7 @@ impl<'a> Source<'a> {
         let levels = match self {
             Self::Mesh(mesh, _) => return Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
             Self::Scene(scene) => return scene.target(target),
+            Self::View(figure, _) => return Ok(Figure::clone(figure)),
             Self::Levels(levels, _) => levels,
         };
         let known = levels.steps.levels();
@@ -173,6 +188,7 @@ impl<'a> Source<'a> {
         let levels = match self {
             Self::Levels(levels, _) => levels,
             Self::Scene(scene) => return scene.view(args, eye),
+            Self::View(figure, _) => return Ok(Figure::clone(figure)),
             Self::Mesh(..) => return Err(Failure::internal("a view needs a mesh with levels")),
         };
         let bounds = self.mesh().bounds();

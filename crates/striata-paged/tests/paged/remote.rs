@@ -1,5 +1,4 @@
 //! Paged files on a web server, read in ranges.
-#![cfg(all(feature = "build", feature = "remote"))]
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpListener;
@@ -79,4 +78,39 @@ fn files_and_folders_are_read_in_ranges() {
     }
     let missing = PagedFile::open(&format!("{address}/missing.striata"));
     assert!(missing.err().unwrap().to_string().contains("missing.striata"));
+}
+
+#[test]
+fn files_and_folders_are_written_to_addresses() {
+    let folder = tempfile::TempDir::new().unwrap();
+    let options = BuildOptions { cell: 2000, ..BuildOptions::default() };
+    let build = |output: &std::path::Path| {
+        let input = (BuildInput::Terrain(200), options.clone());
+        let work = folder.path().join("work");
+        let plan = Plan::make(input, output, &work, (1, &mut ignore_progress)).unwrap();
+        let result = run_all(&plan, 1, &mut ignore_progress);
+        plan.remove_work().unwrap();
+        result
+    };
+    build(&folder.path().join("local.striata")).unwrap();
+    let address = format!("file://{}", folder.path().display());
+    build(format!("{address}/remote.striata").as_ref()).unwrap();
+    build(format!("{address}/pages").as_ref()).unwrap();
+    let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
+    assert!(read("local.striata") == read("remote.striata"));
+    let mut pages = PagedFile::open(&format!("{address}/pages")).unwrap();
+    let mut local = PagedFile::open(folder.path().join("local.striata").to_str().unwrap()).unwrap();
+    let [found, expected] = [&mut pages, &mut local].map(|file| file.level_for_triangles(1000).unwrap());
+    assert_eq!(found.refinable, expected.refinable);
+    // A server that takes nothing: the build fails, and says where.
+    let nowhere = serve(folder.path().to_owned());
+    let error = build(format!("{nowhere}/refused").as_ref()).unwrap_err().to_string();
+    assert!(error.contains("refused"), "{error}");
+    let unknown = Plan::make(
+        (BuildInput::Terrain(200), options.clone()),
+        "unknown://bucket/a".as_ref(),
+        &folder.path().join("work"),
+        (1, &mut ignore_progress),
+    );
+    assert!(unknown.unwrap_err().to_string().contains("unknown://bucket/a"));
 }

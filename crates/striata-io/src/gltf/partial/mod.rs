@@ -1,0 +1,8 @@
+//! Parts of documents that do not fit into memory: shapes without data, some elements of an accessor, some
+//! triangles of a primitive.
+
+mod gather;
+mod shapes;
+mod triangle_runs;
+
+pub(crate) use triangle_runs::{TriangleCount, TriangleRuns};

@@ -1,0 +1,285 @@
+//! What a scene shows: every primitive with its place, its group and its number of triangles. The data are
+//! only read to count the triangles of strips, fans and compressed meshes.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use glam::DMat4;
+use striata::mesh::Semantic;
+
+use super::opened::OpenedDocument;
+use crate::error::Fault;
+use crate::gltf::parts::{
+    Document, DracoKey, DracoLink, Instance, LayerFormats, Primitive, RestPose, Transform, TriangleCount,
+    add_vertices, document_fault, visit_instances,
+};
+use crate::pieces::PieceGroup;
+
+/// Number of primitives that a scene may show regardless of its size, counting repetitions.
+const ALWAYS_ALLOWED: u64 = 1 << 20;
+
+/// Bytes of the document and its buffers for each primitive more: about what one takes in memory.
+const BYTES_PER_PRIMITIVE: u64 = 64;
+
+/// Memory that the names of groups may take regardless of the size of the scene, in bytes.
+const ALWAYS_ALLOWED_NAME_BYTES: u64 = 1 << 28;
+
+/// Number of triangles that a scene may show regardless of its size, counting repetitions.
+const ALWAYS_ALLOWED_TRIANGLES: u64 = 1 << 36;
+
+/// Size of decompressed data after which a document is replaced by a fresh one, in bytes.
+const MAX_UNPACKED_BYTES: u64 = 1 << 26;
+
+/// Marks primitives that have normals, or need none.
+const NO_BLOCK: u32 = u32::MAX;
+
+/// Everything that a scene shows.
+#[derive(Default)]
+pub(super) struct Outline {
+    pub(super) primitives: Vec<PrimitiveOutline>,
+    pub(super) placements: Vec<Placement>,
+    /// In tree order.
+    pub(super) shown: Vec<Shown>,
+    pub(super) formats: LayerFormats,
+    pub(super) groups: Vec<PieceGroup>,
+    pub(super) triangle_count: u64,
+    /// Blocks whose normals are computed: all primitives that show the same vertices at the same place, as
+    /// indices into `shown`.
+    pub(super) blocks: Vec<Vec<u32>>,
+}
+
+/// Primitive of a mesh that is shown at least once.
+pub(super) struct PrimitiveOutline {
+    pub(super) mesh: u64,
+    /// Index of the primitive in its mesh.
+    pub(super) index: usize,
+    /// Number of the set of accessors that its vertices have.
+    vertex_set: u32,
+    pub(super) vertex_count: usize,
+    pub(super) triangles: TriangleCount,
+    material: Option<u32>,
+    is_fan: bool,
+    has_normals: bool,
+}
+
+/// Where a node shows a mesh, and in which pose.
+pub(super) struct Placement {
+    matrix: DMat4,
+    pub(super) pose: RestPose,
+}
+
+/// One primitive as shown by one node.
+#[derive(Clone, Copy)]
+pub(super) struct Shown {
+    pub(super) primitive: u32,
+    pub(super) placement: u32,
+    pub(super) group: u32,
+    block: u32,
+}
+
+impl Placement {
+    /// Transform from the mesh to the scene; [`None`] for the identity.
+    pub(super) fn transform(&self) -> Option<Transform> {
+        Transform::new(self.matrix)
+    }
+
+    fn is_at(&self, instance: &Instance<'_>) -> bool {
+        bits(&self.matrix) == bits(&instance.matrix) && self.pose.key() == instance.pose.key()
+    }
+}
+
+/// What distinguishes transforms.
+fn bits(matrix: &DMat4) -> Option<[u64; 16]> {
+    // Negative zeros make no identity different from another.
+    (*matrix != DMat4::IDENTITY).then(|| matrix.to_cols_array().map(f64::to_bits))
+}
+
+impl Shown {
+    /// Number of the block whose normals are computed, if it is one.
+    pub(super) fn block(&self) -> Option<usize> {
+        (self.block != NO_BLOCK).then_some(self.block as usize)
+    }
+}
+
+impl Outline {
+    /// Walks through the default scene. Runs are what pieces of large primitives will be.
+    pub(super) fn of(opened: &OpenedDocument, run_size: usize) -> Result<Self, Fault> {
+        let mut walk = Walk {
+            opened,
+            document: opened.document()?,
+            run_size,
+            outline: Self::default(),
+            primitives_of: BTreeMap::new(),
+            vertex_sets: BTreeMap::new(),
+            name_bytes: 0,
+            unpacked_before: 0,
+            counted: 0,
+            fans_before: None,
+        };
+        let document = opened.document()?;
+        visit_instances(&document, BYTES_PER_PRIMITIVE, &mut |instance| walk.add_instance(&instance))?;
+        let mut outline = walk.outline;
+        let counts = outline.shown.iter().map(|shown| outline.triangle_count_of(shown));
+        outline.triangle_count = counts.fold(0, u64::saturating_add);
+        if outline.triangle_count > ALWAYS_ALLOWED_TRIANGLES.max(document.input_bytes) {
+            let (count, bytes) = (outline.triangle_count, document.input_bytes);
+            return Err(document_fault(format!(
+                "the scene shows {count} triangles, too many for {bytes} bytes"
+            )));
+        }
+        if outline.formats.contains_key(&Semantic::Normal) {
+            outline.find_blocks();
+        }
+        Ok(outline)
+    }
+
+    /// Returns the number of triangles of a shown primitive.
+    pub(super) fn triangle_count_of(&self, shown: &Shown) -> u64 {
+        self.primitives[shown.primitive as usize].triangles.triangle_count
+    }
+
+    /// Whether two shown primitives have the same vertices at the same place.
+    pub(super) fn share_vertices(&self, a: Shown, b: Shown) -> bool {
+        let vertex_set = |shown: Shown| self.primitives[shown.primitive as usize].vertex_set;
+        a.placement == b.placement && vertex_set(a) == vertex_set(b)
+    }
+
+    /// Finds the blocks of primitives that lack normals, which others have.
+    fn find_blocks(&mut self) {
+        let mut known = BTreeMap::new();
+        for (index, shown) in self.shown.iter_mut().enumerate() {
+            let primitive = &self.primitives[shown.primitive as usize];
+            if primitive.has_normals {
+                continue;
+            }
+            let placement = &self.placements[shown.placement as usize];
+            let key = (primitive.vertex_set, bits(&placement.matrix), placement.pose.key());
+            shown.block = *known.entry(key).or_insert_with(|| {
+                self.blocks.push(Vec::new());
+                self.blocks.len() as u32 - 1
+            });
+            self.blocks[shown.block as usize].push(index as u32);
+        }
+    }
+}
+
+/// Accessors of the positions and of the other attributes, and the compressed mesh with the identifiers of
+/// its attributes.
+type VertexKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>);
+
+struct Walk<'a> {
+    opened: &'a OpenedDocument,
+    document: Document<'a>,
+    run_size: usize,
+    outline: Outline,
+    /// Primitives of each mesh.
+    primitives_of: BTreeMap<u64, Range<u32>>,
+    vertex_sets: BTreeMap<VertexKey, u32>,
+    name_bytes: u64,
+    /// Size of what earlier documents have decompressed, in bytes.
+    unpacked_before: u64,
+    /// Number of indices of strips and fans that have been read.
+    counted: u64,
+    /// Primitive before the current one, if it is a fan.
+    fans_before: Option<Shown>,
+}
+
+impl<'a> Walk<'a> {
+    fn add_instance(&mut self, instance: &Instance<'a>) -> Result<(), Fault> {
+        let primitives = self.primitives_of_mesh(instance.mesh)?;
+        if primitives.is_empty() {
+            return Ok(());
+        }
+        self.check_size(primitives.len() as u64, instance.name)?;
+        let placements = &mut self.outline.placements;
+        if placements.last().is_none_or(|last| !last.is_at(instance)) {
+            placements.push(Placement { matrix: instance.matrix, pose: instance.pose.clone() });
+        }
+        let placement = placements.len() as u32 - 1;
+        for primitive in primitives {
+            let shown = Shown { primitive, placement, group: 0, block: NO_BLOCK };
+            self.add_shown(shown, instance.name);
+        }
+        Ok(())
+    }
+
+    /// Adds a primitive to the last group if both are fans of one object, and otherwise to a new group.
+    fn add_shown(&mut self, mut shown: Shown, name: &str) {
+        let outline = &mut self.outline;
+        let PrimitiveOutline { material, is_fan, .. } = outline.primitives[shown.primitive as usize];
+        let continues =
+            self.fans_before.is_some_and(|before| is_fan && outline.share_vertices(before, shown));
+        let is_group = |last: &PieceGroup| continues && last.name == name && last.material == material;
+        if !outline.groups.last().is_some_and(is_group) {
+            outline.groups.push(PieceGroup { name: name.to_owned(), material });
+        }
+        shown.group = outline.groups.len() as u32 - 1;
+        self.fans_before = is_fan.then_some(shown);
+        outline.shown.push(shown);
+    }
+
+    /// Refuses scenes that show far too much for their size.
+    fn check_size(&mut self, added: u64, name: &str) -> Result<(), Fault> {
+        let (count, input_bytes) = (self.outline.shown.len() as u64 + added, self.document.input_bytes);
+        self.name_bytes = self.name_bytes.saturating_add(added.saturating_mul(name.len() as u64));
+        if count > ALWAYS_ALLOWED.max(input_bytes / BYTES_PER_PRIMITIVE).min(u64::from(NO_BLOCK)) {
+            let reason = format!("the scene shows {count} primitives, too many for {input_bytes} bytes");
+            return Err(document_fault(reason));
+        }
+        if self.name_bytes > ALWAYS_ALLOWED_NAME_BYTES.max(input_bytes) {
+            let reason = format!(
+                "the names of all groups take {} bytes, too many for a scene of {input_bytes} bytes",
+                self.name_bytes
+            );
+            return Err(document_fault(reason));
+        }
+        Ok(())
+    }
+
+    /// Returns the triangle primitives of a mesh, which are examined when it is shown for the first time.
+    fn primitives_of_mesh(&mut self, mesh: u64) -> Result<Range<u32>, Fault> {
+        if let Some(known) = self.primitives_of.get(&mesh) {
+            return Ok(known.clone());
+        }
+        let first = self.outline.primitives.len() as u32;
+        let at = self.document.item("meshes", mesh, &self.document.root)?;
+        for (index, at) in at.entries("primitives")?.into_iter().enumerate() {
+            if let Some(primitive) = Primitive::parse(&self.document, at)? {
+                self.add_primitive((mesh, index), &primitive)?;
+            }
+        }
+        let range = first..self.outline.primitives.len() as u32;
+        self.primitives_of.insert(mesh, range.clone());
+        Ok(range)
+    }
+
+    fn add_primitive(&mut self, (mesh, index): (u64, usize), primitive: &Primitive<'a>) -> Result<(), Fault> {
+        if self.document.unpacked.bytes() - self.unpacked_before > MAX_UNPACKED_BYTES {
+            self.document = self.opened.document_after(&self.document)?;
+            self.unpacked_before = self.document.unpacked.bytes();
+        }
+        let document = &self.document;
+        let shape_of = |semantic: Option<&Semantic>, index| primitive.shape(document, semantic, index);
+        let vertex_count = add_vertices(primitive, &mut self.outline.formats, shape_of)?;
+        if u32::try_from(vertex_count).is_err() {
+            return Err(primitive.at.fault(format!("{vertex_count} vertices are more than can be handled")));
+        }
+        let triangles =
+            TriangleCount::of(document, primitive, (vertex_count, self.run_size), &mut self.counted)?;
+        let draco = primitive.draco.as_ref().map(DracoLink::key);
+        let key: VertexKey = (primitive.position, primitive.attributes.clone(), draco);
+        let next = self.vertex_sets.len() as u32;
+        let outline = PrimitiveOutline {
+            mesh,
+            index,
+            vertex_set: *self.vertex_sets.entry(key).or_insert(next),
+            vertex_count,
+            triangles,
+            material: primitive.material,
+            is_fan: primitive.is_fan(),
+            has_normals: primitive.attributes.iter().any(|(semantic, _)| *semantic == Semantic::Normal),
+        };
+        self.outline.primitives.push(outline);
+        Ok(())
+    }
+}

@@ -1,0 +1,87 @@
+//! OFF in pieces: one pass writes the rows of vertices and the triangles to temporary files.
+
+use super::input::{Input, Mapped};
+use super::local::localize;
+use super::spool::Spool;
+use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
+use crate::ReadError;
+use crate::error::{Fault, Place};
+use crate::off::{Columns, Layout, read_rows};
+
+const TRIANGLE_BYTES: usize = 12;
+
+/// OFF file whose tables are in temporary files.
+pub(super) struct OffPieces {
+    layout: Layout,
+    /// Numbers of each vertex.
+    rows: Mapped,
+    triangles: Mapped,
+    summary: PieceSummary,
+    piece_size: usize,
+}
+
+impl OffPieces {
+    /// Reads a file once.
+    pub(super) fn open(input: &Input, options: &PieceOptions) -> Result<Self, ReadError> {
+        let (mut rows, mut triangles) = (Spool::new(options)?, Spool::new(options)?);
+        let vertex = |_: &Layout, row: &[f32]| {
+            if let Some(x) = row[..3].iter().find(|x| !x.is_finite()) {
+                return Err(format!("{x} is not a usable coordinate"));
+            }
+            rows.write(bytemuck::cast_slice(row));
+            Ok(())
+        };
+        let layout = read_rows(&input.bytes, vertex, |triangle| {
+            triangles.write(bytemuck::cast_slice(&triangle));
+        })
+        .map_err(|fault| fault.in_file(&input.name))?;
+        let (rows, triangles) = (rows.finish(options)?, triangles.finish(options)?);
+        let (_, layers) = Columns::default().into_mesh(&layout);
+        let summary = PieceSummary {
+            name: input.name.clone(),
+            layers: layers.iter().map(LayerKind::of).collect(),
+            groups: vec![PieceGroup::default()],
+            triangle_count: (triangles.len() / TRIANGLE_BYTES) as u64,
+            byte_count: input.file_bytes,
+            ..PieceSummary::default()
+        };
+        Ok(Self { layout, rows, triangles, summary, piece_size: options.piece_size() })
+    }
+
+    fn piece(&self, first: usize) -> Piece {
+        let end = self.triangles.len().min((first + self.piece_size) * TRIANGLE_BYTES);
+        let word = |bytes: &[u8; 4]| u32::from_ne_bytes(*bytes);
+        let (words, _) = self.triangles[first * TRIANGLE_BYTES..end].as_chunks::<4>();
+        let mut triangles: Vec<[u32; 3]> =
+            words.as_chunks::<3>().0.iter().map(|corners| [0, 1, 2].map(|i| word(&corners[i]))).collect();
+        let numbers = localize(&mut triangles);
+        let (mut columns, mut row) = (Columns::default(), Vec::new());
+        let row_bytes = 4 * self.layout.width();
+        for number in numbers {
+            row.clear();
+            let (words, _) = self.rows[number as usize * row_bytes..][..row_bytes].as_chunks::<4>();
+            row.extend(words.iter().map(|bytes| f32::from_ne_bytes(*bytes)));
+            columns.push(&self.layout, &row);
+        }
+        let (positions, layers) = columns.into_mesh(&self.layout);
+        Piece { positions, layers, triangles, groups: Vec::new() }
+    }
+}
+
+impl PieceSource for OffPieces {
+    fn summary(&self) -> &PieceSummary {
+        &self.summary
+    }
+
+    fn piece_count(&self) -> u64 {
+        self.summary.triangle_count.div_ceil(self.piece_size as u64)
+    }
+
+    fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {
+        if index >= self.piece_count() {
+            let fault = Fault::Malformed(Place::File, format!("piece {index} does not exist"));
+            return Err(fault.in_file(&self.summary.name));
+        }
+        Ok(self.piece(index as usize * self.piece_size))
+    }
+}

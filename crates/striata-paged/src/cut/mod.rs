@@ -1,0 +1,235 @@
+//! Levels whose detail varies over the mesh, made of pages in one pass over their steps.
+//!
+//! Steps are undone from fine to coarse, page by page: those of a page depend only on coarser pages and on each
+//! other. A step that is wanted is kept, and with it everything around it: a split needs its whole ring. What is
+//! kept is therefore closed under dependencies, so the result has no cracks.
+//!
+//! ```text
+//!  finest pages          coarser pages              base page
+//!  keep or undo   --->   keep or undo       --->    stays
+//!        |  "these vertices must stay"     |
+//!        |  "these triangles are replaced" |
+//!        v                                 v
+//!      triangles of the level, each from the finest page that owns one of its corners
+//! ```
+//!
+//! Pages of one level are independent of each other and run in parallel (feature `parallel`); the result is the
+//! same with any number of threads.
+
+mod page_surface;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use striata::mesh::IndexedMesh;
+use striata::view::Part;
+
+use crate::loaded::{LoadedPages, coarse_vertices, position_of};
+use crate::mesh_parts::{appearance, gathered_layers, grouped};
+use crate::parallel::map_in_parallel;
+use crate::replaced::Replaced;
+use crate::{Metadata, Page, PagedError};
+use page_surface::PageSurface;
+
+/// A level whose detail varies.
+#[derive(Clone, Debug)]
+pub struct Cut {
+    /// The mesh.
+    pub mesh: IndexedMesh,
+    /// Index in the directory of the page that each vertex of the mesh comes from.
+    pub page_of_vertex: Vec<u32>,
+    /// Number of steps that are refined.
+    pub refined_count: usize,
+    /// Number of steps of the pages.
+    pub step_count: usize,
+    /// Largest error of a step of the pages that is not refined, in mesh units.
+    pub error: f32,
+}
+
+/// Pages from which levels of varying detail are cut.
+pub struct CutPages<'a> {
+    loaded: LoadedPages<'a>,
+    metadata: &'a Metadata,
+}
+
+/// What pages tell coarser ones while a level is cut.
+struct Messages {
+    /// For each page, the owned positions that finer pages need.
+    is_needed: Vec<Vec<AtomicBool>>,
+    /// For each page, the triangles that finer pages have replaced.
+    replaced: Vec<Mutex<Replaced>>,
+}
+
+/// What one page contributes to a level.
+#[derive(Default)]
+struct Contribution {
+    /// Corners in the numbering of all pages, and group.
+    triangles: Vec<([u32; 3], u32)>,
+    refined_count: usize,
+    error: f32,
+}
+
+impl<'a> CutPages<'a> {
+    /// Takes pages, each with its index in the directory, and with all of its parents.
+    ///
+    /// # Errors
+    /// [`PagedError::Mismatch`] if a parent of a page is absent or the pages do not fit together.
+    pub fn new(pages: &[(u32, &'a Page)], metadata: &'a Metadata) -> Result<Self, PagedError> {
+        Ok(Self { loaded: LoadedPages::new(pages)?, metadata })
+    }
+
+    /// Makes the coarsest level that refines every step for which `is_wanted` says so, and what these need.
+    ///
+    /// A part has the position of the step, the length of the longest edge there as its radius, and the error of
+    /// the surface without it.
+    pub fn cut(&self, is_wanted: impl Fn(&Part) -> bool + Sync) -> Cut {
+        let loaded = &self.loaded;
+        let flags = |page: &Page| (1..page.first.len()).map(|_| AtomicBool::new(false)).collect();
+        let messages = Messages {
+            is_needed: loaded.pages().map(flags).collect(),
+            replaced: (0..loaded.len()).map(|_| Mutex::default()).collect(),
+        };
+        let mut contributions: Vec<Contribution> = Vec::with_capacity(loaded.len());
+        for level in loaded.levels() {
+            let slots: Vec<u32> = level.collect();
+            contributions.extend(map_in_parallel(&slots, |&slot| self.cut_page(slot, &messages, &is_wanted)));
+        }
+        self.joined(contributions)
+    }
+
+    /// Keeps or undoes the steps of one page; all finer pages have been cut.
+    fn cut_page(&self, slot: u32, messages: &Messages, is_wanted: &impl Fn(&Part) -> bool) -> Contribution {
+        let mut surface = PageSurface::new(&self.loaded, slot);
+        let mut is_kept = vec![false; surface.node_count()];
+        for (is_kept, is_needed) in is_kept.iter_mut().zip(&messages.is_needed[slot as usize]) {
+            *is_kept = is_needed.load(Ordering::Relaxed);
+        }
+        let mut contribution = Contribution::default();
+        for position in surface.order() {
+            surface.gather(position);
+            let is_needed = is_kept[position as usize];
+            if !is_needed {
+                let part = surface.part(position);
+                if !is_wanted(&part) {
+                    contribution.error = contribution.error.max(part.error);
+                    surface.collapse();
+                    continue;
+                }
+                is_kept[position as usize] = true;
+            }
+            contribution.refined_count += 1;
+            surface.for_each_needed(position, |v| is_kept[surface.node(v) as usize] = true);
+        }
+        self.pass_needs_on(slot, &surface, (&is_kept, messages));
+        self.pass_replaced_on(slot, &surface, messages);
+        contribution.triangles = self.triangles(slot, &surface, (&is_kept, messages));
+        contribution
+    }
+
+    /// Tells the owners of imports which of these must stay.
+    fn pass_needs_on(&self, slot: u32, surface: &PageSurface<'_>, (is_kept, messages): (&[bool], &Messages)) {
+        let owned = self.loaded.page(slot).positions.len() as u32;
+        for (import, place) in (owned..).zip(self.loaded.imports_of(slot)) {
+            if is_kept[surface.node(import) as usize] {
+                let position = position_of(self.loaded.page(place.slot), place.vertex);
+                messages.is_needed[place.slot as usize][position as usize].store(true, Ordering::Relaxed);
+            }
+        }
+    }
+
+    /// Tells the owners of the triangles that this page replaces which ones are no longer there.
+    fn pass_replaced_on(&self, slot: u32, surface: &PageSurface<'_>, messages: &Messages) {
+        let page = self.loaded.page(slot);
+        if page.targets.is_empty() {
+            return;
+        }
+        let is_refined =
+            |t: usize| surface.is_alive[t] && surface.corners[t].iter().any(|&v| surface.owns(v));
+        if !(0..page.triangles.len()).any(is_refined) {
+            return;
+        }
+        let coarse = coarse_vertices(page);
+        let mut by_owner: Vec<(u32, ([u32; 3], u32))> = Vec::new();
+        for (t, corners) in surface.corners.iter().enumerate().filter(|&(t, _)| is_refined(t)) {
+            let corners = corners.map(|v| if surface.owns(v) { coarse[v as usize] } else { v });
+            let [a, b, c] = corners.map(|v| surface.node(v));
+            if a == b || b == c || c == a {
+                continue;
+            }
+            let imports = self.loaded.imports_of(slot);
+            let owner = corners.map(|v| imports[v as usize - page.positions.len()].slot);
+            let owner = owner[0].max(owner[1]).max(owner[2]);
+            by_owner.push((owner, (corners.map(|v| self.loaded.number_in(slot, v)), group_of(page, t))));
+        }
+        by_owner.sort_unstable_by_key(|&(owner, _)| owner);
+        for run in by_owner.chunk_by(|a, b| a.0 == b.0) {
+            let triangles: Vec<([u32; 3], u32)> = run.iter().map(|&(_, triangle)| triangle).collect();
+            if let Ok(mut replaced) = messages.replaced[run[0].0 as usize].lock() {
+                replaced.add_all(&triangles);
+            }
+        }
+    }
+
+    /// The triangles of the level of which this page is the finest owner.
+    fn triangles(
+        &self,
+        slot: u32,
+        surface: &PageSurface<'_>,
+        (is_kept, messages): (&[bool], &Messages),
+    ) -> Vec<([u32; 3], u32)> {
+        let page = self.loaded.page(slot);
+        let replaced = messages.replaced[slot as usize].lock();
+        let mut replaced = replaced.map(|mut replaced| std::mem::take(&mut *replaced)).unwrap_or_default();
+        let mut triangles = Vec::new();
+        for (t, corners) in surface.corners.iter().enumerate() {
+            if !surface.is_alive[t] || !corners.iter().any(|&v| surface.owns(v)) {
+                continue;
+            }
+            let numbers = corners.map(|v| self.loaded.number_in(slot, v));
+            // A finer page that replaces a triangle needs its corners. The base page keeps all of its own.
+            let may_be_replaced =
+                !replaced.is_empty() && corners.iter().all(|&v| is_kept[surface.node(v) as usize]);
+            if !(may_be_replaced && replaced.take(numbers, group_of(page, t))) {
+                triangles.push((numbers, group_of(page, t)));
+            }
+        }
+        triangles
+    }
+
+    /// One mesh of what all pages contribute.
+    fn joined(&self, contributions: Vec<Contribution>) -> Cut {
+        let loaded = &self.loaded;
+        let mut number = vec![0u32; loaded.vertex_count()];
+        for (corners, _) in contributions.iter().flat_map(|contribution| &contribution.triangles) {
+            corners.iter().for_each(|&v| number[v as usize] = 1);
+        }
+        let mut used = Vec::new();
+        for (v, number) in (0..).zip(&mut number) {
+            if *number != 0 {
+                *number = used.len() as u32;
+                used.push(loaded.place(v));
+            }
+        }
+        let refined_count = contributions.iter().map(|contribution| contribution.refined_count).sum();
+        let error = contributions.iter().map(|contribution| contribution.error).fold(0.0, f32::max);
+        let triangles = contributions.into_iter().flat_map(|contribution| contribution.triangles);
+        let triangles =
+            triangles.map(|(corners, group)| (corners.map(|v| number[v as usize]), group)).collect();
+        let (groups, triangles) = grouped(triangles, self.metadata);
+        let mesh = IndexedMesh {
+            positions: used.iter().map(|at| loaded.page(at.slot).positions[at.vertex as usize]).collect(),
+            layers: gathered_layers(loaded, &used, self.metadata),
+            triangles,
+            groups,
+            appearance: appearance(self.metadata),
+        };
+        let page_of_vertex = used.iter().map(|at| loaded.index_of(at.slot)).collect();
+        let step_count = loaded.pages().map(|page| page.keys.len()).sum();
+        Cut { mesh, page_of_vertex, refined_count, step_count, error }
+    }
+}
+
+/// Group of a triangle of a page.
+fn group_of(page: &Page, triangle: usize) -> u32 {
+    page.groups.get(triangle).copied().unwrap_or(0)
+}

@@ -1,0 +1,112 @@
+//! Levels of paged files whose detail varies: for a camera, a box, or any other criterion.
+
+use striata::view::{Criterion, Part, ScreenError, Sphere};
+
+use crate::{Cut, PageBound, PagedError, PagedFile, PagedReader};
+
+/// A tolerance is relaxed by at most this factor.
+const MAX_RELAXATION: f32 = 1e9;
+/// Factor between the tolerances that are tried until there are too many triangles.
+const COARSE_STEP: f32 = 3.0;
+/// At most so many tolerances are tried after that.
+const SEARCH_STEPS: usize = 8;
+/// A level with at least this share of the triangles that are allowed is good enough.
+const GOOD_SHARE: f64 = 0.97;
+
+/// A level for a view.
+#[derive(Clone, Debug)]
+pub struct ViewCut {
+    /// The level.
+    pub cut: Cut,
+    /// All tolerances have been multiplied by this, at least 1, to respect the triangle limit.
+    pub relaxation: f32,
+    /// Whether the triangle limit, if any, is respected.
+    pub is_within_limit: bool,
+}
+
+impl PageBound {
+    /// What a criterion judges about this part of a page: the sphere around it, and its largest error.
+    pub fn part(&self) -> Part {
+        let center = [0, 1, 2].map(|a| 0.5 * (self.min[a] + self.max[a]));
+        let half = [0, 1, 2].map(|a| 0.5 * f64::from(self.max[a] - self.min[a]));
+        let radius = half.iter().map(|x| x * x).sum::<f64>().sqrt() as f32;
+        Part { sphere: Sphere { center, radius }, cone: striata::view::NormalCone::ALL, error: self.error }
+    }
+}
+
+impl PagedReader {
+    /// Largest error of a step whose page is not among these, in mesh units.
+    pub fn error_without(&self, pages: &[u32]) -> f32 {
+        let others = self.entries().filter(|(index, _)| pages.binary_search(index).is_err());
+        others.map(|(_, entry)| entry.error).chain(self.unread_errors()).fold(0.0, f32::max)
+    }
+}
+
+impl PagedFile {
+    /// The coarsest level that refines every step that a criterion wants; reads only the pages that this needs.
+    ///
+    /// # Errors
+    /// [`PagedError`] if a page cannot be read or does not fit to the others.
+    pub fn level_for(&mut self, criterion: &(impl Criterion + Sync)) -> Result<Cut, PagedError> {
+        let pages = self.select(|bound| criterion.weigh(&bound.part()).should_refine())?;
+        let error = self.reader().error_without(&pages);
+        let cut = self.cut_pages(&pages)?.cut(|part| criterion.weigh(part).should_refine());
+        Ok(Cut { error: cut.error.max(error), ..cut })
+    }
+
+    /// The level for a view, with relaxed tolerances if it would have more triangles than allowed.
+    ///
+    /// # Errors
+    /// See [`Self::level_for`].
+    pub fn level_for_view(
+        &mut self,
+        criterion: &ScreenError,
+        triangle_limit: Option<usize>,
+    ) -> Result<ViewCut, PagedError> {
+        let Some(limit) = triangle_limit else {
+            let cut = self.level_for(criterion)?;
+            return Ok(ViewCut { cut, relaxation: 1.0, is_within_limit: true });
+        };
+        // From coarse to fine, so that no page is read that is much too fine for the limit.
+        let (mut low, mut high) = (None, MAX_RELAXATION);
+        let mut best = self.level_for(&criterion.clone().relaxed(high))?;
+        if best.mesh.triangle_count() > limit {
+            return Ok(ViewCut { cut: best, relaxation: high, is_within_limit: false });
+        }
+        while high > 1.0 {
+            let next = (high / COARSE_STEP).max(1.0);
+            let cut = self.level_for(&criterion.clone().relaxed(next))?;
+            if cut.mesh.triangle_count() > limit {
+                low = Some((next, cut.mesh.triangle_count()));
+                break;
+            }
+            (high, best) = (next, cut);
+        }
+        let Some(mut low) = low else {
+            return Ok(ViewCut { cut: best, relaxation: high, is_within_limit: true });
+        };
+        for _ in 0..SEARCH_STEPS {
+            let count = best.mesh.triangle_count();
+            if count as f64 >= GOOD_SHARE * limit as f64 {
+                break;
+            }
+            let middle = between((low.0, low.1), (high, count), limit);
+            let cut = self.level_for(&criterion.clone().relaxed(middle))?;
+            match cut.mesh.triangle_count() {
+                found if found > limit => low = (middle, found),
+                _ => (high, best) = (middle, cut),
+            }
+        }
+        Ok(ViewCut { cut: best, relaxation: high, is_within_limit: true })
+    }
+}
+
+/// A tolerance between two others, where about `limit` triangles are expected: counts follow powers of tolerances.
+fn between((low, many): (f32, usize), (high, few): (f32, usize), limit: usize) -> f32 {
+    let logarithm = |count: usize| (count.max(1) as f64).log2();
+    let wanted = logarithm(limit) + GOOD_SHARE.log2() / 2.0;
+    let share = (logarithm(many) - wanted) / (logarithm(many) - logarithm(few)).max(1e-9);
+    // Never too close to either end, so that the interval shrinks.
+    let share = share.clamp(0.1, 0.9);
+    (f64::from(low) * (f64::from(high) / f64::from(low)).powf(share)) as f32
+}

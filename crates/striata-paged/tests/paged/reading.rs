@@ -1,0 +1,138 @@
+//! One mesh with levels, whatever is read.
+
+use striata::mesh::{Random, replay};
+use striata_io::WriteOptions;
+use striata_paged::build::{BuildInput, BuildOptions};
+use striata_paged::{Assembled, Page, assemble};
+use tempfile::TempDir;
+
+use crate::workshop::{attributed, borders, build, check_levels, full, open, options, soup};
+
+#[test]
+fn all_pages_are_the_input() {
+    let folder = TempDir::new().unwrap();
+    let mut file = open(&build(&folder, BuildInput::Terrain(150), options(), 2));
+    let terrain = full(&mut file);
+    check_levels(&terrain);
+    let metadata = file.metadata();
+    assert_eq!(metadata.triangle_count, 2 * 149 * 149);
+    assert_eq!(terrain.refinable.mesh.triangle_count() as u64, metadata.triangle_count);
+    assert_eq!(metadata.position_count, 150 * 150);
+    assert!(terrain.refinable.sequence.triangle_count_at(0) < 100);
+}
+
+#[test]
+fn attributes_and_groups_survive() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("torus.glb");
+    let mesh = attributed();
+    striata_io::write(&path, &mesh, &WriteOptions::default()).unwrap();
+    for exact in [false, true] {
+        let options = BuildOptions { exact, ..options() };
+        let input = BuildInput::Files(vec![path.clone()]);
+        let mut file = open(&build(&folder, input, options, 1 + usize::from(exact)));
+        let all = full(&mut file);
+        check_levels(&all);
+        let read = &all.refinable.mesh;
+        let grid = file.metadata().grid;
+        assert_eq!(soup(read, |p| p), soup(&mesh, |p| grid.map_or(p, |grid| grid.snap(p))));
+        assert_eq!(read.layers.len(), 2);
+        assert_eq!(read.groups.iter().map(|g| g.count).sum::<u32>(), read.triangles.len() as u32);
+        assert_eq!(read.groups.iter().map(|g| g.material).collect::<Vec<_>>(), [Some(0), Some(1)]);
+    }
+}
+
+#[test]
+fn pages_are_encoded_the_same_again() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("torus.glb");
+    striata_io::write(&path, &attributed(), &WriteOptions::default()).unwrap();
+    for input in [BuildInput::Terrain(150), BuildInput::Files(vec![path])] {
+        let mut file = open(&build(&folder, input, options(), 1));
+        full(&mut file);
+        let metadata = file.metadata();
+        for (_, page) in file.reader().pages() {
+            let bytes = page.to_bytes(metadata);
+            assert!(Page::from_bytes(page.id, &bytes, metadata).unwrap() == *page);
+            let mut again = page.clone();
+            again.normalize();
+            assert!(again == *page, "a page in order stays as it is");
+        }
+    }
+}
+
+#[test]
+fn withheld_pages_leave_a_coarser_mesh_without_cracks() {
+    let folder = TempDir::new().unwrap();
+    let mut file = open(&build(&folder, BuildInput::Terrain(200), options(), 2));
+    let all = full(&mut file);
+    let outline = borders(&replay(&all.refinable, all.refinable.sequence.step_count()));
+    let mut random = Random::new(5);
+    for _ in 0..10 {
+        let count = file.reader().page_count();
+        let mut is_there = vec![true; count as usize];
+        for page in 1..count {
+            let parents = &file.reader().entry(page).unwrap().parents;
+            is_there[page as usize] =
+                random.below(10) < 8 && parents.iter().all(|&parent| is_there[parent as usize]);
+        }
+        let pages: Vec<(u32, &Page)> =
+            file.reader().pages().filter(|&(index, _)| is_there[index as usize]).collect();
+        let part = assemble(&pages, file.metadata()).unwrap();
+        check_levels(&part);
+        let finest = &part.refinable.mesh;
+        // Inside, every edge has two triangles: there is no crack. The outline only becomes coarser.
+        assert!(borders(finest) <= outline);
+    }
+    let (absent, _) = (1..file.reader().page_count())
+        .map(|page| (page, file.reader().entry(page).unwrap().parents.len()))
+        .max_by_key(|&(_, parents)| parents)
+        .unwrap();
+    let parent = file.reader().entry(absent).unwrap().parents[0];
+    let pages: Vec<(u32, &Page)> = file.reader().pages().filter(|&(index, _)| index != parent).collect();
+    assert!(assemble(&pages, file.metadata()).is_err());
+}
+
+#[test]
+fn levels_read_only_what_they_need() {
+    let folder = TempDir::new().unwrap();
+    let path = build(&folder, BuildInput::Terrain(300), options(), 2);
+    let mut whole = open(&path);
+    let all = full(&mut whole);
+    let total = whole.statistics();
+    for triangle_count in [500, 3000] {
+        let mut file = open(&path);
+        let part = file.level_for_triangles(triangle_count).unwrap();
+        assert!(file.statistics().byte_count < total.byte_count / 2);
+        let level = |assembled: &Assembled| {
+            let split_count = assembled.refinable.sequence.split_count_for_triangles(triangle_count);
+            soup(&replay(&assembled.refinable, split_count), |p| p)
+        };
+        assert_eq!(level(&part), level(&all));
+    }
+    let mut file = open(&path);
+    let pages = file.select(|bound| bound.min[0] < 20.0 && bound.min[1] < 20.0).unwrap();
+    assert!(pages.len() < file.reader().page_count() as usize / 2);
+    check_levels(&file.assemble(&pages).unwrap());
+}
+
+#[test]
+fn damaged_pages_are_named_or_read() {
+    let folder = TempDir::new().unwrap();
+    let mut file = open(&build(&folder, BuildInput::Terrain(60), options(), 1));
+    full(&mut file);
+    let metadata = file.metadata();
+    let mut random = Random::new(3);
+    for (_, page) in file.reader().pages() {
+        let bytes = page.to_bytes(metadata);
+        for _ in 0..200 {
+            let mut damaged = bytes.clone();
+            let at = random.below(bytes.len() as u32) as usize;
+            damaged[at] ^= 1 << random.below(8);
+            damaged.truncate(if random.below(2) == 0 { bytes.len() } else { at + 1 });
+            if let Ok(read) = Page::from_bytes(page.id, &damaged, metadata) {
+                read.check(metadata).unwrap();
+            }
+        }
+    }
+}
