@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, RemovalOptions, RemovalOrder,
-    Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
+    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, PlacedOptions, RemovalOptions,
+    RemovalOrder, Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
     build_welded_batches_with_progress, build_welded_fragments_with_progress,
-    build_welded_sequence_with_progress, certify_collapses_in_any_state_with_progress,
-    certify_collapses_with_progress, certify_with_progress,
+    build_welded_placed_fragments_with_progress, build_welded_sequence_with_progress,
+    certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
@@ -31,6 +31,8 @@ pub enum SequencePlan {
     },
     /// Vertex removals in the order of the distance that remains.
     Hausdorff(RemovalOptions),
+    /// Collapses of edges or triangles to new vertices, in the order of their quadric cost.
+    Placed(PlacedOptions),
 }
 
 /// How far a simplification goes.
@@ -165,8 +167,8 @@ impl SequencePlan {
     /// If the plan is not in quadric order.
     pub fn use_batches(&mut self, terms: BatchSettings) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
-            return Err(Failure::user("streams require quadric order")
-                .with_hint("remove --order, or do not make a stream"));
+            return Err(Failure::user("streams require collapses in quadric order, to existing vertices")
+                .with_hint("remove --order and --new-vertices, or do not make a stream"));
         };
         *batches = Some(terms);
         Ok(())
@@ -175,7 +177,7 @@ impl SequencePlan {
     /// Returns the order of the steps.
     pub fn order(&self) -> OrderArg {
         match self {
-            Self::Quadric { .. } => OrderArg::Quadric,
+            Self::Quadric { .. } | Self::Placed(_) => OrderArg::Quadric,
             Self::Hausdorff(options) if options.order == RemovalOrder::Hausdorff => OrderArg::HausdorffStrict,
             Self::Hausdorff(_) => OrderArg::Hausdorff,
         }
@@ -216,6 +218,16 @@ impl SequencePlan {
                 };
                 let stop_reason = built.stop_reason;
                 Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: true, batches: None, floors })
+            }
+            Self::Placed(options) => {
+                let built = build_welded_placed_fragments_with_progress(welded, options, progress)?;
+                Ok(SimplifiedSteps {
+                    steps: Steps::Fragments(built.fragmented),
+                    stop_reason: built.stop_reason,
+                    error_is_guaranteed: true,
+                    batches: None,
+                    floors: None,
+                })
             }
         }
     }
@@ -295,6 +307,7 @@ impl SequenceArgs {
         let removal_order = self.order.of_removals();
         let misplaced = match removal_order {
             None => self.removal.first_given_flag(),
+            Some(_) if self.new_vertices.is_some() => Some("--new-vertices"),
             Some(_) if self.cost.is_some() => Some("--cost"),
             Some(_) if self.pair_distance.is_some() => Some("--pair-distance"),
             Some(_) => self.weights.first_given_flag(),
@@ -305,6 +318,7 @@ impl SequenceArgs {
             return Err(Failure::user(format!("{flag} has no meaning in {order} order"))
                 .with_hint(format!("use --order {other}, or remove {flag}")));
         }
+        self.check_new_vertices()?;
         match removal_order {
             None => {
                 let mut options = SequenceOptions::default()
@@ -317,6 +331,10 @@ impl SequenceArgs {
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
                 options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
+                if let Some(collapse) = self.new_vertices {
+                    let placed = PlacedOptions::default().with_collapse(collapse.into());
+                    return Ok(SequencePlan::Placed(placed.with_sequence(options)));
+                }
                 let is_certified = self.certify || max_error.is_some();
                 let guarantee = if is_certified { ErrorGuarantee::Levels } else { ErrorGuarantee::None };
                 Ok(SequencePlan::Quadric { options, guarantee, batches: None })
@@ -341,6 +359,19 @@ impl SequenceArgs {
                 options.feature_angle = removal.feature_angle.map(f64::to_radians);
                 Ok(SequencePlan::Hausdorff(options))
             }
+        }
+    }
+
+    /// Checks that no flag is given that does not work with new vertices.
+    ///
+    /// # Errors
+    /// If there is such a flag.
+    fn check_new_vertices(&self) -> Result<(), Failure> {
+        let flags = [("--cost", self.cost.is_some()), ("--pair-distance", self.pair_distance.is_some())];
+        match flags.into_iter().find(|&(_, is_given)| is_given && self.new_vertices.is_some()) {
+            None => Ok(()),
+            Some((flag, _)) => Err(Failure::user(format!("{flag} does not work with --new-vertices"))
+                .with_hint(format!("remove --new-vertices or {flag}"))),
         }
     }
 

@@ -4,11 +4,13 @@
 use striata_testing::support;
 
 use proptest::prelude::*;
+use striata::file::{StriataFile, WriteOptions, write_fragments};
 use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
-    canonical_triangles, fragment_faces,
+    canonical_triangles, fragment_faces, shapes,
 };
-use striata::model::{CriterionCondition, Overlap, PatternInstance, PatternScene, Patterns};
+use striata::model::{CriterionCondition, ModelError, Overlap, PatternInstance, PatternScene, Patterns};
+use striata::simplify::{CertifiedFaces, SequenceOptions, build_sequence, certify_faces};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{
     Case, RandomSequenceOptions, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases,
@@ -266,6 +268,41 @@ fn a_box_shows_full_detail() {
             assert!(instance.triangle_count() < fragmented.mesh.triangle_count() * 4 / 5);
         }
     }
+}
+
+/// A set that satisfies a condition on the errors of overlaps shows no face with a larger error, and it is
+/// mostly smaller than one that knows only the errors of floors.
+#[test]
+fn errors_of_overlaps_cover_their_faces() {
+    let (mut by_overlap, mut by_fragment) = (0, 0);
+    let collapsed = build_sequence(&shapes::terrain(24, 3), &SequenceOptions::default()).unwrap();
+    let removed = random_removals(&shapes::torus(18, 12, 2.0, 0.7), usize::MAX, &mut Random::new(8));
+    for mesh in [FragmentedMesh::from_collapses(&collapsed.refinable), removed] {
+        let CertifiedFaces { fragmented, face_errors } = certify_faces(&mesh);
+        let fragments = &fragmented.fragments;
+        let patterns = Patterns::build_with_overlap_errors(&fragmented, &face_errors).unwrap();
+        assert!(patterns.has_overlap_errors() && !Patterns::build(&mesh).unwrap().has_overlap_errors());
+        let largest = fragments.levels().error_at(0);
+        let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
+        let mut instance = PatternInstance::base(&patterns);
+        for share in [0.5, 0.2, 0.05, 0.01, 0.3] {
+            let limit = share * largest;
+            instance.adapt(&patterns, &|overlap: Overlap| overlap.error > limit);
+            assert!(scene.error_of(&instance) <= limit);
+            let shown = fragment_faces(fragments, |step| instance.is_refined(step));
+            assert!(shown.iter().all(|&face| face_errors[face as usize] <= limit));
+            by_overlap += instance.triangle_count();
+            let mut other = PatternInstance::base(&patterns);
+            other.adapt(&patterns, &|overlap: Overlap| fragments.floor_error(overlap.upper) > limit);
+            by_fragment += other.triangle_count();
+        }
+        let mut bytes = Vec::new();
+        write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut bytes).unwrap();
+        assert_eq!(StriataFile::parse(&bytes).unwrap().patterns().unwrap().unwrap(), patterns);
+        let missing = Patterns::build_with_overlap_errors(&fragmented, &face_errors[1..]);
+        assert!(matches!(missing, Err(ModelError::Length { .. })));
+    }
+    assert!(by_overlap < by_fragment, "{by_overlap} triangles instead of {by_fragment}");
 }
 
 /// A closed ring of triangles around one vertex.

@@ -1,7 +1,9 @@
 //! Flags of the verbs that simplify: the order of the steps, and what they must preserve.
 
 use clap::{Args, ValueEnum};
-use striata::simplify::{AttributeWeights, HoleCriterion, RemovalOptions, RemovalOrder, Retriangulation};
+use striata::simplify::{
+    AttributeWeights, HoleCriterion, PlacedCollapse, RemovalOptions, RemovalOrder, Retriangulation,
+};
 
 use super::Length;
 
@@ -42,6 +44,10 @@ pub struct SequenceArgs {
     /// Also merge disconnected parts that are closer than this (mesh units, or % of the diagonal)
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = QUADRIC)]
     pub pair_distance: Option<Length>,
+    /// Collapse each edge or triangle to a new vertex at the best position, with guaranteed errors; stores
+    /// about twice as many vertices, and only patterns support it
+    #[arg(long, value_name = "edge|triangle", hide_possible_values = true, help_heading = QUADRIC)]
+    pub new_vertices: Option<NewVerticesArg>,
     /// Weights of attributes.
     #[command(flatten)]
     pub weights: WeightArgs,
@@ -149,6 +155,24 @@ impl RemovalArgs {
             ("--feature-angle", feature_angle.is_some()),
         ];
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+}
+
+/// What a step collapses to a new vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum NewVerticesArg {
+    /// Edges
+    Edge,
+    /// Triangles; single edges where that costs far less
+    Triangle,
+}
+
+impl From<NewVerticesArg> for PlacedCollapse {
+    fn from(collapse: NewVerticesArg) -> Self {
+        match collapse {
+            NewVerticesArg::Edge => Self::Edge,
+            NewVerticesArg::Triangle => Self::Triangle,
+        }
     }
 }
 

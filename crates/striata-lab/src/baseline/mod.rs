@@ -4,6 +4,7 @@
 //! structures are compared.
 
 pub mod discrete_levels;
+pub mod general_patterns;
 pub mod loop_patterns;
 pub mod multi_triangulation;
 pub mod ordered_meshes;
@@ -17,6 +18,7 @@ mod repetitions;
 mod step_set;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
+pub use general_patterns::{GeneralPatterns, GeneralPatternsState};
 pub use loop_patterns::{LoopPatterns, LoopPatternsState};
 pub use multi_triangulation::{MtQuery, MtTriangle, MultiTriangulation, MultiTriangulationState};
 pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};

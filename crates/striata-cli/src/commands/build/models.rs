@@ -2,9 +2,11 @@
 
 use striata::file::FileModel;
 use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns};
+use striata::simplify::{SimplifyError, certify_faces_with_progress};
 use striata::strip::StripSet;
 use striata_stream::{EncodedStream, file_model};
 
+use super::build_output::BuildPlan;
 use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
 use striata_command::sequence::{SimplifiedSteps, Steps};
@@ -39,12 +41,12 @@ impl Models {
     /// # Errors
     /// If the strips do not belong to the mesh, or there are too many fragments.
     pub(super) fn build(
-        kinds: &[ModelKind],
+        plan: &BuildPlan,
         sequenced: &SimplifiedSteps,
         (strips, stream): (Option<&StripSet>, Option<EncodedStream>),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
-        let is_wanted = |kind: ModelKind| kinds.contains(&kind);
+        let is_wanted = |kind: ModelKind| plan.models.contains(&kind);
         let mut models = Self { lod_strips: None, mts: None, fans: None, patterns: None, stream };
         if let Steps::Collapses(refinable) = &sequenced.steps {
             let strips_for = |kind| strips.filter(|_| is_wanted(kind));
@@ -55,7 +57,13 @@ impl Models {
         }
         if is_wanted(ModelKind::Patterns) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
-            models.patterns = Some(Patterns::build(&fragmented)?);
+            models.patterns = Some(if plan.has_overlap_errors {
+                let certified = certify_faces_with_progress(&fragmented, &mut |progress| bar.show(progress))
+                    .map_err(SimplifyError::from)?;
+                Patterns::build_with_overlap_errors(&certified.fragmented, &certified.face_errors)?
+            } else {
+                Patterns::build(&fragmented)?
+            });
         }
         Ok(models)
     }
