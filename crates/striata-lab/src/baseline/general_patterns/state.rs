@@ -95,7 +95,7 @@ impl GeneralPatternsState {
         for (&local, vertex) in rule.own.iter().zip(model.vertices.of_step(step as usize)) {
             locals[usize::from(local)] = vertex;
         }
-        self.set_listed(model, step, &mut locals);
+        Self::set_listed(model, step, &mut locals);
         rule.ceiling.iter().for_each(|triangle| self.add(triangle.map(|local| locals[usize::from(local)])));
         self.inserted.insert(step);
     }
@@ -110,13 +110,13 @@ impl GeneralPatternsState {
         let is_found = self.find(rule.ceiling, &mut locals, &mut slots, &|maker| maker == step);
         assert!(is_found, "the ceiling of step {step} is shown");
         slots.iter().for_each(|&slot| self.remove(slot));
-        self.set_listed(model, step, &mut locals);
+        Self::set_listed(model, step, &mut locals);
         rule.floor.iter().for_each(|triangle| self.add(triangle.map(|local| locals[usize::from(local)])));
         self.inserted.remove(step);
     }
 
     /// Sets the local vertices that a fragment lists.
-    fn set_listed(&self, model: &GeneralPatterns, step: u32, locals: &mut [u32]) {
+    fn set_listed(model: &GeneralPatterns, step: u32, locals: &mut [u32]) {
         let rule_of = |rule: u32| model.rules.get(rule as usize);
         let listed = model.records.listed(step, |rule| rule_of(rule).listed.len());
         let rule = rule_of(model.records.head(step).rule);
