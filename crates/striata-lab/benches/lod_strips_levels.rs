@@ -23,7 +23,7 @@ use striata::mesh::{IndexedMesh, RefinableMesh, replay, weld};
 use striata::model::{LodModel, LodStrips, StageOptions};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripSet, fifo_cache_cost};
-use striata_strip::{StripOptions, Stripifier, stripify};
+use striata_strip::{StripOptions, StripeSwaps, Stripifier, stripify};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -42,8 +42,12 @@ const RUN_COUNT: usize = 7;
 const FEW_TRIANGLES: usize = 100;
 
 /// Stripifiers compared with the one that `striata build` uses.
-const OTHERS: [Stripifier; 4] =
-    [Stripifier::Greedy, Stripifier::Stripe, Stripifier::Tunnel { max_length: 17 }, Stripifier::Fewest];
+const OTHERS: [Stripifier; 4] = [
+    Stripifier::Greedy,
+    Stripifier::Stripe { has_patches: false, swaps: StripeSwaps::Free },
+    Stripifier::Tunnel { max_length: 17 },
+    Stripifier::Fewest,
+];
 
 fn main() -> Fallible<()> {
     let (mut peers, mut is_quick, mut meshes) = (None, false, Vec::new());
