@@ -72,16 +72,19 @@ impl ObjPieces {
     }
 
     /// Number of positions.
+    #[cfg(feature = "blocks")]
     pub(crate) fn position_count(&self) -> usize {
         self.tables.positions.len() / 12
     }
 
     /// Whether a vertex is a position, because there are neither texture coordinates nor normals.
+    #[cfg(feature = "blocks")]
     pub(crate) fn has_positions_only(&self) -> bool {
         self.summary.layers.iter().all(|kind| matches!(kind.semantic, Semantic::Color(_)))
     }
 
     /// Passes the triangles to `visit`: for each corner its position, texture coordinate and normal.
+    #[cfg(feature = "blocks")]
     pub(crate) fn for_each_triangle<E>(
         &self,
         mut visit: impl FnMut([[u32; 3]; 3]) -> Result<(), E>,
@@ -94,6 +97,7 @@ impl ObjPieces {
     }
 
     /// Appends the position and the layers of a corner, little-endian.
+    #[cfg(feature = "blocks")]
     pub(crate) fn push_row(&self, corner: [u32; 3], row: &mut Vec<u8>) {
         row.extend_from_slice(bytemuck::cast_slice(&floats::<3>(&self.tables.positions, corner[0])));
         for kind in &self.summary.layers {
