@@ -88,15 +88,16 @@ fn a_file_of_removed_vertices_needs_no_collapses() {
         let message = bench.refused(&format!("extract free.striata -o x.ply --detail 1 --model {model}"));
         assert!(message.contains(&format!("this file has no model {model}")), "{message}");
     }
-    let message = bench.refused("extract free.striata -o x.ply --eye 0,0,3 --model fans");
-    assert!(
-        message.contains("free.striata: fans require collapses") && message.contains("--model patterns"),
-        "{message}"
-    );
-    // Other models need collapses; patterns in the same file then use these.
+    // Fans can be built from patterns.
+    let view = "--eye 0,0,3 --pixels 20 --model fans";
+    assert_eq!(bench.json(&format!("extract free.striata -o x.ply {view}"))["fans"], "built");
     let both =
         bench.run("build sphere.obj -o both.striata --order hausdorff --models patterns,fans").success();
-    assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("which model fans requires"));
+    assert!(!String::from_utf8_lossy(&both.get_output().stderr).contains("requires"));
+    let stored = bench.json(&format!("extract both.striata -o y.ply {view}"));
+    assert_eq!(stored["fans"], "stored");
+    assert!((1..512).contains(&count(&stored)), "{stored}");
+    assert_eq!(bench.read("x.ply"), bench.read("y.ply"));
     let message = bench.refused(
         "build sphere.obj -o x.striata --order hausdorff --retriangulation free --models patterns,mts",
     );
@@ -105,6 +106,33 @@ fn a_file_of_removed_vertices_needs_no_collapses() {
     bench
         .json("build sphere.obj -o x.striata --order hausdorff --retriangulation collapse --models patterns");
     assert_eq!(bench.json("extract x.striata -o x.ply --eye 0,0,3 --model fans")["fans"], "built");
+}
+
+/// Files with fans of removals that are not collapses, without patterns.
+#[test]
+fn fans_of_removals_are_levels_and_views() {
+    let bench = Workbench::with_ball();
+    let assert = bench.run("build sphere.obj -o free.striata --order hausdorff --models fans").success();
+    assert!(!String::from_utf8_lossy(&assert.get_output().stderr).contains("collapse"));
+    let info = bench.json("info free.striata");
+    assert_eq!(info["triangle_count"], 512);
+    bench.run("build sphere.obj -o patterns.striata --order hausdorff --models patterns --quiet").success();
+    for level in ["--triangles 100", "--detail 0", "--error 2%", "--split-count 99"] {
+        let [fans, patterns] = ["free", "patterns"]
+            .map(|name| bench.json(&format!("extract {name}.striata -o {name}.ply {level}")));
+        for key in ["triangle_count", "error", "split_count"] {
+            assert_eq!(fans[key], patterns[key], "{key} at {level}");
+        }
+        assert!(distance(&bench, "patterns.ply", "free.ply") < 1e-9, "{level}");
+    }
+    let view = bench.json("extract free.striata -o seen.ply --eye 0,0,3 --pixels 20");
+    assert_eq!((&view["model"], &view["fans"]), (&"fans".into(), &"stored".into()));
+    let whole = bench.json("extract free.striata -o whole.ply --detail 1");
+    assert!(count(&view) > 0 && count(&view) < count(&whole));
+    bench.run("render free.striata -o view.png --eye 0,0,3 --pixels 20 --size 200x200 --quiet").success();
+    bench.run("build free.striata -o strips.striata --quiet").success();
+    let message = bench.refused("extract free.striata -o x.ply --detail 1 --model lodstrips");
+    assert!(message.contains("this file has no model lodstrips"), "{message}");
 }
 
 #[test]
@@ -269,5 +297,67 @@ fn wrong_boxes_and_damaged_files_are_refused() {
         let assert = bench.run("extract part.striata -o x.ply --detail 0.5");
         let code = assert.get_output().status.code();
         assert!(matches!(code, Some(0 | 1)), "byte {offset}: {assert}");
+    }
+}
+
+#[test]
+fn collapses_create_vertices_for_patterns() {
+    let bench = Workbench::with_ball();
+    for kind in ["edge", "triangle"] {
+        let build = format!("build sphere.obj -o new.striata --models patterns --new-vertices {kind}");
+        let report = bench.json(&build);
+        assert_eq!((&report["order"], &report["error_is_guaranteed"]), (&"quadric".into(), &true.into()));
+        assert_eq!(count(&bench.json("info new.striata")), 512);
+        for level in ["--triangles 120", "--detail 0.3", "--detail 1"] {
+            let report = bench.json(&format!("extract new.striata -o new.ply {level}"));
+            let measured = distance(&bench, "sphere.obj", "new.ply");
+            assert!(measured <= number(&report, "error") + 1e-9, "{level}: measured {measured}, {report}");
+        }
+        let view = bench.json("extract new.striata -o view.ply --eye 0,0,3 --pixels 2");
+        assert!((20..512).contains(&count(&view)), "{view}");
+        let line = format!("simplify sphere.obj -o one.ply --triangles 120 --new-vertices {kind}");
+        let report = bench.json(&line);
+        assert!(count(&report) <= 120 && report["error_is_guaranteed"] == true, "{report}");
+    }
+    for (flags, why) in [
+        ("--new-vertices edge", "model lodstrips does not support new vertices"),
+        ("--new-vertices edge --models patterns,fans", "model fans does not support new vertices"),
+        ("--new-vertices edge --models patterns --order hausdorff", "--new-vertices has no meaning"),
+        ("--new-vertices edge --models patterns --cost tracked", "--cost does not work with --new-vertices"),
+        ("--overlap-errors", "--overlap-errors has no effect without patterns"),
+    ] {
+        let message = bench.refused(&format!("build sphere.obj -o x.striata {flags}"));
+        assert!(message.contains(why) && message.contains("hint:"), "{message}");
+    }
+    let message = bench.refused("simplify sphere.obj -o x.ply --placement optimal --new-vertices edge");
+    assert!(message.contains("--new-vertices does not work with --placement optimal"), "{message}");
+}
+
+#[test]
+fn errors_of_overlaps_make_views_smaller() {
+    let bench = Workbench::with_ball();
+    for order in ["hausdorff", "hausdorff-strict"] {
+        let build = format!("build sphere.obj --order {order} --models patterns");
+        let report = bench.json(&format!("{build} -o floors.striata"));
+        assert_eq!(report["order"], order);
+        bench.run(&format!("{build} -o overlaps.striata --overlap-errors --quiet")).success();
+        let model = |file: &str| bench.json(&format!("info {file}.striata"))["models"]["patterns"].clone();
+        let [floors, overlaps] = ["floors", "overlaps"].map(model);
+        assert_eq!(
+            (&floors["has_overlap_errors"], &overlaps["has_overlap_errors"]),
+            (&false.into(), &true.into())
+        );
+        assert!(number(&overlaps, "bytes") > number(&floors, "bytes"));
+        let count_of = |file: &str| {
+            let line = format!("extract {file}.striata -o {file}.ply --eye -0.4,0.3,-3 --pixels 1");
+            let report = bench.json(&line);
+            let measured = distance(&bench, "sphere.obj", &format!("{file}.ply"));
+            assert!(measured <= number(&report, "error") + 1e-9, "measured {measured}, {report}");
+            count(&report)
+        };
+        let [by_floors, by_overlaps] = ["floors", "overlaps"].map(count_of);
+        assert!(by_overlaps <= by_floors, "{by_overlaps} triangles instead of {by_floors}");
+        let few = bench.json("extract overlaps.striata -o few.ply --eye -0.4,0.3,-3 --triangles 100");
+        assert!((60..=100).contains(&count(&few)), "{few}");
     }
 }

@@ -121,6 +121,13 @@ pub enum ShownModel {
     List,
 }
 
+impl ShownModel {
+    /// Whether the model can only be built from collapses, not from removals of any kind.
+    pub(super) fn needs_collapses(self) -> bool {
+        matches!(self, Self::LodStrips | Self::Mts)
+    }
+}
+
 impl WindowArgs {
     /// Size of the window, pixels.
     ///

@@ -70,7 +70,7 @@ impl MeshSubject {
         }
     }
 
-    /// Whether the mesh has collapses, which all models except patterns and the list need.
+    /// Whether the mesh has collapses, which models of strips need.
     pub(super) fn has_collapses(&self) -> bool {
         matches!(self.steps, Steps::Collapses(_))
     }
@@ -111,9 +111,8 @@ impl MeshSubject {
     }
 
     /// The fans and the data to refine them for a view, if available.
-    pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
-        let (fans, refinable) = (self.fans.get()?, self.refinable()?);
-        Some((FanScene::new(fans, refinable), refinable))
+    pub(super) fn fan_scene(&self) -> Option<FanScene<'_>> {
+        Some(FanScene::new(self.fans.get()?, &self.steps.mesh().positions))
     }
 
     /// The patterns and the data to refine them for a view, if available.
@@ -151,6 +150,9 @@ impl MeshSubject {
             (ShownModel::Fans | ShownModel::FansGpu, Steps::Collapses(refinable)) => {
                 let _ = self.fans.set(Fans::build(refinable));
             }
+            (ShownModel::Fans | ShownModel::FansGpu, Steps::Fragments(fragmented)) => {
+                let _ = self.fans.set(Fans::build(fragmented));
+            }
             (ShownModel::Patterns, Steps::Collapses(refinable)) => {
                 self.set_patterns(&FragmentedMesh::from_collapses(refinable))?;
             }
@@ -161,7 +163,7 @@ impl MeshSubject {
                     self.origin.name,
                     kind.title()
                 );
-                return Err(Failure::user(message).with_hint("choose Patterns or List"));
+                return Err(Failure::user(message).with_hint("choose Fans, Patterns or List"));
             }
         }
         Ok(())
@@ -219,14 +221,17 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn fragments_support_only_patterns() {
+    fn fragments_support_fans_and_patterns() {
         let refinable = subject_of(&shapes::icosphere(2, 1.0));
         let refinable = refinable.refinable().expect("collapses");
         let steps = Steps::Fragments(FragmentedMesh::from_collapses(refinable));
         let origin = Origin { name: "a".to_owned(), kind: "striata", ..Origin::default() };
         let subject = MeshSubject::new(origin, steps, StoredModels::default());
         assert!(!subject.has_collapses());
-        assert!(subject.build(ShownModel::Fans).is_err() && subject.build(ShownModel::LodStrips).is_err());
-        subject.build(ShownModel::Patterns).expect("patterns can be built from fragments");
+        assert!(subject.build(ShownModel::Mts).is_err() && subject.build(ShownModel::LodStrips).is_err());
+        for kind in [ShownModel::Fans, ShownModel::FansGpu, ShownModel::Patterns, ShownModel::List] {
+            subject.build(kind).expect("these can be built from fragments");
+        }
+        assert!(subject.fan_scene().is_some() && subject.pattern_scene().is_some());
     }
 }

@@ -229,11 +229,11 @@ impl ViewerState {
     }
 
     /// Chooses how the level is selected; view-dependent selection switches to a model that supports it.
-    pub(super) fn set_goal(&mut self, goal: GoalKind, has_collapses: bool) {
+    pub(super) fn set_goal(&mut self, goal: GoalKind) {
         self.goal = goal;
         let is_of_view = matches!(goal, GoalKind::Pixels | GoalKind::Budget);
         if is_of_view && !self.model.follows_views() {
-            self.model = if has_collapses { ShownModel::Fans } else { ShownModel::Patterns };
+            self.model = ShownModel::Fans;
         }
     }
 
@@ -261,8 +261,8 @@ impl ViewerState {
             *count = Some(count.unwrap_or(triangle_count / 10).clamp(1, triangle_count.max(1)));
         }
         self.frozen = None;
-        if !has_collapses && !matches!(self.model, ShownModel::List | ShownModel::Patterns) {
-            self.model = ShownModel::Patterns;
+        if !has_collapses && self.model.needs_collapses() {
+            self.model = ShownModel::Fans;
         }
     }
 
@@ -322,8 +322,7 @@ impl ViewerState {
     }
 
     fn model_after(&self, has_collapses: bool) -> ShownModel {
-        let usable =
-            |&kind: &ShownModel| has_collapses || matches!(kind, ShownModel::List | ShownModel::Patterns);
+        let usable = |&kind: &ShownModel| has_collapses || !kind.needs_collapses();
         let after = ShownModel::ALL.iter().skip_while(|&&kind| kind != self.model).skip(1);
         after.chain(&ShownModel::ALL).copied().find(usable).unwrap_or(self.model)
     }
@@ -382,18 +381,18 @@ mod tests {
     #[test]
     fn view_dependent_goals_select_a_model_that_supports_them() {
         let mut state = ViewerState::default();
-        state.set_goal(GoalKind::Triangles, true);
+        state.set_goal(GoalKind::Triangles);
         assert_eq!(state.model, ShownModel::LodStrips);
-        state.set_goal(GoalKind::Pixels, true);
+        state.set_goal(GoalKind::Pixels);
         assert_eq!((state.model, state.requested_level()), (ShownModel::Fans, Goal::Pixels(1.0)));
-        let mut state = ViewerState::default();
-        state.set_goal(GoalKind::Budget, false);
-        assert_eq!(state.model, ShownModel::Patterns);
+        let mut state = ViewerState { model: ShownModel::Patterns, ..Default::default() };
+        state.set_goal(GoalKind::Budget);
+        assert_eq!(state.model, ShownModel::Patterns, "patterns follow views too");
     }
 
     #[test]
     fn next_model_cycles_through_the_usable_models() {
-        for (has_collapses, count) in [(true, ShownModel::ALL.len()), (false, 2)] {
+        for (has_collapses, count) in [(true, ShownModel::ALL.len()), (false, ShownModel::ALL.len() - 2)] {
             let mut state = ViewerState::default();
             state.on_new_model(1000, has_collapses);
             let first = state.model;

@@ -70,7 +70,7 @@ impl ModelInstance {
             }
             ShownModel::Mts => InstanceState::Mts(subject.mts()?.new_state()),
             ShownModel::Fans | ShownModel::FansGpu => {
-                let (scene, _) = subject.fan_scene()?;
+                let scene = subject.fan_scene()?;
                 InstanceState::Fans(Box::new(ShownFans::new(&scene, kind == ShownModel::Fans)))
             }
             ShownModel::Patterns => {
@@ -150,7 +150,7 @@ impl ModelInstance {
             InstanceState::Fans(fans) => {
                 let (is_changed, achieved) = fans.follow(subject, request, split_count);
                 if is_changed || is_first {
-                    fans.indices_into(out, subject.steps.mesh().groups.len().max(1));
+                    fans.indices_into(out);
                 }
                 (is_changed, achieved)
             }
@@ -195,7 +195,7 @@ impl ModelInstance {
         let mut push =
             |number: usize, triangles: &Vec<[u32; 3]>| numbers.resize(triangles.len(), number as u32);
         match (&self.state, subject.fan_scene()) {
-            (InstanceState::Fans(fans), Some((scene, _))) => {
+            (InstanceState::Fans(fans), Some(scene)) => {
                 let mut indices = Vec::new();
                 fans.drawn.fans_into(scene.fans(), &mut indices);
                 for (number, fan) in indices.split(|&index| index == RESTART).enumerate() {
@@ -231,7 +231,7 @@ impl ModelInstance {
     /// All triangles, with the group of each.
     pub(super) fn by_group(&self, subject: &MeshSubject) -> (Vec<[u32; 3]>, Vec<u32>) {
         let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
-        if let (InstanceState::Fans(fans), Some((scene, _))) = (&self.state, subject.fan_scene()) {
+        if let (InstanceState::Fans(fans), Some(scene)) = (&self.state, subject.fan_scene()) {
             for group in 0..scene.fans().group_count() {
                 let mut indices = Vec::new();
                 fans.drawn.group_indices_into(scene.fans(), group, &mut indices);

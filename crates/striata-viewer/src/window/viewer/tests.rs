@@ -135,7 +135,7 @@ fn keys_change_the_level_the_model_and_the_look() {
 #[test]
 fn a_frozen_level_stays_while_the_camera_moves() {
     let mut test = TestViewer::new("shape:icosphere");
-    test.viewer.state.set_goal(GoalKind::Pixels, true);
+    test.viewer.state.set_goal(GoalKind::Pixels);
     test.settle();
     let before = test.triangle_count();
     test.press(Key::V);

@@ -3,51 +3,56 @@
 use super::StriataFile;
 use crate::file::{DecodeError, SectionKind};
 use crate::mesh::{FragmentedMesh, Levels};
-use crate::model::patterns::PatternsParts;
+use crate::model::patterns::{HEADER_LEN, PatternsParts};
 use crate::model::{LodModel, ModelKind, Patterns};
 
 impl StriataFile<'_> {
     /// The patterns and the bounds of their fragments, if the file has them; copied out of the file and
     /// validated once, so that no move can fail.
     pub fn patterns(&self) -> Option<Result<Patterns, DecodeError>> {
-        self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
+        self.has_patterns().then(|| self.read_patterns().cloned())
     }
 
-    pub(super) fn read_patterns(&self) -> Result<Patterns, DecodeError> {
+    /// Whether the file has patterns, even if they cannot be read.
+    pub(super) fn has_patterns(&self) -> bool {
+        self.has(SectionKind::PATTERN_RECORDS)
+    }
+
+    pub(super) fn read_patterns(&self) -> Result<&Patterns, DecodeError> {
         if let Some(checked) = self.patterns.get() {
-            return Ok(checked.clone());
+            return Ok(checked);
         }
         let checked = self.check_patterns()?;
-        Ok(self.patterns.get_or_init(|| checked).clone())
+        Ok(self.patterns.get_or_init(|| checked))
     }
 
     fn check_patterns(&self) -> Result<Patterns, DecodeError> {
-        let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
-        self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
+        let header = self.container.numbers::<u32>(SectionKind::PATTERN_HEADER)?;
+        self.expect(SectionKind::PATTERN_HEADER, "numbers", header.len(), HEADER_LEN)?;
         let parts = PatternsParts {
-            header: [header[0], header[1], header[2], header[3]],
+            header: std::array::from_fn(|i| header[i]),
             rules: self.container.get(SectionKind::PATTERN_RULES)?.into(),
-            ways: self.container.get(SectionKind::PATTERN_WAYS)?.into(),
+            sharings: self.container.get(SectionKind::PATTERN_SHARINGS)?.into(),
+            kinds: self.container.get(SectionKind::PATTERN_KINDS)?,
             blocks: &self.container.numbers(SectionKind::PATTERN_BLOCKS)?,
             records: self.container.get(SectionKind::PATTERN_RECORDS)?,
             base: self.container.numbers(SectionKind::PATTERN_BASE)?.into_owned(),
-            extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
+            bounds: self.container.get(SectionKind::PATTERN_BOUNDS)?,
         };
         let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
         let group_count = self.groups()?.len().max(1);
-        let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
+        let counts = (group_count, self.summary.triangle_count);
+        let patterns = Patterns::from_parts(self.step_vertices()?, counts, parts).map_err(unsound)?;
         let kind = SectionKind::PATTERN_RECORDS;
         self.expect(kind, "steps", patterns.step_count(), self.summary.step_count)?;
-        let full = patterns.triangle_counts().last().map_or(0, |&count| count as usize);
-        self.expect(kind, "triangles", full, self.summary.triangle_count)?;
-        let records = self.container.get(SectionKind::PATTERN_BOUNDS)?;
-        patterns.with_stored_bounds(records).map_err(unsound)
+        Ok(patterns)
     }
 
-    pub(super) fn levels_of(&self, patterns: &Patterns) -> Result<Levels, DecodeError> {
+    /// The levels with the given triangle counts, which are those of a model.
+    pub(super) fn levels_of(&self, triangle_counts: Vec<u32>) -> Result<Levels, DecodeError> {
         let base = self.summary.base_position_count;
         let errors = self.errors()?.into_owned();
-        let levels = Levels::new(self.position_index()?, base, patterns.triangle_counts(), errors)?;
+        let levels = Levels::new(self.position_index()?, base, triangle_counts, errors)?;
         let kind = SectionKind::SUMMARY;
         self.expect(kind, "base vertices", self.summary.base_vertex_count, levels.base_vertex_count())?;
         self.expect(kind, "base triangles", self.summary.base_triangle_count, levels.triangle_count_at(0))?;
@@ -56,17 +61,22 @@ impl StriataFile<'_> {
 
     /// The whole mesh with its fragments, validated and copied out of the file.
     ///
-    /// The fragments come from the patterns if the file has them, otherwise from the collapses. The error
-    /// of a floor is the error of the level without its fragment.
+    /// The fragments come from the patterns if the file has them, otherwise from the collapses or, if the steps
+    /// are not collapses, from the fans. The error of a floor is the error of the level without its fragment.
     ///
     /// # Errors
     /// [`DecodeError`] if any part is invalid or inconsistent with the others.
     pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
-        let Some(patterns) = self.patterns() else {
+        let unsound = |model, reason| DecodeError::Model { model, reason };
+        let fragments = if self.has_patterns() {
+            let fragments = self.read_patterns()?.unpack(self.errors()?.into_owned());
+            fragments.map_err(|reason| unsound(ModelKind::Patterns, reason))?
+        } else if self.has_collapses() {
             return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
+        } else {
+            let fragments = self.read_fans()?.to_fragments(&self.errors()?);
+            fragments.map_err(|reason| unsound(ModelKind::Fans, reason))?
         };
-        let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
-        let fragments = patterns?.unpack(self.errors()?.into_owned()).map_err(unsound)?;
         Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
     }
 }
