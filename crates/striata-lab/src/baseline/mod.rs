@@ -4,6 +4,8 @@
 //! structures are compared.
 
 pub mod discrete_levels;
+pub mod efficient_lod_strips;
+pub mod hoppe_progressive_meshes;
 pub mod loop_patterns;
 pub mod multi_triangulation;
 pub mod ordered_meshes;
@@ -18,6 +20,10 @@ mod repetitions;
 mod step_set;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
+pub use efficient_lod_strips::{EfficientLodStrips, EfficientLodStripsState, Winding};
+pub use hoppe_progressive_meshes::{
+    HoppeProgressiveMeshes, HoppeProgressiveMeshesError, HoppeProgressiveMeshesState,
+};
 pub use loop_patterns::{LoopPatterns, LoopPatternsState};
 pub use multi_triangulation::{MtQuery, MtTriangle, MultiTriangulation, MultiTriangulationState};
 pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};

@@ -102,6 +102,9 @@ pub enum ShownModel {
     /// Strips edited in place
     #[value(name = ModelKind::LodStrips.as_str())]
     LodStrips,
+    /// Strips, repaired after every step
+    #[value(name = "live-strips")]
+    LiveStrips,
     /// Strips, traversed again where they change
     #[value(name = ModelKind::Mts.as_str())]
     Mts,

@@ -6,6 +6,7 @@ use striata::mesh::{Bounds, FragmentedMesh, RefinableMesh};
 use striata::model::{FanScene, Fans, LodStrips, Mts, PatternScene, Patterns};
 use striata::strip::{StripSet, stripify};
 use striata::view::Sphere;
+use striata_strip::{LiveStrips, RepairOptions};
 
 use super::args::ShownModel;
 use super::subject::Origin;
@@ -24,6 +25,8 @@ pub(super) struct MeshSubject {
     pub(super) sphere: Sphere,
     strips: OnceLock<StripSet>,
     lod_strips: OnceLock<LodStrips<'static>>,
+    /// Strips of the full mesh, which instances copy.
+    live_strips: OnceLock<LiveStrips<'static>>,
     mts: OnceLock<Mts<'static>>,
     fans: OnceLock<Fans>,
     patterns: OnceLock<Patterns>,
@@ -60,6 +63,7 @@ impl MeshSubject {
             sphere,
             strips: once_lock(models.strips),
             lod_strips: once_lock(models.lod_strips),
+            live_strips: OnceLock::new(),
             mts: once_lock(models.mts),
             fans: once_lock(models.fans),
             patterns: once_lock(models.patterns),
@@ -84,6 +88,7 @@ impl MeshSubject {
         match kind {
             ShownModel::List => true,
             ShownModel::LodStrips => self.lod_strips.get().is_some(),
+            ShownModel::LiveStrips => self.live_strips.get().is_some(),
             ShownModel::Mts => self.mts.get().is_some(),
             ShownModel::Fans | ShownModel::FansGpu => self.fans.get().is_some(),
             ShownModel::Patterns => self.patterns.get().is_some(),
@@ -93,6 +98,11 @@ impl MeshSubject {
     /// The LodStrips model, if available.
     pub(super) fn lod_strips(&self) -> Option<&LodStrips<'static>> {
         self.lod_strips.get()
+    }
+
+    /// Live strips at the full mesh, if available.
+    pub(super) fn live_strips(&self) -> Option<&LiveStrips<'static>> {
+        self.live_strips.get()
     }
 
     /// The MTS model, if available.
@@ -123,6 +133,15 @@ impl MeshSubject {
             (ShownModel::LodStrips, Steps::Collapses(refinable)) => {
                 let model = LodStrips::build(refinable, self.strips(refinable)?)?;
                 let _ = self.lod_strips.set(model);
+            }
+            (ShownModel::LiveStrips, Steps::Collapses(refinable)) => {
+                let (full, strips) = (refinable.sequence.step_count(), self.strips(refinable)?);
+                let live = LiveStrips::new(refinable, full, strips, &RepairOptions::default());
+                let live = live.map_err(|error| {
+                    Failure::user(format!("{}: {error}", self.origin.name))
+                        .with_hint("the strips in the file are damaged; build it again")
+                })?;
+                let _ = self.live_strips.set(live.into_owned());
             }
             (ShownModel::Mts, Steps::Collapses(refinable)) => {
                 let model = Mts::build(refinable, self.strips(refinable)?)?;

@@ -290,7 +290,7 @@ impl MeshResources {
         match changes {
             Changes::None => {}
             Changes::Ranges(ranges) if draw_indices.indices.len() <= self.indices.capacity() => {
-                self.indices.write_ranges(gpu, draw_indices.indices, &ranges);
+                self.indices.write_changed(gpu, draw_indices.indices, ranges);
             }
             Changes::Ranges(_) | Changes::All => self.indices.write(gpu, draw_indices.indices)?,
         }

@@ -7,14 +7,15 @@ use striata_command::args::Count;
 
 impl ShownModel {
     /// All models, in the order of the panel.
-    pub(super) const ALL: [Self; 6] =
-        [Self::LodStrips, Self::Mts, Self::Fans, Self::FansGpu, Self::Patterns, Self::List];
+    pub(super) const ALL: [Self; 7] =
+        [Self::LodStrips, Self::LiveStrips, Self::Mts, Self::Fans, Self::FansGpu, Self::Patterns, Self::List];
 
     /// Name in the panel.
     pub(super) const fn title(self) -> &'static str {
         match self {
             Self::List => "List",
             Self::LodStrips => "LodStrips",
+            Self::LiveStrips => "Live strips",
             Self::Mts => "MTS",
             Self::Fans => "Fans",
             Self::FansGpu => "GPU fans",
@@ -27,6 +28,7 @@ impl ShownModel {
         match self {
             Self::List => "Triangle list, rebuilt and uploaded completely for each level",
             Self::LodStrips => "Strips edited in place; only changes are uploaded",
+            Self::LiveStrips => "Strips repaired after every step; only changes are uploaded",
             Self::Mts => "Strips traversed again where they change, uploaded completely",
             Self::Fans => "Fans with view-dependent detail",
             Self::FansGpu => "Fans extracted in a compute shader; uploads one bit per step",
@@ -47,7 +49,7 @@ impl ShownModel {
     /// Name of the model's primitives, if it has strips or fans.
     pub(super) const fn primitive_name(self) -> Option<&'static str> {
         match self {
-            Self::LodStrips | Self::Mts => Some("Strips"),
+            Self::LodStrips | Self::LiveStrips | Self::Mts => Some("Strips"),
             Self::Fans | Self::FansGpu => Some("Fans"),
             Self::List | Self::Patterns => None,
         }

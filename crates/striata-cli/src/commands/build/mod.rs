@@ -79,7 +79,8 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         sequence.use_batches(args.stream_encoding.batches(&mesh)?)?;
     }
     let stream = args.stream_encoding.options(diagonal);
-    let plan = BuildPlan { sequence, strips: args.strip_plan(), models, stream };
+    let (strips, stages) = (args.strip_plan(), args.stages());
+    let plan = BuildPlan { sequence, strips, stages, models, stream };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
     check_strict(args.strict, None, shortfall.as_deref())?;
@@ -167,6 +168,10 @@ fn check_stream_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Fail
 /// # Errors
 /// If they are given without such a model.
 fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
+    if args.max_strip_indices.is_some() && !models.contains(&ModelKind::LodStrips) {
+        return Err(Failure::user("--max-strip-indices has no effect without LodStrips")
+            .with_hint("add --models lodstrips, or remove --max-strip-indices"));
+    }
     match args.strip_flag() {
         Some(flag) if !models.iter().any(takes_strips) => {
             Err(Failure::user(format!("{flag} has no effect without a model that has strips"))

@@ -115,7 +115,7 @@ fn keys_change_the_level_the_model_and_the_look() {
     assert!(test.triangle_count() < full);
     test.press(Key::CloseBracket);
     assert_eq!(test.triangle_count(), full);
-    for kind in [ShownModel::Mts, ShownModel::Fans] {
+    for kind in [ShownModel::LiveStrips, ShownModel::Mts, ShownModel::Fans] {
         test.press(Key::M);
         test.settle();
         assert_eq!(test.viewer.instance().map(ModelInstance::kind), Some(kind), "the model was built");

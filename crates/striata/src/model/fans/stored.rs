@@ -41,10 +41,7 @@ impl Fans {
     ) -> Result<Self, ModelError> {
         let FansParts { entries, blocks, starts, waits, far, orphans } = parts;
         let step_count = removed.map_or_else(|| vertices.step_count(), <[u8]>::len);
-        match removed {
-            Some(_) => vertices.check(step_count)?,
-            None => vertices.check_firsts(step_count)?,
-        }
+        vertices.check_firsts(step_count)?;
         let arrays = TableArrays { entries, blocks, starts };
         let table = Table::from_arrays(arrays, vertices.vertex_count, group_count > 1)?;
         let mut fans = Self {

@@ -2,7 +2,7 @@
 
 use super::writer::Creator;
 use super::{CLOSED, FOLLOWED, HAS_PERMANENT, MAX_ARCS, WIDE};
-use crate::model::record_arena::read_varint;
+use crate::model::varint::read_varint;
 
 /// Decodes the fans of a vertex.
 #[derive(Clone, Copy, Debug)]

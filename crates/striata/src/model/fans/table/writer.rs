@@ -1,7 +1,7 @@
 //! Encodes the table.
 
 use super::{BLOCK, CLOSED, FOLLOWED, HAS_PERMANENT, PADDING, Table, WIDE};
-use crate::model::record_arena::write_varint;
+use crate::model::varint::write_varint;
 
 /// A fan before it is encoded: its nodes, its permanent arcs, and its other arcs by the step that creates
 /// them.
