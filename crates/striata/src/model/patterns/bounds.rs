@@ -19,6 +19,7 @@
 //! Every number is rounded to the safe side. Radii and errors that are far smaller than the largest one of
 //! the model are rounded up to the smallest that can be expressed.
 
+use std::f32::consts::FRAC_1_SQRT_2;
 use std::sync::LazyLock;
 
 use glam::{DVec3, Vec3};
@@ -38,7 +39,7 @@ const AXES_PER_SIDE: usize = 16;
 /// Code of a cone of all directions.
 const ALL_DIRECTIONS: u32 = 7;
 /// Cosines of the half-angles: 14, 21, 28, 36, 45, 56 and 70 degrees.
-const COSINES: [f32; 7] = [0.970_295, 0.933_580, 0.882_947, 0.809_016, 0.707_106, 0.559_192, 0.342_020];
+const COSINES: [f32; 7] = [0.970_295, 0.933_580, 0.882_947, 0.809_016, FRAC_1_SQRT_2, 0.559_192, 0.342_020];
 
 /// Largest float whose code can be expressed, and the steps below it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

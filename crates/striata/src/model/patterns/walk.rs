@@ -252,8 +252,7 @@ impl<'a> FragmentWalk<'a> {
         if count > u64::BITS as usize {
             many.resize(count, false);
         }
-        for i in at..next {
-            let Waiting { corners, location } = waiting[i];
+        for (i, &Waiting { corners, location }) in (at..).zip(&waiting[at..next]) {
             let half_edge = rule.locate(location / MAX_RUN, location % MAX_RUN);
             let half_edge = half_edge.ok_or("has a floor triangle at a corner that does not exist")?;
             let j = half_edge as usize / 3;
