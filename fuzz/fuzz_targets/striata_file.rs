@@ -113,7 +113,7 @@ fn check_detail_boxes(scene: PatternScene<'_>) {
 
 /// Moves a front through a few views: every corner must be active, and every triangle counted.
 fn check_front(refinable: &RefinableMesh, fans: &Fans) {
-    let scene = FanScene::new(fans, refinable);
+    let scene = FanScene::new(fans, &refinable.mesh.positions);
     let sphere = scene.sphere();
     let [x, y, z] = sphere.center;
     let far = sphere.radius.max(1e-3);
@@ -144,7 +144,7 @@ fn check_corners(refinable: &RefinableMesh, fans: &Fans, front: &FanFront<Screen
         let step = positions.position_of(vertex).checked_sub(base);
         assert!(step.is_none_or(|step| instance.is_refined(step)), "vertex {vertex} is not active");
     }
-    assert_eq!(instance.level(fans, refinable).check(), Ok(()));
+    assert_eq!(instance.level(fans, &refinable.mesh).check(), Ok(()));
 }
 
 fn check_strip_levels<M: StripModel>(file: &StriataFile<'_>, model: &M) {

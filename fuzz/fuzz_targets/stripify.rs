@@ -9,8 +9,8 @@ use striata_fuzz::Bytes;
 use striata_strip::{StripOptions, stripify};
 
 /// All stripifiers; the bytes select one.
-const SPECS: [&str; 7] =
-    ["greedy", "stripe", "tunnel:1", "tunnel:9", "tunnel-static:9", "fewest", "cheapest"];
+const SPECS: [&str; 8] =
+    ["greedy", "stripe", "stripe:global", "stripe:no-swaps", "tunnel:1", "tunnel:9", "fewest", "cheapest"];
 
 fuzz_target!(|data: &[u8]| {
     let mut bytes = Bytes(data);

@@ -129,7 +129,11 @@ fn paths_of(levels: &[Level], is_chain: bool, output: &Path) -> Result<Vec<PathB
     }
 }
 
-fn paths_of_levels(levels: &[Level], output: &Path) -> Result<Vec<PathBuf>, Failure> {
+/// Returns the output file of each level: `{}` in the name becomes the level.
+///
+/// # Errors
+/// If the name has no `{}`, or several levels would be written to the same file.
+pub fn paths_of_levels(levels: &[Level], output: &Path) -> Result<Vec<PathBuf>, Failure> {
     let Some(pattern) = output.to_str().filter(|pattern| pattern.contains(PLACEHOLDER)) else {
         let hint = match (output.file_stem(), output.extension()) {
             (Some(stem), Some(extension)) if output != Path::new("-") => {

@@ -191,12 +191,13 @@ pub fn format_noun_count(count: usize, one: &str, many: &str) -> String {
     format!("{} {}", format_count(count), if count == 1 { one } else { many })
 }
 
-/// Formats a size in bytes, in B, kB or MB.
+/// Formats a size in bytes, in B, kB, MB or GB.
 pub fn format_bytes(bytes: usize) -> String {
     match bytes {
         0..10_000 => format!("{bytes} B"),
         10_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
-        _ => format!("{:.2} MB", bytes as f64 / 1e6),
+        1_000_000..10_000_000_000 => format!("{:.2} MB", bytes as f64 / 1e6),
+        _ => format!("{:.2} GB", bytes as f64 / 1e9),
     }
 }
 
@@ -208,14 +209,16 @@ pub fn format_length(length: f64) -> String {
     }
 }
 
-/// Formats a duration in seconds, in µs, ms or s.
+/// Formats a duration in seconds, in µs, ms, s or minutes.
 pub fn format_duration(secs: f64) -> String {
     if secs < 0.001 {
         format!("{:.0} µs", secs * 1e6)
     } else if secs < 1.0 {
         format!("{:.1} ms", secs * 1e3)
-    } else {
+    } else if secs < 600.0 {
         format!("{secs:.2} s")
+    } else {
+        format!("{:.1} min", secs / 60.0)
     }
 }
 

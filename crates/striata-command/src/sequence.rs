@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
+use striata::model::FanSource;
 use striata::simplify::{
     BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, PlacedOptions, RemovalOptions,
     RemovalOrder, Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
@@ -84,6 +85,14 @@ impl Steps {
         match self {
             Self::Collapses(refinable) => refinable.sequence.levels(),
             Self::Fragments(fragmented) => fragmented.fragments.levels(),
+        }
+    }
+
+    /// Returns what fans are built from.
+    pub fn fan_source(&self) -> FanSource<'_> {
+        match self {
+            Self::Collapses(refinable) => refinable.into(),
+            Self::Fragments(fragmented) => fragmented.into(),
         }
     }
 

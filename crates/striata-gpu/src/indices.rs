@@ -9,6 +9,15 @@ use crate::copy_back::copy_back;
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 
+/// Changed ranges with fewer unchanged indices than this between them are uploaded as one, since a write
+/// has a fixed cost of about this many indices: 4.2 µs on the CPU and 2.5 µs on the queue, compared with
+/// 0.7 ns per index.
+///
+/// We also tried one staging buffer from which the queue copies each range. That costs 1.1 µs per range plus
+/// 40 µs, which pays off for 8 or more widely spaced ranges; but with many ranges, uploading all indices is
+/// as fast for most meshes.
+const JOIN_GAP: u32 = 8192;
+
 /// Buffer of 32-bit indices that can be rewritten.
 ///
 /// If a write does not fit, the buffer grows to 1.5 times the needed size; it never shrinks. Each write
@@ -77,6 +86,15 @@ impl GpuIndices {
             gpu.queue.write_buffer(&self.buffer, 4 * u64::from(range.start), cast_slice(part));
             self.uploaded_bytes += 4 * part.len() as u64;
         }
+    }
+
+    /// Writes ascending ranges of `indices` like [`write_ranges`](Self::write_ranges), but together those that
+    /// are close to each other, with the indices between them, since every write has a fixed cost.
+    ///
+    /// # Panics
+    /// See [`write_ranges`](Self::write_ranges).
+    pub fn write_changed(&mut self, gpu: &Gpu, indices: &[u32], ranges: Vec<Range<u32>>) {
+        self.write_ranges(gpu, indices, &joined(ranges, JOIN_GAP));
     }
 
     /// Reads the buffer back up to its capacity, for inspection rather than drawing; waits for the GPU.
@@ -158,5 +176,29 @@ impl GpuMultiDraw {
     /// Bytes uploaded so far.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
+    }
+}
+
+/// Merges ascending ranges whose gaps are at most `gap`.
+fn joined(mut ranges: Vec<Range<u32>>, gap: u32) -> Vec<Range<u32>> {
+    ranges.dedup_by(|range, before| {
+        let is_near = range.start <= before.end.saturating_add(gap);
+        if is_near {
+            before.end = before.end.max(range.end);
+        }
+        is_near
+    });
+    ranges
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_ranges_with_small_gaps_are_joined() {
+        assert_eq!(joined(vec![0..3, 5..6, 9..20, 24..25], 3), [0..20, 24..25]);
+        assert_eq!(joined(vec![0..9, 2..4, 9..10, 15..16], 0), [0..10, 15..16]);
+        assert!(joined(Vec::new(), 5).is_empty());
     }
 }

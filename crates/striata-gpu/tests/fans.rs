@@ -197,7 +197,7 @@ fn views_are_extracted_exactly_and_drawn_like_their_lists() {
             let mut view = Viewpoint::portrait(&refinable.mesh.bounds().unwrap(), turn, 0.5, 0.8);
             view.eye = std::array::from_fn(|k| 0.5 * view.eye[k] + 0.5 * view.look_at[k]);
             let camera: Camera = view.camera(SIZE).unwrap();
-            let scene = FanScene::new(&test.fans, &refinable);
+            let scene = FanScene::new(&test.fans, &refinable.mesh.positions);
             let criterion = ScreenError::new(camera, pixels).with_model_bounds(scene.sphere());
             assert!(
                 expected_instance.refine(&scene, &criterion) > 20,

@@ -86,11 +86,11 @@ pub enum ReadError {
         what: String,
     },
     /// The file cannot be read block by block.
-    #[error("{file}: is {found}; only binary PLY files are read block by block")]
+    #[error("{file}: {found} cannot be read block by block")]
     NotInBlocks {
         /// Name of the file.
         file: String,
-        /// Description of what the file is instead.
+        /// Description of the file or of what it contains.
         found: String,
     },
     /// The file violates the rules of its format.

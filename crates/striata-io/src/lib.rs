@@ -75,6 +75,8 @@ mod color_space;
 mod companions;
 mod compressed;
 mod error;
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
+mod file_view;
 mod format;
 #[cfg(feature = "gltf")]
 mod gltf;

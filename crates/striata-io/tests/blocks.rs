@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles, shapes};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, canonical_triangles, shapes};
 use striata::strip::{restart_triangles_into, strip_triangles};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteOptions, read, to_bytes};
 use striata_strip::{Block, BlockOptions, BlockSource, BlocksReport, MeshBlocks, stripify_blocks};
@@ -136,6 +136,166 @@ fn strips_written_in_blocks_keep_the_mesh_and_its_layers() {
     }
 }
 
+/// Triangles as the bits of their corner positions, sorted: independent of how vertices are numbered.
+fn corners(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
+    let corner = |v: u32| mesh.positions[v as usize].map(|x| (x + 0.0).to_bits());
+    let mut all: Vec<[[u32; 3]; 3]> = proper(mesh)
+        .into_iter()
+        .map(|triangle| {
+            let mut corners = triangle.map(corner);
+            let least = (0..3).min_by_key(|&k| corners[k]).unwrap();
+            corners.rotate_left(least);
+            corners
+        })
+        .collect();
+    all.sort_unstable();
+    all
+}
+
+/// A file in blocks has the vertices, the layers and the triangles that the reader for meshes in memory gives.
+fn assert_same_as_in_memory(name: &str, bytes: &[u8], block_triangles: usize) -> BlocksReport {
+    let input = test_folder(name, bytes);
+    let whole = read(&input.file).unwrap();
+    let out = input.scratch.with_extension("out.ply");
+    let report = strip_to(&input, block_triangles, Format::Ply, &out);
+    let back = read(&out).unwrap();
+    assert_eq!(back.vertex_count(), whole.vertex_count(), "{name}");
+    assert_eq!(corners(&back), corners(&whole), "{name}");
+    let kinds = |mesh: &IndexedMesh| -> Vec<String> {
+        mesh.layers.iter().map(|l| format!("{} {}", l.semantic, l.component_count)).collect()
+    };
+    assert_eq!(kinds(&back), kinds(&whole), "{name}");
+    // The layers of corners in the order of their positions.
+    for (found, expected) in back.layers.iter().zip(&whole.layers) {
+        let values = |mesh: &IndexedMesh, layer: &AttributeLayer| {
+            let width = layer.vertex_bytes();
+            let row = |v: usize| layer.data.as_bytes()[v * width..][..width].to_vec();
+            let position = |v: usize| mesh.positions[v].map(|x| (x + 0.0).to_bits());
+            let mut all: Vec<_> = (0..mesh.vertex_count()).map(|v| (position(v), row(v))).collect();
+            all.sort();
+            all
+        };
+        assert!(values(&back, found) == values(&whole, expected), "{name}: {}", found.semantic);
+    }
+    report
+}
+
+/// Every way to write a mesh that can be streamed.
+fn streamed_files(mesh: &IndexedMesh) -> Vec<(&'static str, Vec<u8>)> {
+    let ascii = WriteOptions::default().with_ascii(true);
+    let bytes = |format, options: &WriteOptions| to_bytes(format, mesh, options).unwrap();
+    let plain = WriteOptions::default();
+    vec![
+        ("text.ply", bytes(Format::Ply, &ascii)),
+        ("binary.ply", bytes(Format::Ply, &plain)),
+        ("big.ply", big_endian(mesh)),
+        ("mesh.obj", bytes(Format::Obj, &plain)),
+        ("binary.stl", bytes(Format::Stl, &plain)),
+        ("text.stl", text_stl(mesh)),
+        ("mesh.off", bytes(Format::Off, &plain)),
+        ("mesh.gltf", bytes(Format::Gltf, &plain)),
+        ("mesh.glb", bytes(Format::Glb, &plain)),
+    ]
+}
+
+fn text_stl(mesh: &IndexedMesh) -> Vec<u8> {
+    let mut out = "solid part\n".to_owned();
+    for triangle in &mesh.triangles {
+        out += "facet normal 0 0 0\nouter loop\n";
+        for &v in triangle {
+            let [x, y, z] = mesh.positions[v as usize];
+            out += &format!("vertex {x} {y} {z}\n");
+        }
+        out += "endloop\nendfacet\n";
+    }
+    (out + "endsolid part\n").into_bytes()
+}
+
+#[test]
+fn every_format_that_can_be_streamed_is_read_in_blocks() {
+    let mesh = shapes::torus(40, 30, 3.0, 1.0);
+    for (name, bytes) in streamed_files(&mesh) {
+        let reports = [100, usize::MAX].map(|count| assert_same_as_in_memory(name, &bytes, count));
+        assert!(reports[0].block_count > 10 && reports[1].block_count == 1, "{name}");
+        assert_eq!(reports[0].cost.triangle_count, mesh.triangle_count(), "{name}");
+        // Strips continue over the borders of blocks: the vertices are shared.
+        assert!(reports[0].cost.indices_per_triangle < 1.4, "{name}: {:?}", reports[0].cost);
+        let packed = zstd::encode_all(&bytes[..], 1).unwrap();
+        assert_same_as_in_memory(&format!("{name}.zst"), &packed, 500);
+    }
+}
+
+#[test]
+fn corners_of_an_obj_share_vertices_as_in_memory() {
+    let mut mesh = with_layers(shapes::torus(20, 12, 3.0, 1.0));
+    mesh.layers.pop();
+    let obj = to_bytes(Format::Obj, &mesh, &WriteOptions::default()).unwrap();
+    assert_same_as_in_memory("uv.obj", &obj, 100);
+    let seams = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 0\nv 9 9 9\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
+        vt .5 .5\nvn 0 0 1\nvn 0 1 0\ng a\nf 1/1/1 2/2/1 3/3/1\ng b\nf 1/5/1 3/3/2 4/4/1\n";
+    assert_same_as_in_memory("seams.obj", seams.as_bytes(), 1);
+    let input = test_folder("seams.obj", seams.as_bytes());
+    let warnings = input.open(5).unwrap().warnings().to_vec();
+    assert!(warnings.iter().any(|warning| warning.contains("groups and materials")), "{warnings:?}");
+    let colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 5 5 5 1 1 1\nf 1 2 3\n";
+    assert_same_as_in_memory("colored.obj", colored.as_bytes(), 1);
+}
+
+#[test]
+fn generated_pieces_are_cut_into_blocks() {
+    use striata_io::pieces::{FractalTerrain, MeshPieces, PieceSource};
+    let terrain = FractalTerrain::new(460, 3);
+    assert!(terrain.piece_count() > 4);
+    let folder = tempfile::tempdir().unwrap();
+    let mut blocks = TriangleBlocks::of_pieces(&terrain, 20_000, folder.path()).unwrap();
+    // Pieces repeat the vertices of their borders; here each occurs once.
+    assert_eq!((blocks.vertex_count(), blocks.triangle_count()), (460 * 460, 2 * 459 * 459));
+    let write = &mut |_: u32, _: &[u32]| Ok::<(), ()>(());
+    let report = stripify_blocks(&mut blocks, &BlockOptions::default(), write).unwrap();
+    assert!(report.cost.indices_per_triangle < 1.1, "{:?}", report.cost);
+    let mesh = with_layers(shapes::grid(30, 30));
+    let layered = MeshPieces::new(mesh.clone()).with_piece_triangle_count(100);
+    assert!(layered.piece_count() > 4);
+    let blocks = TriangleBlocks::of_pieces(&layered, 50, folder.path()).unwrap();
+    assert_eq!(blocks.vertex_count() as usize, mesh.vertex_count());
+}
+
+#[test]
+fn layers_of_off_and_gltf_are_kept() {
+    let mut mesh = shapes::torus(20, 12, 3.0, 1.0);
+    let normals = mesh.positions.iter().flat_map(|&[x, y, z]| [y, z, x]).collect();
+    let colors = (0..mesh.vertex_count() * 4).map(|i| (i * 7 % 256) as u8).collect();
+    let texcoords = mesh.positions.iter().flat_map(|&[x, _, z]| [z, x]).collect();
+    let data = LayerData::U8(colors);
+    mesh.layers = vec![
+        AttributeLayer::from_f32(Semantic::Normal, 3, normals),
+        AttributeLayer::from_f32(Semantic::TexCoord(0), 2, texcoords),
+        AttributeLayer { semantic: Semantic::Color(0), component_count: 4, normalized: true, data },
+    ];
+    for format in [Format::Off, Format::Gltf, Format::Glb] {
+        let bytes = to_bytes(format, &mesh, &WriteOptions::default()).unwrap();
+        let report = assert_same_as_in_memory(&format!("mesh.{}", format.extension()), &bytes, 100);
+        assert!(report.cost.indices_per_triangle < 1.4, "{format}: {:?}", report.cost);
+    }
+}
+
+#[test]
+fn damaged_text_is_reported_or_another_mesh() {
+    for (name, whole) in streamed_files(&shapes::tetrahedron()) {
+        for length in 0..whole.len() {
+            let input = test_folder(name, &whole[..length]);
+            match input.open(2) {
+                Err(error) => assert!(error.to_string().contains(name), "{length} bytes of {name}: {error}"),
+                Ok(mut blocks) => {
+                    let write = &mut |_: u32, _: &[u32]| Ok::<(), ()>(());
+                    stripify_blocks(&mut blocks, &BlockOptions::default(), write).unwrap();
+                }
+            }
+            assert_eq!(fs::read_dir(&input.scratch).unwrap().count(), 0);
+        }
+    }
+}
+
 #[test]
 fn unusual_meshes_are_kept() {
     for (name, mesh) in meshes::nasty() {
@@ -230,16 +390,15 @@ fn a_flipped_bit_is_an_error_or_another_mesh() {
 #[test]
 fn files_that_cannot_be_read_in_blocks_are_refused() {
     let mesh = shapes::tetrahedron();
-    let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
-    assert_eq!(
-        TestFolder::error_message("a.ply", &ascii),
-        "a.ply: is an ASCII PLY file; only binary PLY files are read block by block"
-    );
-    let obj = to_bytes(Format::Obj, &mesh, &WriteOptions::default()).unwrap();
-    assert!(TestFolder::error_message("a.obj", &obj).starts_with("a.obj: is not a PLY file;"));
+    let message = TestFolder::error_message("a.striata", b"STRIATA\0 and more");
+    assert_eq!(message, format!("a.striata: the format {} cannot be read block by block", Format::Striata));
+    assert!(TestFolder::error_message("a.txt", b"no mesh").starts_with("a.txt: neither the content nor"));
+    let strips = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
+        property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n0\n";
+    assert!(TestFolder::error_message("a.ply", strips).contains("element `tristrips` cannot be read block"));
     let folder = tempfile::tempdir().unwrap();
     let message = TriangleBlocks::open(folder.path(), 5, folder.path()).unwrap_err().to_string();
-    assert!(message.contains("is not a regular file"), "{message}");
+    assert!(message.contains("not a regular file"), "{message}");
     let mut outside = mesh.clone();
     outside.triangles[2][1] = 3;
     let mut bytes = ply(&outside);
@@ -284,8 +443,8 @@ fn a_failed_write_leaves_the_old_file() {
     let blocks = input.open(5).unwrap();
     let out = input.scratch.with_extension("glb");
     fs::write(&out, b"old").unwrap();
-    // The input file disappears before its vertices are copied.
-    fs::remove_file(&input.file).unwrap();
+    // The input file is cut off before its vertices are copied.
+    fs::OpenOptions::new().write(true).open(&input.file).unwrap().set_len(100).unwrap();
     let mut spool = StripSpool::new(Format::Glb, &input.scratch).unwrap();
     spool.push(&[0, 1, 2]).unwrap();
     assert!(spool.write(&out, &blocks).is_err());

@@ -1,8 +1,10 @@
-//! Strip counts compared with those of the stripification paper, and the results of time budgets.
+//! Strip counts and times compared with those of the stripification paper, and the results of time budgets.
 //!
-//! `cargo bench -p striata-lab --bench strip_goals -- MESH...` prints Markdown tables for the given meshes
-//! and the papers' sphere: strips by maximum tunnel length with both kinds of identities, the time to
-//! reach the strip counts that \[PS03\] compares, and what `fewest` and `cheapest` reach in some seconds.
+//! `cargo bench -p striata-lab --bench strip_goals -- MESH...` prints Markdown tables for the given meshes: how
+//! long SGI's `tomesh`, tunneling as published and our stripifiers take to reach the strip counts of \[PS03\],
+//! mean and standard deviation over ten seeds, and what `fewest` and `cheapest` reach in some seconds.
+//!
+//! `--as-filed` leaves equal vertices apart; `--seeds N` changes the number of seeds.
 
 #[path = "quality/table.rs"]
 mod table;
@@ -11,117 +13,172 @@ use std::error::Error;
 use std::io::Write;
 use std::time::Instant;
 
-use striata::mesh::{IndexedMesh, shapes, weld};
+use striata::mesh::{IndexedMesh, weld};
 use striata::strip::StripSet;
-use striata_strip::{StripOptions, Stripifier, strip_count_bound, stripify, stripify_from};
+use striata_lab::stripifiers::{Tunneling, join_like_tomesh, strips_of};
+use striata_lab::{Spread, cpu_secs};
+use striata_strip::{StripOptions, Stripifier, strip_count_bound, stripify_from};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
-/// Maximum tunnel lengths shown.
-const LENGTHS: [u32; 9] = [1, 3, 5, 9, 13, 17, 31, 45, 60];
-/// Number of runs to take the fastest of, for meshes with fewer triangles than the limit.
-const RUN_COUNTS: [(usize, usize); 2] = [(200_000, 5), (usize::MAX, 1)];
+/// Maximum tunnel lengths that are tried, from the shortest.
+const LENGTHS: [u32; 13] = [1, 3, 5, 9, 13, 17, 21, 25, 31, 45, 60, 75, 101];
+/// Number of seeds.
+const SEED_COUNT: u64 = 10;
+/// Number of runs of stripifiers without a seed, of which the fastest counts.
+const RUN_COUNT: usize = 5;
 /// Time budgets of the searches, in seconds.
 const BUDGETS: [f64; 4] = [0.3, 1.0, 5.0, 20.0];
-/// Strip counts in tables 3 and 4 of \[PS03\]: of the bunny, and of the dragon.
-const PAPER_COUNTS: [(&str, [usize; 2]); 2] = [("bunny", [705, 158]), ("dragon", [17_653, 1_798])];
+/// Strip counts that \[PS03\] matched, with the algorithm that they belong to: of the bunny, and of the dragon.
+const MATCHED: [(&str, [(&str, usize); 2]); 2] =
+    [("bunny", [("SGI", 705), ("Stewart", 158)]), ("dragon", [("SGI", 17_653), ("Stewart", 1_798)])];
+
+/// Parsed command line.
+struct Arguments {
+    paths: Vec<String>,
+    is_as_filed: bool,
+    seed_count: u64,
+}
+
+impl Arguments {
+    fn parse(mut words: impl Iterator<Item = String>) -> Fallible<Self> {
+        let mut found = Self { paths: Vec::new(), is_as_filed: false, seed_count: SEED_COUNT };
+        while let Some(word) = words.next() {
+            match word.as_str() {
+                "--bench" => {}
+                "--as-filed" => found.is_as_filed = true,
+                "--seeds" => found.seed_count = words.next().ok_or("--seeds takes a number")?.parse()?,
+                _ => found.paths.push(word),
+            }
+        }
+        Ok(found)
+    }
+}
 
 fn main() -> Fallible<()> {
-    let paths: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let arguments = Arguments::parse(std::env::args().skip(1))?;
     let mut out = std::io::stdout().lock();
-    if paths.is_empty() {
+    if arguments.paths.is_empty() {
         writeln!(
             out,
             "no meshes given: cargo bench -p striata-lab --bench strip_goals -- path/to/bunny.ply"
         )?;
         return Ok(());
     }
-    let mut meshes = vec![("sphere".to_owned(), shapes::paper_sphere())];
-    for path in &paths {
+    let mut counts =
+        Table::new(["mesh", "matched", "target strips", "algorithm", "length", "strips", "CPU ms"]);
+    let mut budgets =
+        Table::new(["mesh", "s", "fewest: strips", "lower bound", "cheapest: indices per triangle"]);
+    for path in &arguments.paths {
         let mesh = striata_io::read(path)?;
         let file = std::path::Path::new(path).file_name().map_or(path.into(), |name| name.to_string_lossy());
         let name = file.split('.').next().unwrap_or_default().to_owned();
-        meshes.push((name, weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?.mesh));
-    }
-    let mut tunnels = Table::new(["mesh", "longest tunnel", "static: strips", "ms", "dynamic: strips", "ms"]);
-    let mut counts = Table::new(["mesh", "target strips", "static", "dynamic", "fewest"]);
-    let mut budgets =
-        Table::new(["mesh", "s", "fewest: strips", "lower bound", "cheapest: indices per triangle"]);
-    for (name, mesh) in &meshes {
-        add_tunnels(name, mesh, &mut tunnels)?;
-        for &(of, target_count) in &PAPER_COUNTS {
-            if of == name {
-                target_count.iter().try_for_each(|&count| add_count(name, mesh, count, &mut counts))?;
-            }
+        let mesh = IndexedMesh::new(mesh.positions, mesh.triangles);
+        let mesh = if arguments.is_as_filed { mesh } else { weld(&mesh)?.mesh };
+        for &(of, matched) in MATCHED.iter().filter(|(of, _)| *of == name) {
+            let mut rows = Rows { table: &mut counts, mesh: &mesh, seed_count: arguments.seed_count };
+            matched.iter().try_for_each(|&target| rows.add(of, target))?;
         }
-        add_budgets(name, mesh, &mut budgets)?;
+        if !arguments.is_as_filed {
+            add_budgets(&name, &mesh, &mut budgets)?;
+        }
     }
-    writeln!(out, "Strips by maximum tunnel length, from scratch.\n")?;
-    tunnels.print(&mut out)?;
-    writeln!(out, "Time to reach a strip count, in ms, with the shortest tunnels that reach it.\n")?;
+    writeln!(
+        out,
+        "Time to reach the strip counts that [PS03] matched: the shortest tunnels that reach them in the mean over \
+         {} seeds.\n",
+        arguments.seed_count
+    )?;
     counts.print(&mut out)?;
-    writeln!(out, "Results within a time budget.\n")?;
-    budgets.print(&mut out)?;
+    if !arguments.is_as_filed {
+        writeln!(out, "Results within a time budget.\n")?;
+        budgets.print(&mut out)?;
+    }
     Ok(())
 }
 
-/// Stripifies a mesh; returns the strip count and the fastest of several runs in milliseconds.
-fn timed(mesh: &IndexedMesh, stripifier: Stripifier) -> Fallible<(usize, f64)> {
-    let options = StripOptions::default().with_stripifier(stripifier);
-    let run_count = RUN_COUNTS.iter().find(|(limit, _)| mesh.triangle_count() < *limit).map_or(1, |r| r.1);
+/// Rows of the table of times.
+struct Rows<'a> {
+    table: &'a mut Table,
+    mesh: &'a IndexedMesh,
+    seed_count: u64,
+}
+
+impl Rows<'_> {
+    /// Adds a row for each algorithm.
+    fn add(&mut self, name: &str, (whose, target): (&str, usize)) -> Fallible<()> {
+        let mut push = |algorithm: &str, length: String, strips: String, ms: String| {
+            let first = [name, whose, &target.to_string(), algorithm].map(str::to_owned);
+            self.table.push(first.into_iter().chain([length, strips, ms]).collect());
+        };
+        let (count, ms) = tomesh(self.mesh)?;
+        push("tomesh", "–".to_owned(), count.to_string(), format!("{ms:.1}"));
+        for tunneling in Tunneling::ALL {
+            match shortest(tunneling, self.mesh, target, self.seed_count)? {
+                Some((length, strips, ms)) => {
+                    push(tunneling.as_str(), length.to_string(), cell(strips), cell(ms));
+                }
+                None => push(tunneling.as_str(), "–".to_owned(), "–".to_owned(), "never".to_owned()),
+            }
+        }
+        let (count, ms) = fewest(self.mesh, target)?;
+        push("fewest", "–".to_owned(), count.to_string(), format!("{ms:.1}"));
+        Ok(())
+    }
+}
+
+/// Mean and standard deviation, with one decimal.
+fn cell(spread: Spread) -> String {
+    format!("{:.1} ± {:.1}", spread.mean, spread.std)
+}
+
+/// Strip count and milliseconds of the fastest run of `tomesh`.
+fn tomesh(mesh: &IndexedMesh) -> Fallible<(usize, f64)> {
     let mut best = (0, f64::MAX);
-    for _ in 0..run_count {
-        let start = Instant::now();
-        let strips = stripify(mesh, &options)?;
-        best = (strips.strip_count(), best.1.min(start.elapsed().as_secs_f64() * 1e3));
+    for _ in 0..RUN_COUNT {
+        let start = cpu_secs();
+        let strips = strips_of(mesh, join_like_tomesh)?;
+        best = (strips.strip_count(), best.1.min((cpu_secs() - start) * 1e3));
     }
     Ok(best)
 }
 
-fn add_tunnels(name: &str, mesh: &IndexedMesh, table: &mut Table) -> Fallible<()> {
-    for max_length in LENGTHS {
-        let (fixed, fixed_ms) = timed(mesh, Stripifier::StaticTunnel { max_length })?;
-        let (moving, moving_ms) = timed(mesh, Stripifier::Tunnel { max_length })?;
-        table.push(vec![
-            name.to_owned(),
-            max_length.to_string(),
-            fixed.to_string(),
-            format!("{fixed_ms:.1}"),
-            moving.to_string(),
-            format!("{moving_ms:.1}"),
-        ]);
+/// The shortest tunnels that reach a strip count in the mean; strips and milliseconds.
+fn shortest(
+    tunneling: Tunneling,
+    mesh: &IndexedMesh,
+    target: usize,
+    seed_count: u64,
+) -> Fallible<Option<(u32, Spread, Spread)>> {
+    for length in LENGTHS {
+        // One seed tells whether the others are worth it.
+        if tunneling.strip_count(mesh, length, 0)? > target + target / 8 {
+            continue;
+        }
+        let (mut counts, mut times) = (Vec::new(), Vec::new());
+        for seed in 0..seed_count {
+            let start = cpu_secs();
+            counts.push(tunneling.strip_count(mesh, length, seed)? as f64);
+            times.push((cpu_secs() - start) * 1e3);
+        }
+        if Spread::of(&counts).mean <= target as f64 {
+            return Ok(Some((length, Spread::of(&counts), Spread::of(&times))));
+        }
     }
-    Ok(())
+    Ok(None)
 }
 
-fn add_count(name: &str, mesh: &IndexedMesh, target_count: usize, table: &mut Table) -> Fallible<()> {
-    let by_tunnels = |make: fn(u32) -> Stripifier| -> Fallible<String> {
-        for length in LENGTHS {
-            let (count, ms) = timed(mesh, make(length))?;
-            if count <= target_count {
-                return Ok(format!("{ms:.1} (length {length}, {count} strips)"));
-            }
-        }
-        Ok("never".to_owned())
-    };
-    // `fewest` has no length: increase its budget until it reaches the count.
+/// Strip count and milliseconds of `fewest`, which has no length: its budget grows until it reaches the count.
+fn fewest(mesh: &IndexedMesh, target: usize) -> Fallible<(usize, f64)> {
     let mut budget = 1e-3;
-    let fewest_time = loop {
+    loop {
         let (strips, secs) = within(mesh, Stripifier::Fewest, budget)?;
-        if strips.strip_count() <= target_count || budget > 100.0 {
-            break format!("{:.1} ({} strips)", secs * 1e3, strips.strip_count());
+        if strips.strip_count() <= target || budget > 100.0 {
+            return Ok((strips.strip_count(), secs * 1e3));
         }
         budget *= 1.25;
-    };
-    table.push(vec![
-        name.to_owned(),
-        target_count.to_string(),
-        by_tunnels(|max_length| Stripifier::StaticTunnel { max_length })?,
-        by_tunnels(|max_length| Stripifier::Tunnel { max_length })?,
-        fewest_time,
-    ]);
-    Ok(())
+    }
 }
 
 /// Stripifies within a time budget in seconds; returns the strips and the seconds actually taken.

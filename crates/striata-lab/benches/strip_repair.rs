@@ -10,13 +10,13 @@ mod table;
 use std::error::Error;
 use std::hint::black_box;
 use std::io::Write;
-use std::sync::OnceLock;
 use std::time::Instant;
 
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, shapes};
 use striata::model::{LodModel, LodStrips, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripSet, restart_triangles_into};
+use striata_lab::cpu_secs;
 use striata_strip::{
     LiveStrips, RepairGoal, RepairOptions, RepairReport, StripOptions, Stripifier, stripify,
 };
@@ -196,12 +196,4 @@ fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
         let next = run();
         if next.0 < best.0 { next } else { best }
     })
-}
-
-/// CPU time of this thread if the system reports it, otherwise wall-clock time.
-fn cpu_secs() -> f64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    let schedstat = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanos = schedstat.and_then(|text| text.split_whitespace().next()?.parse::<u64>().ok());
-    nanos.map_or_else(|| START.get_or_init(Instant::now).elapsed().as_secs_f64(), |nanos| nanos as f64 * 1e-9)
 }

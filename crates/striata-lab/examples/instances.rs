@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
     let fans = Fans::build(&refinable);
-    let scene = FanScene::new(&fans, &refinable);
+    let scene = FanScene::new(&fans, &refinable.mesh.positions);
     let placements: Vec<Placement> =
         (0..COLUMNS * ROWS).map(|i| Placement::on_grid(i, scene.sphere())).collect();
     println!(

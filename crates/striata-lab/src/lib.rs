@@ -1,9 +1,10 @@
 //! Published level-of-detail models and measuring tools that striata is compared with. Never shipped.
 //!
-//! [`baseline`] contains level-of-detail models as described in their papers; [`mts_graph`] is the graph
-//! of \[BRR02\], which [`Mts`](striata::model::Mts) improves on. They implement the traits of
-//! [`striata::model`] and show the same triangles over the same vertex buffer as the library's models, so
-//! that only the data structures are compared. [`PaperBytes`] counts the memory of all of them, including
+//! [`baseline`] contains level-of-detail models as described in their papers, [`stripifiers`] contains stripifiers,
+//! and [`mts_graph`] is the graph of \[BRR02\], which [`Mts`](striata::model::Mts) improves on. Models implement the
+//! traits of [`striata::model`] and show the same triangles over the same vertex buffer as the library's models, so
+//! that only the data structures are compared. [`lifetime_lod_strips`] is a form of our own that was tried and
+//! not taken over. [`PaperBytes`] counts the memory of all of them, including
 //! the library's, as the papers do.
 //!
 //! ```
@@ -23,11 +24,18 @@
 //! ```
 
 pub mod baseline;
+mod cpu_clock;
+pub mod lifetime_lod_strips;
 pub mod mts_graph;
 mod paper_bytes;
+mod spread;
+pub mod stripifiers;
 
+pub use cpu_clock::cpu_secs;
+pub use lifetime_lod_strips::{LifetimeLodStrips, LifetimeLodStripsState};
 pub use mts_graph::{MtsGraph, MtsGraphState};
 pub use paper_bytes::{Accounting, PaperBytes};
+pub use spread::Spread;
 
 /// The examples of the repository's README, compiled as doc tests.
 #[cfg(all(doctest, feature = "command"))]
@@ -38,3 +46,8 @@ struct Readme;
 #[cfg(all(doctest, feature = "command"))]
 #[doc = include_str!("../../../docs/guide/views.md")]
 struct GuideToViews;
+
+/// The example of the guide to strips, compiled as a doc test.
+#[cfg(all(doctest, feature = "command"))]
+#[doc = include_str!("../../../docs/guide/strips.md")]
+struct GuideToStrips;

@@ -7,6 +7,7 @@ mod args;
 #[cfg(feature = "gpu")]
 mod bench_gpu;
 mod compare;
+mod pace;
 mod poses;
 
 use std::process::ExitCode;

@@ -29,14 +29,15 @@ pub trait PaperBytes: LodModel {
 }
 
 impl PaperBytes for LodStrips<'_> {
-    /// The structures of \[RCRG06\], its figure 3: a `Collapse` per vertex, a pointer per strip, a
-    /// two-word `Change` per step, a four-word `RecordChange` per strip that a step affects, and a word
-    /// for each slot that is collapsed or resized.
+    /// As \[RCRG06\] would count this model: a word per index of any stage and a pointer per strip; for each
+    /// vertex that collapses its target, two counts and a pointer to its record; a word per replaced slot,
+    /// and three per dropped run (strip, first index, count).
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let edits = self.edit_counts();
-        let records = 3 * edits.strips + edits.places + edits.drops;
-        let integers = self.vertex_count() + self.indices().len() + self.step_count() + records;
-        accounting.bytes(integers, self.strip_count() + self.step_count() + edits.strips)
+        let target_count = self.vertex_count() - self.vertex_count_at(0);
+        let slot_count: usize = self.stage_index_counts().sum();
+        let records = 3 * target_count + edits.substitutions + 3 * edits.drops;
+        accounting.bytes(slot_count + records, self.strip_count() + target_count)
     }
 }
 
@@ -45,7 +46,7 @@ impl PaperBytes for Mts<'_> {
     /// two pointers per strip; and for coherence a target per vertex and a strip index per change.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let integers = self.break_count() + self.change_count();
-        let columns = 2 * self.indices().len() + self.break_count();
+        let columns = 2 * self.slot_count() + self.break_count();
         let target_count = self.vertex_count() - self.vertex_count_at(0);
         accounting.bytes(integers, columns + 2 * self.strip_count() + target_count)
     }

@@ -5,11 +5,15 @@ use striata_testing::{meshes, support};
 use proptest::prelude::*;
 use striata::mesh::{
     CollapseSequence, IndexedMesh, MeshError, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
-    canonical_triangles, replay,
+    canonical_triangles, replay, shapes,
 };
 use striata::model::{LodModel, PartBytes};
+use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 use striata::strip::{restart_triangles_into, stripify};
-use striata_lab::baseline::{DiscreteLevels, DiscreteLevelsError, OrderedMeshes, ProgressiveMeshes};
+use striata_lab::baseline::{
+    DiscreteLevels, DiscreteLevelsError, HoppeProgressiveMeshes, HoppeProgressiveMeshesError, OrderedMeshes,
+    ProgressiveMeshes,
+};
 use striata_lab::{Accounting, PaperBytes};
 use striata_strip::{StripOptions, Stripifier};
 use support::{
@@ -171,6 +175,73 @@ fn groups_are_drawn_from_the_list_in_place() {
     }
 }
 
+/// A sequence of this mesh that keeps its topology, and the model with split records.
+fn hoppe(mesh: &IndexedMesh) -> (RefinableMesh, HoppeProgressiveMeshes) {
+    let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
+    let refinable = build_sequence(mesh, &options).unwrap().refinable;
+    let model = HoppeProgressiveMeshes::build(&refinable).unwrap();
+    (refinable, model)
+}
+
+#[test]
+fn split_records_follow_the_oracle_on_manifold_surfaces() {
+    let several = with_seams_and_groups(grid(12, true));
+    let open = with_seams_and_groups(grid(9, false));
+    for (name, mesh) in [
+        ("torus", shapes::torus(24, 16, 1.0, 0.4)),
+        ("sphere", shapes::uv_sphere(12, 24, 1.0)),
+        ("terrain", shapes::terrain(20, 3)),
+        ("grid", shapes::grid(7, 5)),
+        ("closed with seams and groups", several),
+        ("open with seams and groups", open),
+    ] {
+        eprintln!("{name}");
+        let (refinable, model) = hoppe(&mesh);
+        follows_the_oracle(&refinable, &model, 1);
+        let mut state = model.new_state();
+        for split_count in [0, model.step_count() / 3, model.step_count(), 1, 0] {
+            model.move_to(&mut state, split_count);
+            let expected = replay(&refinable, split_count);
+            for (range, group) in model.group_ranges(&state).zip(expected.groups_or_whole()) {
+                let found = state.indices()[range.start as usize..range.end as usize].as_chunks().0;
+                let expected = canonical_triangles(&expected.triangles[group.range()]);
+                assert_eq!(canonical_triangles(found), expected, "{name} at {split_count}");
+            }
+        }
+    }
+}
+
+#[test]
+fn split_records_of_one_group_take_eight_bytes_each() {
+    let (refinable, model) = hoppe(&shapes::torus(24, 16, 1.0, 0.4));
+    let step_count = refinable.sequence.step_count();
+    let part = |name| model.bytes().into_iter().find(|part| part.name == name).unwrap().bytes;
+    assert_eq!((part("splits"), part("groups of faces"), part("extras")), (8 * step_count, 0, 0));
+    let base = refinable.sequence.triangle_count_at(0);
+    assert_eq!(part("base"), 24 * base);
+    assert_eq!(model.paper_bytes(Accounting::Words), 12 * step_count + 24 * base);
+    // Three corners and three neighbors per face of the full mesh.
+    let state = model.new_state();
+    assert_eq!(model.state_bytes(&state), 24 * refinable.mesh.triangle_count() + 4);
+}
+
+#[test]
+fn surfaces_that_are_not_manifold_have_no_split_records() {
+    let mut fin = shapes::grid(2, 2);
+    fin.positions.push([0.0, 0.0, 9.0]);
+    let [a, b, _] = fin.triangles[0];
+    fin.triangles.push([a, b, 9]);
+    let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&fin, sequence_options, &mut Random::new(1));
+    let error = HoppeProgressiveMeshes::build(&refinable).unwrap_err();
+    assert!(matches!(error, HoppeProgressiveMeshesError::Edge { .. }), "{error}");
+    // Random collapses tear the surface apart sooner or later.
+    let sequence_options = RandomSequenceOptions { far_percent: 50, base_position_count: 1 };
+    let refinable = random_refinable(&shapes::grid(6, 6), sequence_options, &mut Random::new(1));
+    let error = HoppeProgressiveMeshes::build(&refinable).unwrap_err();
+    assert!(matches!(error, HoppeProgressiveMeshesError::Step { .. }), "{error}");
+}
+
 #[test]
 fn levels_fall_geometrically() {
     let sequence_options = RandomSequenceOptions { far_percent: 0, base_position_count: 20 };
@@ -198,7 +269,11 @@ fn levels_of_any_stripifier_follow_the_oracle() {
     let mesh = with_seams_and_groups(grid(10, true));
     let sequence_options = RandomSequenceOptions { far_percent: 2, base_position_count: 4 };
     let refinable = random_refinable(&mesh, sequence_options, &mut Random::new(6));
-    for stripifier in [Stripifier::Stripe, Stripifier::Fewest, Stripifier::Cheapest] {
+    for stripifier in [
+        Stripifier::Stripe { has_patches: false, swaps: Default::default() },
+        Stripifier::Fewest,
+        Stripifier::Cheapest,
+    ] {
         let options = StripOptions::default().with_stripifier(stripifier);
         let model =
             DiscreteLevels::build(&refinable, 3, |mesh| striata_strip::stripify(mesh, &options)).unwrap();

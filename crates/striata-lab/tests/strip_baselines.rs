@@ -1,4 +1,4 @@
-//! The strip baselines against the oracle: the original LodStrips and skip strips.
+//! The strip baselines against the oracle: both published LodStrips, skip strips, and the trial with lifetimes.
 
 use striata_testing::support;
 
@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
 use striata::model::{LodModel, LodStrips, ModelError, Mts};
 use striata::strip::{RESTART, StripSet, restart_triangles_into};
-use striata_lab::baseline::{OriginalLodStrips, SkipStrips};
-use striata_lab::{Accounting, PaperBytes};
+use striata_lab::baseline::{EfficientLodStrips, OriginalLodStrips, SkipStrips, Winding};
+use striata_lab::{Accounting, LifetimeLodStrips, PaperBytes};
 use striata_strip::{StripOptions, Stripifier, stripify};
 use support::{
     Random, RandomSequenceOptions, follows_the_oracle, grid, nasty_cases, random_refinable, seam_cases,
@@ -21,16 +21,41 @@ fn strips_of(refinable: &RefinableMesh, stripifier: Stripifier) -> StripSet {
     stripify(&refinable.mesh, &StripOptions::default().with_stripifier(stripifier)).unwrap()
 }
 
-fn both_follow(refinable: &RefinableMesh, strips: &StripSet, stride: usize) {
+fn models_follow(refinable: &RefinableMesh, strips: &StripSet, stride: usize) {
     follows_the_oracle(refinable, &OriginalLodStrips::build(refinable, strips).unwrap(), stride);
     let skip = SkipStrips::build(refinable, strips).unwrap();
     follows_the_oracle(refinable, &skip, stride);
     nothing_repeats(&skip);
+    let published = EfficientLodStrips::build(refinable, strips, Winding::Kept).unwrap();
+    follows_the_oracle(refinable, &published, stride);
+    let literal = EfficientLodStrips::build(refinable, strips, Winding::Lost).unwrap();
+    shows_the_triangles_of_the_oracle(refinable, &literal, stride);
+    follows_the_oracle(refinable, &LifetimeLodStrips::build(refinable, strips).unwrap(), stride);
+}
+
+/// To the letter of the paper, repetitions are removed without regard to winding: the triangles are those of
+/// the oracle, but may face the other way.
+fn shows_the_triangles_of_the_oracle(refinable: &RefinableMesh, model: &EfficientLodStrips, stride: usize) {
+    let unoriented = |triangles: &[[u32; 3]]| {
+        let mut triangles = triangles.to_vec();
+        triangles.iter_mut().for_each(|triangle| triangle.sort_unstable());
+        triangles.sort_unstable();
+        triangles
+    };
+    let mut state = model.new_state();
+    let down = (0..=model.step_count()).rev().step_by(stride);
+    for split_count in down.chain((0..=model.step_count()).step_by(stride)) {
+        model.move_to(&mut state, split_count);
+        let mut found = Vec::new();
+        model.triangles_into(&state, &mut found);
+        let expected = replay(refinable, split_count).triangles;
+        assert_eq!(unoriented(&found), unoriented(&expected), "at {split_count}");
+    }
 }
 
 fn all_follow(refinable: &RefinableMesh, stride: usize) {
     for stripifier in STRIPIFIERS {
-        both_follow(refinable, &strips_of(refinable, stripifier), stride);
+        models_follow(refinable, &strips_of(refinable, stripifier), stride);
     }
 }
 
@@ -98,7 +123,7 @@ fn strips_with_joints_and_degenerate_ends_are_used_unchanged() {
         strips.push(&strip);
         strips.push(&[0, 1]);
         strips.end_group();
-        both_follow(&refinable, &strips, 1);
+        models_follow(&refinable, &strips, 1);
     }
 }
 
@@ -154,6 +179,9 @@ fn strips_of_another_mesh_are_rejected() {
     let assert_rejected = |strips: &StripSet, expected: ModelError| {
         assert_eq!(OriginalLodStrips::build(&refinable, strips).unwrap_err(), expected);
         assert_eq!(SkipStrips::build(&refinable, strips).unwrap_err(), expected);
+        assert_eq!(LifetimeLodStrips::build(&refinable, strips).unwrap_err(), expected);
+        let published = EfficientLodStrips::build(&refinable, strips, Winding::Kept);
+        assert_eq!(published.unwrap_err(), expected);
     };
     let mut strips = StripSet::new();
     strips.push(&[0, 1, 2, 99]);
@@ -186,12 +214,16 @@ fn paper_bytes_of_a_small_model_match_manual_counts() {
     assert_eq!(skip.paper_bytes(Accounting::Words), 4 * ((1 + 4) + (4 * 4 + 1) + (3 * 4 + 1)));
     let both =
         |model: &dyn Fn(Accounting) -> usize| [Accounting::Words, Accounting::ShortIntegers].map(model);
-    let lod_strips = LodStrips::build(&refinable, &strips).unwrap();
+    let published = EfficientLodStrips::build(&refinable, &strips, Winding::Kept).unwrap();
     // Four Collapses, four indices, a number of strips, three integers and a slot of a RecordChange; three
     // pointers.
-    assert_eq!(strips.indices()[0], 3, "dropping the first index would flip the rest, so there is no resize");
+    assert_eq!(published.edit_counts(), [1, 0], "one index repeats nothing, so there is no resize");
     let integers = 4 + 4 + 1 + 3 + 1;
-    assert_eq!(both(&|a| lod_strips.paper_bytes(a)), [4 * (integers + 3), 2 * integers + 4 * 3]);
+    assert_eq!(both(&|a| published.paper_bytes(a)), [4 * (integers + 3), 2 * integers + 4 * 3]);
+    let lod_strips = LodStrips::build(&refinable, &strips).unwrap();
+    // Four indices, a target, two counts, a slot; pointers to a strip and a record.
+    assert_eq!(strips.indices()[0], 3, "dropping the first index would flip the rest");
+    assert_eq!(both(&|a| lod_strips.paper_bytes(a)), [4 * (8 + 2), 2 * 8 + 4 * 2]);
     let mts = Mts::build(&refinable, &strips).unwrap();
     // Four columns of two, a strip of two, a target; one change of a strip.
     let longs = 4 * 2 + 2 + 1;

@@ -311,7 +311,9 @@ fn parts_enclose_everything_below() {
         let base = sequence.base_vertex_count();
         for step in 0..model.step_count() {
             let part = model.part(step);
-            assert_eq!(part.error, sequence.error_at(step));
+            // Packing rounds up.
+            let error = sequence.error_at(step);
+            assert!(part.error >= error && part.error <= 1.005 * error + 1e-30);
             // Below a step are all vertices that collapse into the restored one, and the triangles around
             // them.
             let restored = (base + step) as u32;

@@ -4,7 +4,7 @@
 #[cfg(feature = "parallel")]
 pub(crate) fn map_in_parallel<T: Sync, R: Send>(items: &[T], run: impl Fn(&T) -> R + Sync) -> Vec<R> {
     use rayon::prelude::*;
-    items.par_iter().map(|item| run(item)).collect()
+    items.par_iter().map(&run).collect()
 }
 
 /// Results of a function for all items, in their order.

@@ -9,6 +9,9 @@ use striata_paged::build::{BuildError, BuildInput, BuildOptions, Plan, Simulatio
 use crate::errors::{Outcome, cancelled, decode_error, internal_error, os_error, read_error, value_error};
 use crate::job;
 
+/// Name, seconds and busy share of a stage.
+type SimulatedStage = (String, f64, f64);
+
 /// A plan on disk. It has no state of its own: every process that sees the folder may open it.
 #[pyclass(frozen, module = "striata._striata")]
 pub(crate) struct PlanData {
@@ -137,7 +140,7 @@ impl PlanData {
         workers: usize,
         failing_share: f64,
         seed: u64,
-    ) -> (f64, f64, usize, u64, Vec<(String, f64, f64)>) {
+    ) -> (f64, f64, usize, u64, Vec<SimulatedStage>) {
         let options = SimulationOptions { failing_share, seed, ..SimulationOptions::new(workers) };
         let found = self.plan.simulate(&options);
         let stages = found.stages.into_iter().map(|stage| (stage.name, stage.seconds, stage.busy_share));

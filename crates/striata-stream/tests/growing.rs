@@ -356,7 +356,7 @@ fn views_need_few_more_triangles_than_with_bounds_built_from_the_leaves() {
         let ordered = Ordered::new(built.unwrap().refinable);
         let sequence = &ordered.refinable.sequence;
         let fans = Fans::build(&ordered.refinable);
-        let scene = FanScene::new(&fans, &ordered.refinable);
+        let scene = FanScene::new(&fans, &ordered.refinable.mesh.positions);
         let whole = ordered.prefix(sequence.step_count());
         let (mut hierarchy, mut before) = (GrowingHierarchy::new(), ordered.prefix(0));
         for split_count in (0..sequence.step_count()).step_by(200).chain([sequence.step_count()]) {

@@ -8,7 +8,6 @@ use crate::cache::cheapest_for_cache;
 use crate::options::StripOptions;
 use crate::stripifier::Stripifier;
 use crate::task::{Budget, Limits, Reported, SpentFn, Task};
-use crate::tunnel::Identity;
 use crate::{cheapest, fewest, stripe, tunnel};
 
 /// Why no strips could be made.
@@ -96,12 +95,11 @@ fn run(
                 limits.report(now)
             })?;
         }
-        Stripifier::Stripe => stripe::run(&task, &mut links, &mut |now| limits.report(now))?,
-        Stripifier::Tunnel { max_length } => {
-            tunnel::run(&task, &mut links, max_length, Identity::Dynamic, &mut |moves| limits.spent(moves));
+        Stripifier::Stripe { has_patches, swaps } => {
+            stripe::run(&task, &mut links, (has_patches, swaps), &mut |now| limits.report(now))?;
         }
-        Stripifier::StaticTunnel { max_length } => {
-            tunnel::run(&task, &mut links, max_length, Identity::Static, &mut |moves| limits.spent(moves));
+        Stripifier::Tunnel { max_length } => {
+            tunnel::run(&task, &mut links, max_length, &mut |moves| limits.spent(moves));
         }
         Stripifier::Fewest => fewest::run(&task, &graph, &mut links, &mut |moves| limits.spent(moves)),
         Stripifier::Cheapest => cheapest::run(&task, &mut links, limits, &mut out)?,

@@ -8,7 +8,8 @@
 //!   existing strips and runs until the caller's budget is spent.
 //! * A [`StripOptions::cache_weight`] above 0 reorders strips for a vertex cache, or grows new strips for it.
 //! * [`strip_count_bound`] proves a lower bound for the number of strips.
-//! * [`LiveStrips`] follow a mesh between its levels of detail and are repaired at each step.
+//! * [`LiveStrips`] follow a mesh between its levels of detail and are repaired at each step. A
+//!   [`LiveStripBuffer`] is their index buffer, and says which ranges of it have changed.
 //! * [`stripify_blocks`] makes strips of meshes that do not fit into memory.
 //!
 //! ```
@@ -28,7 +29,7 @@
 //!
 //! | module | algorithm |
 //! | --- | --- |
-//! | `stripe` | the classic greedy walk that prefers neighbors with few free neighbors |
+//! | `stripe` | the classic greedy walk that prefers neighbors with few free neighbors; patches of quads |
 //! | `tunnel` | joins strip ends greedily, then along the shortest tunnels |
 //! | `fewest` | moves strip ends until they meet; proves how few strips are possible |
 //! | `cheapest` | simulated annealing of single links, then joins strips whose ends share a vertex |
@@ -61,8 +62,8 @@ pub use blocks::{
 pub use entry::{StripifyError, stripify, stripify_from, stripify_with_progress};
 pub use fewest::strip_count_bound;
 pub use options::StripOptions;
-pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
-pub use stripifier::{DEFAULT_TUNNEL_LENGTH, ParseStripifierError, Stripifier};
+pub use repair::{LiveStripBuffer, LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
+pub use stripifier::{DEFAULT_TUNNEL_LENGTH, ParseStripifierError, StripeSwaps, Stripifier};
 pub use task::SpentFn;
 
 /// The README's example, compiled with the documentation tests.

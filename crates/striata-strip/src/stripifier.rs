@@ -10,22 +10,35 @@ pub enum Stripifier {
     /// Best of three greedy walks from triangles with few free neighbors: fast, few indices.
     #[default]
     Greedy,
-    /// The classic local algorithm \[ESV96\]: to the neighbor with the fewest free neighbors. Few strips.
-    Stripe,
+    /// The classic STRIPE \[ESV96\]: to the neighbor with the fewest free neighbors. Few strips.
+    Stripe {
+        /// Whether patches of quadrilaterals are covered row by row first: the global algorithm.
+        has_patches: bool,
+        /// How swaps are weighed against isolated triangles.
+        swaps: StripeSwaps,
+    },
     /// Tunnelling with dynamic strip identities \[PS03\]: few strips.
     Tunnel {
         /// Length of the longest tunnel, in links: odd (an even number acts as the odd one below it).
-        max_length: u32,
-    },
-    /// Tunnelling with the strip identities from before each search \[Ste01\]: a baseline for `Tunnel`.
-    StaticTunnel {
-        /// Length of the longest tunnel, in links, as in [`Stripifier::Tunnel`].
         max_length: u32,
     },
     /// Random walks of strip ends until they meet: fewest strips.
     Fewest,
     /// Simulated annealing of single links, then joins strips that meet at a vertex: fewest indices.
     Cheapest,
+}
+
+/// How [`Stripifier::Stripe`] weighs swaps against isolated triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StripeSwaps {
+    /// Among equally isolated neighbors, to the one whose own neighbors are most isolated.
+    #[default]
+    Free,
+    /// Among equally isolated neighbors, to the one that needs no swap.
+    Few,
+    /// Strips end where they cannot go on without a swap.
+    Never,
 }
 
 /// Default length of the longest tunnel, in links: the length that \[PS03\] uses for the bunny.
@@ -35,9 +48,16 @@ impl fmt::Display for Stripifier {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Greedy => f.write_str("greedy"),
-            Self::Stripe => f.write_str("stripe"),
+            Self::Stripe { has_patches, swaps } => {
+                let patches = if *has_patches { ":global" } else { "" };
+                let swaps = match swaps {
+                    StripeSwaps::Free => "",
+                    StripeSwaps::Few => ":few-swaps",
+                    StripeSwaps::Never => ":no-swaps",
+                };
+                write!(f, "stripe{patches}{swaps}")
+            }
             Self::Tunnel { max_length } => write!(f, "tunnel:{max_length}"),
-            Self::StaticTunnel { max_length } => write!(f, "tunnel-static:{max_length}"),
             Self::Fewest => f.write_str("fewest"),
             Self::Cheapest => f.write_str("cheapest"),
         }
@@ -54,13 +74,14 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// Names of all stripifiers, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], tunnel-static[:MAX], fewest, cheapest";
+    pub const SPELLINGS: &'static str =
+        "greedy, stripe[:global][:few-swaps|:no-swaps], tunnel[:MAX], fewest, cheapest";
 
     /// Number of moves that the search makes per triangle of a mesh at effort 1.
     pub(crate) fn moves_per_triangle(self) -> f64 {
         match self {
             // These end without a budget.
-            Self::Greedy | Self::Stripe | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
+            Self::Greedy | Self::Stripe { .. } | Self::Tunnel { .. } => f64::INFINITY,
             Self::Fewest => 20.0,
             Self::Cheapest => 50.0,
         }
@@ -83,13 +104,28 @@ impl FromStr for Stripifier {
         };
         match name {
             "tunnel" => Ok(Self::Tunnel { max_length: max_length()? }),
-            "tunnel-static" => Ok(Self::StaticTunnel { max_length: max_length()? }),
+            "stripe" => parse_stripe(parameter).ok_or_else(wrong),
             _ if parameter.is_some() => Err(wrong()),
             "greedy" => Ok(Self::Greedy),
-            "stripe" => Ok(Self::Stripe),
             "fewest" => Ok(Self::Fewest),
             "cheapest" => Ok(Self::Cheapest),
             _ => Err(wrong()),
         }
     }
+}
+
+/// Parses the parameters of `stripe`: `global`, then one about swaps.
+fn parse_stripe(parameter: Option<&str>) -> Option<Stripifier> {
+    let mut words: Vec<&str> = parameter.into_iter().flat_map(|text| text.split(':')).collect();
+    let has_patches = words.first() == Some(&"global");
+    if has_patches {
+        words.remove(0);
+    }
+    let swaps = match words[..] {
+        [] => StripeSwaps::Free,
+        ["few-swaps"] => StripeSwaps::Few,
+        ["no-swaps"] => StripeSwaps::Never,
+        _ => return None,
+    };
+    Some(Stripifier::Stripe { has_patches, swaps })
 }

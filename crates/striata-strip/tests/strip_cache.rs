@@ -108,7 +108,7 @@ fn any_stripifier_works_and_equal_options_agree() {
 #[test]
 fn stripe_covers_degenerate_meshes() {
     for (name, mesh) in nasty() {
-        let options = StripOptions::default().with_stripifier(Stripifier::Stripe);
+        let options = StripOptions::default().with_stripifier("stripe".parse().unwrap());
         assert_covers(name, &mesh, &stripify(&mesh, &options).unwrap());
     }
 }

@@ -40,7 +40,7 @@ impl BuiltModel {
     }
 
     pub(crate) fn from_parts(refinable: RefinableMesh, fans: Fans) -> Self {
-        let sphere = FanScene::new(&fans, &refinable).sphere();
+        let sphere = FanScene::new(&fans, &refinable.mesh.positions).sphere();
         let last = LastShown::Uniform(refinable.sequence.step_count());
         let indices = FanIndices::default();
         Self { refinable, fans, sphere, front: None, last, indices }
@@ -173,7 +173,7 @@ impl Leveled for BuiltModel {
 
     fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
         let criterion = view.criterion()?.with_model_bounds(self.sphere);
-        let scene = FanScene::new(&self.fans, &self.refinable);
+        let scene = FanScene::new(&self.fans, &self.refinable.mesh.positions);
         let front = self.front.get_or_insert_with(|| FanFront::new(&scene));
         let update = match view.triangle_limit {
             0 => front.update(&scene, &criterion, usize::MAX),

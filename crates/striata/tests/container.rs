@@ -9,7 +9,9 @@ use striata::file::{
 use striata::mesh::{
     AttributeLayer, Image, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay,
 };
-use striata::model::{FanFront, FanScene, Fans, LodModel, LodStrips, ModelKind, Mts, StripModel};
+use striata::model::{
+    FanFront, FanScene, Fans, LodModel, LodStrips, ModelError, ModelKind, Mts, StageOptions, StripModel,
+};
 use striata::strip::{StripSet, stripify};
 use support::{
     ArbitraryCriterion, Random, RandomSequenceOptions, grid, hub_cases, nasty, nasty_cases, random_refinable,
@@ -55,9 +57,12 @@ fn full_featured_mesh() -> RefinableMesh {
     refinable
 }
 
+/// A model with several stages, unless the mesh is too small for them.
 fn model_of(refinable: &RefinableMesh) -> LodStrips<'static> {
     let strips = stripify(&refinable.mesh).unwrap();
-    LodStrips::build(refinable, &strips).unwrap()
+    let options = StageOptions::default().with_max_indices_per_triangle(1.2);
+    let stages = |level: &_| Ok::<_, ModelError>(stripify(level).unwrap());
+    LodStrips::build_staged(refinable, &strips, &options, stages).unwrap()
 }
 
 fn mts_of(refinable: &RefinableMesh) -> Mts<'static> {
@@ -114,7 +119,7 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
 /// Moves a front through several views: no triangle may have an inactive corner, and the triangle count
 /// must be right.
 fn check_random_states(refinable: &RefinableMesh, fans: &Fans) {
-    let scene = FanScene::new(fans, refinable);
+    let scene = FanScene::new(fans, &refinable.mesh.positions);
     let mut front = FanFront::new(&scene);
     for round in 0..6 {
         front.update(&scene, &ArbitraryCriterion(round * 7919), [usize::MAX, 4][round as usize % 2]);
@@ -130,7 +135,7 @@ fn check_random_states(refinable: &RefinableMesh, fans: &Fans) {
                 "vertex {vertex} is not active"
             );
         }
-        let level = front.instance().level(fans, refinable);
+        let level = front.instance().level(fans, &refinable.mesh);
         assert_eq!(level.check(), Ok(()));
     }
 }
@@ -157,7 +162,9 @@ fn all_parts_round_trip() {
     let found = file.refinable_mesh().unwrap();
     assert_same_mesh(&found.mesh, &refinable.mesh);
     assert_eq!(found.sequence, refinable.sequence);
-    assert_eq!(file.lod_strips().unwrap().unwrap(), model_of(&refinable));
+    let model = file.lod_strips().unwrap().unwrap();
+    assert!(model.stage_split_counts().count() > 2);
+    assert_eq!(model, model_of(&refinable));
     assert_eq!(file.mts().unwrap().unwrap(), mts_of(&refinable));
     assert_eq!(file.fans().unwrap().unwrap(), Fans::build(&refinable));
     assert_eq!(file.metadata().unwrap(), [("creator".to_owned(), "test".to_owned())]);
@@ -361,6 +368,37 @@ fn models_of_other_meshes_are_not_written() {
 }
 
 #[test]
+fn damaged_stages_are_rejected() {
+    let refinable = full_featured_mesh();
+    let model = model_of(&refinable);
+    let bytes = to_striata(&refinable, &[FileModel::LodStrips(&model)], &WriteOptions::default()).unwrap();
+    let section = |kind| {
+        let file = StriataFile::parse(&bytes).unwrap();
+        let found = file.sections().iter().find(|s| s.kind == kind).copied().unwrap();
+        found.offset as usize..(found.offset + found.bytes) as usize
+    };
+    let damaged = |at: usize, word: u32| {
+        let mut bytes = bytes.clone();
+        bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
+        with_valid_checksums(&mut bytes);
+        let file = StriataFile::parse(&bytes).unwrap();
+        file.lod_strips().unwrap().unwrap_err().to_string()
+    };
+    // Each row of the table has the split count and the number of strips of each of three groups.
+    let table = section(SectionKind::STAGES);
+    let step_count = refinable.sequence.step_count() as u32;
+    assert!(damaged(table.start, step_count).contains("above the full mesh"));
+    assert!(damaged(table.start + 4, 1 << 20).contains("few lengths"));
+    assert!(damaged(table.start + 8, u32::MAX).contains("too many strips"));
+    let lengths = section(SectionKind::STAGE_LENGTHS);
+    let message = damaged(lengths.start, u32::MAX);
+    assert!(message.contains("few indices") || message.contains("128"), "{message}");
+    let indices = section(SectionKind::STAGE_INDICES);
+    let message = damaged(indices.start, u32::MAX);
+    assert!(message.contains("vertex") || message.contains("record"), "{message}");
+}
+
+#[test]
 fn strips_are_stored_once_for_all_models() {
     let refinable = full_featured_mesh();
     let (model, mts) = (model_of(&refinable), mts_of(&refinable));
@@ -375,10 +413,10 @@ fn strips_are_stored_once_for_all_models() {
     let file = StriataFile::parse(&both).unwrap();
     let count = |kind| file.sections().iter().filter(|s| s.kind == kind).count();
     assert_eq!(
-        [count(SectionKind::STRIP_INDICES), count(SectionKind::LAST_CHANGES), count(SectionKind::RECORDS)],
+        [count(SectionKind::STRIP_INDICES), count(SectionKind::LIFETIMES), count(SectionKind::RECORDS)],
         [1; 3]
     );
-    assert_eq!(file.strips().unwrap().unwrap().indices(), file.mts().unwrap().unwrap().indices());
+    assert_eq!(file.strips().unwrap().unwrap().indices().len(), mts.slot_count());
 }
 
 proptest! {
@@ -429,7 +467,7 @@ proptest! {
 
     #[test]
     fn any_bytes_after_the_magic_are_rejected_or_read(tail in prop::collection::vec(any::<u8>(), 0..400)) {
-        let mut bytes = b"STRIATA\0\x01\0\0\0".to_vec();
+        let mut bytes = b"STRIATA\0\x02\0\0\0".to_vec();
         bytes.extend(tail);
         let _ = read_everything(&bytes);
         if bytes.len() >= 64 {

@@ -61,7 +61,7 @@ fn variant(criterion: ScreenError, kind: usize, sphere: Sphere) -> ScreenError {
 
 fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
     let fans = Fans::build(refinable);
-    let scene = FanScene::new(&fans, refinable);
+    let scene = FanScene::new(&fans, &refinable.mesh.positions);
     let mut walk = Walk::new(scene.sphere(), seed);
     let mut front = FanFront::new(&scene);
     let mut fresh = FanInstance::full(&fans);
@@ -94,7 +94,7 @@ fn most_active_steps_are_not_evaluated_again() {
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let refinable = built.unwrap().refinable;
     let fans = Fans::build(&refinable);
-    let scene = FanScene::new(&fans, &refinable);
+    let scene = FanScene::new(&fans, &refinable.mesh.positions);
     let mut front = FanFront::new(&scene);
     let (mut evaluated, mut active) = (0, 0);
     for frame in 0..200 {
@@ -115,7 +115,7 @@ fn most_active_steps_are_not_evaluated_again() {
 fn change_limits_hold_and_the_view_is_reached_eventually() {
     for case in surface_cases().chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
-        let scene = FanScene::new(&fans, &case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable.mesh.positions);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         for limit in [1, 2, 3, 7, 50] {
@@ -142,7 +142,7 @@ fn change_limits_hold_and_the_view_is_reached_eventually() {
 fn views_that_were_never_reached_leave_nothing_behind() {
     for case in surface_cases().chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
-        let scene = FanScene::new(&fans, &case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable.mesh.positions);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         let mut fresh = FanInstance::full(&fans);
@@ -162,7 +162,7 @@ fn views_that_were_never_reached_leave_nothing_behind() {
 fn an_arbitrary_criterion_yields_levels_without_cracks() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
-        let scene = FanScene::new(&fans, &case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable.mesh.positions);
         let mut front = FanFront::new(&scene);
         for round in 0..20 {
             front.update(&scene, &ArbitraryCriterion(round * 7919), [usize::MAX, 5][round as usize % 2]);
@@ -195,7 +195,7 @@ fn a_budget_is_spent_on_the_largest_weights() {
     let mut bound = 0;
     for case in surface_cases().chain(seam_cases()) {
         let fans = Fans::build(&case.refinable);
-        let scene = FanScene::new(&fans, &case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable.mesh.positions);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         let full = triangle_count(&fans, &FanInstance::full(&fans));
@@ -232,7 +232,7 @@ fn a_budget_is_spent_on_the_largest_weights() {
 fn budget_and_tolerance_updates_can_alternate() {
     for case in surface_cases() {
         let fans = Fans::build(&case.refinable);
-        let scene = FanScene::new(&fans, &case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable.mesh.positions);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         for round in 0..12 {
@@ -257,7 +257,7 @@ fn sphere_scene() -> RefinableMesh {
 fn a_pending_split_is_listed_once() {
     let refinable = sphere_scene();
     let fans = Fans::build(&refinable);
-    let scene = FanScene::new(&fans, &refinable);
+    let scene = FanScene::new(&fans, &refinable.mesh.positions);
     let mut front = FanFront::new(&scene);
     let all = |_: &Part| 2.0;
     front.update(&scene, &all, 3);
@@ -277,7 +277,7 @@ fn a_pending_split_is_listed_once() {
 fn a_long_journey_does_not_extend_verdicts() {
     let refinable = sphere_scene();
     let fans = Fans::build(&refinable);
-    let scene = FanScene::new(&fans, &refinable);
+    let scene = FanScene::new(&fans, &refinable.mesh.positions);
     let mut front = FanFront::new(&scene);
     let mut fresh = FanInstance::full(&fans);
     let see = |eye: [f32; 3]| {
@@ -297,7 +297,7 @@ fn a_long_journey_does_not_extend_verdicts() {
 
 fn changes_at_once(refinable: &RefinableMesh, pixels: f32, scale: f32) -> usize {
     let fans = Fans::build(refinable);
-    let scene = FanScene::new(&fans, refinable);
+    let scene = FanScene::new(&fans, &refinable.mesh.positions);
     let eye = [0.0, 0.0, 3.0 * scale];
     let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
     let criterion = ScreenError::new(camera, pixels).with_model_bounds(scene.sphere());
@@ -349,7 +349,7 @@ impl Criterion for Numberless {
 fn a_verdict_with_nan_validity_is_evaluated_again() {
     let case = surface_cases().next().unwrap();
     let fans = Fans::build(&case.refinable);
-    let scene = FanScene::new(&fans, &case.refinable);
+    let scene = FanScene::new(&fans, &case.refinable.mesh.positions);
     let mut front = FanFront::new(&scene);
     front.update(&scene, &Numberless(0.0), usize::MAX);
     assert_eq!(front.instance(), &FanInstance::uniform(&fans, 0));

@@ -6,8 +6,11 @@ use striata_testing::support;
 use std::ops::Range;
 
 use proptest::prelude::*;
-use striata::mesh::{RefinableMesh, canonical_triangles, replay};
-use striata::model::{LodModel, LodStrips, LodStripsState, ModelError, StoredModel, StripBuffer, StripModel};
+use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
+use striata::model::{
+    LodModel, LodStrips, LodStripsState, ModelError, StageOptions, StoredModel, StripBuffer, StripModel,
+};
+use striata::simplify::build_sequence;
 use striata::strip::{RESTART, StripSet, restart_triangles_into, stripify};
 use support::{
     Random, RandomSequenceOptions, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
@@ -17,6 +20,17 @@ use support::{
 fn build(refinable: &RefinableMesh) -> LodStrips<'static> {
     let strips = stripify(&refinable.mesh).unwrap();
     LodStrips::build(refinable, &strips).unwrap()
+}
+
+/// Builds stages wherever a level would need more than this many indices per triangle.
+fn build_staged(refinable: &RefinableMesh, limit: f64) -> LodStrips<'static> {
+    let strips = stripify(&refinable.mesh).unwrap();
+    let options = StageOptions::default().with_max_indices_per_triangle(limit);
+    LodStrips::build_staged(refinable, &strips, &options, stripify_level).unwrap()
+}
+
+fn stripify_level(level: &IndexedMesh) -> Result<StripSet, ModelError> {
+    Ok(stripify(level).unwrap())
 }
 
 /// A copy of the buffer as a renderer would keep it, receiving only changed ranges.
@@ -75,24 +89,30 @@ fn check_level(
     assert_eq!(canonical_triangles(&all), canonical_triangles(&level.triangles));
 }
 
-/// Moves down and up by `stride`, checks each level, and checks that moving up restores the original state.
+/// Checks models with one stage, with few, and with many.
 fn check_all_levels(refinable: &RefinableMesh, stride: usize) {
-    let model = build(refinable);
+    check_model(refinable, &build(refinable), stride);
+    check_model(refinable, &build_staged(refinable, 1.5), stride);
+    check_model(refinable, &build_staged(refinable, 0.0), stride);
+}
+
+/// Moves down and up by `stride`, checks each level, and checks that moving up restores the original state.
+fn check_model(refinable: &RefinableMesh, model: &LodStrips<'_>, stride: usize) {
     let full = model.new_state();
     let mut state = full.clone();
-    let buffer = StripBuffer::new(&model, &mut state);
+    let buffer = StripBuffer::new(model, &mut state);
     let mut uploaded = Uploaded { copy: buffer.indices().to_vec(), buffer };
     uploaded.buffer.take_changed_ranges();
     let step_count = model.step_count();
     let mut seen = Vec::new();
     for split_count in (0..=step_count).rev().step_by(stride) {
         model.move_to(&mut state, split_count);
-        check_level(refinable, &model, &mut state, &mut uploaded);
+        check_level(refinable, model, &mut state, &mut uploaded);
         seen.push(state.clone());
     }
     for expected in seen.into_iter().rev() {
         model.move_to(&mut state, expected.split_count());
-        check_level(refinable, &model, &mut state, &mut uploaded);
+        check_level(refinable, model, &mut state, &mut uploaded);
         for strip in 0..model.strip_count() {
             assert_eq!(model.strip(&state, strip), model.strip(&expected, strip));
         }
@@ -119,6 +139,60 @@ fn seams_and_groups_follow_the_oracle() {
 #[test]
 fn a_vertex_in_many_strips_makes_a_long_record() {
     hub_cases().for_each(|case| check_all_levels(&case.refinable, case.stride));
+}
+
+#[test]
+fn every_level_of_stages_stays_within_the_limit() {
+    let refinable = build_sequence(&shapes::torus(60, 40, 1.0, 0.4), &Default::default()).unwrap().refinable;
+    let step_count = refinable.sequence.step_count();
+    let model = build_staged(&refinable, 1.45);
+    let starts: Vec<usize> = model.stage_split_counts().collect();
+    assert!(starts.len() > 4 && starts[0] == step_count && starts.is_sorted_by(|a, b| a > b), "{starts:?}");
+    let single = build(&refinable);
+    assert_eq!(single.stage_split_counts().collect::<Vec<_>>(), [step_count]);
+    let (mut state, mut single_state) = (model.new_state(), single.new_state());
+    assert_eq!(state.bytes(), single_state.bytes(), "later stages take no memory at full detail");
+    for split_count in (0..=step_count).rev() {
+        let triangle_count = refinable.sequence.triangle_count_at(split_count);
+        model.move_to(&mut state, split_count);
+        single.move_to(&mut single_state, split_count);
+        let [staged, single] = [model.draw_counts(&state), single.draw_counts(&single_state)];
+        assert!(staged.index_count <= single.index_count, "at {split_count}");
+        // A handful of triangles need more in any case.
+        if triangle_count >= 60 {
+            let limit = 1.45 * triangle_count as f64;
+            assert!(staged.index_count as f64 <= limit, "{} of {triangle_count}", staged.index_count);
+        }
+        let stage = starts.partition_point(|&start| start >= split_count) - 1;
+        assert_eq!(state.stage(), stage, "at {split_count}");
+    }
+}
+
+#[test]
+fn errors_of_stripifiers_are_passed_on() {
+    let refinable = build_sequence(&shapes::torus(20, 20, 1.0, 0.4), &Default::default()).unwrap().refinable;
+    let strips = stripify(&refinable.mesh).unwrap();
+    let build = |stages: fn(&IndexedMesh) -> Result<StripSet, ModelError>| {
+        LodStrips::build_staged(&refinable, &strips, &StageOptions::default(), stages).unwrap_err()
+    };
+    let failure = ModelError::Strip { strip: 7, reason: "failed" };
+    assert_eq!(build(|_| Err(ModelError::Strip { strip: 7, reason: "failed" })), failure);
+    let error = build(|_| Ok(StripSet::new()));
+    assert_eq!(error, ModelError::GroupCount { found: 0, expected: 1 });
+    let error = build(|level| {
+        let mut strips = stripify(level).unwrap();
+        strips.push(&[0, 1, 2]);
+        strips.end_group();
+        Ok(strips)
+    });
+    assert_eq!(error, ModelError::GroupCount { found: 2, expected: 1 });
+    let error = build(|_| {
+        let mut strips = StripSet::new();
+        strips.push(&[0, 1, 2]);
+        strips.end_group();
+        Ok(strips)
+    });
+    assert!(matches!(error, ModelError::TriangleCount { group: 0, found: 1, .. }), "{error:?}");
 }
 
 #[test]
@@ -154,7 +228,7 @@ proptest! {
     ) {
         let sequence_options = RandomSequenceOptions { far_percent: 3, base_position_count: 4 };
         let refinable = random_refinable(&grid(16, true), sequence_options, &mut Random::new(seed));
-        let model = build(&refinable);
+        let model = if seed % 2 == 0 { build(&refinable) } else { build_staged(&refinable, 1.4) };
         let mut state = model.new_state();
         let buffer = StripBuffer::new(&model, &mut state);
         let mut uploaded = Uploaded { copy: buffer.indices().to_vec(), buffer };

@@ -33,7 +33,8 @@ fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
     let models = [FileModel::Patterns(&patterns)];
     let with_collapses = to_striata(refinable, &models, &WriteOptions::default()).unwrap();
     let mut alone = Vec::new();
-    write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut alone).unwrap();
+    write_fragments(&fragmented, &[FileModel::Patterns(&patterns)], &WriteOptions::default(), &mut alone)
+        .unwrap();
     [with_collapses, alone]
 }
 
@@ -192,22 +193,6 @@ fn damaged_numbers_never_yield_inconsistent_patterns() {
 }
 
 #[test]
-fn patterns_of_an_earlier_form_are_refused() {
-    let sequence_options = RandomSequenceOptions { far_percent: 10, base_position_count: 4 };
-    let refinable = random_refinable(&grid(5, false), sequence_options, &mut Random::new(5));
-    for mut bytes in both_files(&refinable) {
-        let old = bytes.windows(4).position(|name| name == b"PARC").expect("the file has patterns");
-        bytes[old..old + 4].copy_from_slice(b"PTRC");
-        with_valid_checksums(&mut bytes);
-        let file = StriataFile::parse(&bytes).unwrap();
-        assert_eq!(file.patterns().unwrap().unwrap_err(), DecodeError::OldPatterns);
-        assert_eq!(file.mesh().unwrap_err(), DecodeError::OldPatterns);
-        assert_eq!(file.level(3).unwrap_err(), DecodeError::OldPatterns);
-        assert_eq!(file.levels().is_err(), !file.has_collapses());
-    }
-}
-
-#[test]
 fn patterns_with_too_many_triangles_are_not_written() {
     let face = |corners: [u32; 3]| Face { corners, group: 0 };
     let base = vec![face([0, 1, 2])];
@@ -221,7 +206,12 @@ fn patterns_with_too_many_triangles_are_not_written() {
         let fragmented = FragmentedMesh { mesh, fragments: fragments.unwrap() };
         let patterns = Patterns::build(&fragmented).unwrap();
         let mut out = Vec::new();
-        let written = write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut out);
+        let written = write_fragments(
+            &fragmented,
+            &[FileModel::Patterns(&patterns)],
+            &WriteOptions::default(),
+            &mut out,
+        );
         assert_eq!(written.is_ok(), is_stored, "{count}: {written:?}");
     }
 }

@@ -4,7 +4,7 @@
 use striata_testing::support;
 
 use proptest::prelude::*;
-use striata::file::{StriataFile, WriteOptions, write_fragments};
+use striata::file::{FileModel, StriataFile, WriteOptions, write_fragments};
 use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
     canonical_triangles, fragment_faces, shapes,
@@ -276,7 +276,7 @@ fn a_box_shows_full_detail() {
 fn errors_of_overlaps_cover_their_faces() {
     let (mut by_overlap, mut by_fragment) = (0, 0);
     let collapsed = build_sequence(&shapes::terrain(24, 3), &SequenceOptions::default()).unwrap();
-    let removed = random_removals(&shapes::torus(18, 12, 2.0, 0.7), usize::MAX, &mut Random::new(8));
+    let removed = random_removals(&shapes::torus(18, 12, 2.0, 0.7), usize::MAX, &mut support::Random::new(8));
     for mesh in [FragmentedMesh::from_collapses(&collapsed.refinable), removed] {
         let CertifiedFaces { fragmented, face_errors } = certify_faces(&mesh);
         let fragments = &fragmented.fragments;
@@ -299,7 +299,8 @@ fn errors_of_overlaps_cover_their_faces() {
             by_fragment += other.triangle_count();
         }
         let mut bytes = Vec::new();
-        write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut bytes).unwrap();
+        write_fragments(&fragmented, &[FileModel::Patterns(&patterns)], &WriteOptions::default(), &mut bytes)
+            .unwrap();
         assert_eq!(StriataFile::parse(&bytes).unwrap().patterns().unwrap().unwrap(), patterns);
         let missing = Patterns::build_with_overlap_errors(&fragmented, &face_errors[1..]);
         assert!(matches!(missing, Err(ModelError::Length { .. })));

@@ -4,7 +4,7 @@
 use striata_testing::meshes;
 use striata_testing::support;
 
-use striata::file::{StriataFile, WriteOptions, write_fragments};
+use striata::file::{FileModel, StriataFile, WriteOptions, write_fragments};
 use striata::mesh::{
     DistanceOptions, IndexedMesh, canonical_triangles, replay, replay_fragments, shapes, surface_distance,
     weld,
@@ -115,7 +115,7 @@ fn levels_are_closer_than_those_of_half_edge_collapses() {
 fn an_error_limit_leaves_out_coarser_levels() {
     let mesh = shapes::torus(24, 16, 2.0, 0.7);
     for collapse in KINDS {
-        let sequence = SequenceOptions::default().with_max_error(Some(0.02 * mesh.diagonal()));
+        let sequence = SequenceOptions::default().with_max_error(0.02 * mesh.diagonal());
         let options = PlacedOptions::default().with_collapse(collapse).with_sequence(sequence);
         let built = build_placed_fragments(&mesh, &options).unwrap();
         let levels = built.fragmented.fragments.levels();
@@ -150,7 +150,13 @@ fn files_contain_new_vertices() {
             let BuiltPlaced { fragmented, .. } = build(&mesh, collapse);
             let patterns = Patterns::build(&fragmented).unwrap();
             let mut bytes = Vec::new();
-            write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut bytes).unwrap();
+            write_fragments(
+                &fragmented,
+                &[FileModel::Patterns(&patterns)],
+                &WriteOptions::default(),
+                &mut bytes,
+            )
+            .unwrap();
             let file = StriataFile::parse(&bytes).unwrap();
             assert!(!file.has_collapses());
             assert_eq!(file.patterns().unwrap().unwrap(), patterns);

@@ -27,8 +27,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         .filter(|(_, mesh)| mesh.check().is_ok() && mesh.triangle_count() < 100)
         .collect();
     for (i, (_, mesh)) in meshes.iter().enumerate() {
-        write_formats(i, mesh, &folder("read_bytes")?)?;
-        write_formats(i, mesh, &folder("pieces")?)?;
+        // The first three names are the same in all targets.
+        for target in ["read_bytes", "pieces", "triangle_blocks"] {
+            write_formats(i, mesh, &folder(target)?)?;
+        }
         let folder_of_files = folder("striata_file")?;
         for (name, bytes) in containers(mesh)? {
             fs::write(folder_of_files.join(format!("{i}-{name}.striata")), bytes)?;
@@ -118,7 +120,7 @@ fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
     let fragmented = FragmentedMesh::from_collapses(&refinable);
     let patterns = Patterns::build(&fragmented)?;
     let mut fragments = Vec::new();
-    write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut fragments)?;
+    write_fragments(&fragmented, &[FileModel::Patterns(&patterns)], &WriteOptions::default(), &mut fragments)?;
     Ok([
         ("strips", written(&strips)?),
         ("fans", written(&[FileModel::Fans(&fans)])?),

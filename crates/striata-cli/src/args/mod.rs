@@ -8,7 +8,7 @@ mod strips;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use striata::model::ModelKind;
+use striata::model::{ModelKind, StageOptions};
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
 use striata_command::args::{
@@ -151,6 +151,10 @@ pub(crate) struct BuildArgs {
         help_heading = STRIPS,
     )]
     pub(crate) strips: Option<StripChain>,
+    /// For lodstrips: make new strips for levels that would need more indices per triangle, for example 1.45
+    /// [default: edit the strips of the full mesh at all levels]
+    #[arg(long, value_name = "INDICES", value_parser = parse_strip_limit, help_heading = STRIPS)]
+    pub(crate) max_strip_indices: Option<f64>,
     /// Options of stripifiers that search.
     #[command(flatten)]
     pub(crate) search: StripSearchArgs,
@@ -392,6 +396,14 @@ pub(crate) enum PlacementArg {
     Optimal,
 }
 
+/// Parses the limit of indices per triangle. Below 1.2 strips are made again and again without meeting it.
+fn parse_strip_limit(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(limit) if limit.is_finite() && limit >= 1.2 => Ok(limit),
+        _ => Err("must be a number, 1.2 or more".to_owned()),
+    }
+}
+
 impl BuildArgs {
     /// Returns the plan for the strips of the full mesh.
     pub(crate) fn strip_plan(&self) -> StripPlan {
@@ -399,9 +411,19 @@ impl BuildArgs {
         StripPlan { chain, search: self.search }
     }
 
+    /// Returns when LodStrips begin a stage with new strips.
+    pub(crate) fn stages(&self) -> StageOptions {
+        let single = StageOptions::single();
+        self.max_strip_indices.map_or(single, |limit| single.with_max_indices_per_triangle(limit))
+    }
+
     /// Returns the first given flag that has no effect without strips.
     pub(crate) fn strip_flag(&self) -> Option<&'static str> {
-        let flags = [("--strips", self.strips.is_some()), ("--budget", self.search.budget.is_some())];
+        let flags = [
+            ("--strips", self.strips.is_some()),
+            ("--budget", self.search.budget.is_some()),
+            ("--max-strip-indices", self.max_strip_indices.is_some()),
+        ];
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
     }
 

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use striata_command::args::{FormatArg, FormatArgs, GltfArgs, STRIPS, StripSearchArgs, strips_help};
+use striata_command::args::{FormatArg, FormatArgs, GltfArgs, Level, STRIPS, StripSearchArgs, strips_help};
 use striata_command::failure::Failure;
 use striata_command::strip_chain::{StripChain, StripPlan};
-use striata_strip::{StripOptions, Stripifier};
+use striata_strip::{RepairGoal, RepairOptions, StripOptions, Stripifier};
 
 /// Default stripifier of `strip`.
 const DEFAULT_STRIPS: Stripifier = Stripifier::Cheapest;
@@ -14,8 +14,8 @@ const DEFAULT_STRIPS: Stripifier = Stripifier::Cheapest;
 /// Arguments of `strip`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
-    striata strip shape:torus\n  \
-    striata strip scan.ply -o scan.glb --strips greedy+cheapest --budget 10")]
+    striata strip scan.ply -o scan.glb --strips greedy+cheapest --budget 10\n  \
+    striata strip scan.striata --levels 100%,25%,5%,100%")]
 pub(crate) struct StripArgs {
     /// Mesh or .striata file (its full mesh) to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
@@ -29,10 +29,13 @@ pub(crate) struct StripArgs {
     /// Merge equal vertices first, as `build` does; strips cross only edges whose vertices are shared
     #[arg(long)]
     pub(crate) weld: bool,
-    /// Process a mesh that does not fit into memory, in blocks of at most N triangles; binary .ply to .ply or
-    /// .glb
+    /// Process a mesh that does not fit into memory, in blocks of at most N triangles: .ply, .stl, .obj and
+    /// terrains to .ply or .glb
     #[arg(long, value_name = "N", value_parser = parse_block_triangles)]
     pub(crate) block_triangles: Option<usize>,
+    /// Strips that follow the level of detail.
+    #[command(flatten)]
+    pub(crate) levels: StripLevelArgs,
     /// Stripifiers to run.
     #[arg(
         long,
@@ -45,6 +48,69 @@ pub(crate) struct StripArgs {
     /// Options of stripifiers that search.
     #[command(flatten)]
     pub(crate) search: StripSearchArgs,
+}
+
+/// Strips that are made once and repaired while the level of detail changes.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Levels")]
+pub(crate) struct StripLevelArgs {
+    /// Make strips for the first of these levels, then move to the others in this order and repair the strips:
+    /// 100%,25%,100%; {} in the output name becomes the level
+    #[arg(
+        long,
+        value_name = "N|P%,...",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        conflicts_with = "block_triangles"
+    )]
+    pub(crate) levels: Option<Vec<Level>>,
+    /// Reach each level in N moves, after each of which only the changed ranges of the index buffer are uploaded
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 60,
+        requires = "levels",
+        value_parser = clap::value_parser!(u32).range(1..=100_000)
+    )]
+    pub(crate) frames: u32,
+    /// What repair minimizes: indices or strips
+    #[arg(
+        long,
+        value_name = "GOAL",
+        default_value = "indices",
+        requires = "levels",
+        hide_possible_values = true
+    )]
+    pub(crate) repair: RepairArg,
+}
+
+/// What repair of strips minimizes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RepairArg {
+    /// The number of indices
+    Indices,
+    /// The number of strips
+    Strips,
+}
+
+impl RepairArg {
+    /// Returns the name on the command line.
+    pub(crate) const fn as_str(self) -> &'static str {
+        match self {
+            Self::Indices => "indices",
+            Self::Strips => "strips",
+        }
+    }
+}
+
+impl StripLevelArgs {
+    /// Returns the options of repair.
+    pub(crate) fn repair_options(&self) -> RepairOptions {
+        RepairOptions::default().with_goal(match self.repair {
+            RepairArg::Indices => RepairGoal::FewestIndices,
+            RepairArg::Strips => RepairGoal::FewestStrips,
+        })
+    }
 }
 
 /// A format that strips can be written in.

@@ -15,6 +15,7 @@ mod scene;
 mod simplify;
 mod strip;
 mod strip_blocks;
+mod strip_levels;
 
 use crate::args::{Cli, Verb};
 use striata_command::failure::Failure;

@@ -7,7 +7,7 @@ use serde::Serialize;
 use striata::mesh::weld;
 use striata_io::Format;
 
-use super::strip_blocks;
+use super::{strip_blocks, strip_levels};
 use crate::args::StripArgs;
 use crate::strip_lists::StripLists;
 use striata_command::args::FormatArgs;
@@ -39,9 +39,12 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     if let Some(block_triangles) = args.block_triangles {
         return strip_blocks::run(args, block_triangles, output);
     }
+    if let Some(levels) = &args.levels.levels {
+        return strip_levels::run(args, levels, output);
+    }
     let started = Instant::now();
     let format = args.format();
-    check_output(args, &format, output)?;
+    args.output.iter().try_for_each(|path| check_output(path, &format, output))?;
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
@@ -113,8 +116,7 @@ impl Report {
 ///
 /// # Errors
 /// If its format has no strips, or stdout would have to take both the output and the report.
-fn check_output(args: &StripArgs, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
-    let Some(path) = &args.output else { return Ok(()) };
+pub(super) fn check_output(path: &Path, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, format)?;
     let instead = match format {

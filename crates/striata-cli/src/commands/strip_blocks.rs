@@ -7,6 +7,7 @@ use serde::Serialize;
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteError};
 use striata_strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks_with_progress};
 
+use super::paged::{is_generated, open_generated};
 use crate::args::StripArgs;
 use striata_command::clock::peak_rss_bytes;
 use striata_command::failure::Failure;
@@ -57,7 +58,12 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
     let scratch = scratch_folder(args.output.as_deref());
     let mut bar = output.bar();
     bar.phase("read");
-    let mut blocks = TriangleBlocks::open(&args.input, block_triangles, &scratch)?;
+    let mut blocks = if is_generated(&args.input) {
+        TriangleBlocks::of_pieces(&*open_generated(&args.input)?, block_triangles, &scratch)?
+    } else {
+        TriangleBlocks::open(&args.input, block_triangles, &scratch)?
+    };
+    blocks.warnings().iter().for_each(|warning| output.say(&format!("warning: {warning}")));
     let read_secs = started.elapsed().as_secs_f64();
     let mut spool = format.map(|format| StripSpool::new(format, &scratch)).transpose()?;
     let mut write = |_: u32, strip: &[u32]| match &mut spool {
@@ -99,18 +105,18 @@ fn check_files(args: &StripArgs) -> Result<Option<Format>, Failure> {
         return Err(Failure::user("--weld needs the whole mesh in memory")
             .with_hint("remove --weld or --block-triangles"));
     }
-    if Shape::from_input_name(&args.input)?.is_some() {
+    if !is_generated(&args.input) && Shape::from_input_name(&args.input)?.is_some() {
         return Err(Failure::user(format!(
             "{}: --block-triangles needs an input file",
             args.input.display()
         ))
-        .with_hint("write a file first: striata convert SHAPE OUT.ply"));
+        .with_hint("use shape:terrain:N, or write a file first: striata convert SHAPE OUT.ply"));
     }
     if is_stdout(&args.input) {
         return Err(Failure::user(
             "stdin: --block-triangles needs an input file, which it reads several times",
         )
-        .with_hint("name a binary .ply file"));
+        .with_hint("name a .ply, .stl, .obj, .off or .glb file"));
     }
     let Some(path) = &args.output else { return Ok(None) };
     if is_stdout(path) {

@@ -21,6 +21,7 @@ mod seams;
 mod serve;
 mod streams;
 mod strip_blocks;
+mod strip_levels;
 mod strips;
 mod verbs;
 #[cfg(feature = "window")]

@@ -182,9 +182,9 @@ fn models_that_need_collapses_switch_the_retriangulation() {
     assert!(!stderr.contains("which model lodstrips"), "{stderr}");
     assert_eq!(bench.read("it.striata"), bench.read("same.striata"));
     let message =
-        bench.refused("build sphere.obj -o x.striata --order hausdorff --retriangulation free --models fans");
+        bench.refused("build sphere.obj -o x.striata --order hausdorff --retriangulation free --models mts");
     assert!(
-        message.contains("model fans does not support free retriangulation")
+        message.contains("model mts does not support free retriangulation")
             && message.contains(
                 "hint: \
             remove --retriangulation"

@@ -88,15 +88,16 @@ fn a_file_of_removed_vertices_needs_no_collapses() {
         let message = bench.refused(&format!("extract free.striata -o x.ply --detail 1 --model {model}"));
         assert!(message.contains(&format!("this file has no model {model}")), "{message}");
     }
-    let message = bench.refused("extract free.striata -o x.ply --eye 0,0,3 --model fans");
-    assert!(
-        message.contains("free.striata: fans require collapses") && message.contains("--model patterns"),
-        "{message}"
-    );
-    // Other models need collapses; patterns in the same file then use these.
+    // Fans can be built from patterns.
+    let view = "--eye 0,0,3 --pixels 20 --model fans";
+    assert_eq!(bench.json(&format!("extract free.striata -o x.ply {view}"))["fans"], "built");
     let both =
         bench.run("build sphere.obj -o both.striata --order hausdorff --models patterns,fans").success();
-    assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("which model fans requires"));
+    assert!(!String::from_utf8_lossy(&both.get_output().stderr).contains("requires"));
+    let stored = bench.json(&format!("extract both.striata -o y.ply {view}"));
+    assert_eq!(stored["fans"], "stored");
+    assert!((1..512).contains(&count(&stored)), "{stored}");
+    assert_eq!(bench.read("x.ply"), bench.read("y.ply"));
     let message = bench.refused(
         "build sphere.obj -o x.striata --order hausdorff --retriangulation free --models patterns,mts",
     );
@@ -105,6 +106,33 @@ fn a_file_of_removed_vertices_needs_no_collapses() {
     bench
         .json("build sphere.obj -o x.striata --order hausdorff --retriangulation collapse --models patterns");
     assert_eq!(bench.json("extract x.striata -o x.ply --eye 0,0,3 --model fans")["fans"], "built");
+}
+
+/// Files with fans of removals that are not collapses, without patterns.
+#[test]
+fn fans_of_removals_are_levels_and_views() {
+    let bench = Workbench::with_ball();
+    let assert = bench.run("build sphere.obj -o free.striata --order hausdorff --models fans").success();
+    assert!(!String::from_utf8_lossy(&assert.get_output().stderr).contains("collapse"));
+    let info = bench.json("info free.striata");
+    assert_eq!(info["triangle_count"], 512);
+    bench.run("build sphere.obj -o patterns.striata --order hausdorff --models patterns --quiet").success();
+    for level in ["--triangles 100", "--detail 0", "--error 2%", "--split-count 99"] {
+        let [fans, patterns] = ["free", "patterns"]
+            .map(|name| bench.json(&format!("extract {name}.striata -o {name}.ply {level}")));
+        for key in ["triangle_count", "error", "split_count"] {
+            assert_eq!(fans[key], patterns[key], "{key} at {level}");
+        }
+        assert!(distance(&bench, "patterns.ply", "free.ply") < 1e-9, "{level}");
+    }
+    let view = bench.json("extract free.striata -o seen.ply --eye 0,0,3 --pixels 20");
+    assert_eq!((&view["model"], &view["fans"]), (&"fans".into(), &"stored".into()));
+    let whole = bench.json("extract free.striata -o whole.ply --detail 1");
+    assert!(count(&view) > 0 && count(&view) < count(&whole));
+    bench.run("render free.striata -o view.png --eye 0,0,3 --pixels 20 --size 200x200 --quiet").success();
+    bench.run("build free.striata -o strips.striata --quiet").success();
+    let message = bench.refused("extract free.striata -o x.ply --detail 1 --model lodstrips");
+    assert!(message.contains("this file has no model lodstrips"), "{message}");
 }
 
 #[test]

@@ -73,6 +73,27 @@ fn blocks_write_the_mesh_that_they_read() {
 }
 
 #[test]
+fn blocks_of_every_streamed_format_are_the_same_mesh() {
+    let bench = with_sphere();
+    let plain = bench.json("strip sphere.ply --block-triangles 200");
+    bench.run("convert sphere.ply text.ply --ascii --quiet").success();
+    bench.run("convert sphere.ply ball.stl --quiet").success();
+    for output in ["ball.ply.zst", "ball.off", "ball.glb", "ball.gltf"] {
+        bench.run(&format!("convert sphere.ply {output} --quiet")).success();
+    }
+    for input in ["text.ply", "sphere.obj", "ball.stl", "ball.ply.zst", "ball.off", "ball.glb", "ball.gltf"] {
+        let report = bench.json(&format!("strip {input} --block-triangles 200 -o strips.ply"));
+        for key in ["triangle_count", "block_count", "vertex_count"] {
+            assert_eq!(count(&report, key), count(&plain, key), "{input}: {key}");
+        }
+        let back = mesh(&bench, "strips.ply");
+        assert_eq!(back.triangle_count(), mesh(&bench, "sphere.ply").triangle_count(), "{input}");
+    }
+    let report = bench.json("strip shape:terrain:300 --block-triangles 20000");
+    assert_eq!((count(&report, "vertex_count"), count(&report, "triangle_count")), (90_000, 2 * 299 * 299));
+}
+
+#[test]
 fn without_an_output_blocks_are_only_reported() {
     let bench = with_sphere();
     let before = bench.names();
@@ -87,12 +108,16 @@ fn without_an_output_blocks_are_only_reported() {
 #[test]
 fn unsupported_options_of_blocks_are_refused_with_a_hint() {
     let bench = with_sphere();
+    bench.write("ball.striata", b"STRIATA\0 and more");
     for (arguments, message) in [
-        ("strip sphere.obj --block-triangles 500", "only binary PLY files are read block by block"),
-        ("strip sphere.obj --block-triangles 500", "`striata convert IN OUT.ply`"),
+        ("strip ball.striata --block-triangles 500", "cannot be read block by block"),
+        ("strip ball.striata --block-triangles 500", "`striata convert IN OUT.ply`"),
+        ("strip shape:torus --block-triangles 500", "hint: use shape:terrain:N, or write a file first"),
+        ("strip shape:terrain:x --block-triangles 500", "shape:terrain:SAMPLES_PER_SIDE"),
+        ("strip sphere.ply --block-triangles 500 --levels 50%", "cannot be used with"),
         ("strip sphere.ply --block-triangles 500 -o s.obj", "hint: write .glb or .ply"),
         ("strip sphere.ply --block-triangles 500 -o -", "hint: name an output file"),
-        ("strip - --block-triangles 500", "hint: name a binary .ply file"),
+        ("strip - --block-triangles 500", "hint: name a .ply, .stl, .obj, .off or .glb file"),
         ("strip sphere.ply --block-triangles 500 --weld", "hint: remove --weld"),
         ("strip sphere.ply --block-triangles 500 --budget 1", "hint: remove --budget"),
         (

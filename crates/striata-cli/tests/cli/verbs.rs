@@ -71,7 +71,7 @@ fn every_model_of_a_file_shows_the_same_levels() {
     let report = bench.json("build sphere.obj -o both.striata --models lodstrips,mts");
     assert_keys(&report, &["models.lodstrips.bytes", "models.mts.bytes", "models.mts.bytes_per_vertex"]);
     let info = bench.json("info both.striata");
-    assert_keys(&info, &["models.lodstrips.parts", "models.mts.parts.breaks", "models.mts.strip_count"]);
+    assert_keys(&info, &["models.lodstrips.parts", "models.mts.parts.lifetimes", "models.mts.strip_count"]);
     for detail in ["0", "0.3", "1"] {
         for form in ["list", "strips"] {
             let extract = |model: &str| {
@@ -92,6 +92,28 @@ fn every_model_of_a_file_shows_the_same_levels() {
     // Names may have spaces after commas.
     bench.command("build sphere.obj -o blank.striata --models").arg("lodstrips, mts").assert().success();
     assert_eq!(bench.read("blank.striata"), bench.read("both.striata"));
+}
+
+#[test]
+fn lod_strips_have_new_strips_for_coarse_levels() {
+    let bench = Workbench::with_ball();
+    let later_strips = |flags: &str| {
+        let built = bench.json(&format!("build sphere.obj -o staged.striata {flags}"));
+        let parts = &bench.json("info staged.striata")["models"]["lodstrips"]["parts"];
+        let area = |detail: &str| {
+            bench.json(&format!("extract staged.striata -o x.glb --as strips --detail {detail}"));
+            bench.json("info x.glb")["area"].as_f64().expect("a number")
+        };
+        let bytes = built["models"]["lodstrips"]["bytes"].as_u64().expect("a number");
+        (parts["strips of later stages"].as_u64().expect("a number"), bytes, [area("0.6"), area("0.1")])
+    };
+    let [single, staged] = ["", "--max-strip-indices 1.45"].map(later_strips);
+    assert_eq!(single.0, 0);
+    assert!(staged.0 > 0 && staged.1 > single.1, "{staged:?} {single:?}");
+    assert!(std::iter::zip(single.2, staged.2).all(|(a, b)| (a - b).abs() <= 1e-9 * a));
+    bench.refused("build sphere.obj -o x.striata --max-strip-indices 1.1");
+    let text = bench.refused("build sphere.obj -o x.striata --models fans --max-strip-indices 1.5");
+    assert!(text.contains("hint: add --models lodstrips"), "{text}");
 }
 
 #[test]

@@ -4,8 +4,9 @@
 //! previous one of its slot, which is written back if it was changed. Vertices that are close in space are
 //! usually close in the file, so most accesses hit a cached page.
 
-use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
+
+use crate::file_view::FileView;
 
 const PAGE_BYTES: usize = 1 << 14;
 /// Number of cached pages: 8 MiB in memory.
@@ -14,7 +15,7 @@ const SLOT_COUNT: usize = 512;
 /// Part of a file, accessed through cached pages.
 #[derive(Debug)]
 pub(super) struct PagedFile {
-    file: File,
+    file: FileView,
     /// Offset of the first page in the file.
     start: u64,
     bytes: u64,
@@ -31,7 +32,7 @@ struct Page {
 
 impl PagedFile {
     /// Opens the part of a file that starts at `start` and is `bytes` long.
-    pub(super) fn new(file: File, start: u64, bytes: u64) -> Self {
+    pub(super) fn new(file: FileView, start: u64, bytes: u64) -> Self {
         let page_count = bytes.div_ceil(PAGE_BYTES as u64).clamp(1, SLOT_COUNT as u64);
         Self { file, start, bytes, pages: vec![Page::default(); page_count as usize] }
     }
@@ -99,6 +100,8 @@ impl PagedFile {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
 
     #[test]
@@ -107,7 +110,7 @@ mod tests {
         // Three times what fits into the cache, and half a page.
         let count = (3 * SLOT_COUNT * PAGE_BYTES + PAGE_BYTES / 2) as u32 / 4;
         file.set_len(u64::from(count) * 4).unwrap();
-        let mut paged = PagedFile::new(file, 0, u64::from(count) * 4);
+        let mut paged = PagedFile::new(FileView::new(Arc::new(file)), 0, u64::from(count) * 4);
         let step = PAGE_BYTES as u32 / 4 + 7;
         for index in (0..count).step_by(step as usize) {
             paged.write_u32(index, index ^ 0x5555).unwrap();
@@ -124,7 +127,7 @@ mod tests {
         let mut file = tempfile::tempfile().unwrap();
         let bytes: Vec<u8> = (0..2 * PAGE_BYTES + 9).map(|i| (i * 7 % 251) as u8).collect();
         file.write_all(&bytes).unwrap();
-        let mut paged = PagedFile::new(file, 5, bytes.len() as u64 - 5);
+        let mut paged = PagedFile::new(FileView::new(Arc::new(file)), 5, bytes.len() as u64 - 5);
         let mut out = [0; 12];
         paged.read(PAGE_BYTES as u64 - 3, &mut out).unwrap();
         assert_eq!(out, bytes[PAGE_BYTES + 2..PAGE_BYTES + 14]);

@@ -1,23 +1,28 @@
-//! Triangles of a PLY file, block by block.
+//! Triangles of a file, block by block.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
+use std::sync::Arc;
 
 use striata::mesh::Bounds;
 use striata_strip::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
 
+use super::binary_ply::BinaryPly;
 use super::paged::PagedFile;
 use super::scratch::ScratchFolder;
 use super::sorter::{Record, SortedRecords, Sorter};
 use crate::ReadError;
 use crate::error::{Fault, Place};
+use crate::file_view::FileView;
+use crate::pieces::PieceSource;
 use crate::ply::PlyStream;
 
-/// Binary PLY file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
+/// Mesh of a file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
 #[derive(Debug)]
 pub struct TriangleBlocks {
     pub(super) stream: PlyStream,
+    warnings: Vec<String>,
     scratch: ScratchFolder,
     /// Corners of all triangles, block by block.
     triangles: File,
@@ -31,21 +36,47 @@ pub struct TriangleBlocks {
 const TRIANGLE_BYTES: usize = 12;
 
 impl TriangleBlocks {
-    /// Cuts the mesh of a file into blocks of at most `block_triangles` triangles (at least one). Temporary
-    /// files are created in the folder `scratch`.
+    /// Cuts the mesh of a file into blocks of at most `block_triangles` triangles (at least one).
+    ///
+    /// Binary PLY is read in place. Text PLY, STL, OBJ, OFF, glTF, terrains (with the feature `terrain`), and
+    /// compressed files are converted first. Temporary files are created in the folder `scratch`.
     ///
     /// # Errors
-    /// Returns [`ReadError`] if the file is not a binary PLY or is damaged, or if a file cannot be read or
+    /// Returns [`ReadError`] if the file has another format or is damaged, or if a file cannot be read or
     /// written.
     pub fn open(path: &Path, block_triangles: usize, scratch: &Path) -> Result<Self, ReadError> {
-        let stream = PlyStream::open(path)?;
         let scratch = ScratchFolder { folder: scratch.to_owned() };
+        Self::cut(BinaryPly::open(path, &scratch)?, block_triangles, scratch)
+    }
+
+    /// Cuts pieces into blocks, as [`open`](Self::open) does with a file.
+    ///
+    /// Vertices with equal positions and attributes become one.
+    ///
+    /// # Errors
+    /// See [`open`](Self::open).
+    pub fn of_pieces(
+        pieces: &dyn PieceSource,
+        block_triangles: usize,
+        scratch: &Path,
+    ) -> Result<Self, ReadError> {
+        let scratch = ScratchFolder { folder: scratch.to_owned() };
+        Self::cut(BinaryPly::of_pieces(pieces, &scratch)?, block_triangles, scratch)
+    }
+
+    fn cut(ply: BinaryPly, block_triangles: usize, scratch: ScratchFolder) -> Result<Self, ReadError> {
+        let BinaryPly { stream, warnings } = ply;
         let bounds = bounds_of(&stream)?;
         let sorted = sorted_triangles(&stream, bounds, &scratch)?;
         let cutter = BlockCutter::new(&stream, &scratch)?;
         let Blocks { triangles, starts, last_blocks } =
             cutter.run(sorted, block_triangles.max(1)).map_err(|error| scratch.error(error))?;
-        Ok(Self { stream, scratch, triangles, starts, last_blocks, bounds })
+        Ok(Self { stream, warnings, scratch, triangles, starts, last_blocks, bounds })
+    }
+
+    /// Returns remarks on what was left out, such as materials.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// Returns the number of vertices of the mesh.
@@ -130,7 +161,7 @@ fn sorted_triangles(
     let curve = BlockCurve::new(bounds);
     let mut sorter = Sorter::new(scratch.file()?);
     let vertices_bytes = u64::from(stream.vertex_count) * stream.stride as u64;
-    let mut vertices = PagedFile::new(stream.file()?, stream.vertices_offset, vertices_bytes);
+    let mut vertices = PagedFile::new(stream.file(), stream.vertices_offset, vertices_bytes);
     let mut row = vec![0; stream.stride];
     let mut index = 0u32;
     stream.for_each_triangle(|corners| {
@@ -173,7 +204,7 @@ impl BlockCutter {
         last_blocks.set_len(bytes).map_err(|error| scratch.error(error))?;
         Ok(Self {
             triangles: BufWriter::with_capacity(1 << 16, scratch.file()?),
-            last_blocks: PagedFile::new(last_blocks, 0, bytes),
+            last_blocks: PagedFile::new(FileView::new(Arc::new(last_blocks)), 0, bytes),
             starts: vec![0],
             ahead: Vec::new(),
         })

@@ -13,14 +13,14 @@ use crate::{ReadError, Source};
 
 /// Bytes of a file.
 #[derive(Debug)]
-pub(super) enum Mapped {
+pub(crate) enum Mapped {
     File(Mmap),
     Owned(Vec<u8>),
 }
 
 impl Mapped {
     /// Maps a whole file; what is no regular file is read instead.
-    pub(super) fn new(mut file: File) -> io::Result<Self> {
+    pub(crate) fn new(mut file: File) -> io::Result<Self> {
         let metadata = file.metadata()?;
         if !metadata.is_file() || metadata.len() == 0 {
             let mut bytes = Vec::new();
@@ -56,15 +56,17 @@ impl Deref for Mapped {
 
 /// Opened file, unpacked if it was compressed.
 #[derive(Debug)]
-pub(super) struct Input {
+pub(crate) struct Input {
     /// Name in messages.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// Name without the extensions of compressions, by which the format is detected.
-    pub(super) inner_name: String,
+    pub(crate) inner_name: String,
     /// Folder of files that the input refers to.
     pub(super) folder: PathBuf,
+    /// The file, or the temporary file into which it was unpacked.
+    pub(crate) file: File,
     /// Unpacked bytes.
-    pub(super) bytes: Mapped,
+    pub(crate) bytes: Mapped,
     /// Size of the file itself.
     pub(super) file_bytes: u64,
     /// Size of the unpacked file, before any conversion.
@@ -73,14 +75,16 @@ pub(super) struct Input {
 
 impl Input {
     /// Opens a file; what is compressed is unpacked into a temporary file.
-    pub(super) fn open(path: &Path, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(path: &Path, options: &PieceOptions) -> Result<Self, ReadError> {
         let name = path.display().to_string();
         let io = |source| ReadError::Io { file: name.clone(), source };
-        let bytes = File::open(path).and_then(Mapped::new).map_err(io)?;
+        let file = File::open(path).map_err(io)?;
+        let bytes = file.try_clone().and_then(Mapped::new).map_err(io)?;
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let (file_bytes, folder) = (bytes.len() as u64, folder.to_owned());
         let inner_name = name.clone();
-        let mut input = Self { name, inner_name, folder, bytes, file_bytes, unpacked_bytes: file_bytes };
+        let unpacked_bytes = file_bytes;
+        let mut input = Self { name, inner_name, folder, file, bytes, file_bytes, unpacked_bytes };
         // The same number of nested compressions as for meshes in memory.
         for _ in 0..3 {
             let Some(compression) = Compression::of(&input.bytes) else { break };
@@ -95,8 +99,10 @@ impl Input {
         let mut file = scratch_file(options)?;
         let mut out = io::BufWriter::new(&mut file);
         crate::compressed::unpack_into(&self.bytes, compression, &self.name, &mut out)?;
-        let mapped = io::Write::flush(&mut out).map(|()| drop(out)).and_then(|()| Mapped::new(file));
-        self.bytes = mapped.map_err(|source| scratch_error(options, source))?;
+        let flushed = io::Write::flush(&mut out);
+        drop(out);
+        let mapped = flushed.and_then(|()| Mapped::new(file.try_clone()?));
+        (self.bytes, self.file) = (mapped.map_err(|source| scratch_error(options, source))?, file);
         if Compression::from_extension(&self.inner_name).is_some()
             && let Some((stem, _)) = self.inner_name.rsplit_once('.')
         {
@@ -112,13 +118,13 @@ impl Input {
     }
 
     /// The input for readers of whole files.
-    pub(super) fn source(&self) -> Source<'_> {
+    pub(crate) fn source(&self) -> Source<'_> {
         Source::new(&self.name).with_folder(&self.folder)
     }
 }
 
 /// Creates a temporary file without a name: it disappears when it is closed, however the process ends.
-pub(super) fn scratch_file(options: &PieceOptions) -> Result<File, ReadError> {
+pub(crate) fn scratch_file(options: &PieceOptions) -> Result<File, ReadError> {
     let made = match &options.scratch {
         Some(folder) => tempfile::tempfile_in(folder),
         None => tempfile::tempfile(),
@@ -127,7 +133,7 @@ pub(super) fn scratch_file(options: &PieceOptions) -> Result<File, ReadError> {
 }
 
 /// Wraps a system error with a description of the temporary file.
-pub(super) fn scratch_error(options: &PieceOptions, source: io::Error) -> ReadError {
+pub(crate) fn scratch_error(options: &PieceOptions, source: io::Error) -> ReadError {
     let folder = options.scratch.clone().unwrap_or_else(std::env::temp_dir);
     ReadError::Io { file: format!("temporary file in {}", folder.display()), source }
 }

@@ -16,6 +16,19 @@ impl LayerKind {
         let AttributeLayer { component_count, normalized, .. } = *layer;
         Self { semantic: layer.semantic.clone(), component_count, normalized, component_type }
     }
+
+    /// A layer of this kind without values.
+    #[cfg(feature = "blocks")]
+    pub(crate) fn empty_layer(&self) -> AttributeLayer {
+        let data = match self.component_type {
+            ComponentType::F32 => LayerData::F32(Vec::new()),
+            ComponentType::U8 => LayerData::U8(Vec::new()),
+            ComponentType::U16 => LayerData::U16(Vec::new()),
+            ComponentType::U32 => LayerData::U32(Vec::new()),
+        };
+        let (semantic, component_count) = (self.semantic.clone(), self.component_count);
+        AttributeLayer { semantic, component_count, normalized: self.normalized, data }
+    }
 }
 
 /// Turns integers into floats where the whole input has floats: the integers of PLY files are kept as such

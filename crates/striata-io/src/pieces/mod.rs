@@ -5,21 +5,21 @@
 
 mod appearances;
 mod fractal_terrain;
-mod gltf;
-mod input;
+pub(crate) mod gltf;
+pub(crate) mod input;
 mod kinds;
 mod local;
 mod mesh_pieces;
-mod obj;
-mod off;
+pub(crate) mod obj;
+pub(crate) mod off;
 mod open;
 mod options;
-mod ply;
+pub(crate) mod ply;
 mod ply_faces;
-mod ply_text;
+pub(crate) mod ply_text;
 mod several;
-mod spool;
-mod stl;
+pub(crate) mod spool;
+pub(crate) mod stl;
 mod stl_text;
 #[cfg(feature = "terrain")]
 mod terrain;
@@ -32,6 +32,8 @@ pub use options::PieceOptions;
 pub use several::{Several, open_several};
 #[cfg(feature = "terrain")]
 pub use terrain::Terrain;
+#[cfg(all(feature = "terrain", feature = "blocks"))]
+pub(crate) use terrain::is_raster;
 pub use tiles::Tiles;
 
 use serde::{Deserialize, Serialize};

@@ -18,7 +18,7 @@ const NONE: u32 = u32::MAX;
 const CORNER_BYTES: usize = 12;
 
 /// OBJ file whose tables are in temporary files.
-pub(super) struct ObjPieces {
+pub(crate) struct ObjPieces {
     tables: Tables<Mapped>,
     summary: PieceSummary,
     /// First triangle and group of each run of triangles; no runs if there is one group.
@@ -49,7 +49,7 @@ struct Writer {
 
 impl ObjPieces {
     /// Reads a file once.
-    pub(super) fn open(input: &Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(input: &Input, options: &PieceOptions) -> Result<Self, ReadError> {
         let mut writer = Writer::new(options)?;
         let mut warnings = Warnings::of_file(&input.name);
         let outline = read_batches(&input.bytes, &input.source(), &mut warnings, |batch| writer.add(&batch))
@@ -71,6 +71,12 @@ impl ObjPieces {
         Ok(Self { tables, summary, runs, piece_size: options.piece_size() })
     }
 
+    /// Whether vertices have texture coordinates and normals.
+    fn used(&self) -> (bool, bool) {
+        let keeps = |semantic| self.summary.layers.iter().any(|kind| kind.semantic == semantic);
+        (keeps(Semantic::TexCoord(0)), keeps(Semantic::Normal))
+    }
+
     fn triangle_count(&self) -> usize {
         self.tables.corners.len() / (3 * CORNER_BYTES)
     }
@@ -78,13 +84,9 @@ impl ObjPieces {
     fn piece(&self, first: usize) -> Piece {
         let end = self.triangle_count().min(first + self.piece_size);
         let bytes = &self.tables.corners[first * 3 * CORNER_BYTES..end * 3 * CORNER_BYTES];
-        let keeps = |semantic| self.summary.layers.iter().any(|kind| kind.semantic == semantic);
-        let (has_texcoord, has_normal) = (keeps(Semantic::TexCoord(0)), keeps(Semantic::Normal));
-        let corner = |at: &[u8]| {
-            let [position, texcoord, normal] = words(at);
-            [position, if has_texcoord { texcoord } else { NONE }, if has_normal { normal } else { NONE }]
-        };
-        let corners: Vec<[u32; 3]> = bytes.chunks_exact(CORNER_BYTES).map(corner).collect();
+        let (has_texcoord, has_normal) = self.used();
+        let corners = bytes.chunks_exact(CORNER_BYTES).map(|at| corner_at(at, has_texcoord, has_normal));
+        let corners: Vec<[u32; 3]> = corners.collect();
         let mut vertices = corners.clone();
         vertices.sort_unstable();
         vertices.dedup();
@@ -122,6 +124,39 @@ impl ObjPieces {
     }
 }
 
+#[cfg(feature = "blocks")]
+impl ObjPieces {
+    /// Number of positions.
+    pub(crate) fn position_count(&self) -> usize {
+        self.tables.positions.len() / 12
+    }
+
+    /// Whether a vertex is a position, because there are neither texture coordinates nor normals.
+    pub(crate) fn has_positions_only(&self) -> bool {
+        self.summary.layers.iter().all(|kind| matches!(kind.semantic, Semantic::Color(_)))
+    }
+
+    /// Passes the triangles to `visit`: for each corner its position, texture coordinate and normal.
+    pub(crate) fn for_each_triangle<E>(
+        &self,
+        mut visit: impl FnMut([[u32; 3]; 3]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (has_texcoord, has_normal) = self.used();
+        for bytes in self.tables.corners.chunks_exact(3 * CORNER_BYTES) {
+            visit([0, 1, 2].map(|k| corner_at(&bytes[k * CORNER_BYTES..], has_texcoord, has_normal)))?;
+        }
+        Ok(())
+    }
+
+    /// Appends the position and the layers of a corner, little-endian.
+    pub(crate) fn push_row(&self, corner: [u32; 3], row: &mut Vec<u8>) {
+        row.extend_from_slice(bytemuck::cast_slice(&floats::<3>(&self.tables.positions, corner[0])));
+        for kind in &self.summary.layers {
+            row.extend_from_slice(self.layer(kind, &[corner]).data.as_bytes());
+        }
+    }
+}
+
 /// Sets the groups and the appearance of the summary; returns the runs of triangles.
 fn runs_of(outline: Outline, summary: &mut PieceSummary) -> Vec<(usize, u32)> {
     summary.appearance = outline.appearance;
@@ -139,6 +174,12 @@ fn runs_of(outline: Outline, summary: &mut PieceSummary) -> Vec<(usize, u32)> {
         summary.groups.push(PieceGroup::default());
     }
     runs
+}
+
+/// Indices of a corner; those of tables that are not used are left out.
+fn corner_at(bytes: &[u8], has_texcoord: bool, has_normal: bool) -> [u32; 3] {
+    let [position, texcoord, normal] = words(bytes);
+    [position, if has_texcoord { texcoord } else { NONE }, if has_normal { normal } else { NONE }]
 }
 
 /// Numbers of one row of a table; zeros for a row that does not exist.

@@ -1,5 +1,7 @@
 //! OFF in pieces: one pass writes the rows of vertices and the triangles to temporary files.
 
+use striata::mesh::AttributeLayer;
+
 use super::input::{Input, Mapped};
 use super::local::localize;
 use super::spool::Spool;
@@ -11,7 +13,7 @@ use crate::off::{Columns, Layout, read_rows};
 const TRIANGLE_BYTES: usize = 12;
 
 /// OFF file whose tables are in temporary files.
-pub(super) struct OffPieces {
+pub(crate) struct OffPieces {
     layout: Layout,
     /// Numbers of each vertex.
     rows: Mapped,
@@ -22,7 +24,7 @@ pub(super) struct OffPieces {
 
 impl OffPieces {
     /// Reads a file once.
-    pub(super) fn open(input: &Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(input: &Input, options: &PieceOptions) -> Result<Self, ReadError> {
         let (mut rows, mut triangles) = (Spool::new(options)?, Spool::new(options)?);
         let vertex = |_: &Layout, row: &[f32]| {
             if let Some(x) = row[..3].iter().find(|x| !x.is_finite()) {
@@ -48,24 +50,51 @@ impl OffPieces {
         Ok(Self { layout, rows, triangles, summary, piece_size: options.piece_size() })
     }
 
-    fn piece(&self, first: usize) -> Piece {
-        let end = self.triangles.len().min((first + self.piece_size) * TRIANGLE_BYTES);
-        let word = |bytes: &[u8; 4]| u32::from_ne_bytes(*bytes);
-        let (words, _) = self.triangles[first * TRIANGLE_BYTES..end].as_chunks::<4>();
-        let mut triangles: Vec<[u32; 3]> =
-            words.as_chunks::<3>().0.iter().map(|corners| [0, 1, 2].map(|i| word(&corners[i]))).collect();
-        let numbers = localize(&mut triangles);
+    /// Number of vertices.
+    #[cfg(feature = "blocks")]
+    pub(crate) fn vertex_count(&self) -> u32 {
+        (self.rows.len() / self.row_bytes()) as u32
+    }
+
+    /// All triangles.
+    #[cfg(feature = "blocks")]
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        triangles_in(&self.triangles)
+    }
+
+    fn row_bytes(&self) -> usize {
+        4 * self.layout.width()
+    }
+
+    /// Positions and layers of some vertices.
+    pub(crate) fn vertices(
+        &self,
+        numbers: impl IntoIterator<Item = u32>,
+    ) -> (Vec<[f32; 3]>, Vec<AttributeLayer>) {
         let (mut columns, mut row) = (Columns::default(), Vec::new());
-        let row_bytes = 4 * self.layout.width();
+        let row_bytes = self.row_bytes();
         for number in numbers {
             row.clear();
             let (words, _) = self.rows[number as usize * row_bytes..][..row_bytes].as_chunks::<4>();
             row.extend(words.iter().map(|bytes| f32::from_ne_bytes(*bytes)));
             columns.push(&self.layout, &row);
         }
-        let (positions, layers) = columns.into_mesh(&self.layout);
+        columns.into_mesh(&self.layout)
+    }
+
+    fn piece(&self, first: usize) -> Piece {
+        let end = self.triangles.len().min((first + self.piece_size) * TRIANGLE_BYTES);
+        let mut triangles: Vec<[u32; 3]> =
+            triangles_in(&self.triangles[first * TRIANGLE_BYTES..end]).collect();
+        let numbers = localize(&mut triangles);
+        let (positions, layers) = self.vertices(numbers);
         Piece { positions, layers, triangles, groups: Vec::new() }
     }
+}
+
+fn triangles_in(bytes: &[u8]) -> impl Iterator<Item = [u32; 3]> {
+    let (words, _) = bytes.as_chunks::<4>();
+    words.as_chunks::<3>().0.iter().map(|corners| corners.map(u32::from_ne_bytes))
 }
 
 impl PieceSource for OffPieces {

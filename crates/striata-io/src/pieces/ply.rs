@@ -103,7 +103,7 @@ impl PlyPieces {
 }
 
 /// Whether an element cannot be read in pieces.
-fn must_be_read_at_once(element: &Element) -> bool {
+pub(crate) fn must_be_read_at_once(element: &Element) -> bool {
     match element.name.as_str() {
         "vertex" => element.properties.iter().any(|p| p.list.is_some()),
         "tristrips" => true,

@@ -15,15 +15,20 @@ const DIGITS: usize = 10;
 
 /// Replaces the bytes of a text file by those of a binary one.
 pub(super) fn convert(input: &mut Input, header: &Header, options: &PieceOptions) -> Result<(), ReadError> {
+    input.bytes = converted(input, header, options)?.finish(options)?;
+    Ok(())
+}
+
+/// Converts a text file to a binary one.
+pub(crate) fn converted(input: &Input, header: &Header, options: &PieceOptions) -> Result<Spool, ReadError> {
     let mut spool = Spool::new(options)?;
-    let converted = write_head(header, &mut spool).and_then(|count_at| {
+    let written = write_head(header, &mut spool).and_then(|count_at| {
         let count = write_body(&input.bytes, header, &mut spool)?;
         spool.replace(count_at, format!("{count:0DIGITS$}").as_bytes());
         Ok(())
     });
-    converted.map_err(|fault| fault.in_file(&input.name))?;
-    input.bytes = spool.finish(options)?;
-    Ok(())
+    written.map_err(|fault| fault.in_file(&input.name))?;
+    Ok(spool)
 }
 
 /// Writes the header; returns where the number of triangles belongs.

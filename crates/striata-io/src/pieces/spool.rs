@@ -9,26 +9,26 @@ use crate::ReadError;
 
 /// Temporary file under construction. The first failure is kept until the file is finished, so that parsers
 /// only have their own errors.
-pub(super) struct Spool {
+pub(crate) struct Spool {
     out: BufWriter<File>,
     failure: Option<io::Error>,
 }
 
 impl Spool {
-    pub(super) fn new(options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn new(options: &PieceOptions) -> Result<Self, ReadError> {
         let out = BufWriter::with_capacity(1 << 20, scratch_file(options)?);
         Ok(Self { out, failure: None })
     }
 
     /// Appends bytes.
-    pub(super) fn write(&mut self, bytes: &[u8]) {
+    pub(crate) fn write(&mut self, bytes: &[u8]) {
         if self.failure.is_none() {
             self.failure = self.out.write_all(bytes).err();
         }
     }
 
     /// Replaces bytes that have been written.
-    pub(super) fn replace(&mut self, at: u64, bytes: &[u8]) {
+    pub(crate) fn replace(&mut self, at: u64, bytes: &[u8]) {
         let out = &mut self.out;
         let done = out.seek(SeekFrom::Start(at)).and_then(|_| out.write_all(bytes));
         let done = done.and_then(|()| out.seek(SeekFrom::End(0)));
@@ -38,10 +38,15 @@ impl Spool {
     }
 
     /// Maps the file into memory.
-    pub(super) fn finish(self, options: &PieceOptions) -> Result<Mapped, ReadError> {
+    pub(crate) fn finish(self, options: &PieceOptions) -> Result<Mapped, ReadError> {
+        Mapped::new(self.finish_file(options)?).map_err(|source| scratch_error(options, source))
+    }
+
+    /// Completes the file.
+    pub(crate) fn finish_file(self, options: &PieceOptions) -> Result<File, ReadError> {
         let done = match self.failure {
             Some(failure) => Err(failure),
-            None => self.out.into_inner().map_err(io::IntoInnerError::into_error).and_then(Mapped::new),
+            None => self.out.into_inner().map_err(io::IntoInnerError::into_error),
         };
         done.map_err(|source| scratch_error(options, source))
     }

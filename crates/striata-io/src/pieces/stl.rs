@@ -8,7 +8,7 @@ use crate::error::{Fault, Place};
 use crate::stl::{FACET_BYTES, HEADER_BYTES, VertexTable, facet_count, is_ascii, position_at};
 
 /// Binary STL file.
-pub(super) struct StlPieces {
+pub(crate) struct StlPieces {
     input: Input,
     summary: PieceSummary,
     /// First facet of each solid; empty for binary files.
@@ -19,7 +19,7 @@ pub(super) struct StlPieces {
 
 impl StlPieces {
     /// Opens a file; text is converted to a temporary file.
-    pub(super) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
         let mut solids = Solids { groups: Vec::new(), starts: Vec::new() };
         if is_ascii(&input.bytes) {
             solids = stl_text::convert(&mut input, options)?;

@@ -26,6 +26,8 @@ mod write;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use stream::{CopyError, PlyStream};
 pub(crate) use write::to_bytes;
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
+pub(crate) use write::{push_row, vertex_header};
 
 use striata::mesh::IndexedMesh;
 

@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use striata::mesh::IndexedMesh;
 
@@ -17,6 +17,7 @@ use super::header::{Element, Encoding, Header, Property, Scalar};
 use super::rows::integer_from_bytes;
 use crate::ReadError;
 use crate::error::{Fault, Place};
+use crate::file_view::FileView;
 
 /// Largest supported size of a header, in bytes.
 const MAX_HEADER_BYTES: u64 = 1 << 20;
@@ -26,7 +27,7 @@ const PIECE_BYTES: usize = 1 << 18;
 /// PLY file whose header has been read and whose elements have been located.
 #[derive(Clone, Debug)]
 pub(crate) struct PlyStream {
-    path: PathBuf,
+    source: Arc<File>,
     name: String,
     pub(crate) header: Header,
     /// Offset of the first vertex.
@@ -41,39 +42,35 @@ pub(crate) struct PlyStream {
 }
 
 impl PlyStream {
-    /// Reads the header and locates the elements.
+    /// Reads the header of a binary PLY file and locates its elements; `name` is for messages.
     ///
     /// # Errors
-    /// Returns an error if the file is not a binary PLY, or if its elements cannot be located without
-    /// reading all of it.
-    pub(crate) fn open(path: &Path) -> Result<Self, ReadError> {
-        let name = path.display().to_string();
+    /// Returns an error if the elements cannot be located without reading all of the file.
+    pub(crate) fn open(source: File, name: String) -> Result<Self, ReadError> {
         let io = |source| ReadError::Io { file: name.clone(), source };
-        let mut file = File::open(path).map_err(io)?;
-        let metadata = file.metadata().map_err(io)?;
-        let not_in_blocks_error =
-            |found: &str| ReadError::NotInBlocks { file: name.clone(), found: found.to_owned() };
-        if !metadata.is_file() {
-            return Err(not_in_blocks_error("not a regular file"));
-        }
+        let file_bytes = source.metadata().map_err(io)?.len();
+        let source = Arc::new(source);
         let mut head = Vec::new();
-        (&mut file).take(MAX_HEADER_BYTES).read_to_end(&mut head).map_err(io)?;
-        if !head.starts_with(b"ply") {
-            return Err(not_in_blocks_error("not a PLY file"));
-        }
+        FileView::new(Arc::clone(&source)).take(MAX_HEADER_BYTES).read_to_end(&mut head).map_err(io)?;
         let header = Header::read(&head).map_err(|fault| fault.in_file(&name))?;
-        if header.encoding == Encoding::Ascii {
-            return Err(not_in_blocks_error("an ASCII PLY file"));
-        }
+        debug_assert!(header.encoding != Encoding::Ascii, "text is converted first");
         let in_file = |fault: Fault| fault.in_file(&name);
-        let places = ElementOffsets::of(&header, metadata.len()).map_err(in_file)?;
+        let places = ElementOffsets::of(&header, file_bytes).map_err(in_file)?;
         let vertex = header.vertex().map_err(in_file)?;
         let axes = axes_of(vertex, header.body_at as u64).map_err(in_file)?;
         let (vertex_count, stride) = (vertex.count as u32, vertex.least_row_bytes());
         let (vertices_offset, faces_offset) = (places.vertices_offset, places.faces_offset);
-        let file_bytes = metadata.len();
-        let path = path.to_owned();
-        Ok(Self { path, name, header, vertices_offset, vertex_count, stride, axes, faces_offset, file_bytes })
+        Ok(Self {
+            source,
+            name,
+            header,
+            vertices_offset,
+            vertex_count,
+            stride,
+            axes,
+            faces_offset,
+            file_bytes,
+        })
     }
 
     /// Returns the file's name for messages.
@@ -81,9 +78,9 @@ impl PlyStream {
         &self.name
     }
 
-    /// Opens the file again, with its own read position.
-    pub(crate) fn file(&self) -> Result<File, ReadError> {
-        File::open(&self.path).map_err(|source| self.io(source))
+    /// Returns the file with a read position of its own.
+    pub(crate) fn file(&self) -> FileView {
+        FileView::new(Arc::clone(&self.source))
     }
 
     /// Wraps a system error with the file's name.
@@ -170,7 +167,7 @@ impl PlyStream {
         if self.stride == 0 {
             return Ok(());
         }
-        let mut file = self.file()?;
+        let mut file = self.file();
         file.seek(SeekFrom::Start(self.vertices_offset)).map_err(|e| self.io(e))?;
         let rows_at_once = (PIECE_BYTES / self.stride).max(1) as u32;
         let mut rows = Vec::new();
@@ -192,7 +189,7 @@ impl PlyStream {
         mut visit: impl FnMut([u32; 3]) -> Result<(), ReadError>,
     ) -> Result<(), ReadError> {
         let Some(element) = self.header.elements.iter().find(|e| e.name == "face") else { return Ok(()) };
-        let mut file = self.file()?;
+        let mut file = self.file();
         file.seek(SeekFrom::Start(self.faces_offset)).map_err(|e| self.io(e))?;
         let mut reader = Faces {
             stream: self,
@@ -306,7 +303,7 @@ fn axes_of(vertex: &Element, at: u64) -> Result<[(usize, Scalar); 3], Fault> {
 /// Reads face rows one after another.
 struct Faces<'a> {
     stream: &'a PlyStream,
-    bytes: BufReader<File>,
+    bytes: BufReader<FileView>,
     /// Offset of the next byte.
     at: u64,
     is_big: bool,

@@ -32,19 +32,31 @@ fn scalar_of(data: &LayerData) -> Scalar {
 
 fn header(mesh: &IndexedMesh, ascii: bool) -> Result<String, Refusal> {
     let encoding = if ascii { "ascii" } else { "binary_little_endian" };
+    let mut out = vertex_header(&mesh.layers, encoding, &mesh.positions.len().to_string())?;
+    out += &format!("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.len());
+    out += "end_header\n";
+    Ok(out)
+}
+
+/// The header up to the last property of vertices, whose values the layers need not have.
+pub(crate) fn vertex_header(
+    layers: &[AttributeLayer],
+    encoding: &str,
+    vertex_count: &str,
+) -> Result<String, Refusal> {
     let mut out = format!("ply\nformat {encoding} 1.0\n");
-    for layer in mesh.layers.iter().filter(|layer| layer.normalized) {
+    for layer in layers.iter().filter(|layer| layer.normalized) {
         if let Semantic::Generic(name) = &layer.semantic {
             let stem = generic_stem(name);
             out += &format!("comment normalized {}\n", stem.strip_prefix("generic_").unwrap_or(&stem));
         }
     }
-    out += &format!("element vertex {}\n", mesh.positions.len());
+    out += &format!("element vertex {vertex_count}\n");
     let mut names = BTreeSet::from(["x", "y", "z"].map(str::to_owned));
     for name in &names {
         out += &format!("property float {name}\n");
     }
-    for layer in &mesh.layers {
+    for layer in layers {
         let scalar = scalar_of(&layer.data).name();
         for name in property_names(layer) {
             out += &format!("property {scalar} {name}\n");
@@ -53,25 +65,28 @@ fn header(mesh: &IndexedMesh, ascii: bool) -> Result<String, Refusal> {
             }
         }
     }
-    out += &format!("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.len());
-    out += "end_header\n";
     Ok(out)
 }
 
 fn push_binary(mesh: &IndexedMesh, out: &mut Vec<u8>) {
     let row_bytes: usize = 12 + mesh.layers.iter().map(AttributeLayer::vertex_bytes).sum::<usize>();
     out.reserve_exact(row_bytes * mesh.positions.len() + 13 * mesh.triangles.len());
-    let layers: Vec<(&[u8], usize)> =
-        mesh.layers.iter().map(|layer| (layer.data.as_bytes(), layer.vertex_bytes())).collect();
-    for (vertex, position) in mesh.positions.iter().enumerate() {
-        out.extend_from_slice(bytemuck::cast_slice(position));
-        for &(bytes, length) in &layers {
-            out.extend_from_slice(&bytes[vertex * length..][..length]);
-        }
+    for vertex in 0..mesh.positions.len() {
+        push_row(&mesh.positions, &mesh.layers, vertex, out);
     }
     for triangle in &mesh.triangles {
         out.push(3);
         out.extend_from_slice(bytemuck::cast_slice(triangle));
+    }
+}
+
+/// Appends the position of a vertex and its values in all layers.
+#[inline]
+pub(crate) fn push_row(positions: &[[f32; 3]], layers: &[AttributeLayer], vertex: usize, out: &mut Vec<u8>) {
+    out.extend_from_slice(bytemuck::cast_slice(&positions[vertex]));
+    for layer in layers {
+        let length = layer.vertex_bytes();
+        out.extend_from_slice(&layer.data.as_bytes()[vertex * length..][..length]);
     }
 }
 

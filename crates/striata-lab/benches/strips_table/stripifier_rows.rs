@@ -8,7 +8,7 @@ use striata::strip::{RESTART, fifo_cache_cost, lru_cache_cost, restart_triangles
 use striata_strip::{StripOptions, stripify};
 
 use crate::table::Table;
-use crate::{Fallible, RUN_COUNT};
+use crate::{Fallible, RUN_COUNT, peer_strips};
 
 /// Cache size in vertices for counting misses.
 const CACHE_SIZE: usize = 16;
@@ -19,7 +19,10 @@ const MAX_SECS: f64 = 3.0;
 const OURS: &[(&str, f64, f64)] = &[
     ("greedy", 1.0, 0.0),
     ("stripe", 1.0, 0.0),
-    ("tunnel-static:17", 1.0, 0.0),
+    ("stripe:few-swaps", 1.0, 0.0),
+    ("stripe:no-swaps", 1.0, 0.0),
+    ("stripe:global", 1.0, 0.0),
+    ("stripe:global:few-swaps", 1.0, 0.0),
     ("tunnel:5", 1.0, 0.0),
     ("tunnel:17", 1.0, 0.0),
     ("fewest", 1.0, 0.0),
@@ -128,16 +131,8 @@ impl ExpectedMesh<'_> {
             let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             let tool = file.strip_suffix(".strips").and_then(|stem| stem.strip_prefix(self.name));
             let Some(tool) = tool.and_then(|rest| rest.strip_prefix('.')) else { continue };
-            let bytes = std::fs::read(&path)?;
-            let cut_short = || format!("{} is cut short", path.display());
-            let (head, body) = bytes.split_first_chunk::<12>().ok_or_else(cut_short)?;
-            let (ms, count) = head.split_first_chunk::<8>().ok_or_else(cut_short)?;
-            let count = u32::from_le_bytes(count.try_into()?) as usize;
-            let indices: Vec<u32> = body.as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect();
-            if body.len() != 4 * count {
-                return Err(cut_short().into());
-            }
-            self.add(tool, &indices, f64::from_le_bytes(*ms) / 1e3, table);
+            let (ms, indices) = peer_strips::read(&path)?;
+            self.add(tool, &indices, ms / 1e3, table);
         }
         Ok(())
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::bench_gpu::ways::way_names;
+use crate::pace::Pace;
 use striata_command::args::{BUILD_STRIPS, DriverArgs, Viewport};
 use striata_command::strip_chain::{StripChain, StripPlan};
 
@@ -33,6 +34,9 @@ pub(crate) struct BenchGpuArgs {
         value_parser = clap::value_parser!(u32).range(1..=10_000)
     )]
     pub(crate) frames: u32,
+    /// How the level falls: equally many steps in each frame, or a share of those that are left
+    #[arg(long, value_name = "PACE", value_enum, default_value_t)]
+    pub(crate) pace: Pace,
     /// Draw at this size in pixels; small images keep vertex costs visible on software adapters
     #[arg(long, value_name = "WxH", default_value = "128x128", help_heading = DRAWN)]
     pub(crate) size: Viewport,

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use striata_lab::stripifiers::Tunneling;
 use striata_stream::Effort;
 
 use crate::compare::compared_models;
@@ -10,8 +11,7 @@ use striata_command::args::{BUILD_STRIPS, EffortArg, STRIPS, parse_at_least_zero
 use striata_command::strip_chain::{StripChain, StripPlan};
 
 /// Stripifiers that are compared by default.
-const COMPARED_STRIPS: &str =
-    "greedy,stripe,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";
+const COMPARED_STRIPS: &str = "greedy,stripe,tunnel:3,tunnel:17,greedy+tunnel:17,fewest,cheapest";
 
 /// Help heading of the flags about models.
 const MODELS: &str = "Models";
@@ -185,14 +185,24 @@ pub(crate) struct StripifierArgs {
     /// Merge equal vertices before comparing stripifiers; models always merge them
     #[arg(long)]
     pub(crate) weld: bool,
-    /// Search tunnels up to this length: every odd length up to it is measured
+    /// Search tunnels of at most these lengths
     #[arg(
         long,
-        value_name = "N",
-        default_value_t = 25,
+        value_name = "LENGTH,...",
+        value_delimiter = ',',
+        default_value = "1,3,5,9,13,17,25",
         value_parser = clap::value_parser!(u32).range(1..=999)
     )]
-    pub(crate) max_tunnel: u32,
+    pub(crate) tunnels: Vec<u32>,
+    /// Kinds of tunneling: published, per-path, static, grown, tunnel
+    #[arg(
+        long,
+        value_name = "NAME,...",
+        value_delimiter = ',',
+        default_value = "published,per-path,static,grown,tunnel",
+        hide_possible_values = true
+    )]
+    pub(crate) tunnel_searches: Vec<Tunneling>,
     /// Measure each tunnel length with this many seeds
     #[arg(
         long,

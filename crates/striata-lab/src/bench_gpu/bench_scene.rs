@@ -2,10 +2,11 @@
 //! the canvas.
 
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::model::{LodStrips, StageOptions};
 use striata::simplify::{SequenceOptions, build_welded_sequence_with_progress};
 use striata::strip::StripSet;
 use striata_gpu::{Canvas, Gpu, GpuVertices, Look, Painter, Scene, Viewpoint};
-use striata_strip::StripOptions;
+use striata_strip::{StripOptions, stripify};
 
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
@@ -54,6 +55,23 @@ impl<'a> BenchScene<'a> {
         let scene = painter.scene(gpu, &vertices, (&view, size), &look)?;
         let level_strips = plan.search.options(plan.chain.last());
         Ok(Self { gpu, refinable, strips, level_strips, vertices, painter, canvas, scene, look })
+    }
+
+    /// LodStrips in a single stage.
+    ///
+    /// # Errors
+    /// If the strips do not belong to the mesh, which would be a bug.
+    pub(super) fn lod_strips(&self) -> Result<LodStrips<'static>, Failure> {
+        Ok(LodStrips::build(&self.refinable, &self.strips)?)
+    }
+
+    /// LodStrips in stages.
+    ///
+    /// # Errors
+    /// If the strips do not belong to the mesh, which would be a bug.
+    pub(super) fn staged_lod_strips(&self) -> Result<LodStrips<'static>, Failure> {
+        let strips = |level: &_| stripify(level, &self.level_strips).map_err(Failure::from);
+        LodStrips::build_staged(&self.refinable, &self.strips, &StageOptions::default(), strips)
     }
 
     /// Number of steps from the base mesh to the full mesh.

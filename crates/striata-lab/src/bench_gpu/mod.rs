@@ -1,7 +1,7 @@
 //! `bench-gpu`: measures what a frame costs while the level changes, for each way of drawing a level.
 //!
-//! This is the linear test of \[RCRG06\], its figures 7 and 8: from the full mesh to the base in even steps,
-//! and back. The camera stays still, so every way draws the same pixels and only the triangles change.
+//! By default this is the linear test of \[RCRG06\], its figures 7 and 8: from the full mesh to the base in even
+//! steps, and back. `--pace exponential` is the other test of \[BRR02\], its figure 4. The camera stays still, so every way draws the same pixels and only the triangles change.
 
 mod bench_scene;
 mod report;
@@ -34,6 +34,7 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     // Open all inputs first, so that a missing file is reported before any work is done.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let (Viewport(size), plan) = (args.size, args.strip_plan());
+    let walk = (args.pace, args.frames as usize);
     let mut meshes = Vec::new();
     for input in &inputs {
         let mut bar = output.bar();
@@ -41,7 +42,7 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
         let mesh = input.mesh(output)?;
         let in_input = |failure: Failure| failure.in_file(&input.name);
         let bench = BenchScene::new(&gpu, (&input.name, &mesh), (size, &plan), &mut bar).map_err(in_input)?;
-        let timings = Timings::run(&bench, &entries, args.frames as usize, &mut bar).map_err(in_input)?;
+        let timings = Timings::run(&bench, &entries, walk, &mut bar).map_err(in_input)?;
         meshes.push(MeshReport::new(input.file_name(), &bench, timings));
     }
     let report = Report::new(&gpu, args, meshes, started);

@@ -9,6 +9,7 @@ use super::bench_scene::BenchScene;
 use super::timings::{Cost, Spread, Timings};
 use super::ways;
 use crate::args::BenchGpuArgs;
+use crate::pace::Pace;
 use striata_command::args::Viewport;
 use striata_command::output::{Table, format_bytes, format_count, format_duration};
 
@@ -20,6 +21,8 @@ pub(super) struct Report {
     size: [u32; 2],
     /// Frames from the full mesh to the base mesh; the way back has as many.
     frames: u32,
+    /// How the level falls on the walk.
+    pace: Pace,
     meshes: Vec<MeshReport>,
     secs: f64,
 }
@@ -71,11 +74,25 @@ impl MeshReport {
             format_count(self.strip_count),
             self.rounds,
         ));
-        let head = ["way", "frame", "95 %", "update", "95 %", "GPU", "95 %", "sent", "indices", "on the GPU"];
+        let head = [
+            "way",
+            "frame",
+            "95 %",
+            "update",
+            "95 %",
+            "recovery",
+            "%rec",
+            "GPU",
+            "95 %",
+            "sent",
+            "indices",
+            "on the GPU",
+        ];
         let mut table = Table::with_head(&head);
         for way in &self.ways {
             let [frame, frame_most] = way.frame_secs.cells();
             let [update, update_most] = way.update_secs.cells();
+            let [recover, _] = way.recover_secs.cells();
             let dash = || "-".to_owned();
             let [gpu, gpu_most] = way.gpu_secs.map_or_else(|| [dash(), dash()], Spread::cells);
             let sent =
@@ -86,6 +103,8 @@ impl MeshReport {
                 frame_most,
                 update,
                 update_most,
+                recover,
+                format!("{:.2}", 100.0 * way.recover_share),
                 gpu,
                 gpu_most,
                 sent,
@@ -108,15 +127,17 @@ impl Report {
             driver: [&info.driver[..], &info.driver_info].join(" ").trim().to_owned(),
             draws_on_the_processor: info.device_type == wgpu::DeviceType::Cpu,
         };
-        Self { adapter, size, frames: args.frames, meshes, secs: started.elapsed().as_secs_f64() }
+        let (frames, pace) = (args.frames, args.pace);
+        Self { adapter, size, frames, pace, meshes, secs: started.elapsed().as_secs_f64() }
     }
 
     /// Tables with explanations of their columns.
     pub(super) fn to_text(&self) -> String {
-        let Self { adapter, size: [width, height], frames, .. } = self;
+        let Self { adapter, size: [width, height], frames, pace, .. } = self;
         let mut text = format!("{} ({}, {})\n", adapter.name, adapter.backend, adapter.driver);
         text.push_str(&format!(
-            "{width} x {height} pixels; {frames} frames from the full mesh to the base, {frames} back\n"
+            "{width} x {height} pixels; {frames} frames from the full mesh to the base, {frames} back, {}\n",
+            pace.as_str()
         ));
         text.push_str("times in milliseconds: the median of all frames, and the 95th percentile\n");
         if adapter.draws_on_the_processor {
@@ -130,6 +151,10 @@ impl Report {
         }
         text.push_str("\nframe: from requesting a level to the finished picture\n");
         text.push_str("update: the part of it that the CPU needs to hand everything over\n");
+        text.push_str(
+            "recovery: the part of that in which the model moves to the level; %rec: its share of all \
+                       frames\n",
+        );
         text.push_str("GPU: from its first to its last command by GPU time stamps, without transfers\n");
         text.push_str(&format!("all measured in {}\n", format_duration(self.secs)));
         text

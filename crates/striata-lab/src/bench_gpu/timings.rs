@@ -11,6 +11,7 @@ use striata_gpu::FrameClock;
 
 use super::bench_scene::BenchScene;
 use super::ways::{Entry, Way};
+use crate::pace::Pace;
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 
@@ -26,7 +27,9 @@ const WARM_UP_FRAMES: usize = 8;
 /// Times of one frame, in seconds.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
-    /// CPU time to move to the next level: making the indices and handing them over.
+    /// CPU time to move the model to the level: recovery, as the papers call it.
+    recover: f64,
+    /// CPU time to move to the next level: recovery, making the indices and handing them over.
     update: f64,
     /// GPU time from time stamps, or `None` if the adapter has no time stamps.
     gpu: Option<f64>,
@@ -49,10 +52,17 @@ pub(super) struct Cost {
     pub(super) name: &'static str,
     /// Whether all levels stay on the GPU, so that nothing is computed or uploaded.
     pub(super) is_resident: bool,
+    pub(super) recover_secs: Spread,
     pub(super) update_secs: Spread,
     /// `None` if the adapter has no time stamps.
     pub(super) gpu_secs: Option<Spread>,
     pub(super) frame_secs: Spread,
+    /// Mean over all frames.
+    pub(super) mean_frame_secs: f64,
+    /// Share of the frames' time that recovery takes, `%rec` in \[RCRG06\]; the rest is `%drw`.
+    pub(super) recover_share: f64,
+    /// Frames per second in the nearest, the middle and the farthest third of the walk.
+    pub(super) frames_per_sec: [f64; 3],
     /// Mean per frame.
     pub(super) uploaded_bytes: f64,
     /// Mean per frame.
@@ -76,10 +86,11 @@ struct TimedWay<'s> {
     index_count: f64,
 }
 
-/// Split counts from the full mesh to the base mesh and back; the base mesh appears once.
-fn walk(step_count: usize, frames: usize) -> Vec<usize> {
-    let at = |frame: usize| (frames - frame) * step_count / frames;
-    (1..=frames).chain((0..frames).rev()).map(at).collect()
+/// Split counts from the full mesh to the base mesh and back; the base mesh appears once, and the full mesh
+/// at the end.
+fn walk(pace: Pace, step_count: usize, frames: usize) -> Vec<usize> {
+    let away = pace.split_counts(step_count, frames);
+    away.iter().skip(1).chain(away.iter().rev().skip(1)).copied().collect()
 }
 
 impl Timings {
@@ -90,11 +101,11 @@ impl Timings {
     pub(super) fn run(
         bench: &BenchScene<'_>,
         entries: &[&'static Entry],
-        frames: usize,
+        (pace, frames): (Pace, usize),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let clock = FrameClock::new(bench.gpu)?;
-        let levels = walk(bench.step_count(), frames);
+        let levels = walk(pace, bench.step_count(), frames);
         let mut timed_ways = Vec::new();
         for (at, entry) in entries.iter().enumerate() {
             bar.share("models", at as f64 / entries.len() as f64);
@@ -119,7 +130,8 @@ impl Timings {
 impl<'s> TimedWay<'s> {
     fn new(entry: &'static Entry, bench: &'s BenchScene<'_>, levels: &[usize]) -> Result<Self, Failure> {
         let way = entry.build(bench, levels)?;
-        let unmeasured = Frame { update: f64::INFINITY, gpu: None, whole: f64::INFINITY };
+        let unmeasured =
+            Frame { recover: f64::INFINITY, update: f64::INFINITY, gpu: None, whole: f64::INFINITY };
         let frames = vec![unmeasured; levels.len()];
         Ok(Self { entry, way, frames, uploaded_bytes: 0.0, index_count: 0.0 })
     }
@@ -165,7 +177,9 @@ impl<'s> TimedWay<'s> {
     ) -> Result<Frame, Failure> {
         let BenchScene { gpu, canvas, painter, scene, vertices, look, .. } = bench;
         let started = Instant::now();
-        self.way.move_to(gpu, split_count)?;
+        self.way.move_to(split_count);
+        let recover = started.elapsed().as_secs_f64();
+        self.way.send(gpu)?;
         let update = started.elapsed().as_secs_f64();
         let mut encoder = gpu.device().create_command_encoder(&Default::default());
         clock.inspect(|clock| clock.start(&mut encoder));
@@ -177,13 +191,19 @@ impl<'s> TimedWay<'s> {
         gpu.queue().submit([encoder.finish()]);
         gpu.wait()?;
         let whole = started.elapsed().as_secs_f64();
-        Ok(Frame { update, gpu: clock.map(|clock| clock.secs(gpu)).transpose()?, whole })
+        Ok(Frame { recover, update, gpu: clock.map(|clock| clock.secs(gpu)).transpose()?, whole })
     }
 
     fn cost(&self) -> Cost {
         let spread = |value: fn(&Frame) -> f64| Spread::of(self.frames.iter().map(value));
         let gpu_secs = self.frames.iter().map(|frame| frame.gpu).collect::<Option<Vec<f64>>>();
+        let sum = |value: fn(&Frame) -> f64| self.frames.iter().map(value).sum::<f64>();
+        let whole = sum(|frame| frame.whole);
         Cost {
+            mean_frame_secs: whole / self.frames.len().max(1) as f64,
+            recover_share: sum(|frame| frame.recover) / whole,
+            frames_per_sec: frames_per_sec_by_third(&self.frames),
+            recover_secs: spread(|frame| frame.recover),
             name: self.entry.name,
             is_resident: self.entry.is_resident,
             update_secs: spread(|frame| frame.update),
@@ -196,8 +216,24 @@ impl<'s> TimedWay<'s> {
     }
 }
 
+/// Frames per second in three thirds of a walk away, of which the way back is the mirror image.
+fn frames_per_sec_by_third(frames: &[Frame]) -> [f64; 3] {
+    let distance = |at: usize| at.min(frames.len() - 1 - at);
+    let half = frames.len().div_ceil(2);
+    [0, 1, 2].map(|third| {
+        let is_here = |at: &usize| 3 * distance(*at) / half == third;
+        let (mut secs, mut count) = (0.0, 0);
+        for at in (0..frames.len()).filter(is_here) {
+            secs += frames[at].whole;
+            count += 1;
+        }
+        if count == 0 { 0.0 } else { f64::from(count) / secs }
+    })
+}
+
 impl Frame {
     fn keep_fastest(&mut self, other: Self) {
+        self.recover = self.recover.min(other.recover);
         self.update = self.update.min(other.update);
         self.whole = self.whole.min(other.whole);
         self.gpu = match (self.gpu, other.gpu) {
@@ -225,11 +261,21 @@ mod tests {
 
     #[test]
     fn walk_reaches_the_base_and_returns_in_even_steps() {
-        assert_eq!(walk(100, 4), [75, 50, 25, 0, 25, 50, 75, 100]);
-        assert_eq!(walk(7, 1), [0, 7]);
-        assert_eq!(walk(0, 2), [0; 4]);
-        let large = walk(1_000_003, 333);
-        assert_eq!((large.len(), large[332], large[665]), (666, 0, 1_000_003));
+        assert_eq!(walk(Pace::Linear, 100, 4), [75, 50, 25, 0, 25, 50, 75, 100]);
+        assert_eq!(walk(Pace::Linear, 7, 1), [0, 7]);
+        assert_eq!(walk(Pace::Linear, 0, 2), [0; 4]);
+        for pace in Pace::ALL {
+            let large = walk(pace, 1_000_003, 333);
+            assert_eq!((large.len(), large[332], large[665]), (666, 0, 1_000_003));
+        }
+    }
+
+    #[test]
+    fn thirds_of_the_way_back_are_those_of_the_way_away() {
+        let frame = |whole| Frame { recover: 0.0, update: 0.0, gpu: None, whole };
+        let frames = [0.5, 0.5, 0.25, 0.25, 0.1, 0.1, 0.1, 0.25, 0.25, 0.5, 0.5].map(frame);
+        assert_eq!(frames_per_sec_by_third(&frames), [2.0, 4.0, 10.0]);
+        assert_eq!(frames_per_sec_by_third(&frames[..1]), [2.0, 0.0, 0.0]);
     }
 
     #[test]

@@ -5,13 +5,15 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use striata::mesh::{FragmentedMesh, RefinableMesh};
-use striata::model::{DrawCounts, Fans, LodModel, LodStrips, Mts, PartBytes, Patterns, Topology};
+use striata::model::{
+    DrawCounts, Fans, LodModel, LodStrips, Mts, PartBytes, Patterns, StageOptions, Topology,
+};
 use striata::strip::StripSet;
 use striata_lab::baseline::{
-    DiscreteLevels, LoopPatterns, MultiTriangulation, OrderedMeshes, OriginalLodStrips, ProgressiveMeshes,
-    SkipStrips,
+    DiscreteLevels, EfficientLodStrips, HoppeProgressiveMeshes, LoopPatterns, MultiTriangulation,
+    OrderedMeshes, OriginalLodStrips, ProgressiveMeshes, SkipStrips, Winding,
 };
-use striata_lab::{Accounting, MtsGraph, PaperBytes};
+use striata_lab::{Accounting, LifetimeLodStrips, MtsGraph, PaperBytes};
 use striata_strip::{StripOptions, stripify};
 
 use striata_command::failure::Failure;
@@ -58,18 +60,31 @@ impl<E: Into<Failure>> From<E> for BuildFailure {
 }
 
 /// All models; chart colors follow this order.
-const ENTRIES: [Entry; 13] = [
+const ENTRIES: [Entry; 17] = [
     Entry::new("lodstrips", |inputs| built(|| LodStrips::build(inputs.refinable, inputs.strips))),
+    Entry::new("lodstrips-staged", |inputs| built(|| staged(inputs))),
     Entry::new("mts", |inputs| built(|| Mts::build(inputs.refinable, inputs.strips))),
     Entry::new("fans", |inputs| built(|| Ok::<_, Failure>(Fans::build_without_bounds(inputs.refinable)))),
     Entry::new("patterns", |inputs| built(|| Patterns::build_without_bounds(inputs.fragmented))),
     Entry::new("lodstrips-original", |inputs| {
         built(|| OriginalLodStrips::build(inputs.refinable, inputs.strips))
     }),
+    Entry::new("lodstrips-published", |inputs| {
+        built(|| EfficientLodStrips::build(inputs.refinable, inputs.strips, Winding::Kept))
+    }),
+    Entry::new("lodstrips-lifetimes", |inputs| {
+        built(|| LifetimeLodStrips::build(inputs.refinable, inputs.strips))
+    }),
     Entry::new("mts-graph", |inputs| built(|| MtsGraph::build(inputs.refinable, inputs.strips))),
     Entry::new("skip-strips", |inputs| built(|| SkipStrips::build(inputs.refinable, inputs.strips))),
     Entry::new("progressive-meshes", |inputs| {
         built(|| Ok::<_, Failure>(ProgressiveMeshes::build(inputs.refinable)))
+    }),
+    Entry::new("progressive-meshes-hoppe", |inputs| {
+        built(|| {
+            HoppeProgressiveMeshes::build(inputs.refinable)
+                .map_err(|error| BuildFailure::Unsupported(error.to_string()))
+        })
     }),
     Entry::new("ordered-meshes", |inputs| built(|| Ok::<_, Failure>(OrderedMeshes::build(inputs.refinable)))),
     Entry::new("loop-patterns", |inputs| {
@@ -84,6 +99,11 @@ const ENTRIES: [Entry; 13] = [
     Entry::of_few_levels("discrete-5", |inputs| built(|| discrete(inputs, 5))),
     Entry::of_few_levels("discrete-10", |inputs| built(|| discrete(inputs, 10))),
 ];
+
+fn staged(inputs: ModelInputs<'_>) -> Result<LodStrips<'static>, Failure> {
+    let strips = |level: &_| stripify(level, inputs.level_strips).map_err(Failure::from);
+    LodStrips::build_staged(inputs.refinable, inputs.strips, &StageOptions::default(), strips)
+}
 
 fn discrete(inputs: ModelInputs<'_>, level_count: usize) -> Result<DiscreteLevels, Failure> {
     let strips = |mesh: &_| stripify(mesh, inputs.level_strips);

@@ -172,9 +172,10 @@ fn measure_strips(
     bar: &mut Bar,
     say: &dyn Fn(&str),
 ) -> Result<StripsReport, Failure> {
-    say(&format!("tunnels of up to {} links, {} seeds each", args.max_tunnel, args.seeds));
-    let tunnel_lengths =
-        tunnels::measure(mesh, args.max_tunnel, args.seeds, &mut |share| bar.share("tunnels", share))?;
+    let (searches, lengths) = (&args.tunnel_searches[..], &args.tunnels[..]);
+    say(&format!("tunnels of up to {} links, {} seeds each", lengths.iter().max().unwrap_or(&0), args.seeds));
+    let mut show_share = |share| bar.share("tunnels", share);
+    let tunnel_lengths = tunnels::measure(mesh, (searches, lengths), args.seeds, &mut show_share)?;
     let mut show = |name: &str| say(name);
     let stripifiers = stripifiers::measure(mesh, &args.chains, &args.budgets, &mut show)?;
     Ok(StripsReport { strip_count_bound: strip_count_bound(mesh), tunnel_lengths, stripifiers })
@@ -248,9 +249,7 @@ impl MeshReport {
             text.push('\n');
         }
         if let Some(strips) = &self.strips {
-            text.push_str(
-                "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
-            );
+            text.push_str("Strips by the longest tunnel: mean and standard deviation, range, CPU seconds\n");
             text.push_str(&text_of(tunnels::table(&strips.tunnel_lengths)));
             text.push_str("\nTime against quality\n");
             text.push_str(&text_of(stripifiers::table(&strips.stripifiers)));

@@ -5,7 +5,8 @@ use super::models::{Basis, ModelRow, ModelsReport, POSITION_BYTES, table, walk_t
 use super::page::{Block, Section};
 use super::plot::{Chart, Series};
 use super::scale::Scale;
-use super::walks::{self, Pace};
+use super::walks;
+use crate::pace::Pace;
 use striata_command::failure::Failure;
 
 /// The page sections of a models report.

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::models::{ModelRow, ModelsReport};
 use super::page::{Block, Section};
-use super::walks::Pace;
+use crate::pace::Pace;
 use striata_command::output::format_count;
 
 /// Explanation of the table.
@@ -66,10 +66,10 @@ const RCRG06_2: &str = "[RCRG06] table 2";
 
 /// Names of our models for those of the papers.
 const MTS: &str = "mts-graph";
-const PM: &str = "progressive-meshes";
+const PM: &str = "progressive-meshes-hoppe";
 const SKIP_STRIPS: &str = "skip-strips";
 const ORIGINAL: &str = "lodstrips-original";
-const EFFICIENT: &str = "lodstrips";
+const EFFICIENT: &str = "lodstrips-published";
 
 /// 5,804 triangles.
 const COW: [Published; 8] = [

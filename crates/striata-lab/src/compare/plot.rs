@@ -35,7 +35,7 @@ pub(super) const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
 pub(super) const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
 
 /// Colors of series in the light and the dark theme.
-pub(super) const SERIES: [(RGBColor, &str); 13] = [
+pub(super) const SERIES: [(RGBColor, &str); 17] = [
     (RGBColor(0x0b, 0x6e, 0x99), "#5bb8e0"),
     (RGBColor(0xc2, 0x57, 0x1a), "#f0955a"),
     (RGBColor(0x2e, 0x8b, 0x57), "#6fcf97"),
@@ -49,6 +49,10 @@ pub(super) const SERIES: [(RGBColor, &str); 13] = [
     (RGBColor(0x6a, 0x7d, 0x00), "#b5cc4a"),
     (RGBColor(0x7a, 0x4a, 0x24), "#cf9f78"),
     (RGBColor(0x6a, 0x5a, 0xcd), "#b0a4ff"),
+    (RGBColor(0x00, 0x72, 0x4e), "#4fd0a0"),
+    (RGBColor(0x9a, 0x1f, 0x4b), "#f57fa4"),
+    (RGBColor(0x3d, 0x4f, 0x2f), "#a9bf95"),
+    (RGBColor(0x2f, 0x6f, 0xd0), "#86b4ff"),
 ];
 
 /// Named points, connected by a line if there are several.

@@ -1,8 +1,11 @@
 //! Time against quality of every stripifier, including search-based ones with several time budgets.
 
+use std::time::Instant;
+
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::strip::StripSet;
+use striata_lab::stripifiers::{join_like_tomesh, strips_of};
 
 use super::page::{Block, Section};
 use super::plot::{Chart, Series};
@@ -58,12 +61,21 @@ pub(super) fn measure(
         }
         push(&name, None, &plan.run(mesh, &mut |_| ())?)?;
     }
+    show("tomesh");
+    push("tomesh", None, &fastest_run(|| tomesh(mesh))?)?;
     #[cfg(feature = "peers")]
     for (name, stripify) in super::peers::PEERS {
         show(name);
         push(name, None, &fastest_run(|| stripify(mesh))?)?;
     }
     Ok(rows)
+}
+
+/// The strips of SGI's `tomesh`.
+fn tomesh(mesh: &IndexedMesh) -> Result<TimedStrips, Failure> {
+    let started = Instant::now();
+    let strips = strips_of(mesh, join_like_tomesh)?;
+    Ok(TimedStrips { strips, secs: started.elapsed().as_secs_f64() })
 }
 
 fn fastest_run(mut run: impl FnMut() -> Result<TimedStrips, Failure>) -> Result<TimedStrips, Failure> {

@@ -10,7 +10,8 @@ use striata::mesh::Random;
 
 use super::contenders::{Contender, Entry};
 use super::sweep::Sweep;
-use super::walks::{Pace, Walk, mean};
+use super::walks::{Walk, mean};
+use crate::pace::Pace;
 
 /// Maximum number of rounds.
 const ROUND_COUNT: usize = 5;

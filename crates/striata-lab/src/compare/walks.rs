@@ -13,61 +13,10 @@ use striata::mesh::CollapseSequence;
 use striata::model::DrawCounts;
 
 use super::contenders::Contender;
+use crate::pace::Pace;
 
 /// Maximum number of points in a series.
 const MAX_POINTS: usize = 100;
-
-/// In each frame, an exponential walk covers this share of the remaining detail, divided by the number of
-/// frames.
-const EXPONENTIAL_RATE: f64 = 5.0;
-
-/// How the level falls as the object moves away.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum Pace {
-    /// Equally many steps in each frame.
-    Linear,
-    /// A fixed share of the remaining steps in each frame: large changes near, small ones far away.
-    Exponential,
-}
-
-impl Pace {
-    /// All paces.
-    pub(super) const ALL: [Self; 2] = [Self::Linear, Self::Exponential];
-
-    /// Name of the pace.
-    pub(super) const fn as_str(self) -> &'static str {
-        match self {
-            Self::Linear => "linear",
-            Self::Exponential => "exponential",
-        }
-    }
-
-    /// Capitalized name of the pace.
-    pub(super) const fn title(self) -> &'static str {
-        match self {
-            Self::Linear => "Linear",
-            Self::Exponential => "Exponential",
-        }
-    }
-
-    /// Split counts from the full mesh (near) to the base mesh (far): one more than there are frames.
-    pub(super) fn split_counts(self, step_count: usize, frames: usize) -> Vec<usize> {
-        let frames = frames.max(1);
-        // Repeated multiplication gives the same result on every machine.
-        let remaining_per_frame = 1.0 - (EXPONENTIAL_RATE / frames as f64).min(0.5);
-        let remainders: Vec<f64> =
-            std::iter::successors(Some(1.0), |remaining| Some(remaining * remaining_per_frame))
-                .take(frames + 1)
-                .collect();
-        let last = remainders[frames];
-        let detail = |frame: usize| match self {
-            Self::Linear => 1.0 - frame as f64 / frames as f64,
-            Self::Exponential => (remainders[frame] - last) / (1.0 - last),
-        };
-        (0..=frames).map(|frame| (detail(frame) * step_count as f64).round() as usize).collect()
-    }
-}
 
 /// A walk, the fastest times of its frames, and their draw counts.
 #[derive(Clone, Debug)]
@@ -237,28 +186,6 @@ pub(super) struct Series {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn walks_lead_from_the_full_mesh_to_the_base() {
-        for pace in Pace::ALL {
-            for (step_count, frames) in [(0, 1), (1, 1), (7, 200), (1000, 1), (1000, 3), (34_000, 200)] {
-                let levels = pace.split_counts(step_count, frames);
-                assert_eq!((levels.len(), levels[0], levels[frames]), (frames + 1, step_count, 0));
-                assert!(levels.is_sorted_by(|a, b| a >= b), "{pace:?}: {levels:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn exponential_walk_changes_much_near_and_little_far_away() {
-        let changes = |pace: Pace| -> Vec<usize> {
-            pace.split_counts(10_000, 100).windows(2).map(|pair| pair[0] - pair[1]).collect()
-        };
-        assert!(changes(Pace::Linear).iter().all(|&change| change == 100));
-        let falling = changes(Pace::Exponential);
-        assert!(falling.is_sorted_by(|a, b| a + 1 >= *b), "{falling:?}");
-        assert!(falling[0] > 450 && falling[99] < 10, "{falling:?}");
-    }
 
     #[test]
     fn thinned_series_keeps_its_ends() {

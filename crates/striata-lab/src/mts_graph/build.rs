@@ -1,7 +1,6 @@
 //! Builds the graph of each strip from its index sequences at all levels.
 
 use striata::mesh::RefinableMesh;
-use striata::model::mts::MAX_STRIP_INDICES;
 use striata::model::strip_history::{Piece, StripHistory};
 use striata::model::{ModelError, check_strips};
 use striata::strip::StripSet;
@@ -9,8 +8,8 @@ use striata::strip::StripSet;
 use super::{END, MtsGraph, NEW_VERTEX, RowNode, SAME_VERTEX, StripNode};
 
 impl MtsGraph {
-    /// Builds the model from strips of the full mesh. Strips longer than [`MAX_STRIP_INDICES`] are cut, as
-    /// in [`Mts`](striata::model::Mts).
+    /// Builds the model from strips of the full mesh, which are used unchanged. To compare it with
+    /// [`Mts`](striata::model::Mts), [cut](StripSet::cut) them as that model does.
     ///
     /// # Errors
     /// [`ModelError`] if the strips do not match the mesh.
@@ -20,7 +19,7 @@ impl MtsGraph {
         let step_count = sequence.step_count();
         let mut graph = Self { step_count, ..Self::default() };
         let mut builder = StripBuilder::new(refinable.mesh.vertex_count());
-        for strip in strips.cut(MAX_STRIP_INDICES).strips() {
+        for strip in strips.strips() {
             let mut history = StripHistory::new(sequence, strip);
             builder.clear();
             builder.push_level(history.pieces(), 0);

@@ -4,11 +4,15 @@ use serde_json::Value;
 
 use crate::workbench::Workbench;
 
-const WAYS: [&str; 10] = [
+const WAYS: [&str; 14] = [
     "list",
     "strips",
     "strips-ranges",
     "strips-draws",
+    "strips-staged",
+    "strips-published",
+    "mts",
+    "mts-published",
     "fans",
     "fans-strips",
     "fans-compute",
@@ -41,6 +45,9 @@ fn all_ways_are_timed_on_one_walk() {
             assert_eq!(indices(same), indices("list"), "{same}");
         }
         assert_eq!(indices("resident-strips"), indices("strips"));
+        assert!(indices("strips-staged") <= indices("strips"));
+        // MTS cuts strips at 128 indices, and the published form does not.
+        assert!(indices("mts-published") <= indices("mts"));
         assert!(indices("strips") < indices("list") && indices("strips-draws") < indices("strips"));
         assert!(indices("strips-ranges") >= indices("strips"));
         let sent = |name| of(name, "uploaded_bytes");
@@ -57,8 +64,24 @@ fn all_ways_are_timed_on_one_walk() {
             }
             assert!(number(frame, "median") <= number(frame, "p95"));
             assert!(number(way, "gpu_bytes") > 0.0);
+            assert!(number(&way["recover_secs"], "median") <= number(update, "median"), "{way}");
+            assert!((0.0..1.0).contains(&number(way, "recover_share")), "{way}");
+            let speeds = way["frames_per_sec"].as_array().unwrap();
+            assert!(speeds.len() == 3 && speeds.iter().all(|speed| speed.as_f64().unwrap() > 0.0), "{way}");
         }
     }
+}
+
+#[test]
+fn exponential_walk_draws_fewer_triangles() {
+    let bench = Workbench::with_ball();
+    let indices = |pace: &str| {
+        let line = "bench-gpu sphere.obj --ways list,mts --frames 8 --size 32x32 --software --quiet --pace";
+        let report = bench.json(&format!("{line} {pace}"));
+        assert_eq!(report["pace"], pace);
+        number(&report["meshes"][0]["ways"][0], "index_count")
+    };
+    assert!(indices("exponential") < indices("linear"));
 }
 
 #[test]

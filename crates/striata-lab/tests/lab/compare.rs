@@ -5,7 +5,7 @@ use striata_strip::{StripOptions, Stripifier, stripify};
 use crate::workbench::{Workbench, assert_keys};
 
 /// Arguments that compare strips only, with little work.
-const QUICK: &str = "--parts strips --seeds 2 --max-tunnel 5 --budgets 0.01,0.02";
+const QUICK: &str = "--parts strips --seeds 2 --tunnels 1,3,5 --budgets 0.01,0.02";
 
 #[test]
 fn report_has_all_lengths_and_stripifiers() {
@@ -22,22 +22,22 @@ fn report_has_all_lengths_and_stripifiers() {
         let settings: Vec<(&str, u64)> = lengths
             .iter()
             .map(|row| {
-                (row["algorithm"].as_str().expect("a name"), row["max_length"].as_u64().expect("a length"))
+                (row["search"].as_str().expect("a name"), row["max_length"].as_u64().expect("a length"))
             })
             .collect();
         for length in [1, 3, 5] {
-            for algorithm in ["tunnel", "tunnel-static"] {
-                assert!(settings.contains(&(algorithm, length)), "{algorithm} {length}: {settings:?}");
+            for search in ["published", "per-path", "static", "grown", "tunnel"] {
+                assert!(settings.contains(&(search, length)), "{search} {length}: {settings:?}");
             }
         }
-        assert_eq!(settings.len(), 6);
+        assert_eq!(settings.len(), 15);
         for row in lengths {
-            assert_keys(row, &["seeds", "mean", "min", "max", "std"]);
+            assert_keys(row, &["seeds", "mean", "min", "max", "std", "secs", "secs_std"]);
             let [mean, min, max] = ["mean", "min", "max"].map(|key| row[key].as_f64().expect("a number"));
             assert!(row["seeds"] == 2 && 1.0 <= min && min <= mean && mean <= max, "{row}");
         }
         let rows = mesh["strips"]["stripifiers"].as_array().expect("a list");
-        for algorithm in ["greedy", "greedy+tunnel:3"] {
+        for algorithm in ["greedy", "greedy+tunnel:3", "tomesh"] {
             assert!(rows.iter().any(|row| row["algorithm"] == algorithm), "{algorithm}: {rows:?}");
         }
         for row in rows {
@@ -59,13 +59,13 @@ fn report_has_all_lengths_and_stripifiers() {
 #[test]
 fn tunnel_lengths_agree_with_the_stripifier() {
     let bench = Workbench::with_ball();
-    let report = bench.json("compare sphere.obj --parts strips --seeds 1 --max-tunnel 3 --strips tunnel:3");
+    let report = bench.json("compare sphere.obj --parts strips --seeds 1 --tunnels 3 --strips tunnel:3");
     let mesh = striata_io::read(bench.path("sphere.obj")).expect("a mesh");
     let options = StripOptions::default().with_stripifier(Stripifier::Tunnel { max_length: 3 });
     let alone = stripify(&mesh, &options).expect("strips").cost();
     let strips = &report["meshes"][0]["strips"];
     let mut lengths = strips["tunnel_lengths"].as_array().expect("a list").iter();
-    let row = lengths.find(|row| row["algorithm"] == "tunnel" && row["max_length"] == 3);
+    let row = lengths.find(|row| row["search"] == "tunnel" && row["max_length"] == 3);
     assert_eq!(row.expect("a row")["min"], alone.strip_count);
     assert_eq!(strips["stripifiers"][0]["index_count"], alone.index_count);
 }
@@ -90,12 +90,12 @@ fn page_is_self_contained() {
     let bench = Workbench::with_ball();
     let assert = bench.run(&format!("compare sphere.obj {QUICK} --html page.html")).success();
     let text = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
-    assert!(text.contains("tunnel-static") && text.contains("greedy"), "{text}");
+    assert!(text.contains("per-path") && text.contains("tomesh") && text.contains("greedy"), "{text}");
     let page = String::from_utf8(bench.read("page.html")).expect("text");
     assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
     assert!(
         page.contains(
-            "striata-lab compare sphere.obj --parts strips --seeds 2 --max-tunnel 5 --budgets 0.01,0.02 --html page.html"
+            "striata-lab compare sphere.obj --parts strips --seeds 2 --tunnels 1,3,5 --budgets 0.01,0.02 --html page.html"
         ),
         "no command line"
     );
@@ -126,10 +126,11 @@ fn invalid_comparisons_are_rejected_immediately() {
     for (arguments, expected) in [
         ("compare", "<INPUT>"),
         ("compare nowhere.ply", "nowhere.ply"),
-        ("compare sphere.obj nowhere.ply --seeds 1000 --max-tunnel 999", "nowhere.ply"),
+        ("compare sphere.obj nowhere.ply --seeds 1000 --tunnels 999", "nowhere.ply"),
         ("compare sphere.obj --strips greedy,zigzag", "zigzag"),
         ("compare sphere.obj --strips tunnel:0", "tunnel:0"),
-        ("compare sphere.obj --max-tunnel 0", "1..=999"),
+        ("compare sphere.obj --tunnels 0", "1..=999"),
+        ("compare sphere.obj --tunnel-searches greedy", "per-path"),
         ("compare sphere.obj --seeds 0", "1..=1000"),
         ("compare sphere.obj --budgets 1,x", "0 or more"),
         ("compare sphere.obj --parts strips,models,walks", "walks"),

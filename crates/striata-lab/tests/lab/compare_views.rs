@@ -4,7 +4,16 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys};
 
-const FOLLOWERS: [&str; 5] = ["fans", "fans-kept", "fans-stateless", "vdpm", "uniform"];
+const FOLLOWERS: [&str; 8] = [
+    "fans",
+    "fans-kept",
+    "fans-stateless",
+    "vdpm",
+    "vdpm-kept",
+    "fans-published",
+    "fans-dependents",
+    "uniform",
+];
 
 fn list<'v>(object: &'v Value, key: &str) -> &'v [Value] {
     object[key].as_array().unwrap_or_else(|| panic!("no list {key} in {object}"))
@@ -63,6 +72,8 @@ fn every_path_has_every_follower_with_every_key() {
         for key in ["triangles", "max_error_px", "p99_error_px", "bytes_per_vertex"] {
             assert!(fans[key] == kept[key] && fans[key] == stateless[key], "{key} depends on memory: {path}");
         }
+        let dependents = contender(path, "fans-dependents");
+        assert!(number(dependents, "triangles") >= number(fans, "triangles"), "bounds are wider: {path}");
         // On jumps everything changes in each frame, and the parts of the previous view are evaluated in
         // addition.
         let evaluates_less = number(fans, "asked_per_frame") < number(stateless, "asked_per_frame");
@@ -83,13 +94,18 @@ fn every_path_has_every_follower_with_every_key() {
             "fans",
             "fans, a front",
             "fans, all kept",
-            "vdpm"
+            "fans-published",
+            "vdpm",
+            "vdpm-kept"
         ]
     );
     let shown: Vec<f64> = list(views, "refinement")
         .iter()
         .map(|row| {
             assert_eq!(list(row, "contenders").len(), FOLLOWERS.len());
+            let [list_of, fans, strips] = [0, 1, 2].map(|i| number(&list(row, "drawn")[i], "index_count"));
+            assert!(fans < strips && strips < list_of, "{row}");
+            assert_eq!(list_of, 3.0 * number(contender(row, "fans-stateless"), "triangles"));
             number(contender(row, "fans"), "triangles")
         })
         .collect();

@@ -307,10 +307,10 @@ impl<'a> TriangleCoder<'a> {
         let is_full = self.shape.vertices.len() == self.counts.vertices;
         let count = self.shape.wedges.count(node);
         if is_full || (count > 1 && is_known.code(coder, met != UNMET)) {
-            let rank = self.shape.wedges.from_last(node).position(|w| w == met).unwrap_or(0);
+            let rank = self.shape.wedges.latest_first(node).position(|w| w == met).unwrap_or(0);
             let rank = self.wedge_rank.unsigned(coder, 0, rank as u64) as usize;
             // Damaged bytes may name a wedge that does not exist.
-            return self.shape.wedges.from_last(node).take(rank + 1).last().unwrap_or(expected);
+            return self.shape.wedges.latest_first(node).take(rank + 1).last().unwrap_or(expected);
         }
         self.new_vertex(coder, page, actual, (Some(node), [UNMET; 3]))
     }

@@ -66,7 +66,7 @@ impl TriangleCoder<'_> {
         let mut known = near[..2].iter().copied().find(|&v| v < Shape::IMPORTS);
         let position = match node {
             Some(position) => {
-                known = self.shape.wedges.from_last(position).next();
+                known = self.shape.wedges.latest_first(position).next();
                 position
             }
             None => {

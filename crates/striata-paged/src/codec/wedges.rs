@@ -43,7 +43,7 @@ impl Wedges {
     }
 
     /// Vertices of a position, the last one first.
-    pub(super) fn from_last(&self, position: u32) -> impl Iterator<Item = u32> + '_ {
+    pub(super) fn latest_first(&self, position: u32) -> impl Iterator<Item = u32> + '_ {
         let found = |v: u32| (v != NONE).then_some(v);
         std::iter::successors(found(self.last[position as usize]), move |&v| found(self.before[v as usize]))
     }
@@ -55,7 +55,7 @@ impl Wedges {
             buffer.push(position);
             return;
         }
-        buffer.extend(self.from_last(position));
+        buffer.extend(self.latest_first(position));
         buffer.reverse();
     }
 }

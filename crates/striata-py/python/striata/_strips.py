@@ -62,7 +62,7 @@ def strip(
         The mesh.
     faces : array_like, optional
         Faces, if `mesh` is an array of points.
-    method : {"greedy", "stripe", "tunnel", "tunnel:N", "fewest", "cheapest"}
+    method : {"greedy", "stripe", "stripe:global", "tunnel", "tunnel:N", "fewest", "cheapest"}
         "greedy" is fast, "fewest" searches for the fewest strips, "cheapest" for the fewest indices.
     seed : int
         Seed of the methods that make random choices.

@@ -18,7 +18,7 @@ use striata::strip::{StripLinks, StripPath, next_side};
 
 use crate::stripifier::DEFAULT_TUNNEL_LENGTH;
 use crate::task::{SpentFn, Task};
-use crate::tunnel::{self, Identity, ends_of, join_ends};
+use crate::tunnel::{self, ends_of, join_ends};
 use bound::Bounds;
 use path_forest::PathForest;
 
@@ -54,7 +54,7 @@ pub fn strip_count_bound(mesh: &IndexedMesh) -> usize {
 pub(crate) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>) {
     if walk_ends(task, graph, links, spent) {
         let mut few = |searches| searches as f64 / FINAL_SEARCH_COUNT as f64;
-        tunnel::run(task, links, DEFAULT_TUNNEL_LENGTH, Identity::Dynamic, &mut few);
+        tunnel::run(task, links, DEFAULT_TUNNEL_LENGTH, &mut few);
     }
 }
 

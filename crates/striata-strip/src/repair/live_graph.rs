@@ -73,6 +73,11 @@ impl LiveGraph {
         self.corners[triangle as usize]
     }
 
+    /// Returns the vertices of all triangles; dead ones keep their last.
+    pub(super) fn all_corners(&self) -> &[[u32; 3]] {
+        &self.corners
+    }
+
     /// Iterates over the corners at a vertex.
     pub(super) fn corners_at(&self, vertex: u32) -> impl Iterator<Item = u32> {
         self.stars.corners(vertex)

@@ -1,8 +1,11 @@
 //! Strips of the current level, and their moves to other levels.
 
+use std::borrow::Cow;
+
 use striata::mesh::{CollapseSequence, NO_TWIN, RefinableMesh, is_proper};
 use striata::strip::{StripLinks, StripSet, strip_triangles, write_strips};
 
+use super::changed_triangles::ChangedTriangles;
 use super::error::LiveStripsError;
 use super::live_graph::LiveGraph;
 use super::options::{RepairGoal, RepairOptions, RepairReport};
@@ -32,7 +35,7 @@ use super::tunnel_search::TunnelSearch;
 /// ```
 #[derive(Clone, Debug)]
 pub struct LiveStrips<'a> {
-    pub(super) sequence: &'a CollapseSequence,
+    pub(super) sequence: Cow<'a, CollapseSequence>,
     split_count: usize,
     pub(super) graph: LiveGraph,
     /// Solid bits of every triangle; the graph has the twins.
@@ -44,6 +47,8 @@ pub struct LiveStrips<'a> {
     pub(super) reach: u32,
     pub(super) search: TunnelSearch,
     pub(super) scratch: Scratch,
+    /// Triangles whose strips have changed since a buffer last asked.
+    pub(super) changes: ChangedTriangles,
 }
 
 impl<'a> LiveStrips<'a> {
@@ -72,7 +77,7 @@ impl<'a> LiveStrips<'a> {
             return Err(LiveStripsError::SplitCount { found: split_count, step_count });
         }
         let mut live = Self {
-            sequence,
+            sequence: Cow::Borrowed(sequence),
             split_count,
             graph: LiveGraph::new(mesh),
             solid: Vec::new(),
@@ -82,6 +87,7 @@ impl<'a> LiveStrips<'a> {
             reach: options.reach,
             search: TunnelSearch::new(options),
             scratch: Scratch::default(),
+            changes: ChangedTriangles::default(),
         };
         let mut dying = Vec::new();
         for vertex in (sequence.vertex_count_at(split_count)..mesh.vertex_count()).rev() {
@@ -91,6 +97,23 @@ impl<'a> LiveStrips<'a> {
         }
         live.take_strips(strips)?;
         Ok(live)
+    }
+
+    /// Copies the collapse sequence, so that nothing is borrowed any more.
+    pub fn into_owned(self) -> LiveStrips<'static> {
+        LiveStrips {
+            sequence: Cow::Owned(self.sequence.into_owned()),
+            split_count: self.split_count,
+            graph: self.graph,
+            solid: self.solid,
+            triangle_count: self.triangle_count,
+            solid_count: self.solid_count,
+            goal: self.goal,
+            reach: self.reach,
+            search: self.search,
+            scratch: self.scratch,
+            changes: self.changes,
+        }
     }
 
     /// Makes the links of the given strips solid, after checking that they fit the level.
@@ -140,6 +163,14 @@ impl<'a> LiveStrips<'a> {
         self.triangle_count - self.solid_count
     }
 
+    /// Whether a triangle of the full mesh belongs to a strip of the level.
+    pub(super) fn is_shown(&self, triangle: u32) -> bool {
+        let corners = self.graph.corners(triangle);
+        let vertex_count = self.sequence.vertex_count_at(self.split_count);
+        // A dead triangle keeps its last corners, and so a vertex that has collapsed.
+        is_proper(&corners) && corners.iter().all(|&vertex| (vertex as usize) < vertex_count)
+    }
+
     /// Counts the links of the level's dual graph, solid and dashed; linear in the size of the full mesh.
     pub fn link_count(&self) -> usize {
         self.graph.twins().iter().filter(|&&twin| twin != NO_TWIN).count() / 2
@@ -169,7 +200,7 @@ impl<'a> LiveStrips<'a> {
 
     /// Returns the number of bytes that it owns, without the full mesh and its sequence.
     pub fn bytes(&self) -> usize {
-        self.graph.bytes() + self.solid.len()
+        self.graph.bytes() + self.solid.len() + self.changes.bytes()
     }
 
     /// Moves to a level step by step, and repairs the strips around each step.

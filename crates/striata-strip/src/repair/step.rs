@@ -120,12 +120,13 @@ impl LiveStrips<'_> {
     /// Searches for tunnels from the triangles around a step, and from the triangles that the found tunnels
     /// pass.
     fn repair(&mut self, report: &mut RepairReport) {
-        let Self { graph, scratch, search, .. } = self;
+        let Self { graph, scratch, search, changes, .. } = self;
         let seeds = &mut scratch.touched;
         let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
         seeds.sort_unstable();
         seeds.dedup();
         report.touched_count += seeds.len();
+        seeds.iter().for_each(|&triangle| changes.add(triangle));
         for _ in 0..self.reach {
             for i in 0..seeds.len() {
                 seeds.extend(neighbors(&links, seeds[i]));
@@ -143,6 +144,10 @@ impl LiveStrips<'_> {
                 joined_count += found.joined_count;
                 cut_count += found.cut_count;
                 seeds.extend(search.touched_triangles().take(seed_limit.saturating_sub(seeds.len())));
+                for side in search.touched_sides() {
+                    changes.add(side / 3);
+                    changes.add(links.twins()[side as usize] / 3);
+                }
             }
         }
         self.solid = links.into_bits();

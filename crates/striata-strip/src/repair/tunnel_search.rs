@@ -158,11 +158,16 @@ impl TunnelSearch {
         open.min_by_key(|(_, chain)| chain.cost).map(|(chain, _)| chain)
     }
 
-    /// Iterates over the triangles at the links that the last search changed.
+    /// Iterates over the triangles from which the last search changed links.
     pub(super) fn touched_triangles(&self) -> impl Iterator<Item = u32> {
+        self.touched_sides().map(|side| side / 3)
+    }
+
+    /// Iterates over the links that the last search changed, each as one of its sides.
+    pub(super) fn touched_sides(&self) -> impl Iterator<Item = u32> {
         self.applied.iter().flat_map(|&chain| {
             let Chain { joined, cut, .. } = self.chains[chain as usize];
-            [joined, cut].into_iter().filter(|&side| side != NO_TWIN).map(|side| side / 3)
+            [joined, cut].into_iter().filter(|&side| side != NO_TWIN)
         })
     }
 

@@ -102,6 +102,9 @@ pub enum ShownModel {
     /// Strips edited in place
     #[value(name = ModelKind::LodStrips.as_str())]
     LodStrips,
+    /// Strips, repaired after every step
+    #[value(name = "live-strips")]
+    LiveStrips,
     /// Strips, traversed again where they change
     #[value(name = ModelKind::Mts.as_str())]
     Mts,
@@ -116,6 +119,13 @@ pub enum ShownModel {
     Patterns,
     /// Triangle list
     List,
+}
+
+impl ShownModel {
+    /// Whether the model can only be built from collapses, not from removals of any kind.
+    pub(super) fn needs_collapses(self) -> bool {
+        matches!(self, Self::LodStrips | Self::Mts)
+    }
 }
 
 impl WindowArgs {

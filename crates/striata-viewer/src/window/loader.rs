@@ -194,7 +194,8 @@ fn open(path: &Path, open_as: OpenAs, output: &Output, reporter: &mut Reporter) 
         simplified(&input, &mesh, origin, reporter)?
     };
     reporter.phase("models");
-    subject.build(if subject.has_collapses() { open_as.model } else { ShownModel::Patterns })?;
+    let is_usable = subject.has_collapses() || !open_as.model.needs_collapses();
+    subject.build(if is_usable { open_as.model } else { ShownModel::Fans })?;
     Ok(Subject::Mesh(Arc::new(subject)))
 }
 

@@ -6,6 +6,7 @@ use striata::mesh::{Bounds, FragmentedMesh, RefinableMesh};
 use striata::model::{FanScene, Fans, LodStrips, Mts, PatternScene, Patterns};
 use striata::strip::{StripSet, stripify};
 use striata::view::Sphere;
+use striata_strip::{LiveStrips, RepairOptions};
 
 use super::args::ShownModel;
 use super::subject::Origin;
@@ -24,6 +25,8 @@ pub(super) struct MeshSubject {
     pub(super) sphere: Sphere,
     strips: OnceLock<StripSet>,
     lod_strips: OnceLock<LodStrips<'static>>,
+    /// Strips of the full mesh, which instances copy.
+    live_strips: OnceLock<LiveStrips<'static>>,
     mts: OnceLock<Mts<'static>>,
     fans: OnceLock<Fans>,
     patterns: OnceLock<Patterns>,
@@ -60,13 +63,14 @@ impl MeshSubject {
             sphere,
             strips: once_lock(models.strips),
             lod_strips: once_lock(models.lod_strips),
+            live_strips: OnceLock::new(),
             mts: once_lock(models.mts),
             fans: once_lock(models.fans),
             patterns: once_lock(models.patterns),
         }
     }
 
-    /// Whether the mesh has collapses, which all models except patterns and the list need.
+    /// Whether the mesh has collapses, which models of strips need.
     pub(super) fn has_collapses(&self) -> bool {
         matches!(self.steps, Steps::Collapses(_))
     }
@@ -84,6 +88,7 @@ impl MeshSubject {
         match kind {
             ShownModel::List => true,
             ShownModel::LodStrips => self.lod_strips.get().is_some(),
+            ShownModel::LiveStrips => self.live_strips.get().is_some(),
             ShownModel::Mts => self.mts.get().is_some(),
             ShownModel::Fans | ShownModel::FansGpu => self.fans.get().is_some(),
             ShownModel::Patterns => self.patterns.get().is_some(),
@@ -95,15 +100,19 @@ impl MeshSubject {
         self.lod_strips.get()
     }
 
+    /// Live strips at the full mesh, if available.
+    pub(super) fn live_strips(&self) -> Option<&LiveStrips<'static>> {
+        self.live_strips.get()
+    }
+
     /// The MTS model, if available.
     pub(super) fn mts(&self) -> Option<&Mts<'static>> {
         self.mts.get()
     }
 
     /// The fans and the data to refine them for a view, if available.
-    pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
-        let (fans, refinable) = (self.fans.get()?, self.refinable()?);
-        Some((FanScene::new(fans, refinable), refinable))
+    pub(super) fn fan_scene(&self) -> Option<FanScene<'_>> {
+        Some(FanScene::new(self.fans.get()?, &self.steps.mesh().positions))
     }
 
     /// The patterns and the data to refine them for a view, if available.
@@ -125,12 +134,24 @@ impl MeshSubject {
                 let model = LodStrips::build(refinable, self.strips(refinable)?)?;
                 let _ = self.lod_strips.set(model);
             }
+            (ShownModel::LiveStrips, Steps::Collapses(refinable)) => {
+                let (full, strips) = (refinable.sequence.step_count(), self.strips(refinable)?);
+                let live = LiveStrips::new(refinable, full, strips, &RepairOptions::default());
+                let live = live.map_err(|error| {
+                    Failure::user(format!("{}: {error}", self.origin.name))
+                        .with_hint("the strips in the file are damaged; build it again")
+                })?;
+                let _ = self.live_strips.set(live.into_owned());
+            }
             (ShownModel::Mts, Steps::Collapses(refinable)) => {
                 let model = Mts::build(refinable, self.strips(refinable)?)?;
                 let _ = self.mts.set(model);
             }
             (ShownModel::Fans | ShownModel::FansGpu, Steps::Collapses(refinable)) => {
                 let _ = self.fans.set(Fans::build(refinable));
+            }
+            (ShownModel::Fans | ShownModel::FansGpu, Steps::Fragments(fragmented)) => {
+                let _ = self.fans.set(Fans::build(fragmented));
             }
             (ShownModel::Patterns, Steps::Collapses(refinable)) => {
                 self.set_patterns(&FragmentedMesh::from_collapses(refinable))?;
@@ -142,7 +163,7 @@ impl MeshSubject {
                     self.origin.name,
                     kind.title()
                 );
-                return Err(Failure::user(message).with_hint("choose Patterns or List"));
+                return Err(Failure::user(message).with_hint("choose Fans, Patterns or List"));
             }
         }
         Ok(())
@@ -200,14 +221,17 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn fragments_support_only_patterns() {
+    fn fragments_support_fans_and_patterns() {
         let refinable = subject_of(&shapes::icosphere(2, 1.0));
         let refinable = refinable.refinable().expect("collapses");
         let steps = Steps::Fragments(FragmentedMesh::from_collapses(refinable));
         let origin = Origin { name: "a".to_owned(), kind: "striata", ..Origin::default() };
         let subject = MeshSubject::new(origin, steps, StoredModels::default());
         assert!(!subject.has_collapses());
-        assert!(subject.build(ShownModel::Fans).is_err() && subject.build(ShownModel::LodStrips).is_err());
-        subject.build(ShownModel::Patterns).expect("patterns can be built from fragments");
+        assert!(subject.build(ShownModel::Mts).is_err() && subject.build(ShownModel::LodStrips).is_err());
+        for kind in [ShownModel::Fans, ShownModel::FansGpu, ShownModel::Patterns, ShownModel::List] {
+            subject.build(kind).expect("these can be built from fragments");
+        }
+        assert!(subject.fan_scene().is_some() && subject.pattern_scene().is_some());
     }
 }

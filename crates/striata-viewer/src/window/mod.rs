@@ -97,7 +97,7 @@ fn initial_state(args: &FirstArgs) -> ViewerState {
     };
     match args.model {
         Some(_) => state.goal = goal,
-        None => state.set_goal(goal, true),
+        None => state.set_goal(goal),
     }
     state.colors = match args.colors {
         Coloring::Surface => Colors::Surface,

@@ -236,7 +236,7 @@ fn level(viewer: &mut Viewer, ui: &mut Ui) {
     ui.horizontal(|ui| {
         for (kind, name, note) in kinds {
             if ui.selectable_label(viewer.state.goal == kind, name).on_hover_text(note).clicked() {
-                viewer.state.set_goal(kind, subject.has_collapses());
+                viewer.state.set_goal(kind);
             }
         }
     });
@@ -302,8 +302,7 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
             }
         }
         for kind in ShownModel::ALL {
-            let is_usable =
-                subject.has_collapses() || matches!(kind, ShownModel::List | ShownModel::Patterns);
+            let is_usable = subject.has_collapses() || !kind.needs_collapses();
             let is_stored = subject.mesh().is_some_and(|mesh| mesh.stored.contains(&kind));
             let origin = if is_stored { " (stored in the file)" } else { "" };
             let origin = if is_scene { "; shows the scene as one mesh without materials" } else { origin };

@@ -290,7 +290,7 @@ impl MeshResources {
         match changes {
             Changes::None => {}
             Changes::Ranges(ranges) if draw_indices.indices.len() <= self.indices.capacity() => {
-                self.indices.write_ranges(gpu, draw_indices.indices, &ranges);
+                self.indices.write_changed(gpu, draw_indices.indices, ranges);
             }
             Changes::Ranges(_) | Changes::All => self.indices.write(gpu, draw_indices.indices)?,
         }
@@ -308,7 +308,7 @@ impl MeshResources {
         (subject, instance): (&MeshSubject, &FanInstance),
     ) -> Result<(), GpuError> {
         if self.fans.is_none() {
-            let Some((scene, _)) = subject.fan_scene() else { return Ok(()) };
+            let Some(scene) = subject.fan_scene() else { return Ok(()) };
             let table = GpuFans::upload(gpu, scene.fans())?;
             let instance = GpuFanInstance::new(gpu, extractor, &table)?;
             self.fans = Some(ExtractedFans { instance, is_stale: true, is_drawn: true });

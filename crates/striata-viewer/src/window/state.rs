@@ -7,14 +7,15 @@ use striata_command::args::Count;
 
 impl ShownModel {
     /// All models, in the order of the panel.
-    pub(super) const ALL: [Self; 6] =
-        [Self::LodStrips, Self::Mts, Self::Fans, Self::FansGpu, Self::Patterns, Self::List];
+    pub(super) const ALL: [Self; 7] =
+        [Self::LodStrips, Self::LiveStrips, Self::Mts, Self::Fans, Self::FansGpu, Self::Patterns, Self::List];
 
     /// Name in the panel.
     pub(super) const fn title(self) -> &'static str {
         match self {
             Self::List => "List",
             Self::LodStrips => "LodStrips",
+            Self::LiveStrips => "Live strips",
             Self::Mts => "MTS",
             Self::Fans => "Fans",
             Self::FansGpu => "GPU fans",
@@ -27,6 +28,7 @@ impl ShownModel {
         match self {
             Self::List => "Triangle list, rebuilt and uploaded completely for each level",
             Self::LodStrips => "Strips edited in place; only changes are uploaded",
+            Self::LiveStrips => "Strips repaired after every step; only changes are uploaded",
             Self::Mts => "Strips traversed again where they change, uploaded completely",
             Self::Fans => "Fans with view-dependent detail",
             Self::FansGpu => "Fans extracted in a compute shader; uploads one bit per step",
@@ -47,7 +49,7 @@ impl ShownModel {
     /// Name of the model's primitives, if it has strips or fans.
     pub(super) const fn primitive_name(self) -> Option<&'static str> {
         match self {
-            Self::LodStrips | Self::Mts => Some("Strips"),
+            Self::LodStrips | Self::LiveStrips | Self::Mts => Some("Strips"),
             Self::Fans | Self::FansGpu => Some("Fans"),
             Self::List | Self::Patterns => None,
         }
@@ -227,11 +229,11 @@ impl ViewerState {
     }
 
     /// Chooses how the level is selected; view-dependent selection switches to a model that supports it.
-    pub(super) fn set_goal(&mut self, goal: GoalKind, has_collapses: bool) {
+    pub(super) fn set_goal(&mut self, goal: GoalKind) {
         self.goal = goal;
         let is_of_view = matches!(goal, GoalKind::Pixels | GoalKind::Budget);
         if is_of_view && !self.model.follows_views() {
-            self.model = if has_collapses { ShownModel::Fans } else { ShownModel::Patterns };
+            self.model = ShownModel::Fans;
         }
     }
 
@@ -259,8 +261,8 @@ impl ViewerState {
             *count = Some(count.unwrap_or(triangle_count / 10).clamp(1, triangle_count.max(1)));
         }
         self.frozen = None;
-        if !has_collapses && !matches!(self.model, ShownModel::List | ShownModel::Patterns) {
-            self.model = ShownModel::Patterns;
+        if !has_collapses && self.model.needs_collapses() {
+            self.model = ShownModel::Fans;
         }
     }
 
@@ -320,8 +322,7 @@ impl ViewerState {
     }
 
     fn model_after(&self, has_collapses: bool) -> ShownModel {
-        let usable =
-            |&kind: &ShownModel| has_collapses || matches!(kind, ShownModel::List | ShownModel::Patterns);
+        let usable = |&kind: &ShownModel| has_collapses || !kind.needs_collapses();
         let after = ShownModel::ALL.iter().skip_while(|&&kind| kind != self.model).skip(1);
         after.chain(&ShownModel::ALL).copied().find(usable).unwrap_or(self.model)
     }
@@ -380,18 +381,18 @@ mod tests {
     #[test]
     fn view_dependent_goals_select_a_model_that_supports_them() {
         let mut state = ViewerState::default();
-        state.set_goal(GoalKind::Triangles, true);
+        state.set_goal(GoalKind::Triangles);
         assert_eq!(state.model, ShownModel::LodStrips);
-        state.set_goal(GoalKind::Pixels, true);
+        state.set_goal(GoalKind::Pixels);
         assert_eq!((state.model, state.requested_level()), (ShownModel::Fans, Goal::Pixels(1.0)));
-        let mut state = ViewerState::default();
-        state.set_goal(GoalKind::Budget, false);
-        assert_eq!(state.model, ShownModel::Patterns);
+        let mut state = ViewerState { model: ShownModel::Patterns, ..Default::default() };
+        state.set_goal(GoalKind::Budget);
+        assert_eq!(state.model, ShownModel::Patterns, "patterns follow views too");
     }
 
     #[test]
     fn next_model_cycles_through_the_usable_models() {
-        for (has_collapses, count) in [(true, ShownModel::ALL.len()), (false, 2)] {
+        for (has_collapses, count) in [(true, ShownModel::ALL.len()), (false, ShownModel::ALL.len() - 2)] {
             let mut state = ViewerState::default();
             state.on_new_model(1000, has_collapses);
             let first = state.model;

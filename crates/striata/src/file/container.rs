@@ -9,7 +9,7 @@ use super::mesh_sections::metadata_from_bytes;
 
 pub(super) const MAGIC: [u8; 8] = *b"STRIATA\0";
 /// Version of the file format that is written, and the only one that can be read.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 pub(super) const HEADER_BYTES: usize = 64;
 pub(super) const ENTRY_BYTES: usize = 32;
 pub(super) const ALIGNMENT: usize = 64;
@@ -47,22 +47,24 @@ impl SectionKind {
     pub const REMOVED: Self = Self(*b"SQRM");
     /// Indices of the strips of the full mesh, shared by all models that use strips.
     pub const STRIP_INDICES: Self = Self(*b"LSIX");
-    /// First index of each strip.
-    pub const STRIP_OFFSETS: Self = Self(*b"LSOF");
+    /// Number of indices of each strip.
+    pub const STRIP_LENGTHS: Self = Self(*b"LSLN");
     /// First strip of each group.
     pub const STRIP_GROUPS: Self = Self(*b"LSGR");
-    /// LodStrips: length of each record, in bytes.
-    pub const RECORD_LENGTHS: Self = Self(*b"LSRL");
-    /// LodStrips: records of all steps.
+    /// LodStrips: head of each record, which gives its length.
+    pub const RECORD_HEADS: Self = Self(*b"LSRH");
+    /// LodStrips: records of all vertices above the base.
     pub const RECORDS: Self = Self(*b"LSAR");
-    /// MTS: for each index of a strip, the last change of the strip that it survives.
-    pub const LAST_CHANGES: Self = Self(*b"MTLC");
-    /// MTS: first break of each strip.
-    pub const BREAK_OFFSETS: Self = Self(*b"MTBO");
-    /// MTS: breaks, at which a strip of the full mesh becomes two.
-    pub const BREAKS: Self = Self(*b"MTBR");
-    /// MTS: length of each record, in bytes.
-    pub const CHANGE_LENGTHS: Self = Self(*b"MTRL");
+    /// LodStrips: the levels at which later stages begin, and their strips in each group.
+    pub const STAGES: Self = Self(*b"LSST");
+    /// LodStrips: number of indices of each strip of later stages.
+    pub const STAGE_LENGTHS: Self = Self(*b"LSSL");
+    /// LodStrips: indices of the strips of later stages.
+    pub const STAGE_INDICES: Self = Self(*b"LSSX");
+    /// MTS: for each strip, how long its slots survive and where it breaks.
+    pub const LIFETIMES: Self = Self(*b"MTLT");
+    /// MTS: head of each record, which gives its length.
+    pub const CHANGE_HEADS: Self = Self(*b"MTRH");
     /// MTS: records of all steps, which list the strips that each step changes.
     pub const CHANGES: Self = Self(*b"MTCH");
     /// Fans: entries of all vertices.
@@ -95,8 +97,6 @@ impl SectionKind {
     pub const PATTERN_BASE: Self = Self(*b"PABS");
     /// Patterns: bounds of each step, for view-dependent refinement.
     pub const PATTERN_BOUNDS: Self = Self(*b"PABD");
-    /// Patterns in the form of development versions, which cannot be read any more: records of all steps.
-    pub(super) const OLD_PATTERN_RECORDS: Self = Self(*b"PTRC");
     /// Progressive stream.
     pub const STREAM: Self = Self(*b"STRM");
     /// Scene: the JSON of a glTF document.
@@ -122,14 +122,15 @@ impl SectionKind {
             Self::ERRORS,
             Self::REMOVED,
             Self::STRIP_INDICES,
-            Self::STRIP_OFFSETS,
+            Self::STRIP_LENGTHS,
             Self::STRIP_GROUPS,
-            Self::RECORD_LENGTHS,
+            Self::RECORD_HEADS,
             Self::RECORDS,
-            Self::LAST_CHANGES,
-            Self::BREAK_OFFSETS,
-            Self::BREAKS,
-            Self::CHANGE_LENGTHS,
+            Self::STAGES,
+            Self::STAGE_LENGTHS,
+            Self::STAGE_INDICES,
+            Self::LIFETIMES,
+            Self::CHANGE_HEADS,
             Self::CHANGES,
             Self::FAN_ENTRIES,
             Self::FAN_BLOCKS,

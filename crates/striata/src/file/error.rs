@@ -109,12 +109,10 @@ pub enum DecodeError {
     },
     /// The file has fragments instead of collapses, and the request requires collapses.
     #[error(
-        "the file was made by vertex removals instead of collapses; its levels are only available as patterns"
+        "the file was made by vertex removals instead of collapses; its levels are only available as fans or \
+         patterns"
     )]
     NoCollapses,
-    /// The file has patterns in the form of a development version.
-    #[error("the file has patterns of an earlier version, which cannot be read; build it again")]
-    OldPatterns,
     /// The file contains a scene, but a single mesh was requested.
     #[error("the file contains a scene of several meshes instead of one mesh; striata_scene::open reads it")]
     Scene,
@@ -186,6 +184,15 @@ pub enum EncodeError {
         /// Kind of the model.
         model: ModelKind,
     },
+    /// A model needs collapses, but the mesh has fragments of any kind.
+    #[error("the {model} model needs collapses, but the mesh was simplified by vertex removals")]
+    NeedsCollapses {
+        /// Kind of the model.
+        model: ModelKind,
+    },
+    /// A mesh with fragments has levels only in a model, and none was given.
+    #[error("a mesh that was simplified by vertex removals needs fans or patterns")]
+    NoModel,
     /// There are more sections than a file can have.
     #[error("the file would have {found} sections, but at most {limit} can be stored")]
     TooManySections {

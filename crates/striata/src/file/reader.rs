@@ -17,7 +17,8 @@ use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
 use crate::model::mts::MtsParts;
 use crate::model::{
-    Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StepVertices, StoredModel, StripModel,
+    Fans, LodModel, LodStrips, ModelError, ModelKind, Mts, PackedVertices, Patterns, StepVertices,
+    StoredModel, StoredStrips, StripModel,
 };
 use crate::strip::{StripSet, strip_triangles};
 
@@ -146,9 +147,9 @@ impl<'a> StriataFile<'a> {
         Ok(errors)
     }
 
-    /// Whether the steps of the file are collapses; if not, its levels are only available as patterns.
+    /// Whether the steps of the file are collapses; if not, its levels are only available as fans or patterns.
     pub fn has_collapses(&self) -> bool {
-        self.has(SectionKind::TARGETS) || !self.has_patterns()
+        self.has(SectionKind::TARGETS) || !(self.has_patterns() || self.has(SectionKind::FAN_ENTRIES))
     }
 
     /// Sizes and errors of the levels, whether the steps are collapses or not.
@@ -159,7 +160,12 @@ impl<'a> StriataFile<'a> {
         if self.has_collapses() {
             return Ok(self.sequence()?.levels().clone());
         }
-        self.levels_of(self.read_patterns()?)
+        let counts = if self.has(SectionKind::FAN_ENTRIES) {
+            self.read_fans()?.triangle_counts()
+        } else {
+            self.read_patterns()?.triangle_counts()
+        };
+        self.levels_of(counts)
     }
 
     /// The collapse sequence, validated and copied out of the file.
@@ -176,7 +182,7 @@ impl<'a> StriataFile<'a> {
         let sequence = CollapseSequence::from_parts(SequenceParts {
             positions: self.position_index()?,
             base_position_count: self.summary.base_position_count,
-            targets: self.container.numbers::<u32>(SectionKind::TARGETS)?.into_owned(),
+            targets: self.targets()?.to_vec(),
             errors: self.errors()?.into_owned(),
             removed_triangle_counts: self.container.get(SectionKind::REMOVED)?.to_vec(),
             triangle_count: self.summary.triangle_count,
@@ -188,6 +194,18 @@ impl<'a> StriataFile<'a> {
             self.expect(SectionKind::SUMMARY, what, found, expected)?;
         }
         Ok(sequence)
+    }
+
+    /// The targets of all vertices above the base, packed.
+    fn targets(&self) -> Result<PackedVertices<'a>, DecodeError> {
+        let kind = SectionKind::TARGETS;
+        let bytes = self.container.get(kind)?;
+        let vertex_count = self.positions()?.len();
+        let above_base = vertex_count.saturating_sub(self.summary.base_vertex_count);
+        PackedVertices::from_bytes(bytes.into(), above_base, vertex_count, "targets").map_err(|_| {
+            let reason = "the length is not that of one target for each vertex above the base";
+            DecodeError::Malformed { kind, offset: bytes.len(), reason }
+        })
     }
 
     fn position_index(&self) -> Result<PositionIndex, DecodeError> {
@@ -232,20 +250,22 @@ impl<'a> StriataFile<'a> {
     }
 
     /// Strips of the full mesh, if the file has them, copied out of the file.
-    ///
-    /// Vertex indices are not checked here, but in [`refinable_mesh`](Self::refinable_mesh) and by the
-    /// models.
     pub fn strips(&self) -> Option<Result<StripSet, DecodeError>> {
-        self.has(SectionKind::STRIP_INDICES).then(|| {
-            let strips = StripSet::from_parts(
-                self.container.numbers(SectionKind::STRIP_INDICES)?.into_owned(),
-                self.container.numbers(SectionKind::STRIP_OFFSETS)?.into_owned(),
-                self.container.numbers(SectionKind::STRIP_GROUPS)?.into_owned(),
-            )?;
-            let group_count = self.summary.group_count.max(1);
-            self.expect(SectionKind::STRIP_GROUPS, "groups", strips.group_count(), group_count)?;
-            Ok(strips)
-        })
+        let kind = if self.has(SectionKind::RECORDS) { ModelKind::LodStrips } else { ModelKind::Mts };
+        self.has(SectionKind::STRIP_INDICES).then(|| Ok(self.stored_strips(kind)?.to_strip_set()))
+    }
+
+    /// The strips of the full mesh as models use them; `model` is the one to name in errors.
+    fn stored_strips(&self, model: ModelKind) -> Result<StoredStrips<'a>, DecodeError> {
+        let groups = self.container.numbers(SectionKind::STRIP_GROUPS)?;
+        let lengths = self.container.get(SectionKind::STRIP_LENGTHS)?;
+        let bytes = self.container.get(SectionKind::STRIP_INDICES)?;
+        let strips = StoredStrips::from_parts(groups, lengths.into(), bytes.into(), self.positions()?.len())
+            .map_err(|reason| DecodeError::Model { model, reason })?;
+        let group_count = self.summary.group_count.max(1);
+        let found = strips.group_offsets.len().saturating_sub(1);
+        self.expect(SectionKind::STRIP_GROUPS, "groups", found, group_count)?;
+        Ok(strips)
     }
 
     /// The LodStrips model, if the file has one; borrowed from the file and validated once, so that no move
@@ -255,39 +275,78 @@ impl<'a> StriataFile<'a> {
     }
 
     fn read_lod_strips(&self) -> Result<LodStrips<'a>, DecodeError> {
+        let vertices = self.step_vertices()?;
+        let mut stages = vec![(self.summary.step_count, self.stored_strips(ModelKind::LodStrips)?)];
+        if self.has(SectionKind::STAGES) {
+            self.read_stages(&vertices, &mut stages)?;
+        }
         let parts = LodStripsParts {
-            indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
-            offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
-            group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
-            record_lengths: self.container.get(SectionKind::RECORD_LENGTHS)?.into(),
+            stages,
+            heads: self.container.get(SectionKind::RECORD_HEADS)?.into(),
             arena: self.container.get(SectionKind::RECORDS)?.into(),
         };
-        let model = LodStrips::from_parts(self.step_vertices()?, parts);
+        let model = LodStrips::from_parts(vertices, self.targets()?, parts);
         let model = model.map_err(|reason| DecodeError::Model { model: ModelKind::LodStrips, reason })?;
-        self.expect_model(&model, SectionKind::RECORD_LENGTHS)?;
+        self.expect_model(&model, SectionKind::RECORD_HEADS)?;
         Ok(model)
+    }
+
+    /// Reads the strips of the later stages of LodStrips.
+    fn read_stages(
+        &self,
+        vertices: &StepVertices<'_>,
+        stages: &mut Vec<(usize, StoredStrips<'a>)>,
+    ) -> Result<(), DecodeError> {
+        let (kind, container) = (SectionKind::STAGES, &self.container);
+        let table = container.numbers::<u32>(kind)?;
+        let mut lengths = container.get(SectionKind::STAGE_LENGTHS)?;
+        let mut indices = container.get(SectionKind::STAGE_INDICES)?;
+        let malformed = |kind, reason| DecodeError::Malformed { kind, offset: 0, reason };
+        let row = 1 + self.summary.group_count.max(1);
+        if !table.len().is_multiple_of(row) {
+            return Err(malformed(kind, "the length is not that of whole stages"));
+        }
+        vertices.check_firsts(self.summary.step_count).map_err(stage_error)?;
+        for stage in table.chunks_exact(row) {
+            let (split_count, counts) = (stage[0] as usize, &stage[1..]);
+            if split_count >= self.summary.step_count {
+                return Err(malformed(kind, "a stage begins above the full mesh"));
+            }
+            let groups = offsets_of(counts).ok_or(malformed(kind, "there are too many strips"))?;
+            let strip_count = groups[counts.len()] as usize;
+            let of_stage = lengths
+                .split_off(..strip_count)
+                .ok_or(malformed(SectionKind::STAGE_LENGTHS, "there are too few lengths"))?;
+            let slot_count = of_stage.iter().map(|&length| usize::from(length)).sum();
+            let vertex_count = vertices.count_at(split_count);
+            let bytes = indices
+                .split_off(..PackedVertices::byte_count(slot_count, vertex_count))
+                .ok_or(malformed(SectionKind::STAGE_INDICES, "there are too few indices"))?;
+            let strips = StoredStrips::from_parts(groups.into(), of_stage.into(), bytes.into(), vertex_count);
+            stages.push((split_count, strips.map_err(stage_error)?));
+        }
+        for (kind, rest) in [(SectionKind::STAGE_LENGTHS, lengths), (SectionKind::STAGE_INDICES, indices)] {
+            self.expect(kind, "bytes after the last stage", rest.len(), 0)?;
+        }
+        Ok(())
     }
 
     /// The MTS model, if the file has one; borrowed from the file and validated once, so that no move can
     /// fail.
     pub fn mts(&self) -> Option<Result<Mts<'a>, DecodeError>> {
-        self.has(SectionKind::LAST_CHANGES).then(|| self.read_mts())
+        self.has(SectionKind::LIFETIMES).then(|| self.read_mts())
     }
 
     fn read_mts(&self) -> Result<Mts<'a>, DecodeError> {
         let parts = MtsParts {
-            indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
-            offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
-            group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
-            lasts: self.container.get(SectionKind::LAST_CHANGES)?.into(),
-            break_offsets: self.container.numbers(SectionKind::BREAK_OFFSETS)?,
-            breaks: self.container.numbers(SectionKind::BREAKS)?,
-            record_lengths: self.container.get(SectionKind::CHANGE_LENGTHS)?.into(),
+            strips: self.stored_strips(ModelKind::Mts)?,
+            lifetimes: self.container.get(SectionKind::LIFETIMES)?.into(),
+            heads: self.container.get(SectionKind::CHANGE_HEADS)?.into(),
             arena: self.container.get(SectionKind::CHANGES)?.into(),
         };
-        let model = Mts::from_parts(self.step_vertices()?, parts);
+        let model = Mts::from_parts(self.step_vertices()?, self.targets()?, parts);
         let model = model.map_err(|reason| DecodeError::Model { model: ModelKind::Mts, reason })?;
-        self.expect_model(&model, SectionKind::CHANGE_LENGTHS)?;
+        self.expect_model(&model, SectionKind::CHANGE_HEADS)?;
         Ok(model)
     }
 
@@ -307,15 +366,18 @@ impl<'a> StriataFile<'a> {
             orphans: &self.container.numbers(SectionKind::FAN_ORPHANS)?,
         };
         let unsound = |reason| DecodeError::Model { model: ModelKind::Fans, reason };
-        let removed = self.container.get(SectionKind::REMOVED)?;
-        let group_count = self.summary.group_count.max(1);
+        let has_collapses = self.has_collapses();
+        let removed = has_collapses.then(|| self.container.get(SectionKind::REMOVED)).transpose()?;
+        let group_count = self.groups()?.len().max(1);
         let fans = Fans::from_parts(self.step_vertices()?, removed, group_count, parts).map_err(unsound)?;
-        self.expect(SectionKind::REMOVED, "steps", fans.step_count(), self.summary.step_count)?;
-        let base_triangle_count = self.summary.base_triangle_count;
         let kind = SectionKind::FAN_ENTRIES;
+        self.expect(kind, "steps", fans.step_count(), self.summary.step_count)?;
+        let base_triangle_count = self.summary.base_triangle_count;
         self.expect(kind, "triangles of the base", fans.base_triangle_count(), base_triangle_count)?;
         let records = self.container.get(SectionKind::FAN_BOUNDS)?;
-        fans.with_stored_bounds(records, &self.errors()?).map_err(unsound)
+        // The errors of the levels say nothing about single floors.
+        let errors = has_collapses.then(|| self.errors()).transpose()?;
+        fans.with_stored_bounds(records, errors.as_deref()).map_err(unsound)
     }
 
     fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {
@@ -329,10 +391,7 @@ impl<'a> StriataFile<'a> {
             vertex_count: self.positions()?.len(),
             base_vertex_count: self.summary.base_vertex_count as u32,
             firsts,
-            targets: match self.has_collapses() {
-                true => self.container.numbers(SectionKind::TARGETS)?,
-                false => Cow::Borrowed(&[]),
-            },
+            targets: Cow::Borrowed(&[]),
         })
     }
 
@@ -522,4 +581,17 @@ impl<'a> StriataFile<'a> {
         let (found, expected) = (found as u64, expected as u64);
         if found == expected { Ok(()) } else { Err(DecodeError::Count { kind, what, found, expected }) }
     }
+}
+
+fn stage_error(reason: ModelError) -> DecodeError {
+    DecodeError::Model { model: ModelKind::LodStrips, reason }
+}
+
+/// Offsets from counts: 0, then the sums; `None` if they do not fit into 32 bits.
+fn offsets_of(counts: &[u32]) -> Option<Vec<u32>> {
+    let mut offsets = vec![0u32];
+    for &count in counts {
+        offsets.push(offsets[offsets.len() - 1].checked_add(count)?);
+    }
+    Some(offsets)
 }

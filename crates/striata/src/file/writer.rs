@@ -9,7 +9,9 @@ use super::container::{
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
 use super::{EncodeError, SectionKind, StoredStream, Summary};
 use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
-use crate::model::{Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StoredModel};
+use crate::model::{
+    Fans, LodModel, LodStrips, ModelKind, Mts, PackedVertices, Patterns, StoredModel, StoredStrips,
+};
 
 /// A model to be stored along with the mesh.
 #[derive(Clone, Copy, Debug)]
@@ -41,13 +43,11 @@ impl<'m> FileModel<'m> {
         }
     }
 
-    /// The strips that the model uses, if any: groups, offsets, indices.
-    fn strips(&self) -> Option<[&'m [u32]; 3]> {
+    /// The strips of the full mesh that the model uses, if any.
+    fn strips(&self) -> Option<&'m StoredStrips<'m>> {
         match *self {
-            Self::LodStrips(model) => Some([&model.group_offsets, &model.offsets, &model.indices]),
-            Self::Mts(model) => {
-                Some([&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices])
-            }
+            Self::LodStrips(model) => model.parts().0.next().map(|(_, strips)| strips),
+            Self::Mts(model) => Some(&model.parts().strips),
             Self::Fans(_) | Self::Patterns(_) | Self::Progressive(_) => None,
         }
     }
@@ -55,17 +55,12 @@ impl<'m> FileModel<'m> {
     /// Sections of the model, without the strips.
     fn sections(&self) -> Vec<(SectionKind, Cow<'m, [u8]>)> {
         match *self {
-            Self::LodStrips(model) => vec![
-                (SectionKind::RECORD_LENGTHS, model.record_lengths[..].into()),
-                (SectionKind::RECORDS, model.arena[..].into()),
-            ],
+            Self::LodStrips(model) => lod_strips_sections(model),
             Self::Mts(model) => {
-                let parts = &model.parts;
+                let parts = model.parts();
                 vec![
-                    (SectionKind::LAST_CHANGES, parts.lasts[..].into()),
-                    (SectionKind::BREAK_OFFSETS, bytes_of(&parts.break_offsets)),
-                    (SectionKind::BREAKS, bytes_of(&parts.breaks)),
-                    (SectionKind::CHANGE_LENGTHS, parts.record_lengths[..].into()),
+                    (SectionKind::LIFETIMES, parts.lifetimes[..].into()),
+                    (SectionKind::CHANGE_HEADS, parts.heads[..].into()),
                     (SectionKind::CHANGES, parts.arena[..].into()),
                 ]
             }
@@ -98,6 +93,25 @@ impl<'m> FileModel<'m> {
             Self::Progressive(_) => Vec::new(),
         }
     }
+}
+
+/// Sections of LodStrips, without the strips of the full mesh.
+fn lod_strips_sections<'m>(model: &'m LodStrips<'m>) -> Vec<(SectionKind, Cow<'m, [u8]>)> {
+    let (stages, heads, arena) = model.parts();
+    let (mut table, mut lengths, mut indices) = (Vec::<u32>::new(), Vec::new(), Vec::new());
+    for (split_count, strips) in stages.skip(1) {
+        table.push(split_count as u32);
+        table.extend(strips.group_offsets.windows(2).map(|w| w[1] - w[0]));
+        lengths.extend_from_slice(&strips.lengths);
+        indices.extend_from_slice(strips.indices.bytes());
+    }
+    let mut sections = vec![(SectionKind::RECORD_HEADS, heads.into()), (SectionKind::RECORDS, arena.into())];
+    if !table.is_empty() {
+        sections.push((SectionKind::STAGES, bytes_of(&table).into_owned().into()));
+        sections.push((SectionKind::STAGE_LENGTHS, lengths.into()));
+        sections.push((SectionKind::STAGE_INDICES, indices.into()));
+    }
+    sections
 }
 
 fn bytes_of<T: bytemuck::NoUninit>(numbers: &[T]) -> Cow<'_, [u8]> {
@@ -151,24 +165,31 @@ pub fn write_striata(
     write_sections(&lay_out(source, models, options)?, out)
 }
 
-/// Writes a mesh with fragments and its patterns as a `.striata` file; no other model can be built from
-/// fragments.
+/// Writes a mesh with fragments and its models as a `.striata` file. Fans and patterns can be built from
+/// fragments; the other models need collapses. At least one model is needed.
 ///
-/// A given input yields identical bytes on every machine. The triangles are read back in the order of the
-/// patterns. The file keeps the errors of the levels; the errors of individual floors are only kept as part
-/// of the patterns' bounds.
+/// A given input yields identical bytes on every machine. The triangles are read back in the order of the fans
+/// or, without these, of the patterns. The file keeps the errors of the levels; the errors of individual floors
+/// are only kept as part of the bounds of the models.
 ///
 /// # Errors
-/// [`EncodeError`] under the conditions of [`write_striata`].
+/// [`EncodeError`] under the conditions of [`write_striata`], or if a model needs collapses, or there is none.
 pub fn write_fragments(
     fragmented: &FragmentedMesh,
-    patterns: &Patterns,
+    models: &[FileModel<'_>],
     options: &WriteOptions,
     out: &mut dyn Write,
 ) -> Result<(), EncodeError> {
+    let is_general = |model: &&FileModel<'_>| matches!(model, FileModel::Fans(_) | FileModel::Patterns(_));
+    if let Some(model) = models.iter().find(|model| !is_general(model)) {
+        return Err(EncodeError::NeedsCollapses { model: model.kind() });
+    }
+    if models.is_empty() {
+        return Err(EncodeError::NoModel);
+    }
     let levels = fragmented.fragments.levels();
     let source = Source { mesh: &fragmented.mesh, levels, collapses: None };
-    write_sections(&lay_out(source, &[FileModel::Patterns(patterns)], options)?, out)
+    write_sections(&lay_out(source, models, options)?, out)
 }
 
 /// The contents of a file other than models.
@@ -260,7 +281,8 @@ fn lay_out<'m>(
         add(SectionKind::FIRST_VERTICES, true, bytemuck::must_cast_slice(firsts).into());
     }
     if let Some(sequence) = collapses {
-        add(SectionKind::TARGETS, true, bytemuck::must_cast_slice(sequence.targets()).into());
+        let targets = PackedVertices::pack(sequence.targets(), mesh.vertex_count());
+        add(SectionKind::TARGETS, true, targets.bytes().to_vec().into());
     }
     add(SectionKind::ERRORS, true, bytemuck::must_cast_slice(levels.errors()).into());
     if let Some(sequence) = collapses {
@@ -270,10 +292,10 @@ fn lay_out<'m>(
     for layer in &mesh.layers {
         add(SectionKind::LAYER, true, layer_to_bytes(layer)?.into());
     }
-    if let Some([groups, offsets, indices]) = models.iter().find_map(FileModel::strips) {
-        add(SectionKind::STRIP_GROUPS, false, bytes_of(groups));
-        add(SectionKind::STRIP_OFFSETS, false, bytes_of(offsets));
-        add(SectionKind::STRIP_INDICES, false, bytes_of(indices));
+    if let Some(strips) = models.iter().find_map(FileModel::strips) {
+        add(SectionKind::STRIP_GROUPS, false, bytes_of(&strips.group_offsets));
+        add(SectionKind::STRIP_LENGTHS, false, strips.lengths[..].into());
+        add(SectionKind::STRIP_INDICES, false, strips.indices.bytes().into());
     }
     for model in models {
         model.sections().into_iter().for_each(|(kind, bytes)| add(kind, false, bytes));

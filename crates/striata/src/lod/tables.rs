@@ -2,7 +2,7 @@
 
 use crate::file::{DecodeError, EncodeError, FileModel, StriataFile, WriteOptions, to_striata};
 use crate::mesh::RefinableMesh;
-use crate::model::{FanScene, Fans};
+use crate::model::{FanOptions, FanScene, Fans};
 use crate::view::Sphere;
 use crate::{Cancelled, ProgressFn};
 
@@ -30,7 +30,7 @@ impl Tables {
         has_guaranteed_errors: bool,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, Cancelled> {
-        let fans = Fans::build_with_progress(&refinable, progress)?;
+        let fans = Fans::build_with(&refinable, &FanOptions::default(), progress)?;
         Ok(Self::from_parts(refinable, fans, has_guaranteed_errors))
     }
 
@@ -45,7 +45,7 @@ impl Tables {
     }
 
     fn from_parts(refinable: RefinableMesh, fans: Fans, has_guaranteed_errors: bool) -> Self {
-        let sphere = FanScene::new(&fans, &refinable).sphere();
+        let sphere = FanScene::new(&fans, &refinable.mesh.positions).sphere();
         Self { refinable, fans, sphere, has_guaranteed_errors }
     }
 
@@ -68,7 +68,7 @@ impl Tables {
     }
 
     pub(super) fn scene(&self) -> FanScene<'_> {
-        FanScene::new(&self.fans, &self.refinable)
+        FanScene::new(&self.fans, &self.refinable.mesh.positions)
     }
 
     pub(super) fn sphere(&self) -> Sphere {

@@ -4,28 +4,26 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::tables::Tables;
-use crate::model::{FanForm, FanFront, FanIndices, FanUpdate};
+use crate::model::{FanFront, FanTriangles, FanUpdate};
 use crate::view::{Camera, ScreenError};
 
 /// An instance of a [`Lod`](super::Lod) that follows a camera: refined where errors would be visible,
 /// coarse elsewhere.
 ///
-/// Memory: one bit for each step, up to about 12 bytes per vertex of the mesh for what the view shows (0.4 MB
-/// for the bunny at one pixel), and the indices. Engines that need only the one bit per step can use
-/// [`FanInstance`](crate::model::FanInstance).
+/// Memory: four bytes per vertex of the mesh (0.13 MB for the bunny), and the indices. Engines that need only one
+/// bit per step can use [`FanInstance`](crate::model::FanInstance).
 #[derive(Clone, Debug)]
 pub struct View {
     tables: Arc<Tables>,
     front: FanFront<ScreenError>,
-    indices: FanIndices,
+    triangles: FanTriangles,
 }
 
 impl View {
     pub(super) fn new(tables: Arc<Tables>) -> Self {
         let front = FanFront::new(&tables.scene());
-        let mut view = Self { tables, front, indices: FanIndices::default() };
-        view.emit();
-        view
+        let triangles = FanTriangles::new(tables.fans(), front.instance());
+        Self { tables, front, triangles }
     }
 
     /// Refines whatever the camera sees until no error covers more than `pixels` pixels of its screen, and
@@ -43,7 +41,7 @@ impl View {
     pub fn update_by(&mut self, error: ScreenError) -> FanUpdate {
         let error = error.with_model_bounds(self.tables.sphere());
         let update = self.front.update(&self.tables.scene(), &error, usize::MAX);
-        self.emit_changes(&update);
+        self.follow();
         update
     }
 
@@ -54,13 +52,13 @@ impl View {
     pub fn update_to_budget(&mut self, camera: &Camera, pixels: f32, triangle_limit: usize) -> FanUpdate {
         let error = ScreenError::new(*camera, pixels).with_model_bounds(self.tables.sphere());
         let update = self.front.update_to_budget(&self.tables.scene(), &error, triangle_limit);
-        self.emit_changes(&update);
+        self.follow();
         update
     }
 
     /// Vertex indices into [`Lod::mesh`](super::Lod::mesh), three per triangle, sorted by group.
     pub fn indices(&self) -> &[u32] {
-        &self.indices.indices
+        self.triangles.indices()
     }
 
     /// Triangles shown, sorted by group.
@@ -76,16 +74,10 @@ impl View {
     /// Range of [`indices`](Self::indices) that belongs to each group of the mesh; a single range if the
     /// mesh has no groups.
     pub fn groups(&self) -> &[Range<u32>] {
-        &self.indices.group_ranges
+        self.triangles.group_ranges()
     }
 
-    fn emit_changes(&mut self, update: &FanUpdate) {
-        if update.split_count + update.collapse_count > 0 {
-            self.emit();
-        }
-    }
-
-    fn emit(&mut self) {
-        self.front.instance().emit_into(self.tables.fans(), FanForm::Triangles, &mut self.indices);
+    fn follow(&mut self) {
+        self.triangles.follow(self.tables.fans(), self.front.instance());
     }
 }

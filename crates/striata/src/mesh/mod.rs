@@ -53,4 +53,5 @@ pub use statistics::Statistics;
 pub use surface_samples::{SurfaceSample, SurfaceSamples};
 pub use triangle_tree::{Nearest, TriangleTree};
 pub use validate::{MAX_LISTED_PER_KIND, Report, validate};
+pub(crate) use weld::ZOrderCurve;
 pub use weld::{Welded, weld};

@@ -270,7 +270,7 @@ fn positions_of_sources(position_of: &[u32], vertices: &Vertices, order: &[u32],
 }
 
 /// The Z-order (Morton) curve over the bounds of a mesh.
-struct ZOrderCurve {
+pub(crate) struct ZOrderCurve {
     min: [f64; 3],
     scale: f64,
 }
@@ -278,7 +278,8 @@ struct ZOrderCurve {
 impl ZOrderCurve {
     const BITS: u32 = 21;
 
-    fn of(mesh: &IndexedMesh) -> Option<Self> {
+    /// Fits the curve to the bounds of a mesh; `None` if it has no vertices.
+    pub(crate) fn of(mesh: &IndexedMesh) -> Option<Self> {
         let bounds = mesh.bounds()?;
         let min = bounds.min.map(f64::from);
         let extent = (0..3).map(|a| f64::from(bounds.max[a]) - min[a]).fold(0.0, f64::max);
@@ -286,7 +287,8 @@ impl ZOrderCurve {
         Some(Self { min, scale: if extent > 0.0 { cells / extent } else { 0.0 } })
     }
 
-    fn code(&self, p: [f32; 3]) -> u64 {
+    /// Returns the place of a point along the curve.
+    pub(crate) fn code(&self, p: [f32; 3]) -> u64 {
         let cell = |a: usize| spread_bits(((f64::from(p[a]) - self.min[a]) * self.scale) as u64);
         cell(0) | cell(1) << 1 | cell(2) << 2
     }

@@ -1,7 +1,7 @@
 //! A packed array of bit fields up to 57 bits wide.
 
 /// Spare bytes at the end, so that any field can be read with one 64-bit load.
-const PADDING: usize = 8;
+pub(in crate::model) const PADDING: usize = 8;
 /// Widest field that fits into a 64-bit load at any bit offset within a byte.
 pub(in crate::model) const MAX_WIDTH: u32 = 57;
 
@@ -83,6 +83,19 @@ impl Bits {
     pub fn bytes(&self) -> usize {
         self.bytes.len()
     }
+
+    /// Returns the bytes in use and the padding.
+    pub(in crate::model) fn into_padded(self) -> Vec<u8> {
+        self.bytes
+    }
+}
+
+/// Returns the field of `width` bits (at most 57) that begins at bit `at` of padded bytes; `None` if it lies
+/// beyond the padding.
+#[inline]
+pub(in crate::model) fn field(padded: &[u8], at: usize, width: u32) -> Option<u64> {
+    let word = u64::from_le_bytes(*padded.get(at / 8..)?.first_chunk()?);
+    Some(word >> (at % 8) & ((1 << width) - 1))
 }
 
 /// Returns the number of bits needed for values below `count`.

@@ -27,31 +27,37 @@ pub mod strip_history;
 mod bits;
 mod error;
 mod kind;
+mod packed_vertices;
 mod part_record;
-mod record_arena;
 mod step_bits;
 mod step_bounds;
 mod step_vertices;
+mod stored_strips;
 mod strip_input;
 mod strip_run;
 mod superfluous;
+mod varint;
 
 pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
-    FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate, Fans,
-    FansLevel, MovingVertex, fan_triangles_into,
+    AbsentPage, BoundScope, FanDirectory, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanOptions,
+    FanScene, FanSource, FanTriangles, FanUpdate, Fans, FansLevel, MovingVertex, PageDemand, PagedFans,
+    fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphVertex, VertexBlend};
 pub use kind::{ModelKind, UnknownModel};
-pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
+pub use lod_strips::{LodStrips, LodStripsState, StageOptions, StripBuffer};
 pub use mts::{Mts, MtsState};
+pub(crate) use packed_vertices::PackedVertices;
+pub use part_record::PartRecord;
 pub use patterns::{
     Condition, CriterionCondition, Overlap, PatternChange, PatternInstance, PatternScene, Patterns,
     PatternsState,
 };
 pub use step_bits::StepBits;
 pub use step_vertices::StepVertices;
+pub(crate) use stored_strips::StoredStrips;
 pub use strip_input::check_strips;
 
 use std::ops::Range;

@@ -80,10 +80,10 @@ fn some_step(step: u32) -> Option<u32> {
     (step != NO_STEP).then_some(step)
 }
 
-/// The packed bounds of a step.
+/// The bounds of a part in eight bytes, without the center of its sphere, which is stored anyway.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
-pub(in crate::model) struct PartRecord {
+pub struct PartRecord {
     radius: u16,
     error: u16,
     /// Axis of the cone; 127 stands for 1.
@@ -94,7 +94,7 @@ pub(in crate::model) struct PartRecord {
 
 impl PartRecord {
     /// Packs bounds, rounded up so that the record encloses them.
-    pub(in crate::model) fn holding(radius: f32, cone: &NormalCone, error: f32) -> Self {
+    pub fn holding(radius: f32, cone: &NormalCone, error: f32) -> Self {
         let mut record =
             Self { radius: round_up(radius), error: round_up(error), axis: [0; 3], sin: u8::MAX };
         if cone.cos > 0.0 {
@@ -144,18 +144,37 @@ impl PartRecord {
     }
 
     /// Unpacks the bounds around a center.
-    #[inline]
-    pub(in crate::model) fn part(self, center: [f32; 3]) -> Part {
-        let sin = f32::from(self.sin) * (1.0 / 255.0);
+    #[inline(always)]
+    pub fn part(self, center: [f32; 3]) -> Part {
         // Rounding may have lengthened the axis a little; this makes up for it.
         let axis = self.axis.map(|x| f32::from(x) * (1.0 / 127.001));
-        let cos = if self.sin == u8::MAX { -1.0 } else { (1.0 - sin * sin).sqrt() };
         Part {
             sphere: Sphere { center, radius: expand(self.radius) },
-            cone: NormalCone { axis, cos },
+            cone: NormalCone { axis, cos: COSINES[usize::from(self.sin)] },
             error: expand(self.error),
         }
     }
+}
+
+/// Cosine of the half-angle of a cone by its stored sine; a lookup takes less time than a square root.
+static COSINES: [f32; 256] = cosines();
+
+const fn cosines() -> [f32; 256] {
+    let mut all = [-1.0; 256];
+    let mut sin = 0;
+    while sin < 255 {
+        // Newton's method, because roots are not available in constants; it ends just above the root.
+        let square = 1.0 - (sin * sin) as f64 / (255.0 * 255.0);
+        let mut root: f64 = 1.0;
+        let mut step = 0;
+        while step < 12 {
+            root = (root + square / root) / 2.0;
+            step += 1;
+        }
+        all[sin] = root as f32;
+        sin += 1;
+    }
+    all
 }
 
 /// Returns the upper 16 bits, without the sign, of a non-negative float rounded up to the next value whose
@@ -189,6 +208,16 @@ mod tests {
         }
         assert_eq!(expand(round_up(f32::INFINITY)), f32::INFINITY);
         assert_eq!(expand(round_up(f32::MAX)), f32::INFINITY);
+    }
+
+    #[test]
+    fn cosines_are_those_of_the_sines() {
+        for sin in 0..255u8 {
+            let expected = (1.0 - (f64::from(sin) / 255.0).powi(2)).sqrt();
+            let found = f64::from(COSINES[usize::from(sin)]);
+            assert!((found - expected).abs() < 1e-7, "{sin}: {found}, not {expected}");
+        }
+        assert_eq!(COSINES[255], -1.0);
     }
 
     #[test]

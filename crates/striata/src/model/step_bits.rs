@@ -30,6 +30,29 @@ impl StepBits {
         self.words[step as usize / 64] |= 1 << (step % 64);
     }
 
+    /// Adds a step if a condition holds.
+    #[inline(always)]
+    pub(in crate::model) fn insert_if(&mut self, step: u32, condition: bool) {
+        self.words[step as usize / 64] |= u64::from(condition) << (step % 64);
+    }
+
+    /// Moves steps of the set at or after that of `start`'s word to a list, in ascending order, until the list has
+    /// at least `count` steps or the set is empty. Returns whether the list has any.
+    #[inline]
+    pub(in crate::model) fn take_from(&mut self, start: u32, count: usize, list: &mut Vec<u32>) -> bool {
+        for (at, word) in self.words.iter_mut().enumerate().skip(start as usize / 64) {
+            let mut bits = std::mem::take(word);
+            while bits != 0 {
+                list.push(64 * at as u32 + bits.trailing_zeros());
+                bits &= bits - 1;
+            }
+            if list.len() >= count {
+                break;
+            }
+        }
+        !list.is_empty()
+    }
+
     /// Removes a step.
     ///
     /// # Panics
@@ -48,6 +71,33 @@ impl StepBits {
             word = self.words[at];
         }
         Some(64 * at as u32 + word.ilog2())
+    }
+
+    /// Returns the last step before `end` that is not in the set; `end` is at most the number of steps.
+    #[inline]
+    pub(in crate::model) fn last_absent_before(&self, end: u32) -> Option<u32> {
+        let (mut at, bit) = (end as usize / 64, end % 64);
+        let mut word = self.words.get(at).map_or(0, |word| !word & ((1 << bit) - 1));
+        while word == 0 {
+            at = at.checked_sub(1)?;
+            word = !self.words[at];
+        }
+        Some(64 * at as u32 + word.ilog2())
+    }
+
+    /// Returns the first step at or after `start` that is in this set and in another one of equal length.
+    #[inline]
+    pub(in crate::model) fn first_common_from(&self, other: &Self, start: u32) -> Option<u32> {
+        let (first, bit) = (start as usize / 64, start % 64);
+        let mut mask = u64::MAX << bit;
+        for (at, (a, b)) in self.words.iter().zip(&other.words).enumerate().skip(first) {
+            let word = a & b & mask;
+            if word != 0 {
+                return Some(64 * at as u32 + word.trailing_zeros());
+            }
+            mask = u64::MAX;
+        }
+        None
     }
 
     /// Returns the first step of the set at or after `start`.
@@ -96,6 +146,22 @@ impl StepBits {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn absent_and_common_steps_are_found() {
+        let (mut a, mut b) = (StepBits::none(200), StepBits::none(200));
+        for step in [0, 5, 63, 64, 130, 199] {
+            a.insert(step);
+            if step % 2 == 0 {
+                b.insert(step);
+            }
+        }
+        for start in 0..200 {
+            assert_eq!(a.first_common_from(&b, start), [0, 64, 130].into_iter().find(|&step| step >= start));
+            assert_eq!(a.last_absent_before(start), (0..start).rev().find(|&step| !a.has(step)));
+        }
+        assert_eq!(a.last_absent_before(200), Some(198));
+    }
 
     #[test]
     fn set_range_replaces_the_whole_set() {

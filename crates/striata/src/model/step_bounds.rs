@@ -24,6 +24,11 @@ impl StepBounds {
         Ok(Self { records: bound(steps, progress)?.into() })
     }
 
+    /// Wraps the records of all steps.
+    pub(in crate::model) fn of_records(records: Vec<PartRecord>) -> Self {
+        Self { records: records.into() }
+    }
+
     /// Reads the bounds of `step_count` steps from stored records. If `errors` is given, the error of each
     /// record must match the error of its step.
     ///
@@ -49,9 +54,17 @@ impl StepBounds {
     ///
     /// # Panics
     /// If the step does not exist.
-    #[inline]
+    #[inline(always)]
     pub(in crate::model) fn part(&self, step: u32, center: [f32; 3]) -> Part {
         self.records[step as usize].part(center)
+    }
+
+    /// Returns the bounds of a step as they are stored.
+    ///
+    /// # Panics
+    /// If the step does not exist.
+    pub(in crate::model) fn record(&self, step: u32) -> PartRecord {
+        self.records[step as usize]
     }
 
     /// Number of steps that have bounds.

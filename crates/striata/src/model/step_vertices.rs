@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::ModelError;
+use super::{ModelError, PackedVertices};
 use crate::mesh::{CollapseSequence, Levels, PositionIndex};
 
 /// For each step, the vertices that it restores and the targets that they collapse to.
@@ -65,9 +65,22 @@ impl StepVertices<'_> {
     /// If the split count exceeds the step count.
     #[inline]
     pub fn count_at(&self, split_count: usize) -> usize {
-        let step_count = self.step_count();
-        assert!(split_count <= step_count, "split count {split_count} of {step_count}");
-        if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
+        if self.firsts.is_empty() {
+            let vertex_count = (self.base_vertex_count as usize).saturating_add(split_count);
+            if vertex_count > self.vertex_count {
+                self.no_such_level(split_count);
+            }
+            return vertex_count;
+        }
+        match self.firsts.get(split_count) {
+            Some(&first) => first as usize,
+            None => self.no_such_level(split_count),
+        }
+    }
+
+    #[cold]
+    fn no_such_level(&self, split_count: usize) -> ! {
+        panic!("split count {split_count} of {}", self.step_count());
     }
 
     /// Returns the step that restores a vertex above the base.
@@ -93,7 +106,7 @@ impl StepVertices<'_> {
     ///
     /// # Errors
     /// [`ModelError`] naming the first mismatch.
-    pub(super) fn check_firsts(&self, step_count: usize) -> Result<(), ModelError> {
+    pub(crate) fn check_firsts(&self, step_count: usize) -> Result<(), ModelError> {
         let vertex_count = self.vertex_count;
         let length = |what, found, expected| {
             if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
@@ -116,15 +129,16 @@ impl StepVertices<'_> {
     ///
     /// # Errors
     /// [`ModelError`] naming the first mismatch.
-    pub(super) fn check(&self, step_count: usize) -> Result<(), ModelError> {
+    pub(super) fn check(&self, step_count: usize, targets: &PackedVertices<'_>) -> Result<(), ModelError> {
         self.check_firsts(step_count)?;
-        let found = (self.base_vertex_count as usize).saturating_add(self.targets.len());
-        if found != self.vertex_count {
-            return Err(ModelError::Length { what: "targets", found, expected: self.vertex_count });
+        let base = self.base_vertex_count;
+        let (found, expected) = (targets.len(), self.vertex_count - base as usize);
+        if found != expected {
+            return Err(ModelError::Length { what: "targets", found, expected });
         }
         for step in 0..step_count {
             let range = self.of_step(step);
-            if range.clone().any(|v| self.target(v) >= range.start) {
+            if range.clone().any(|v| targets.get((v - base) as usize) >= range.start) {
                 return Err(ModelError::Record { step, reason: "collapses to a later vertex" });
             }
         }

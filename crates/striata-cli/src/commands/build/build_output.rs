@@ -2,11 +2,12 @@
 
 use striata::file::{DecodeError, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::{LodStrips, ModelKind};
+use striata::model::{LodStrips, ModelKind, StageOptions};
 use striata::simplify::{StopReason, Target};
+use striata::strip::StripSet;
 use striata_stream::{EncodedStream, StreamOptions, encode_stream};
 
-use super::models::{Models, takes_strips};
+use super::models::{Models, StripSource, takes_strips};
 use crate::args::BuildArgs;
 use striata_command::args::{OrderArg, SequenceArgs};
 use striata_command::clock::Phases;
@@ -42,6 +43,8 @@ pub(crate) struct BuildPlan {
     pub(crate) sequence: SequencePlan,
     /// How its strips are made.
     pub(crate) strips: StripPlan,
+    /// When LodStrips begin a stage with new strips.
+    pub(crate) stages: StageOptions,
     /// The models to build.
     pub(crate) models: Vec<ModelKind>,
     /// How the stream is encoded, if there is one.
@@ -56,10 +59,16 @@ impl BuildPlan {
         Self {
             sequence: SequencePlan::default(),
             strips: BuildArgs::default_strip_plan(),
+            stages: StageOptions::single(),
             models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
             has_overlap_errors: false,
         }
+    }
+
+    /// Returns strips of the full mesh together with how those of later stages are made.
+    pub(super) fn strip_source<'a>(&'a self, full: &'a StripSet) -> StripSource<'a> {
+        StripSource { full, plan: &self.strips, stages: self.stages }
     }
 }
 
@@ -106,7 +115,7 @@ pub(crate) fn build(
     let strip_report = stripped.as_ref().map(report).transpose()?;
     phases.enter("models");
     bar.phase("models");
-    let strips = stripped.as_ref().map(|stripped| &stripped.strips);
+    let strips = stripped.as_ref().map(|stripped| plan.strip_source(&stripped.strips));
     let models = Models::build(plan, &sequenced, (strips, stream), bar)?;
     let order = plan.sequence.order();
     let SimplifiedSteps { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
@@ -170,15 +179,13 @@ impl BuildOutput {
             .with_metadata("source", source)
             .with_metadata("order", self.order.as_str())
             .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
-        match (&self.steps, &self.models.patterns) {
-            (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file()?, &options)?),
-            (Steps::Fragments(fragmented), Some(patterns)) => {
+        let models = self.models.in_file()?;
+        match &self.steps {
+            Steps::Collapses(refinable) => Ok(to_striata(refinable, &models, &options)?),
+            Steps::Fragments(fragmented) => {
                 let mut bytes = Vec::new();
-                write_fragments(fragmented, patterns, &options, &mut bytes)?;
+                write_fragments(fragmented, &models, &options, &mut bytes)?;
                 Ok(bytes)
-            }
-            (Steps::Fragments(_), None) => {
-                Err(Failure::internal("only patterns support steps that are not collapses"))
             }
         }
     }

@@ -44,7 +44,7 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     let mut costs = Vec::new();
     for kind in ModelKind::ALL.into_iter().filter(|&kind| kind != ModelKind::Progressive) {
         let started = Instant::now();
-        let parts = (Some(&stripped.strips), None);
+        let parts = (Some(plan.strip_source(&stripped.strips)), None);
         let models =
             Models::build(&BuildPlan { models: vec![kind], ..plan.clone() }, &sequenced, parts, bar)?;
         costs.extend(costs_of(&models, &sequenced, started.elapsed().as_secs_f64()));

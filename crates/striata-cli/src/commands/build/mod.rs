@@ -83,6 +83,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let plan = BuildPlan {
         sequence,
         strips: args.strip_plan(),
+        stages: args.stages(),
         models,
         stream,
         has_overlap_errors: args.overlap_errors,
@@ -131,7 +132,8 @@ fn adapt_retriangulation(
     models: &[ModelKind],
     is_free: bool,
 ) -> Result<Option<String>, Failure> {
-    let demanding_model = models.iter().find(|&&model| model != ModelKind::Patterns);
+    let is_demanding = |model: &&ModelKind| !matches!(model, ModelKind::Patterns | ModelKind::Fans);
+    let demanding_model = models.iter().find(is_demanding);
     let Some(model) = demanding_model else { return Ok(None) };
     let options = match sequence {
         SequencePlan::Hausdorff(options) => options,
@@ -191,6 +193,10 @@ fn check_overlap_errors(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Fa
 /// # Errors
 /// If they are given without such a model.
 fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
+    if args.max_strip_indices.is_some() && !models.contains(&ModelKind::LodStrips) {
+        return Err(Failure::user("--max-strip-indices has no effect without LodStrips")
+            .with_hint("add --models lodstrips, or remove --max-strip-indices"));
+    }
     match args.strip_flag() {
         Some(flag) if !models.iter().any(takes_strips) => {
             Err(Failure::user(format!("{flag} has no effect without a model that has strips"))

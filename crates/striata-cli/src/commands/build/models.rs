@@ -1,7 +1,8 @@
 //! Builds models by name and prepares them for a .striata file.
 
 use striata::file::FileModel;
-use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns};
+use striata::mesh::RefinableMesh;
+use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns, StageOptions};
 use striata::simplify::{SimplifyError, certify_faces_with_progress};
 use striata::strip::StripSet;
 use striata_stream::{EncodedStream, file_model};
@@ -10,6 +11,7 @@ use super::build_output::BuildPlan;
 use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
 use striata_command::sequence::{SimplifiedSteps, Steps};
+use striata_command::strip_chain::StripPlan;
 
 /// Parses the name of a model.
 ///
@@ -22,6 +24,26 @@ pub(crate) fn model_of_name(name: &str) -> Result<ModelKind, Failure> {
 /// Whether a model is built from strips.
 pub(super) fn takes_strips(model: &ModelKind) -> bool {
     matches!(model, ModelKind::LodStrips | ModelKind::Mts)
+}
+
+/// The strips that models are built from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StripSource<'a> {
+    /// Strips of the full mesh.
+    pub(super) full: &'a StripSet,
+    /// How they were made, and how those of later stages are.
+    pub(super) plan: &'a StripPlan,
+    /// When LodStrips begin a stage.
+    pub(super) stages: StageOptions,
+}
+
+impl StripSource<'_> {
+    /// Builds LodStrips, with new strips for each stage.
+    fn lod_strips(&self, refinable: &RefinableMesh) -> Result<LodStrips<'static>, Failure> {
+        LodStrips::build_staged(refinable, self.full, &self.stages, |level| {
+            Ok(self.plan.run(level, &mut |_| ())?.strips)
+        })
+    }
 }
 
 /// The requested models.
@@ -43,7 +65,7 @@ impl Models {
     pub(super) fn build(
         plan: &BuildPlan,
         sequenced: &SimplifiedSteps,
-        (strips, stream): (Option<&StripSet>, Option<EncodedStream>),
+        (strips, stream): (Option<StripSource<'_>>, Option<EncodedStream>),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let is_wanted = |kind: ModelKind| plan.models.contains(&kind);
@@ -51,10 +73,11 @@ impl Models {
         if let Steps::Collapses(refinable) = &sequenced.steps {
             let strips_for = |kind| strips.filter(|_| is_wanted(kind));
             models.lod_strips =
-                strips_for(ModelKind::LodStrips).map(|s| LodStrips::build(refinable, s)).transpose()?;
-            models.mts = strips_for(ModelKind::Mts).map(|s| Mts::build(refinable, s)).transpose()?;
-            models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(refinable));
+                strips_for(ModelKind::LodStrips).map(|strips| strips.lod_strips(refinable)).transpose()?;
+            models.mts =
+                strips_for(ModelKind::Mts).map(|strips| Mts::build(refinable, strips.full)).transpose()?;
         }
+        models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(sequenced.steps.fan_source()));
         if is_wanted(ModelKind::Patterns) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
             models.patterns = Some(if plan.has_overlap_errors {

@@ -139,8 +139,9 @@ impl Studio<'_> {
         let camera = camera.map_err(|error| Failure::internal(error.to_string()))?;
         let fans = Fans::build(&self.refinable);
         let mut instance = FanInstance::full(&fans);
-        instance.refine(&FanScene::new(&fans, &self.refinable), &ScreenError::new(camera, 2.0));
-        let level = instance.level(&fans, &self.refinable);
+        instance
+            .refine(&FanScene::new(&fans, &self.refinable.mesh.positions), &ScreenError::new(camera, 2.0));
+        let level = instance.level(&fans, &self.refinable.mesh);
         let seen = Camera { eye, look_at, up, fov: FOV };
         let frustum = Frustum::new(&seen, 16.0 / 9.0, &self.refinable.mesh.positions);
         let mut shot = Shot::of(&level, Paint::Surface, Style::FACETED);

@@ -5,12 +5,13 @@
 
 use std::time::Instant;
 
-use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{FanFront, FanInstance, FanScene, LodModel};
+use striata::mesh::IndexedMesh;
+use striata::model::{FanFront, FanInstance, FanScene, Fans, LodModel};
 use striata::simplify::StopReason;
 use striata::view::Camera;
 
 use striata_command::args::ViewArgs;
+use striata_command::sequence::Steps;
 use striata_paged::ViewCut;
 
 /// Smallest pixel tolerance used with a triangle limit, so that weights stay finite.
@@ -51,14 +52,15 @@ impl ViewLevel {
 /// Returns the coarsest level within the pixel tolerance or, with a triangle limit, the best-looking level
 /// within it.
 pub(crate) fn level_of_view(
-    scene: &FanScene<'_>,
-    refinable: &RefinableMesh,
+    fans: &Fans,
+    steps: &Steps,
     view: &ViewArgs,
     camera: Camera,
     triangle_limit: Option<usize>,
 ) -> ViewLevel {
+    let scene = &FanScene::new(fans, &steps.mesh().positions);
     let started = Instant::now();
-    let (fans, mut pixels, mut stop_reason) = (scene.fans(), view.pixels(), StopReason::TargetReached);
+    let (mut pixels, mut stop_reason) = (view.pixels(), StopReason::TargetReached);
     let instance = match triangle_limit {
         None => {
             let mut instance = FanInstance::full(fans);
@@ -80,9 +82,9 @@ pub(crate) fn level_of_view(
     // Errors never rise from one step to the next, so the first collapsed step has the largest.
     let coarsest = (0..fans.step_count()).find(|&step| !instance.is_refined(step as u32));
     ViewLevel {
-        mesh: instance.level(fans, refinable),
+        mesh: instance.level(fans, steps.mesh()),
         split_count: instance.split_count(),
-        error: coarsest.map_or(0.0, |step| refinable.sequence.error_at(step)),
+        error: coarsest.map_or(0.0, |step| steps.levels().error_at(step)),
         pixels,
         stop_reason,
         seek_secs,

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use striata::file::StriataFile;
-use striata::model::{FanScene, Fans, ModelKind};
+use striata::model::{Fans, ModelKind};
 
 use super::fan_view::{ViewLevel, level_of_view};
 use super::level_output::{bounds_of, diagonal_of, primitives_of, triangle_limit, view_output_path};
@@ -16,6 +16,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
 use striata_command::save::write_mesh;
+use striata_command::sequence::Steps;
 
 /// Extracts and writes the level for a view.
 ///
@@ -35,36 +36,36 @@ pub(super) fn run_view(
         .view
         .camera(eye, center)
         .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
-    if uses_patterns(args, &file, input)? {
+    if uses_patterns(args, &file)? {
         let model = FilePatterns::read(&file, input)?;
         let level = model.level_of_view(&args.view, camera, triangle_limit(args, &file));
         return report_patterns(args, (&model, level), input, started, output);
     }
-    let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
-    let stored = file.fans().transpose().map_err(|error| input.damaged(&error))?;
+    let damaged = |error| input.damaged(&error);
+    let steps = if file.has_collapses() {
+        Steps::Collapses(file.refinable_mesh().map_err(damaged)?)
+    } else {
+        Steps::Fragments(file.fragmented_mesh().map_err(damaged)?)
+    };
+    let stored = file.fans().transpose().map_err(damaged)?;
     let fans = if stored.is_some() { "stored" } else { "built" };
-    let table = stored.unwrap_or_else(|| Fans::build(&refinable));
-    let scene = FanScene::new(&table, &refinable);
+    let table = stored.unwrap_or_else(|| Fans::build(steps.fan_source()));
     let limit = triangle_limit(args, &file);
-    let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
+    let level = level_of_view(&table, &steps, &args.view, camera, limit);
     let (pixels, primitives) = (level.pixels, primitives_of(args.form, &level.mesh, None)?);
     let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, limit), started)?;
     write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format)?;
     let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
-    output.summary(&report, &report.to_text(refinable.sequence.step_count()))
+    output.summary(&report, &report.to_text(steps.levels().step_count()))
 }
 
 /// Whether a view uses patterns: because the user named them, or because the file has patterns but no fans.
 ///
 /// # Errors
-/// If the user named a model without views, or fans for a file without collapses.
-fn uses_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
+/// If the user named a model without views.
+fn uses_patterns(args: &ExtractArgs, file: &StriataFile<'_>) -> Result<bool, Failure> {
     match args.model.as_deref().map(model_of_name).transpose()? {
         Some(ModelKind::Patterns) => Ok(true),
-        Some(ModelKind::Fans) if !file.has_collapses() => {
-            Err(Failure::user(format!("{}: fans require collapses, but this file has none", input.name))
-                .with_hint("remove --model, or use --model patterns"))
-        }
         Some(ModelKind::Fans) => Ok(false),
         Some(kind) => Err(Failure::user(format!("model {kind} does not support views"))
             .with_hint("use --model fans or --model patterns")),

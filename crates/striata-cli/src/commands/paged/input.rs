@@ -7,6 +7,7 @@ use serde_json::Value;
 use striata_command::args::Length;
 use striata_command::failure::Failure;
 use striata_command::output::Output;
+use striata_io::pieces::{PieceOptions, PieceSource};
 use striata_paged::build::{BuildInput, BuildOptions, is_address};
 
 use crate::args::CellArgs;
@@ -61,11 +62,22 @@ fn buffer_bytes(path: &Path) -> u64 {
 
 /// Whether a name stands for an input that only an out-of-core build reads.
 pub(crate) fn is_streamed_only(path: &Path) -> bool {
-    let name = path.to_string_lossy();
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
-    name.starts_with("shape:terrain:")
-        || name.starts_with("shape:tiles:")
-        || ["tif", "tiff", "hgt", "png"].iter().any(|&raster| extension == raster)
+    is_generated(path) || ["tif", "tiff", "hgt", "png"].iter().any(|&raster| extension == raster)
+}
+
+/// Whether a name stands for an input that is generated piece by piece.
+pub(crate) fn is_generated(path: &Path) -> bool {
+    let name = path.to_string_lossy();
+    name.starts_with("shape:terrain:") || name.starts_with("shape:tiles:")
+}
+
+/// Opens an input that is generated piece by piece.
+///
+/// # Errors
+/// If the name has a number out of range, or the file of tiles cannot be read.
+pub(crate) fn open_generated(path: &Path) -> Result<Box<dyn PieceSource>, Failure> {
+    build_input(&[path.to_owned()])?.open(&PieceOptions::default()).map_err(super::failure)
 }
 
 /// The input of a build.

@@ -9,7 +9,7 @@ mod source;
 
 pub(crate) use build::build;
 pub(crate) use info::info;
-pub(crate) use input::{is_streamed_only, is_too_large};
+pub(crate) use input::{is_generated, is_streamed_only, is_too_large, open_generated};
 pub(crate) use plan::plan;
 pub(crate) use run::run;
 pub(crate) use source::{camera_of, is_paged_file, open_input};

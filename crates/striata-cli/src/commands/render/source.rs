@@ -3,7 +3,7 @@
 
 use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
-use striata::model::{FanScene, Fans, LodModel, LodStrips, ModelKind, Mts, StoredModel, StripModel};
+use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, StoredModel, StripModel};
 use striata::simplify::Target;
 use striata::strip::{StripSet, stripify};
 
@@ -203,14 +203,11 @@ impl<'a> Source<'a> {
             let level = FilePatterns::read(file, input)?.level_of_view(&view, camera, limit);
             return Ok(Figure::of_view(ModelKind::Patterns, level, limit));
         }
-        let Steps::Collapses(refinable) = &levels.steps else {
-            return Err(Failure::internal("the file has fragments but no patterns"));
-        };
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
         let stored = stored.map_err(|error| input.damaged(&error))?;
-        let fans = stored.unwrap_or_else(|| Fans::build(refinable));
-        let scene = FanScene::new(&fans, refinable);
-        Ok(Figure::of_view(ModelKind::Fans, level_of_view(&scene, refinable, &view, camera, limit), limit))
+        let fans = stored.unwrap_or_else(|| Fans::build(levels.steps.fan_source()));
+        let level = level_of_view(&fans, &levels.steps, &view, camera, limit);
+        Ok(Figure::of_view(ModelKind::Fans, level, limit))
     }
 }
 
@@ -255,7 +252,7 @@ impl<'a> Levels<'a> {
     /// Whether patterns are the only model that views can use.
     fn has_patterns_only(&self) -> bool {
         let has = |file: &StriataFile<'_>| file.fans().is_none() && file.patterns().is_some();
-        matches!(self.steps, Steps::Fragments(_)) || self.file.as_ref().is_some_and(has)
+        self.file.as_ref().is_some_and(has)
     }
 
     /// Returns the figure of a level.
@@ -305,17 +302,20 @@ impl Model<'_> {
     /// Builds a model for the picture.
     ///
     /// # Errors
-    /// If the steps are not collapses, which all models except the list require.
+    /// If the steps are not collapses, which models of strips require.
     fn built(model: DrawnModel, steps: &Steps) -> Result<Self, Failure> {
         let refinable = match (steps, model) {
             (_, DrawnModel::List) => return Ok(Self::List),
+            (_, DrawnModel::Model(ModelKind::Fans)) => {
+                return Ok(Self::Fans(Fans::build_without_bounds(steps.fan_source())));
+            }
             (Steps::Collapses(refinable), _) => refinable,
             (Steps::Fragments(_), model) => {
                 return Err(Failure::user(format!(
                     "model {} requires collapses, but this file has none",
                     model.as_str()
                 ))
-                .with_hint("remove --model, or use --model list"));
+                .with_hint("remove --model, or use --model fans or list"));
             }
         };
         Ok(match model {
@@ -323,7 +323,6 @@ impl Model<'_> {
                 Self::LodStrips(LodStrips::build(refinable, &strips_of(refinable)?)?)
             }
             DrawnModel::Model(ModelKind::Mts) => Self::Mts(Mts::build(refinable, &strips_of(refinable)?)?),
-            DrawnModel::Model(ModelKind::Fans) => Self::Fans(Fans::build_without_bounds(refinable)),
             DrawnModel::Model(kind) => {
                 return Err(Failure::internal(format!("model {kind} cannot be drawn")));
             }

@@ -30,7 +30,7 @@ use crate::{Format, ReadError};
 const MAX_PIECE_SIZE: usize = 1 << 28;
 
 /// glTF or GLB file.
-pub(super) struct GltfPieces {
+pub(crate) struct GltfPieces {
     opened: OpenedDocument,
     outline: Outline,
     cuts: Cuts,
@@ -42,7 +42,7 @@ pub(super) struct GltfPieces {
 
 impl GltfPieces {
     /// Opens a file and the files of its buffers.
-    pub(super) fn open(input: Input, format: Format, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(input: Input, format: Format, options: &PieceOptions) -> Result<Self, ReadError> {
         let piece_size = options.piece_size().min(MAX_PIECE_SIZE);
         let mut warnings = Warnings::of_file(&input.name);
         let opened = OpenedDocument::open(input, format)?;

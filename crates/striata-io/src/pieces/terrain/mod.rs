@@ -43,7 +43,7 @@ struct PlacedRaster {
 }
 
 /// Whether a file is a raster of heights, by its extension.
-pub(super) fn is_raster(path: &Path) -> bool {
+pub(crate) fn is_raster(path: &Path) -> bool {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     ["tif", "tiff", "hgt", "png"].iter().any(|&raster| extension == raster)
 }

@@ -110,7 +110,7 @@ impl<C: Criterion> Pass<'_, C> {
     /// it again.
     #[inline]
     fn evaluate(&self, step: u32) -> (bool, f32) {
-        let verdict = self.criterion.weigh(&self.model.parts[step as usize]);
+        let verdict = self.criterion.weigh(&self.model.part(step as usize));
         (verdict.should_refine(), self.due(verdict))
     }
 
@@ -142,7 +142,7 @@ impl<C: Criterion> Pass<'_, C> {
                     active.due[kind] = f32::INFINITY;
                     continue;
                 };
-                self.block.parts.push(self.model.parts[step as usize]);
+                self.block.parts.push(self.model.part(step as usize));
                 self.block.requests.push(Request { index, kind, step });
             }
             if self.block.parts.len() >= BLOCK_LEN {

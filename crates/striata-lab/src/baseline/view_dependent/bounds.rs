@@ -6,19 +6,20 @@
 
 use glam::DVec3;
 use striata::mesh::{RefinableMesh, is_proper};
-use striata::view::{NormalCone, Part, Sphere};
+use striata::model::PartRecord;
+use striata::view::{NormalCone, Sphere};
 
 /// Computes the part of each step: the bounds of everything its split can restore.
-pub(super) fn parts(refinable: &RefinableMesh) -> Vec<Part> {
+pub(super) fn parts(refinable: &RefinableMesh) -> Vec<PartRecord> {
     let sequence = &refinable.sequence;
     let mut leaves = leaves(refinable);
-    let mut parts: Vec<Part> = Vec::with_capacity(sequence.step_count());
+    let mut parts: Vec<PartRecord> = Vec::with_capacity(sequence.step_count());
     for step in (0..sequence.step_count()).rev() {
         let vertex = sequence.step_vertices(step).start;
         let below = leaves[vertex as usize];
         let node = &mut leaves[sequence.target(vertex) as usize];
         node.enclose(&below);
-        parts.push(Part { sphere: node.sphere, cone: node.cone, error: sequence.error_at(step) });
+        parts.push(PartRecord::holding(node.sphere.radius, &node.cone, sequence.error_at(step)));
     }
     parts.reverse();
     parts

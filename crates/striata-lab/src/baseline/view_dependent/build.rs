@@ -50,6 +50,7 @@ impl ViewDependentMeshes {
         nodes.truncate(base_vertex_count as usize);
         Ok(Self {
             parts: bounds::parts(refinable),
+            positions: mesh.positions.clone(),
             base_corners: base.iter().map(|&t| surface.corners[t]).collect(),
             base_triangles: base.iter().map(base_triangle).collect(),
             group_count: mesh.groups.len().max(1),

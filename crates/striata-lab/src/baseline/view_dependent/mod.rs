@@ -23,7 +23,8 @@
 //! contiguously instead of in linked lists, so visiting all of them is a linear scan, and drawing needs no
 //! copy. A restored vertex is evaluated on behalf of both children when deciding on a collapse, and the
 //! collapses that this allows are tried immediately instead of in the next frame. All active vertices are
-//! evaluated before anything changes, in batches, and verdicts can be kept while they are valid. There are
+//! evaluated before anything changes, in batches, and verdicts can be kept while they are valid. Bounds are packed
+//! into eight bytes. There are
 //! no wedges, no geomorphs, and work is not spread over frames. The index of a triangle determines its
 //! step, so no pointer is needed.
 //!
@@ -43,7 +44,7 @@ mod surface;
 pub use self::adapt::Adapted;
 pub use self::error::ViewDependentError;
 pub use self::state::ViewDependentState;
-use striata::model::{DrawCounts, LodModel, PartBytes, Topology};
+use striata::model::{DrawCounts, LodModel, PartBytes, PartRecord, Topology};
 use striata::view::Part;
 
 use crate::paper_bytes::{Accounting, PaperBytes};
@@ -62,8 +63,10 @@ const ROOT: u32 = u32::MAX;
 pub struct ViewDependentMeshes {
     /// One per step; the restored vertex follows from the step.
     splits: Vec<VertexSplit>,
-    /// The bounds of each step, which criteria evaluate.
-    parts: Vec<Part>,
+    /// The bounds of each step, which criteria evaluate; their spheres have the split vertex as center.
+    parts: Vec<PartRecord>,
+    /// Positions of all vertices. They belong to the mesh, so they are not counted here, as for other models.
+    positions: Vec<[f32; 3]>,
     /// The node of each vertex in the base.
     roots: Vec<u32>,
     base_corners: Vec<[u32; 3]>,
@@ -127,8 +130,9 @@ impl ViewDependentMeshes {
     ///
     /// # Panics
     /// If the step does not exist.
-    pub fn part(&self, step: usize) -> &Part {
-        &self.parts[step]
+    #[inline]
+    pub fn part(&self, step: usize) -> Part {
+        self.parts[step].part(self.positions[self.splits[step].target as usize])
     }
 
     /// Number of groups of triangles.

@@ -1,6 +1,6 @@
 //! Progressive fans, expanded to triangles by the CPU or by the GPU.
 
-use striata::model::{FanForm, FanIndices, FanInstance, Fans, LodModel};
+use striata::model::{FanForm, FanIndices, FanInstance, Fans, FansLevel, LodModel};
 use striata_gpu::wgpu::CommandEncoder;
 use striata_gpu::{Drawing, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuIndices};
 
@@ -11,6 +11,7 @@ use striata_command::failure::Failure;
 /// Fans that the CPU writes as a list or as strips and uploads whole.
 pub(super) struct SentFans {
     fans: Fans,
+    level: FansLevel,
     form: FanForm,
     expanded: FanIndices,
     sent: GpuIndices,
@@ -29,7 +30,8 @@ pub(super) struct ComputedFans<'s> {
 impl SentFans {
     pub(super) fn new(bench: &BenchScene<'_>, form: FanForm) -> Result<Self, Failure> {
         let fans = Fans::build(&bench.refinable);
-        Ok(Self { fans, form, expanded: FanIndices::default(), sent: GpuIndices::new(bench.gpu, 0)? })
+        let (level, expanded) = (fans.new_state(), FanIndices::default());
+        Ok(Self { fans, level, form, expanded, sent: GpuIndices::new(bench.gpu, 0)? })
     }
 }
 
@@ -45,10 +47,12 @@ impl<'s> ComputedFans<'s> {
 }
 
 impl Way for SentFans {
-    fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure> {
-        let mut level = self.fans.new_state();
-        self.fans.move_to(&mut level, split_count);
-        self.fans.emit_level_into(&level, self.form, &mut self.expanded);
+    fn move_to(&mut self, split_count: usize) {
+        self.fans.move_to(&mut self.level, split_count);
+    }
+
+    fn send(&mut self, gpu: &Gpu) -> Result<(), Failure> {
+        self.fans.emit_level_into(&self.level, self.form, &mut self.expanded);
         Ok(self.sent.write(gpu, &self.expanded.indices)?)
     }
 
@@ -74,9 +78,12 @@ impl Way for SentFans {
 }
 
 impl Way for ComputedFans<'_> {
-    fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure> {
-        self.instance.write(gpu, &FanInstance::uniform(&self.fans, split_count));
+    fn move_to(&mut self, split_count: usize) {
         self.split_count = split_count;
+    }
+
+    fn send(&mut self, gpu: &Gpu) -> Result<(), Failure> {
+        self.instance.write(gpu, &FanInstance::uniform(&self.fans, self.split_count));
         Ok(())
     }
 

@@ -2,14 +2,18 @@
 
 mod fans;
 mod resident;
+mod sent;
 mod strips;
 mod way;
 
-use striata::model::FanForm;
+use striata::model::{FanForm, Mts};
+use striata_lab::MtsGraph;
+use striata_lab::baseline::{EfficientLodStrips, ProgressiveMeshes, Winding};
 
 use self::fans::{ComputedFans, SentFans};
 use self::resident::Resident;
-use self::strips::{ChangedStrips, SentList, SentStrips};
+use self::sent::Sent;
+use self::strips::ChangedStrips;
 pub(super) use self::way::Way;
 use super::bench_scene::BenchScene;
 use striata_command::failure::Failure;
@@ -49,16 +53,31 @@ const fn resident(name: &'static str, about: &'static str, build: Build) -> Entr
     Entry { name, about, is_resident: true, build }
 }
 
-const ENTRIES: [Entry; 10] = [
+const ENTRIES: [Entry; 14] = [
     sent("list", "triangle list of a progressive mesh, uploaded whole", |bench, _| {
-        Ok(Box::new(SentList::new(bench)?))
+        Ok(Box::new(Sent::new(bench, ProgressiveMeshes::build(&bench.refinable))?))
     }),
-    sent("strips", "strips of LodStrips, uploaded whole", |bench, _| Ok(Box::new(SentStrips::new(bench)?))),
+    sent("strips", "strips of LodStrips, uploaded whole", |bench, _| {
+        Ok(Box::new(Sent::new(bench, bench.lod_strips()?)?))
+    }),
     sent("strips-ranges", "strips of LodStrips, uploading only the changed ranges", |bench, _| {
-        Ok(Box::new(ChangedStrips::new(bench, false)?))
+        Ok(Box::new(ChangedStrips::new(bench, bench.lod_strips()?, false)?))
     }),
     sent("strips-draws", "as strips-ranges, with a draw per strip instead of restarts", |bench, _| {
-        Ok(Box::new(ChangedStrips::new(bench, true)?))
+        Ok(Box::new(ChangedStrips::new(bench, bench.lod_strips()?, true)?))
+    }),
+    sent("strips-staged", "strips of LodStrips in stages, uploaded whole", |bench, _| {
+        Ok(Box::new(Sent::new(bench, bench.staged_lod_strips()?)?))
+    }),
+    sent("strips-published", "strips of LodStrips as published, uploaded whole", |bench, _| {
+        let model = EfficientLodStrips::build(&bench.refinable, &bench.strips, Winding::Kept)?;
+        Ok(Box::new(Sent::new(bench, model)?))
+    }),
+    sent("mts", "strips of MTS, uploaded whole", |bench, _| {
+        Ok(Box::new(Sent::new(bench, Mts::build(&bench.refinable, &bench.strips)?)?))
+    }),
+    sent("mts-published", "strips of MTS as published, uploaded whole", |bench, _| {
+        Ok(Box::new(Sent::new(bench, MtsGraph::build(&bench.refinable, &bench.strips)?)?))
     }),
     sent("fans", "fans expanded to a list by the CPU, uploaded whole", |bench, _| {
         Ok(Box::new(SentFans::new(bench, FanForm::Triangles)?))

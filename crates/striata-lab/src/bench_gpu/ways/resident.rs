@@ -93,13 +93,16 @@ impl Resident {
 }
 
 impl Way for Resident {
-    fn move_to(&mut self, _: &Gpu, split_count: usize) -> Result<(), Failure> {
+    fn move_to(&mut self, split_count: usize) {
         let last = self.levels.len() - 1;
         self.drawn = if self.rounds_down {
             self.levels.partition_point(|level| level.split_count <= split_count).saturating_sub(1)
         } else {
             self.levels.partition_point(|level| level.split_count < split_count).min(last)
         };
+    }
+
+    fn send(&mut self, _: &Gpu) -> Result<(), Failure> {
         Ok(())
     }
 

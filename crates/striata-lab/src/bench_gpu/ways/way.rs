@@ -7,11 +7,15 @@ use striata_command::failure::Failure;
 
 /// A way of drawing a level.
 pub(in crate::bench_gpu) trait Way {
-    /// Does all CPU work that is needed before the level can be drawn.
+    /// Moves the model to a level: what the papers call recovery or extraction.
+    fn move_to(&mut self, split_count: usize);
+
+    /// Does all other CPU work that is needed before the level can be drawn: writes its indices and hands
+    /// them over.
     ///
     /// # Errors
     /// If the GPU is out of memory.
-    fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure>;
+    fn send(&mut self, gpu: &Gpu) -> Result<(), Failure>;
 
     /// Records the GPU work that precedes the draw.
     fn extract(&self, _: &mut CommandEncoder) {}

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::file::{StriataFile, WriteOptions, write_fragments};
+use striata::file::{FileModel, StriataFile, WriteOptions, write_fragments};
 use striata::mesh::FragmentedMesh;
 use striata::model::{LodModel, Patterns};
 use striata_lab::baseline::{GeneralPatterns, LoopPatterns, MultiTriangulation, SequentialPatterns};
@@ -86,7 +86,7 @@ const OPEN_COUNT: usize = 3;
 /// Writes a file with patterns only, and opens it with all checks. Returns its size and the time.
 fn opened(mesh: &FragmentedMesh, patterns: &Patterns) -> Result<(usize, f64), Failure> {
     let mut bytes = Vec::new();
-    write_fragments(mesh, patterns, &WriteOptions::default(), &mut bytes)?;
+    write_fragments(mesh, &[FileModel::Patterns(patterns)], &WriteOptions::default(), &mut bytes)?;
     let mut fastest = f64::INFINITY;
     for _ in 0..OPEN_COUNT {
         let (found, secs) = timed(|| StriataFile::parse(&bytes)?.patterns().transpose());

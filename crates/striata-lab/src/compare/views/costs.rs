@@ -5,9 +5,10 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use serde::Serialize;
+use striata::model::{FanForm, FanIndices, FanInstance};
 use striata::view::ScreenError;
 
-use super::followers::{FANS, KEPT, Models, NAMES, STATELESS, VDPM, View};
+use super::followers::{FANS, KEPT, Models, NAMES, PUBLISHED, STATELESS, VDPM, VDPM_KEPT, View};
 use super::paths::Path;
 use striata_command::failure::Failure;
 use striata_command::output::format_count;
@@ -28,6 +29,20 @@ pub(super) struct CostRow {
     pixels: f32,
     /// The followers that can be built.
     pub(super) contenders: Vec<Cost>,
+    /// What it takes to draw the fans of this view in each form.
+    drawn: Vec<Drawn>,
+}
+
+/// Indices of one form of the fans that a view shows.
+#[derive(Clone, Debug, Serialize)]
+struct Drawn {
+    form: &'static str,
+    /// Number of indices, including the restarts between fans or strips.
+    index_count: usize,
+    /// Number of fans or strips.
+    piece_count: usize,
+    /// Time to write them.
+    emission_ms: f64,
 }
 
 /// A refinement from the base.
@@ -80,20 +95,42 @@ pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
                 emission_ms: 1e3 * emission_secs,
             });
         }
-        rows.push(CostRow { pixels, contenders });
+        rows.push(CostRow { pixels, contenders, drawn: drawn(models, screen) });
     }
     Ok(rows)
 }
 
+/// Writes what a view shows as a list, as fans, and as a strip for each fan.
+fn drawn(models: &Models<'_>, screen: &ScreenError) -> Vec<Drawn> {
+    let mut instance = FanInstance::uniform(&models.fans, 0);
+    instance.refine(&models.scene(), screen);
+    let forms = [("list", FanForm::Triangles), ("fans", FanForm::Fans), ("strips", FanForm::Strips)];
+    let mut indices = FanIndices::default();
+    let of_form = forms.map(|(name, form)| {
+        let mut secs = f64::INFINITY;
+        for _ in 0..REPETITIONS {
+            let started = Instant::now();
+            instance.emit_into(&models.fans, form, &mut indices);
+            black_box(&indices);
+            secs = secs.min(started.elapsed().as_secs_f64());
+        }
+        let counts = instance.draw_counts(&models.fans, form);
+        let (index_count, piece_count) = (counts.index_count, counts.strip_count);
+        Drawn { form: name, index_count, piece_count, emission_ms: 1e3 * secs }
+    });
+    of_form.into()
+}
+
 /// Header and rows of the table.
 pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
-    const SHOWN: [usize; 2] = [FANS, VDPM];
-    const REFINED: [usize; 3] = [FANS, STATELESS, VDPM];
-    const EMITTED: [usize; 3] = [FANS, KEPT, VDPM];
+    const SHOWN: [usize; 3] = [FANS, PUBLISHED, VDPM];
+    const REFINED: [usize; 5] = [FANS, STATELESS, PUBLISHED, VDPM, VDPM_KEPT];
+    const EMITTED: [usize; 4] = [FANS, KEPT, PUBLISHED, VDPM];
     let mut head = vec!["pixels".to_owned()];
     head.extend(SHOWN.map(|i| format!("triangles, {}", NAMES[i])));
     head.extend(REFINED.map(|i| format!("{}, ms", NAMES[i])));
     head.extend(EMITTED.map(|i| format!("emission, {}", NAMES[i])));
+    head.extend(["list", "fans", "strips"].map(|form| format!("indices, {form}")));
     let mut table = vec![head];
     for row in rows {
         let cell = |i: usize, text: fn(&Cost) -> String| {
@@ -104,6 +141,7 @@ pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
         cells.extend(SHOWN.map(|i| cell(i, |cost| format_count(cost.triangles))));
         cells.extend(REFINED.map(|i| cell(i, |cost| format!("{:.3}", cost.follow_ms))));
         cells.extend(EMITTED.map(|i| cell(i, |cost| format!("{:.3}", cost.emission_ms))));
+        cells.extend(row.drawn.iter().map(|drawn| format_count(drawn.index_count)));
         table.push(cells);
     }
     table

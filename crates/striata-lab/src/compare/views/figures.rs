@@ -47,6 +47,8 @@ pub(super) struct Figures {
     pub(super) bytes_per_instance: usize,
     /// Maximum bytes owned by the instance, per vertex of the full mesh.
     pub(super) instance_bytes_per_vertex: f64,
+    /// The same without indices that can be drawn as they are.
+    state_bytes_per_vertex: f64,
     /// Values by frame.
     pub(super) series: Series,
 }
@@ -113,6 +115,7 @@ impl Figures {
             bytes_per_vertex_plain: bytes_per_vertex + POSITION_BYTES + NORMAL_BYTES,
             bytes_per_instance: run.instance_bytes,
             instance_bytes_per_vertex: run.instance_bytes as f64 / vertex_count as f64,
+            state_bytes_per_vertex: run.state_bytes as f64 / vertex_count as f64,
             series: Series::of(run),
         }
     }

@@ -8,7 +8,7 @@ use striata_lab::{Accounting, PaperBytes};
 use super::super::bars::{BarChart, Bars};
 use super::super::papers::{COR01_BYTES_PER_VERTEX, cor01_megabytes};
 use super::figures::{NORMAL_BYTES, PACKED_NORMAL_BYTES, POSITION_BYTES};
-use super::followers::{FANS, KEPT, Models, NAMES, STATELESS, UNIFORM, VDPM};
+use super::followers::{FANS, KEPT, Models, NAMES, PUBLISHED, STATELESS, UNIFORM, VDPM, VDPM_KEPT};
 use super::scenario::Run;
 
 /// Memory of a model in bytes per vertex of the full mesh.
@@ -37,7 +37,9 @@ pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
     // Uniform levels need no bounds.
     let bounds = models.fans.bytes().into_iter().find(|part| part.name == "bounds");
     let table = fans - bounds.map_or(0, |part| part.bytes);
-    [fans, fans, fans, models.vdpm.as_ref().map_or(0, bytes_of), table]
+    let vdpm = models.vdpm.as_ref().map_or(0, bytes_of);
+    let published = models.published.as_ref().map_or(0, bytes_of);
+    [fans, fans, fans, vdpm, vdpm, published, fans, table]
 }
 
 fn bytes_of(model: &impl LodModel) -> usize {
@@ -85,19 +87,32 @@ pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRo
             ordered.state_bytes(&ordered.new_state()),
         ),
         MemoryRow {
-            published_megabytes: cor01_megabytes(mesh.triangle_count()),
             paper_instance_bytes_per_vertex: Some(1.0 / 8.0),
             ..row("fans", fans, Some(COR01_BYTES_PER_VERTEX), bits)
         },
         row("fans, a front", fans, None, max_of(FANS).map_or(0, |(bytes, _)| bytes)),
         row("fans, all kept", fans, None, max_of(KEPT).map_or(0, |(bytes, _)| bytes)),
     ];
+    if let (Ok(published), Some((bytes, _))) = (&models.published, max_of(PUBLISHED)) {
+        rows.push(MemoryRow {
+            published_megabytes: cor01_megabytes(mesh.triangle_count()),
+            paper_instance_bytes_per_vertex: Some(1.0 / 8.0),
+            ..row(
+                "fans-published",
+                bytes_of(published),
+                paper(published.paper_bytes(Accounting::Words)),
+                bytes,
+            )
+        });
+    }
     if let (Ok(vdpm), Some((bytes, triangles))) = (&models.vdpm, max_of(VDPM)) {
         rows.push(MemoryRow {
             // A closed surface has half as many vertices as triangles.
             paper_instance_bytes_per_vertex: Some(per_vertex(112 * triangles / 2)),
             ..row("vdpm", bytes_of(vdpm), paper(vdpm.paper_bytes(Accounting::Words)), bytes)
         });
+        let kept = max_of(VDPM_KEPT).map_or(0, |(bytes, _)| bytes);
+        rows.push(row("vdpm-kept", bytes_of(vdpm), None, kept));
     }
     rows
 }

@@ -15,6 +15,9 @@ pub(super) const SCREEN_PX: u32 = 1000;
 /// Tangent of half the field of view of 60 degrees.
 const TAN_HALF_FOV: f64 = 0.577_350_269_189_625_8;
 
+/// Pixels per unit of length at unit distance.
+pub(super) const PIXELS_PER_UNIT: f32 = (SCREEN_PX as f64 / (2.0 * TAN_HALF_FOV)) as f32;
+
 /// Minimum and maximum distance of an orbit from the center, in diagonals.
 const ORBIT: [f64; 2] = [0.4, 1.8];
 

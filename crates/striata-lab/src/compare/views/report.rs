@@ -65,7 +65,7 @@ impl PathReport {
         let fans = runs[FANS].clone().unwrap_or_default();
         let contenders = NAMES.into_iter().zip(runs).zip(bytes).map(|((name, run), bytes)| FollowerReport {
             name,
-            cannot_be_built: run.is_none().then(|| models.vdpm.as_ref().err().cloned()).flatten(),
+            cannot_be_built: run.is_none().then(|| models.why_missing(name)).flatten(),
             figures: run.as_ref().map(|run| Figures::new(run, &fans, bytes, vertex_count)),
             run,
         });

@@ -10,7 +10,7 @@ use std::time::Instant;
 use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::view::ScreenError;
 
-use super::followers::{FANS, Follower, KEPT, Models, NAMES, STATELESS, View};
+use super::followers::{FANS, Follower, KEPT, Models, NAMES, STATELESS, VDPM, VDPM_KEPT, View};
 use super::logged_criterion::QueryLog;
 use super::paths::{Frame, Path};
 use super::screen_errors::{ScreenErrors, VisiblePoints};
@@ -51,6 +51,8 @@ pub(super) struct Run {
     pub(super) triangles: Vec<usize>,
     /// Maximum bytes owned by the instance.
     pub(super) instance_bytes: usize,
+    /// The same without indices that can be drawn as they are.
+    pub(super) state_bytes: usize,
     /// Errors on the screen.
     pub(super) errors: ScreenErrors,
 }
@@ -148,21 +150,28 @@ fn rehearse<'a>(
             let (Some(follower), Some(run)) = (follower, run) else { continue };
             log.clear();
             let changes = follower.follow(scenario_frames.view(frame), Some(log));
-            run.evaluated.push(log.evaluated_count());
+            run.evaluated.push(changes.evaluated.unwrap_or_else(|| log.evaluated_count()));
             run.changes.push(changes.split_count + changes.collapse_count);
             run.criterion_secs.push(log.evaluation_secs(&scenario_frames.screens[frame]));
-            run.instance_bytes = run.instance_bytes.max(follower.instance_bytes());
+            let owned = follower.instance_bytes();
+            run.instance_bytes = run.instance_bytes.max(owned);
+            run.state_bytes = run.state_bytes.max(owned - follower.index_bytes());
             let mut indices = Vec::new();
             follower.emit_into(&mut indices);
             run.triangles.push(indices.len() / 3);
             let Some(points) = &points else { continue };
             let triangles = canonical_triangles(indices.as_chunks().0);
-            let fans = shown.get(FANS).map(|(fans, _)| fans);
-            if matches!(i, KEPT | STATELESS) && fans != Some(&triangles) {
-                let name = NAMES[i];
-                return Err(Failure::internal(format!(
-                    "{name} and fans show different triangles in frame {frame}"
-                )));
+            let same_as = match i {
+                KEPT | STATELESS => Some(FANS),
+                VDPM_KEPT => Some(VDPM),
+                _ => None,
+            };
+            if let Some(other) = same_as
+                && shown.get(other).map(|(other, _)| other) != Some(&triangles)
+            {
+                let [name, other] = [i, other].map(|i| NAMES[i]);
+                let message = format!("{name} and {other} show different triangles in frame {frame}");
+                return Err(Failure::internal(message));
             }
             let errors = match shown.iter().find(|(other, _)| *other == triangles) {
                 Some((_, errors)) => errors.clone(),

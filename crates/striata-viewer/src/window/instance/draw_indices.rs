@@ -99,6 +99,9 @@ pub(super) fn add_ranges(changes: &mut Changes, mut ranges: Vec<Range<u32>>) {
         Changes::All => {}
         _ if ranges.is_empty() => {}
         Changes::None => *changes = Changes::Ranges(ranges),
-        Changes::Ranges(before) => before.append(&mut ranges),
+        Changes::Ranges(before) => {
+            before.append(&mut ranges);
+            before.sort_unstable_by_key(|range| range.start);
+        }
     }
 }

@@ -5,7 +5,6 @@ use std::ops::Range;
 use striata::model::{FanFront, FanInstance, FanMorphs, FanScene, FanTriangles};
 use striata::view::ScreenError;
 
-use super::draw_indices::ranges_of_groups;
 use super::level_request::{AchievedLevel, LevelRequest};
 use crate::window::mesh_subject::MeshSubject;
 use crate::window::state::Goal;
@@ -45,7 +44,7 @@ impl ShownFans {
         request: &LevelRequest,
         split_count: usize,
     ) -> (bool, AchievedLevel) {
-        let Some((scene, refinable)) = subject.fan_scene() else { return (false, AchievedLevel::default()) };
+        let Some(scene) = subject.fan_scene() else { return (false, AchievedLevel::default()) };
         let mut error_px = None;
         match (request.goal, request.camera) {
             (Goal::Pixels(pixels), Some(camera)) => {
@@ -67,7 +66,8 @@ impl ShownFans {
         }
         let target = self.uniform.as_ref().map_or(self.front.instance(), |(_, instance)| instance);
         let was_moving = self.morphs.as_ref().is_some_and(|morphs| morphs.moving_count() > 0);
-        if request.morphs {
+        // Without collapses, a vertex has no place to come from.
+        if request.morphs && subject.has_collapses() {
             let morphs = self.morphs.get_or_insert_with(|| FanMorphs::new(&self.drawn, MORPH_FRAMES));
             morphs.advance(scene.fans(), target);
         } else {
@@ -78,10 +78,10 @@ impl ShownFans {
         if is_changed {
             self.drawn.clone_from(drawn);
             if let Some(triangles) = &mut self.triangles {
-                triangles.follow(scene.fans(), &refinable.sequence, drawn);
+                triangles.follow(scene.fans(), drawn);
             }
         }
-        let levels = refinable.sequence.levels();
+        let levels = subject.steps.levels();
         let coarsest = (0..levels.step_count()).find(|&step| !target.is_refined(step as u32));
         let moving_count = self.morphs.as_ref().map_or(0, FanMorphs::moving_count);
         let achieved = AchievedLevel {
@@ -99,16 +99,11 @@ impl ShownFans {
     }
 
     /// Writes the triangles group by group, unless the GPU extracts them.
-    pub(super) fn indices_into(
-        &self,
-        (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
-        group_count: usize,
-    ) {
+    pub(super) fn indices_into(&self, (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>)) {
         let Some(triangles) = &self.triangles else { return };
         indices.clear();
-        ranges_of_groups(group_count, groups, |group| {
-            indices.extend_from_slice(triangles.triangles(group).as_flattened());
-            indices.len()
-        });
+        indices.extend_from_slice(triangles.indices());
+        groups.clear();
+        groups.extend_from_slice(triangles.group_ranges());
     }
 }

@@ -3,6 +3,7 @@
 mod draw_indices;
 mod fans;
 mod level_request;
+mod live_strips;
 mod patterns;
 
 pub(super) use self::draw_indices::{Changes, DrawIndices};
@@ -20,6 +21,7 @@ use striata::strip::{RESTART, restart_triangles_into};
 use self::draw_indices::{add_ranges, list_into, patterns_into, strips_into};
 use self::fans::ShownFans;
 use self::level_request::{split_count_for, uniform};
+use self::live_strips::ShownLiveStrips;
 use self::patterns::follow_patterns;
 use super::args::ShownModel;
 use super::mesh_subject::MeshSubject;
@@ -28,7 +30,7 @@ use super::mesh_subject::MeshSubject;
 #[derive(Debug)]
 pub(super) struct ModelInstance {
     state: InstanceState,
-    /// Indices of every model except LodStrips, which has its own buffer.
+    /// Indices of every model except LodStrips and live strips, which have buffers of their own.
     indices: Vec<u32>,
     groups: Vec<Range<u32>>,
     changes: Changes,
@@ -46,6 +48,7 @@ enum InstanceState {
         state: LodStripsState,
         buffer: StripBuffer,
     },
+    LiveStrips(Box<ShownLiveStrips>),
     Mts(MtsState),
     Fans(Box<ShownFans>),
     Patterns(Box<PatternInstance>),
@@ -62,9 +65,12 @@ impl ModelInstance {
                 let buffer = StripBuffer::new(model, &mut state);
                 InstanceState::LodStrips { state, buffer }
             }
+            ShownModel::LiveStrips => {
+                InstanceState::LiveStrips(Box::new(ShownLiveStrips::new(subject.live_strips()?)))
+            }
             ShownModel::Mts => InstanceState::Mts(subject.mts()?.new_state()),
             ShownModel::Fans | ShownModel::FansGpu => {
-                let (scene, _) = subject.fan_scene()?;
+                let scene = subject.fan_scene()?;
                 InstanceState::Fans(Box::new(ShownFans::new(&scene, kind == ShownModel::Fans)))
             }
             ShownModel::Patterns => {
@@ -81,6 +87,7 @@ impl ModelInstance {
         match &self.state {
             InstanceState::List(_) => ShownModel::List,
             InstanceState::LodStrips { .. } => ShownModel::LodStrips,
+            InstanceState::LiveStrips(_) => ShownModel::LiveStrips,
             InstanceState::Mts(_) => ShownModel::Mts,
             InstanceState::Fans(fans) if fans.triangles.is_none() => ShownModel::FansGpu,
             InstanceState::Fans(_) => ShownModel::Fans,
@@ -123,6 +130,15 @@ impl ModelInstance {
                 add_ranges(&mut self.changes, buffer.take_changed_ranges());
                 (written > 0, uniform(subject, split_count))
             }
+            InstanceState::LiveStrips(live) => {
+                let is_changed = live.follow(split_count);
+                let shown = live.split_count();
+                self.groups.clear();
+                self.groups.extend(live.group_ranges());
+                add_ranges(&mut self.changes, live.take_changed_ranges());
+                let moving_count = shown.abs_diff(split_count);
+                (is_changed, AchievedLevel { moving_count, ..uniform(subject, shown) })
+            }
             InstanceState::Mts(state) => {
                 let before = state.split_count();
                 if let Some(model) = subject.mts().filter(|_| is_first || before != split_count) {
@@ -134,7 +150,7 @@ impl ModelInstance {
             InstanceState::Fans(fans) => {
                 let (is_changed, achieved) = fans.follow(subject, request, split_count);
                 if is_changed || is_first {
-                    fans.indices_into(out, subject.steps.mesh().groups.len().max(1));
+                    fans.indices_into(out);
                 }
                 (is_changed, achieved)
             }
@@ -146,7 +162,8 @@ impl ModelInstance {
                 (is_changed, achieved)
             }
         };
-        if is_first || (is_changed && self.kind() != ShownModel::LodStrips) {
+        let has_ranges = matches!(self.kind(), ShownModel::LodStrips | ShownModel::LiveStrips);
+        if is_first || (is_changed && !has_ranges) {
             self.changes = Changes::All;
         }
         self.achieved = AchievedLevel { secs: started.elapsed().as_secs_f64(), ..achieved };
@@ -157,9 +174,13 @@ impl ModelInstance {
     pub(super) fn draw_indices(&self) -> DrawIndices<'_> {
         let indices = match &self.state {
             InstanceState::LodStrips { buffer, .. } => buffer.indices(),
+            InstanceState::LiveStrips(live) => live.indices(),
             _ => &self.indices,
         };
-        let is_strips = matches!(self.state, InstanceState::LodStrips { .. } | InstanceState::Mts(_));
+        let is_strips = matches!(
+            self.state,
+            InstanceState::LodStrips { .. } | InstanceState::LiveStrips(_) | InstanceState::Mts(_)
+        );
         DrawIndices { indices, groups: &self.groups, is_strips }
     }
 
@@ -174,7 +195,7 @@ impl ModelInstance {
         let mut push =
             |number: usize, triangles: &Vec<[u32; 3]>| numbers.resize(triangles.len(), number as u32);
         match (&self.state, subject.fan_scene()) {
-            (InstanceState::Fans(fans), Some((scene, _))) => {
+            (InstanceState::Fans(fans), Some(scene)) => {
                 let mut indices = Vec::new();
                 fans.drawn.fans_into(scene.fans(), &mut indices);
                 for (number, fan) in indices.split(|&index| index == RESTART).enumerate() {
@@ -187,6 +208,12 @@ impl ModelInstance {
                     let indices = subject.lod_strips().map_or(&[][..], |model| model.strip(state, strip));
                     restart_triangles_into(indices, &mut triangles);
                     push(strip, &triangles);
+                }
+            }
+            (InstanceState::LiveStrips(live), _) => {
+                for (number, strip) in live.numbered_strips() {
+                    restart_triangles_into(strip, &mut triangles);
+                    push(number, &triangles);
                 }
             }
             (InstanceState::Mts(state), _) => {
@@ -204,7 +231,7 @@ impl ModelInstance {
     /// All triangles, with the group of each.
     pub(super) fn by_group(&self, subject: &MeshSubject) -> (Vec<[u32; 3]>, Vec<u32>) {
         let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
-        if let (InstanceState::Fans(fans), Some((scene, _))) = (&self.state, subject.fan_scene()) {
+        if let (InstanceState::Fans(fans), Some(scene)) = (&self.state, subject.fan_scene()) {
             for group in 0..scene.fans().group_count() {
                 let mut indices = Vec::new();
                 fans.drawn.group_indices_into(scene.fans(), group, &mut indices);
@@ -262,6 +289,15 @@ mod tests {
         LevelRequest { goal, camera: Some(camera(FAR)), morphs: false }
     }
 
+    /// Follows a request until nothing moves any more. Returns whether the triangles have changed.
+    fn settle(instance: &mut ModelInstance, subject: &MeshSubject, request: &LevelRequest) -> bool {
+        let mut is_changed = instance.follow(subject, request);
+        while instance.is_moving() {
+            is_changed |= instance.follow(subject, request);
+        }
+        is_changed
+    }
+
     fn subject_with_all() -> MeshSubject {
         let subject = subject_of(&shapes::two_material_sphere(24, 32));
         ShownModel::ALL.iter().for_each(|&kind| subject.build(kind).expect("collapses do"));
@@ -275,7 +311,7 @@ mod tests {
             let mut instance = ModelInstance::new(&subject, kind).expect("the model is built");
             assert_eq!(instance.kind(), kind);
             for detail in [1.0, 0.3, 0.0, 0.6] {
-                let is_changed = instance.follow(&subject, &request(Goal::Detail(detail)));
+                let is_changed = settle(&mut instance, &subject, &request(Goal::Detail(detail)));
                 assert!(is_changed, "{kind:?} at {detail}");
                 assert!(!instance.follow(&subject, &request(Goal::Detail(detail))), "{kind:?}: nothing new");
                 let expected = subject.steps.level(instance.achieved().split_count);
@@ -295,24 +331,48 @@ mod tests {
     #[test]
     fn only_changed_strip_indices_are_uploaded() {
         let subject = subject_with_all();
-        let mut instance = ModelInstance::new(&subject, ShownModel::LodStrips).expect("the model is built");
-        instance.follow(&subject, &request(Goal::Detail(0.5)));
-        assert_eq!(instance.take_changes(), Changes::All);
-        let mut copy = instance.draw_indices().indices.to_vec();
-        for detail in [0.505, 0.51, 0.2] {
-            instance.follow(&subject, &request(Goal::Detail(detail)));
-            let Changes::Ranges(ranges) = instance.take_changes() else { panic!("ranges at {detail}") };
-            for range in ranges {
-                let range = range.start as usize..range.end as usize;
-                copy[range.clone()].copy_from_slice(&instance.draw_indices().indices[range]);
+        for kind in [ShownModel::LodStrips, ShownModel::LiveStrips] {
+            let mut instance = ModelInstance::new(&subject, kind).expect("the model is built");
+            settle(&mut instance, &subject, &request(Goal::Detail(0.5)));
+            assert_eq!(instance.take_changes(), Changes::All);
+            let mut copy = instance.draw_indices().indices.to_vec();
+            for detail in [0.505, 0.51, 0.2] {
+                settle(&mut instance, &subject, &request(Goal::Detail(detail)));
+                let Changes::Ranges(ranges) = instance.take_changes() else { panic!("ranges at {detail}") };
+                for range in ranges {
+                    let range = range.start as usize..range.end as usize;
+                    copy.resize(instance.draw_indices().indices.len(), 0);
+                    copy[range.clone()].copy_from_slice(&instance.draw_indices().indices[range]);
+                }
+                for range in instance.draw_indices().groups {
+                    let drawn = range.start as usize..range.end as usize;
+                    let is_same = copy[drawn.clone()] == instance.draw_indices().indices[drawn];
+                    assert!(is_same, "{kind:?} at {detail}: a copy that got the ranges draws the same");
+                }
             }
-            for range in instance.draw_indices().groups {
-                let drawn = range.start as usize..range.end as usize;
-                let is_same = copy[drawn.clone()] == instance.draw_indices().indices[drawn];
-                assert!(is_same, "at {detail} a copy that got the ranges draws the same");
+            assert_eq!(instance.take_changes(), Changes::None);
+        }
+    }
+
+    #[test]
+    fn a_long_way_of_live_strips_is_spread_over_frames() {
+        let subject = subject_of(&shapes::terrain(160, 3));
+        subject.build(ShownModel::LiveStrips).expect("collapses do");
+        let mut instance = ModelInstance::new(&subject, ShownModel::LiveStrips).expect("the model is built");
+        let base = request(Goal::Detail(0.0));
+        let mut frame_count = 0;
+        let mut triangle_counts = vec![subject.steps.mesh().triangle_count()];
+        loop {
+            assert!(instance.follow(&subject, &base));
+            triangle_counts.push(instance.achieved().triangle_count);
+            frame_count += 1;
+            if !instance.is_moving() {
+                break;
             }
         }
-        assert_eq!(instance.take_changes(), Changes::None);
+        assert!(frame_count > 2, "{frame_count} frames");
+        assert!(triangle_counts.is_sorted_by(|a, b| a > b), "{triangle_counts:?}");
+        assert_eq!(instance.achieved().split_count, 0);
     }
 
     #[test]

@@ -115,7 +115,7 @@ fn keys_change_the_level_the_model_and_the_look() {
     assert!(test.triangle_count() < full);
     test.press(Key::CloseBracket);
     assert_eq!(test.triangle_count(), full);
-    for kind in [ShownModel::Mts, ShownModel::Fans] {
+    for kind in [ShownModel::LiveStrips, ShownModel::Mts, ShownModel::Fans] {
         test.press(Key::M);
         test.settle();
         assert_eq!(test.viewer.instance().map(ModelInstance::kind), Some(kind), "the model was built");
@@ -135,7 +135,7 @@ fn keys_change_the_level_the_model_and_the_look() {
 #[test]
 fn a_frozen_level_stays_while_the_camera_moves() {
     let mut test = TestViewer::new("shape:icosphere");
-    test.viewer.state.set_goal(GoalKind::Pixels, true);
+    test.viewer.state.set_goal(GoalKind::Pixels);
     test.settle();
     let before = test.triangle_count();
     test.press(Key::V);

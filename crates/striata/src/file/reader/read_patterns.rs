@@ -15,7 +15,7 @@ impl StriataFile<'_> {
 
     /// Whether the file has patterns, even if they cannot be read.
     pub(super) fn has_patterns(&self) -> bool {
-        self.has(SectionKind::PATTERN_RECORDS) || self.has(SectionKind::OLD_PATTERN_RECORDS)
+        self.has(SectionKind::PATTERN_RECORDS)
     }
 
     pub(super) fn read_patterns(&self) -> Result<&Patterns, DecodeError> {
@@ -27,9 +27,6 @@ impl StriataFile<'_> {
     }
 
     fn check_patterns(&self) -> Result<Patterns, DecodeError> {
-        if !self.has(SectionKind::PATTERN_RECORDS) && self.has(SectionKind::OLD_PATTERN_RECORDS) {
-            return Err(DecodeError::OldPatterns);
-        }
         let header = self.container.numbers::<u32>(SectionKind::PATTERN_HEADER)?;
         self.expect(SectionKind::PATTERN_HEADER, "numbers", header.len(), HEADER_LEN)?;
         let parts = PatternsParts {
@@ -51,10 +48,11 @@ impl StriataFile<'_> {
         Ok(patterns)
     }
 
-    pub(super) fn levels_of(&self, patterns: &Patterns) -> Result<Levels, DecodeError> {
+    /// The levels with the given triangle counts, which are those of a model.
+    pub(super) fn levels_of(&self, triangle_counts: Vec<u32>) -> Result<Levels, DecodeError> {
         let base = self.summary.base_position_count;
         let errors = self.errors()?.into_owned();
-        let levels = Levels::new(self.position_index()?, base, patterns.triangle_counts(), errors)?;
+        let levels = Levels::new(self.position_index()?, base, triangle_counts, errors)?;
         let kind = SectionKind::SUMMARY;
         self.expect(kind, "base vertices", self.summary.base_vertex_count, levels.base_vertex_count())?;
         self.expect(kind, "base triangles", self.summary.base_triangle_count, levels.triangle_count_at(0))?;
@@ -63,17 +61,22 @@ impl StriataFile<'_> {
 
     /// The whole mesh with its fragments, validated and copied out of the file.
     ///
-    /// The fragments come from the patterns if the file has them, otherwise from the collapses. The error
-    /// of a floor is the error of the level without its fragment.
+    /// The fragments come from the patterns if the file has them, otherwise from the collapses or, if the steps
+    /// are not collapses, from the fans. The error of a floor is the error of the level without its fragment.
     ///
     /// # Errors
     /// [`DecodeError`] if any part is invalid or inconsistent with the others.
     pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
-        if !self.has_patterns() {
+        let unsound = |model, reason| DecodeError::Model { model, reason };
+        let fragments = if self.has_patterns() {
+            let fragments = self.read_patterns()?.unpack(self.errors()?.into_owned());
+            fragments.map_err(|reason| unsound(ModelKind::Patterns, reason))?
+        } else if self.has_collapses() {
             return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
-        }
-        let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
-        let fragments = self.read_patterns()?.unpack(self.errors()?.into_owned()).map_err(unsound)?;
+        } else {
+            let fragments = self.read_fans()?.to_fragments(&self.errors()?);
+            fragments.map_err(|reason| unsound(ModelKind::Fans, reason))?
+        };
         Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
     }
 }

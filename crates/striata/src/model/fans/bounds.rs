@@ -11,11 +11,16 @@
 //! The center of a sphere is the position of its step, which is stored anyway. For the packing of a record
 //! see `part_record.rs`.
 
-use super::Fans;
-use crate::mesh::{CollapseSequence, RefinableMesh};
-use crate::model::part_record::{Bounded, NO_STEP};
+use glam::DVec3;
+
+use super::{BoundScope, FanSource, Fans};
+use crate::model::part_record::{Bounded, NO_STEP, PartRecord, direction};
 use crate::model::step_bounds::StepBounds;
-use crate::{Cancelled, ProgressFn};
+use crate::view::{NormalCone, Part, Sphere};
+use crate::{Cancelled, Progress, ProgressFn};
+
+/// Number of steps between two calls of the progress callback.
+const STEPS_PER_REPORT: usize = 1 << 12;
 
 impl StepBounds {
     /// Computes the bounds of a table's steps.
@@ -24,17 +29,22 @@ impl StepBounds {
     /// [`Cancelled`] if the callback cancels.
     pub(super) fn of_fans(
         fans: &Fans,
-        refinable: &RefinableMesh,
+        source: FanSource<'_>,
+        scope: BoundScope,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, Cancelled> {
-        Self::build(&mut FanSteps { fans, refinable, triangles: Vec::new() }, progress)
+        let mut steps = FanSteps { fans, source, triangles: Vec::new() };
+        match scope {
+            BoundScope::Tree => Self::build(&mut steps, progress),
+            BoundScope::Dependents => Ok(Self::of_records(bound_dependents(&mut steps, progress)?)),
+        }
     }
 }
 
 /// Adapter that provides the steps of a table for bounding.
 struct FanSteps<'a> {
     fans: &'a Fans,
-    refinable: &'a RefinableMesh,
+    source: FanSource<'a>,
     triangles: Vec<[u32; 3]>,
 }
 
@@ -48,33 +58,102 @@ impl Bounded for FanSteps<'_> {
     }
 
     fn center(&self, step: u32) -> [f32; 3] {
-        self.refinable.mesh.positions[self.fans.center_vertex(step)]
+        self.source.mesh().positions[self.fans.center_vertex(step)]
     }
 
     fn changed_into(&mut self, step: u32, out: &mut Vec<[[f32; 3]; 3]>) {
         self.triangles.clear();
-        self.fans.triangles_changed_by(step, &self.refinable.sequence, &mut self.triangles);
-        out.extend(self.triangles.iter().map(|t| t.map(|v| self.refinable.mesh.positions[v as usize])));
+        self.source.triangles_changed_by(self.fans, step, &mut self.triangles);
+        let positions = &self.source.mesh().positions;
+        out.extend(self.triangles.iter().map(|t| t.map(|v| positions[v as usize])));
     }
 
     fn error(&self, step: u32) -> f32 {
-        self.refinable.sequence.error_at(step as usize)
+        self.source.step_error(step as usize)
     }
 }
 
-impl Fans {
-    /// Returns the vertex whose position is the center of a step's sphere.
-    #[inline]
-    pub(super) fn center_vertex(&self, step: u32) -> usize {
-        self.vertices.of_step(step as usize).start as usize
+/// Computes records that enclose, for each step, what it changes and the records of all steps that need it.
+///
+/// # Errors
+/// [`Cancelled`] if the callback cancels.
+fn bound_dependents(
+    steps: &mut FanSteps<'_>,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Vec<PartRecord>, Cancelled> {
+    let step_count = steps.fans.step_count;
+    let dependents = Dependents::of(steps.fans);
+    let mut records = vec![PartRecord::default(); step_count];
+    let mut changed = Vec::new();
+    for step in (0..step_count as u32).rev() {
+        if (step as usize).is_multiple_of(STEPS_PER_REPORT) {
+            let (done, total) = ((step_count - step as usize) as u64, step_count as u64);
+            Progress { phase: "bounds", done, total }.report(progress)?;
+        }
+        // Steps that need this one are finer, so their bounds are known by now.
+        let above = dependents.of_step(step).iter();
+        let parts: Vec<Part> =
+            above.map(|&other| records[other as usize].part(steps.center(other))).collect();
+        changed.clear();
+        steps.changed_into(step, &mut changed);
+        let own = NormalCone::of_triangles(changed.iter().copied());
+        let normals = parts.iter().map(|part| direction(part.cone.axis)).sum::<DVec3>();
+        let mut cone = NormalCone::around((direction(own.axis) + normals).to_array()).with_cone(&own);
+        let mut sphere = Sphere::point(steps.center(step));
+        sphere = changed.iter().flatten().fold(sphere, |sphere, &corner| sphere.with_point(corner));
+        let mut error = steps.error(step);
+        for part in &parts {
+            sphere = sphere.with_sphere(&part.sphere);
+            cone = cone.with_cone(&part.cone);
+            error = error.max(part.error);
+        }
+        records[step as usize] = PartRecord::holding(sphere.radius, &cone, error);
+    }
+    Ok(records)
+}
+
+/// The steps that need each step, in flat lists.
+struct Dependents {
+    firsts: Vec<u32>,
+    steps: Vec<u32>,
+}
+
+impl Dependents {
+    fn of(fans: &Fans) -> Self {
+        let mut pairs = Vec::new();
+        for step in 0..fans.step_count as u32 {
+            fans.for_each_needed_by_split(step, |needed| pairs.push([needed, step]));
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        let mut firsts = vec![0; fans.step_count + 1];
+        pairs.iter().for_each(|pair| firsts[pair[0] as usize + 1] += 1);
+        for step in 1..firsts.len() {
+            firsts[step] += firsts[step - 1];
+        }
+        Self { firsts, steps: pairs.iter().map(|pair| pair[1]).collect() }
     }
 
+    fn of_step(&self, step: u32) -> &[u32] {
+        &self.steps[self.firsts[step as usize] as usize..self.firsts[step as usize + 1] as usize]
+    }
+}
+
+impl FanSource<'_> {
     /// Appends the star that a step removes and the floor that it creates.
-    fn triangles_changed_by(&self, step: u32, sequence: &CollapseSequence, out: &mut Vec<[u32; 3]>) {
-        let vertices = self.vertices.of_step(step as usize);
+    fn triangles_changed_by(self, fans: &Fans, step: u32, out: &mut Vec<[u32; 3]>) {
+        let sequence = match self {
+            Self::Collapses(refinable) => &refinable.sequence,
+            Self::Fragments(fragmented) => {
+                let fragments = &fragmented.fragments;
+                let faces = fragments.ceiling(step).chain(fragments.floor(step).iter().copied());
+                return out.extend(faces.map(|face| fragments.faces()[face as usize].corners));
+            }
+        };
+        let vertices = fans.vertices.of_step(step as usize);
         let mut indices = Vec::new();
         for vertex in vertices.clone() {
-            for fan in self.step_entry(vertex, step) {
+            for fan in fans.step_entry(vertex, step) {
                 fan.triangles_into(fan.mask(|_| true), &mut indices);
             }
         }
@@ -85,14 +164,20 @@ impl Fans {
     }
 }
 
+impl Fans {
+    /// Returns the vertex whose position is the center of a step's sphere.
+    #[inline]
+    pub(super) fn center_vertex(&self, step: u32) -> usize {
+        self.vertices.of_step(step as usize).start as usize
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::FanScene;
-    use crate::model::part_record::direction;
-    use crate::view::NormalCone;
 
-    fn terrain() -> RefinableMesh {
+    fn terrain() -> crate::mesh::RefinableMesh {
         let mesh = crate::mesh::shapes::terrain(24, 5);
         let options = crate::simplify::SequenceOptions::default();
         crate::simplify::build_sequence(&mesh, &options).unwrap().refinable
@@ -102,14 +187,14 @@ mod tests {
     fn bounds_hold_what_their_step_changes() {
         let refinable = terrain();
         let fans = Fans::build(&refinable);
-        let scene = FanScene::new(&fans, &refinable);
+        let scene = FanScene::new(&fans, &refinable.mesh.positions);
         let positions = &refinable.mesh.positions;
         let mut changed = Vec::new();
         for step in 0..fans.step_count as u32 {
             let part = scene.part(step);
             assert!(part.error >= refinable.sequence.error_at(step as usize));
             changed.clear();
-            fans.triangles_changed_by(step, &refinable.sequence, &mut changed);
+            FanSource::from(&refinable).triangles_changed_by(&fans, step, &mut changed);
             assert!(!changed.is_empty());
             for corners in changed.iter().map(|t| t.map(|v| positions[v as usize])) {
                 assert!(
@@ -130,7 +215,7 @@ mod tests {
     fn every_step_is_below_one_that_it_needs_and_within_its_bounds() {
         let refinable = terrain();
         let fans = Fans::build(&refinable);
-        let scene = FanScene::new(&fans, &refinable);
+        let scene = FanScene::new(&fans, &refinable.mesh.positions);
         let part = |step| scene.part(step);
         let mut parents = vec![0; fans.step_count];
         fans.for_each_child(None, |child| parents[child as usize] += 1);

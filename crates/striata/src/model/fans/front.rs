@@ -1,41 +1,23 @@
 //! An instance that follows a view from frame to frame and re-evaluates only steps whose verdict may have
 //! changed.
 //!
-//! The list of candidates contains the children of all wanted steps: the wanted steps themselves, and the
-//! unwanted ones directly below them in the tree. A verdict states for how much camera motion it remains
-//! valid. That margin is compared with the accumulated motion, so most steps are not evaluated for many
-//! frames. Wanted steps are split together with everything that they need. An unwanted step is collapsed once
-//! no active step needs it; whenever such a step is collapsed, those that it needed are reconsidered. The
-//! instance therefore always shows what is wanted and what that needs, regardless of the path that led there
-//! \[Hop97\].
+//! Known are the children of all wanted steps: the wanted steps themselves, and the unwanted ones directly below
+//! them in the tree. A verdict states for how much camera motion it remains valid; most steps are not evaluated for
+//! many frames (`expiries.rs`). Wanted steps are split together with everything that they need. An unwanted step
+//! is collapsed once no active step needs it; whenever such a step is collapsed, those that it needed are
+//! reconsidered. The instance therefore always shows what is wanted and what that needs, regardless of the path
+//! that led there \[Hop97\].
 //!
-//! Differs: \[Hop97\] maintains the active mesh with its adjacency; here the table provides it. In
-//! addition to its instance, a front stores three bits per step, and twelve bytes per step in the list.
+//! Differs: \[Hop97\] maintains the active mesh with its adjacency; here the table provides it. In addition to its
+//! instance, a front stores two bits and two bytes per step.
 
-use wide::f32x8;
-
+use super::expiries::{CHUNK, Expiries};
 use super::{FanInstance, FanScene, Fans};
 use crate::model::step_bits::StepBits;
 use crate::view::{Criterion, Part, Verdict};
 
-/// Parent of the children of the base.
-const BASE: u32 = u32::MAX;
-
-/// Number of views after which the accumulated motion is rebased to zero.
-const VIEWS_PER_SUM: u32 = 256;
-
-/// The accumulated motion is also rebased when it exceeds this multiple of the last motion: after a jump,
-/// small validity spans would be lost to rounding.
-const MAX_MOTION_RATIO: f64 = 1e4;
-
-/// Number of list entries that are tested together for being due.
-const DUE_BLOCK: usize = 8;
-
-/// Number of steps evaluated per batch, which takes a few hundred CPU cycles.
+/// Number of due steps at which a batch is evaluated; up to 63 more may be in the last chunk.
 const BATCH_SIZE: usize = 32;
-
-/// Verdicts are re-evaluated early by this fraction of their validity span, as a safety margin.
-const SLACK: f32 = 1e-4;
 
 /// An instance that follows a view at a cost proportional to what changes; `C` is the type of the view
 /// criterion.
@@ -45,23 +27,15 @@ pub struct FanFront<C> {
     pub(super) triangle_count: usize,
     /// Steps that were wanted by their last verdict.
     pub(super) wanted: StepBits,
-    /// Steps that are in the list.
-    known: StepBits,
-    /// The list, as parallel arrays: the steps, their parents, and the accumulated motion up to which
-    /// their verdicts are valid.
-    pub(super) steps: Vec<u32>,
-    parents: Vec<u32>,
-    due: Vec<f32>,
-    elapsed: f64,
-    view_count: u32,
+    /// The known steps, and when their verdicts expire.
+    pub(super) expiries: Expiries,
     last: Option<C>,
-    /// Steps that are wanted but still collapsed.
-    pending_splits: Vec<u32>,
     /// Refined steps that may no longer be wanted or needed.
-    pub(super) unneeded: StepBits,
+    unneeded: StepBits,
+    /// Steps that have become known and were not evaluated since.
+    pub(super) listed: Vec<u32>,
     split_steps: Vec<u32>,
-    /// Indices of list entries that are to be removed, ascending.
-    stale: Vec<u32>,
+    unwanted: Vec<u32>,
     batch: Batch,
 }
 
@@ -81,6 +55,14 @@ pub struct FanUpdate {
     pub threshold: f32,
 }
 
+/// A batch of steps that are evaluated together.
+#[derive(Clone, Debug, Default)]
+struct Batch {
+    steps: Vec<u32>,
+    parts: Vec<Part>,
+    verdicts: Vec<Verdict>,
+}
+
 impl<C: Criterion + Clone> FanFront<C> {
     /// Creates a front that shows the base mesh.
     pub fn new(scene: &FanScene<'_>) -> Self {
@@ -90,20 +72,15 @@ impl<C: Criterion + Clone> FanFront<C> {
             instance: FanInstance::uniform(fans, 0),
             triangle_count: fans.base_triangle_count(),
             wanted: StepBits::none(step_count),
-            known: StepBits::none(step_count),
-            steps: Vec::new(),
-            parents: Vec::new(),
-            due: Vec::new(),
-            elapsed: 0.0,
-            view_count: 0,
+            expiries: Expiries::new(step_count),
             last: None,
-            pending_splits: Vec::new(),
             unneeded: StepBits::none(step_count),
+            listed: Vec::new(),
             split_steps: Vec::new(),
-            stale: Vec::new(),
+            unwanted: Vec::new(),
             batch: Batch::default(),
         };
-        front.list_children(fans, BASE);
+        fans.for_each_child(None, |child| front.expiries.add(child));
         front
     }
 
@@ -119,10 +96,12 @@ impl<C: Criterion + Clone> FanFront<C> {
 
     /// Number of bytes owned by the front and its instance.
     pub fn bytes(&self) -> usize {
-        let bits = self.instance.bytes() + self.wanted.bytes() + self.known.bytes() + self.unneeded.bytes();
-        let words = [&self.steps, &self.parents, &self.pending_splits, &self.split_steps, &self.stale];
-        let words = words.iter().map(|list| list.capacity()).sum::<usize>() + self.due.capacity();
-        bits + 4 * words + self.batch.bytes()
+        let bits = self.instance.bytes() + self.wanted.bytes() + self.unneeded.bytes();
+        let lists = [&self.listed, &self.split_steps, &self.unwanted, &self.batch.steps];
+        bits + self.expiries.bytes()
+            + 4 * lists.iter().map(|list| list.capacity()).sum::<usize>()
+            + size_of::<Part>() * self.batch.parts.capacity()
+            + size_of::<Verdict>() * self.batch.verdicts.capacity()
     }
 
     /// Moves to what a criterion wants and what that needs. At most `change_limit` steps change; the
@@ -134,127 +113,95 @@ impl<C: Criterion + Clone> FanFront<C> {
     pub fn update(&mut self, scene: &FanScene<'_>, criterion: &C, change_limit: usize) -> FanUpdate {
         let motion = self.last.as_ref().map_or(f32::INFINITY, |last| criterion.motion_since(last));
         self.last = Some(criterion.clone());
-        self.move_by(motion);
+        self.expiries.advance(motion);
         let mut update = self.begin(scene, 1.0);
-        self.pending_splits.retain(|&step| self.wanted.has(step) && !self.instance.is_refined(step));
-        let is_whole = self.split_pending(scene.fans, change_limit, &mut update);
-        let elapsed = (self.elapsed as f32).next_up();
-        let mut at = 0;
-        while self.gather_due(scene, elapsed, &mut at) {
-            update.evaluated_count += self.batch.parts.len();
-            let mut batch = std::mem::take(&mut self.batch);
-            batch.verdicts.clear();
-            criterion.weigh_all(&batch.parts, &mut batch.verdicts);
-            for (&at, verdict) in batch.entries.iter().zip(&batch.verdicts) {
-                let step = self.steps[at as usize];
-                // A NaN validity span becomes 0, so the step is evaluated again in the next update.
-                self.due[at as usize] = self.due_after(verdict.motion_margin.max(0.0));
-                let was_wanted = self.wanted.has(step);
-                self.set_wanted(scene.fans, step, verdict.should_refine());
-                // A step that was wanted before is already waiting.
-                if verdict.should_refine() && !was_wanted && !self.instance.is_refined(step) {
-                    self.pending_splits.push(step);
-                    if is_whole {
-                        self.split_pending(scene.fans, change_limit, &mut update);
-                    }
-                }
+        let mut is_whole = self.split_pending(scene.fans, change_limit, &mut update);
+        let mut start = 0;
+        loop {
+            while let Some(next) = self.gather_due(scene, start) {
+                self.evaluate(scene.fans, criterion, (change_limit, &mut is_whole), &mut update);
+                // Children of wanted steps are finer, but may be in a chunk that has been scanned.
+                let first_listed = self.listed.drain(..).min();
+                start = first_listed.map_or(next, |step| next.min(step / CHUNK as u32));
             }
-            self.batch = batch;
+            // With a limit, some steps are split only now, and their children have to be evaluated.
+            is_whole = self.split_pending(scene.fans, change_limit, &mut update);
+            match self.listed.drain(..).min() {
+                Some(step) => start = step / CHUNK as u32,
+                None => break,
+            }
         }
-        self.drop_stale();
-        if self.pending_splits.is_empty() || update.changes() < change_limit {
+        if is_whole || update.changes() < change_limit {
             self.collapse_unneeded(scene.fans, change_limit, &mut update);
         }
-        update.is_complete = self.pending_splits.is_empty()
-            && self.unneeded.last_before(self.instance.step_count as u32).is_none();
+        update.is_complete = is_whole && self.unneeded.first_from(0).is_none();
         update
     }
-}
 
-/// A batch of steps that are evaluated together.
-#[derive(Clone, Debug, Default)]
-struct Batch {
-    /// Indices in the list.
-    entries: Vec<u32>,
-    parts: Vec<Part>,
-    verdicts: Vec<Verdict>,
-}
-
-impl Batch {
-    fn bytes(&self) -> usize {
-        4 * self.entries.capacity()
-            + size_of::<Part>() * self.parts.capacity()
-            + size_of::<Verdict>() * self.verdicts.capacity()
+    /// Evaluates the batch. Steps that become wanted are split, as long as the limit allows.
+    fn evaluate(
+        &mut self,
+        fans: &Fans,
+        criterion: &C,
+        (change_limit, is_whole): (usize, &mut bool),
+        update: &mut FanUpdate,
+    ) {
+        let mut batch = std::mem::take(&mut self.batch);
+        update.evaluated_count += batch.parts.len();
+        batch.verdicts.clear();
+        criterion.weigh_all(&batch.parts, &mut batch.verdicts);
+        self.expiries.calibrate(batch.verdicts.iter().map(|verdict| verdict.motion_margin));
+        for (&step, verdict) in batch.steps.iter().zip(&batch.verdicts) {
+            if !self.expiries.is_known(step) {
+                // An ancestor in the same batch has become unwanted.
+                continue;
+            }
+            // A NaN margin counts as 0, so the step is evaluated again in the next update.
+            self.expiries.set(step, verdict.motion_margin.max(0.0));
+            // First of all, because most verdicts stay the same, which is easy to predict.
+            if verdict.should_refine() == self.wanted.has(step) {
+                continue;
+            }
+            self.set_wanted(fans, step, verdict.should_refine());
+            if verdict.should_refine() && *is_whole && !self.instance.is_refined(step) {
+                *is_whole = self.split_one(fans, step, change_limit, update);
+            }
+        }
+        self.batch = batch;
     }
 }
 
 impl<C> FanFront<C> {
-    /// Invalidates all verdicts, and removes stale entries from the list.
+    /// Makes all verdicts due. Steps that are waiting to be split are not wanted any more.
     pub(super) fn forget_views(&mut self) {
         self.last = None;
-        self.move_by(f32::INFINITY);
-        // Steps that are waiting to be split are not active, and may no longer be wanted.
-        for step in std::mem::take(&mut self.pending_splits) {
-            if !self.instance.is_refined(step) {
-                self.wanted.remove(step);
-            }
-        }
-        for at in 0..self.steps.len() {
-            if self.is_stale(at) {
-                self.mark_stale(at);
-            }
-        }
-        self.drop_stale();
-    }
-
-    /// Adds to the accumulated motion. Verdicts whose validity has been exceeded become due.
-    fn move_by(&mut self, motion: f32) {
-        if !motion.is_finite() {
-            self.due.fill(f32::NEG_INFINITY);
-            (self.elapsed, self.view_count) = (0.0, 0);
-            return;
-        }
-        self.elapsed += f64::from(motion);
-        self.view_count += u32::from(motion > 0.0);
-        let is_large = motion > 0.0 && self.elapsed > MAX_MOTION_RATIO * f64::from(motion);
-        if is_large || self.view_count > VIEWS_PER_SUM {
-            // Large sums are imprecise, so start again at zero. Verdicts that remain valid for more than a
-            // thousand sums are evaluated early.
-            let elapsed = self.elapsed;
-            let since = |due: f32| below(f64::from(due) - elapsed);
-            self.due.iter_mut().for_each(|due| *due = since(*due).min(1000.0 * elapsed as f32));
-            (self.elapsed, self.view_count) = (0.0, 0);
+        self.expiries.expire_all();
+        let mut next = 0;
+        while let Some(step) = self.pending_from(next) {
+            self.wanted.remove(step);
+            next = step + 1;
         }
     }
 
-    /// Returns the accumulated motion at which a verdict given now expires, rounded down.
-    fn due_after(&self, lasts: f32) -> f32 {
-        below(self.elapsed + f64::from(lasts * (1.0 - SLACK)))
-    }
-
-    /// Gathers the next batch of due steps from the list. Returns whether there are any.
-    fn gather_due(&mut self, scene: &FanScene<'_>, elapsed: f32, at: &mut usize) -> bool {
-        self.batch.entries.clear();
-        self.batch.parts.clear();
-        while *at < self.due.len() && self.batch.parts.len() < BATCH_SIZE {
-            let (first, ahead) = (*at, &self.due[*at..]);
-            *at += ahead.len().min(DUE_BLOCK);
-            let mut is_due = match ahead.first_chunk::<DUE_BLOCK>() {
-                Some(&block) => f32x8::from(block).simd_le(f32x8::splat(elapsed)).to_bitmask(),
-                None => (0..).zip(ahead).fold(0, |mask, (i, &due)| mask | u32::from(due <= elapsed) << i),
-            };
-            while is_due != 0 {
-                let entry = first + is_due.trailing_zeros() as usize;
-                is_due &= is_due - 1;
-                if self.is_stale(entry) {
-                    self.mark_stale(entry);
-                } else {
-                    self.batch.entries.push(entry as u32);
-                    self.batch.parts.push(scene.part(self.steps[entry]));
-                }
+    /// Gathers the next batch of due steps, beginning with a chunk of steps. Returns the chunk with which to
+    /// continue, or `None` if no step is due.
+    fn gather_due(&mut self, scene: &FanScene<'_>, mut start: u32) -> Option<u32> {
+        let Batch { steps, parts, .. } = &mut self.batch;
+        steps.clear();
+        while let Some(chunk) = self.expiries.next_chunk(start) {
+            let mut due = self.expiries.due(chunk);
+            while due != 0 {
+                steps.push(CHUNK as u32 * chunk + due.trailing_zeros());
+                due &= due - 1;
+            }
+            start = chunk + 1;
+            if steps.len() >= BATCH_SIZE {
+                break;
             }
         }
-        !self.batch.parts.is_empty()
+        parts.clear();
+        parts.extend(steps.iter().map(|&step| scene.part(step)));
+        (!steps.is_empty()).then_some(start)
     }
 
     pub(super) fn begin(&self, scene: &FanScene<'_>, threshold: f32) -> FanUpdate {
@@ -262,71 +209,63 @@ impl<C> FanFront<C> {
         FanUpdate { threshold, ..FanUpdate::default() }
     }
 
-    /// Whether the parent of a list entry is unwanted: then its step is unwanted too and need not be
-    /// evaluated.
-    fn is_stale(&self, at: usize) -> bool {
-        let parent = self.parents[at];
-        parent != BASE && !self.wanted.has(parent)
-    }
-
-    /// Marks a list entry as stale; its step may be listed again later.
-    fn mark_stale(&mut self, at: usize) {
-        let step = self.steps[at];
-        self.known.remove(step);
-        self.unwant(step);
-        self.due[at] = f32::INFINITY;
-        self.stale.push(at as u32);
-    }
-
-    /// Removes stale entries from the list. Their steps are no longer listed, or have a newer entry.
-    fn drop_stale(&mut self) {
-        // From the end, so that the entry that fills a gap is not stale itself.
-        while let Some(at) = self.stale.pop() {
-            let at = at as usize;
-            self.steps.swap_remove(at);
-            self.parents.swap_remove(at);
-            self.due.swap_remove(at);
-        }
-    }
-
-    /// Records whether a step is wanted.
+    /// Records whether a known step is wanted.
     pub(super) fn set_wanted(&mut self, fans: &Fans, step: u32, is_wanted: bool) {
-        if !is_wanted {
-            self.unwant(step);
-        } else if !self.wanted.has(step) {
+        if is_wanted == self.wanted.has(step) {
+            // A step that was already unwanted is active because another step needs it; it is reconsidered when
+            // that one collapses.
+        } else if is_wanted {
             self.wanted.insert(step);
             if self.instance.is_refined(step) {
                 self.list_children(fans, step);
             }
+        } else {
+            self.unwant(fans, step);
         }
     }
 
-    fn unwant(&mut self, step: u32) {
-        // A step that was already unwanted is active because another step needs it; it is reconsidered
-        // when that one collapses.
-        if self.wanted.has(step) {
+    /// Records that a wanted step is not wanted any more, nor is anything below it in the tree.
+    fn unwant(&mut self, fans: &Fans, step: u32) {
+        let mut unwanted = std::mem::take(&mut self.unwanted);
+        unwanted.push(step);
+        while let Some(step) = unwanted.pop() {
             self.wanted.remove(step);
             self.unneeded.insert(step);
+            fans.for_each_child(Some(step), |child| {
+                self.expiries.forget(child);
+                if self.wanted.has(child) {
+                    unwanted.push(child);
+                }
+            });
         }
+        self.unwanted = unwanted;
+    }
+
+    /// Returns the first step from `start` on that is wanted but collapsed.
+    fn pending_from(&self, start: u32) -> Option<u32> {
+        self.wanted.first_common_from(&self.instance.collapsed, start)
     }
 
     /// Splits steps that are wanted but collapsed, as far as the limit allows. Returns whether all were
     /// split.
     fn split_pending(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) -> bool {
-        while let Some(&step) = self.pending_splits.last() {
-            if self.wanted.has(step) && !self.instance.is_refined(step) {
-                let left = change_limit.saturating_sub(update.changes());
-                if left == 0 {
-                    return false;
-                }
-                update.split_count += self.split(fans, step, left);
-                if !self.instance.is_refined(step) {
-                    return false;
-                }
+        let mut next = 0;
+        while let Some(step) = self.pending_from(next) {
+            if !self.split_one(fans, step, change_limit, update) {
+                return false;
             }
-            self.pending_splits.pop();
+            next = step + 1;
         }
         true
+    }
+
+    /// Splits a collapsed step, as far as the limit allows. Returns whether it was split.
+    fn split_one(&mut self, fans: &Fans, step: u32, change_limit: usize, update: &mut FanUpdate) -> bool {
+        let left = change_limit.saturating_sub(update.changes());
+        if left > 0 {
+            update.split_count += self.split(fans, step, left);
+        }
+        self.instance.is_refined(step)
     }
 
     /// Splits a step and what it needs, but at most `limit` steps, coarsest first. Returns the number of
@@ -343,7 +282,7 @@ impl<C> FanFront<C> {
             split_steps.iter().for_each(|&step| self.unneeded.insert(step));
         }
         for &step in &split_steps {
-            self.triangle_count += usize::from(fans.removed[step as usize]);
+            self.triangle_count = self.triangle_count.saturating_add_signed(fans.added.of(step));
             if self.wanted.has(step) {
                 self.list_children(fans, step);
             }
@@ -354,12 +293,10 @@ impl<C> FanFront<C> {
     }
 
     fn list_children(&mut self, fans: &Fans, parent: u32) {
-        fans.for_each_child((parent != BASE).then_some(parent), |step| {
-            if !self.known.has(step) {
-                self.known.insert(step);
-                self.steps.push(step);
-                self.parents.push(parent);
-                self.due.push(f32::NEG_INFINITY);
+        fans.for_each_child(Some(parent), |step| {
+            if !self.expiries.is_known(step) {
+                self.expiries.add(step);
+                self.listed.push(step);
             }
         });
     }
@@ -380,7 +317,7 @@ impl<C> FanFront<C> {
             }
             if fans.is_free(step, &self.instance.collapsed) {
                 self.instance.collapsed.insert(step);
-                self.triangle_count -= usize::from(fans.removed[step as usize]);
+                self.triangle_count = self.triangle_count.saturating_add_signed(-fans.added.of(step));
                 update.collapse_count += 1;
                 fans.for_each_needed_by_split(step, |coarser| {
                     if !self.wanted.has(coarser) {
@@ -390,11 +327,6 @@ impl<C> FanFront<C> {
             }
         }
     }
-}
-
-/// Returns the next `f32` below a number, so that rounding never exceeds it.
-fn below(number: f64) -> f32 {
-    (number as f32).next_down()
 }
 
 impl FanUpdate {

@@ -4,6 +4,9 @@ use super::{FanScene, Fans, listed};
 use crate::model::step_bits::StepBits;
 use crate::view::Criterion;
 
+/// Number of steps that are evaluated together.
+const BATCH_SIZE: usize = 64;
+
 /// A selectively refined instance of the model: the set of its collapsed steps, one bit each. Every set that
 /// it can reach is also reachable by running the collapse sequence while leaving out some of its steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -113,25 +116,39 @@ impl FanInstance {
         let fans = scene.fans;
         assert_eq!(self.step_count, fans.step_count, "the instance belongs to a different table");
         self.collapsed.set_range(0..self.step_count);
-        let (mut split_steps, mut steps) = (Vec::new(), Vec::new());
-        let (mut parts, mut verdicts) = (Vec::new(), Vec::new());
-        fans.for_each_child(None, |child| steps.push(child));
-        // One generation at a time, so that many steps can be evaluated together.
-        while !steps.is_empty() {
+        let mut known = StepBits::none(self.step_count);
+        fans.for_each_child(None, |child| known.insert(child));
+        let (mut steps, mut parts, mut verdicts) = (Vec::new(), Vec::new(), Vec::new());
+        // From coarse to fine, which reads memory in order.
+        let mut next = 0;
+        while known.take_from(next, BATCH_SIZE, &mut steps) {
             parts.clear();
             parts.extend(steps.iter().map(|&step| scene.part(step)));
             verdicts.clear();
             criterion.weigh_all(&parts, &mut verdicts);
-            for (step, verdict) in std::mem::take(&mut steps).into_iter().zip(&verdicts) {
+            // Children are finer than their parents, but they may be coarser than others of the same batch.
+            next = steps[0];
+            for (step, verdict) in steps.drain(..).zip(&verdicts) {
                 if verdict.should_refine() {
-                    if self.collapsed.has(step) {
-                        self.split_into(fans, step, &mut split_steps);
-                    }
-                    fans.for_each_child(Some(step), |child| steps.push(child));
+                    self.collapsed.remove(step);
+                    fans.add_children(step, &mut known);
                 }
             }
         }
-        split_steps.len()
+        self.split_needed(fans)
+    }
+
+    /// Splits all steps that refined ones need. Returns the number of refined steps.
+    fn split_needed(&mut self, fans: &Fans) -> usize {
+        // What a step needs is coarser, so a single pass from fine to coarse reaches all of them.
+        let mut count = 0;
+        let mut end = self.step_count as u32;
+        while let Some(step) = self.collapsed.last_absent_before(end) {
+            fans.for_each_needed_by_split(step, |needed| self.collapsed.remove(needed));
+            count += 1;
+            end = step;
+        }
+        count
     }
 
     /// Splits a step and everything that it needs, and appends all steps split.
@@ -171,49 +188,64 @@ impl Fans {
 
     /// Whether all steps that must be collapsed before this one are collapsed.
     pub(super) fn is_free(&self, step: u32, collapsed: &StepBits) -> bool {
-        let vertices = self.vertices.of_step(step as usize);
-        vertices
-            .flat_map(|vertex| self.step_entry(vertex, step))
-            .all(|fan| fan.creators().all(|c| collapsed.has(c.step)))
+        let quick = self.quick();
+        let is_free = |vertex: u32| {
+            let is_free = quick.is_free(vertex, step + 1, |finer| collapsed.has(finer));
+            is_free.unwrap_or_else(|| {
+                let mut fans = self.step_entry(vertex, step);
+                fans.all(|fan| fan.creators().all(|creator| collapsed.has(creator.step)))
+            })
+        };
+        self.vertices.of_step(step as usize).all(is_free)
             && listed(&self.waits, step).all(|finer| collapsed.has(finer))
     }
 
-    /// Visits the steps that must be split before this one.
+    /// Visits the steps that must be split before this one, some of them repeatedly.
+    #[inline(always)]
     pub(super) fn for_each_needed_by_split(&self, step: u32, mut visit: impl FnMut(u32)) {
+        let quick = self.quick();
         let vertices = self.vertices.of_step(step as usize);
         let mut visit_vertex = |vertex: u32| {
             // A triangle between wedges of one position puts a wedge of the position itself into the ring.
             if vertex >= self.vertices.base_vertex_count && !vertices.contains(&vertex) {
-                visit(self.vertices.step_of(vertex) as u32);
+                visit(quick.step_of(vertex, self.vertices.base_vertex_count));
             }
         };
         for vertex in vertices.clone() {
-            for fan in self.step_entry(vertex, step) {
-                for node in fan.nodes() {
-                    visit_vertex(node);
-                }
+            match quick.nodes(vertex) {
+                Some(nodes) => nodes.into_iter().for_each(&mut visit_vertex),
+                None => self.step_entry(vertex, step).for_each(|fan| fan.nodes().for_each(&mut visit_vertex)),
             }
         }
         listed(&self.far, step).for_each(visit);
     }
 
+    /// Adds the children of a step to a set.
+    #[inline(always)]
+    fn add_children(&self, step: u32, set: &mut StepBits) {
+        let quick = self.quick();
+        for vertex in self.vertices.of_step(step as usize) {
+            if !quick.add_children(vertex, step + 1, set) {
+                let creators = self.table.entry(vertex, step + 1).flat_map(|fan| fan.creators());
+                creators.filter(|c| c.is_child).for_each(|creator| set.insert(creator.step));
+            }
+        }
+    }
+
     /// Visits the children of a step in the tree, or of the base if `parent` is `None`. The parent of a
     /// step is one of the steps that must be split before it; each step has one parent.
-    // Forced, because refining without memory spends most of its time here.
-    #[inline(always)]
+    #[inline]
     pub(super) fn for_each_child(&self, parent: Option<u32>, mut visit: impl FnMut(u32)) {
+        let quick = self.quick();
         let vertices = match parent {
             Some(step) => self.vertices.of_step(step as usize),
             None => 0..self.vertices.base_vertex_count,
         };
         let own_step = parent.map_or(0, |step| step + 1);
         for vertex in vertices {
-            for fan in self.table.entry(vertex, own_step) {
-                for creator in fan.creators() {
-                    if creator.is_child {
-                        visit(creator.step);
-                    }
-                }
+            if !quick.for_each_child(vertex, own_step, &mut visit) {
+                let creators = self.table.entry(vertex, own_step).flat_map(|fan| fan.creators());
+                creators.filter(|c| c.is_child).for_each(|creator| visit(creator.step));
             }
         }
         if parent.is_none() {

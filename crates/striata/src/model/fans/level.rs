@@ -1,16 +1,15 @@
 //! Extracts the current level of an instance as a mesh.
 
 use super::{FanInstance, Fans};
-use crate::mesh::{IndexedMesh, RefinableMesh, TriangleGroup};
+use crate::mesh::{IndexedMesh, TriangleGroup};
 
 impl FanInstance {
     /// Returns the mesh that the instance shows, with its triangles sorted by group. It contains only
-    /// vertices in use, in their original order.
+    /// vertices in use, in their original order. `full` is the full mesh.
     ///
     /// # Panics
     /// If the instance or the table belongs to a different mesh.
-    pub fn level(&self, fans: &Fans, refinable: &RefinableMesh) -> IndexedMesh {
-        let full = &refinable.mesh;
+    pub fn level(&self, fans: &Fans, full: &IndexedMesh) -> IndexedMesh {
         let (mut indices, mut groups) = (Vec::new(), Vec::new());
         for (group, whole) in full.groups_or_whole().into_iter().enumerate() {
             let first = indices.len() as u32 / 3;

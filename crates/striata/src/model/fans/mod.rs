@@ -25,6 +25,9 @@
 //! one vertex. Crowns are fans too, so no arc has to be marked as void. A position with several wedges has
 //! an entry for each, but only one bit.
 //!
+//! **Selective loading.** [`PagedFans`] has only some pages of the table in memory, and a view says which others it
+//! needs; see `pages/mod.rs`.
+//!
 //! **From frame to frame.** [`FanFront`] follows a view. It evaluates only those steps whose verdict may have
 //! changed since it was made, which it knows from the motion of the camera; see `front.rs`.
 //!
@@ -37,28 +40,37 @@ mod budget;
 mod build;
 mod crowns;
 mod emit;
+mod expiries;
 mod fan_triangles;
+mod fragments;
 mod front;
 mod instance;
 mod level;
 mod morphs;
+mod pages;
+mod quick_table;
 mod scene;
 mod set_operations;
+mod step_counts;
 mod stored;
 mod table;
 mod table_fan;
 mod validate;
 
+pub use build::{BoundScope, FanOptions, FanSource};
 pub use emit::{FanForm, FanIndices, fan_triangles_into};
 pub use fan_triangles::FanTriangles;
 pub use front::{FanFront, FanUpdate};
 pub use instance::FanInstance;
 pub use morphs::{FanMorphs, MovingVertex};
+pub use pages::{AbsentPage, FanDirectory, PageDemand, PagedFans};
 pub use scene::FanScene;
 pub(crate) use stored::FansParts;
 pub use table::MAX_ARCS;
 pub use table_fan::{ArcMaker, TableFan};
 
+use self::quick_table::LazyQuickTable;
+use self::step_counts::StepCounts;
 use self::table::{Entry, Table};
 use super::step_bounds::StepBounds;
 use super::step_vertices::StepVertices;
@@ -77,10 +89,12 @@ pub struct Fans {
     far: Vec<[u32; 2]>,
     /// Steps that no entry lists as a child; in the tree they are children of the base.
     orphans: Vec<u32>,
-    /// Number of triangles that each step removes.
-    removed: Box<[u8]>,
+    /// Number of triangles that each step adds.
+    added: StepCounts,
     /// Bounds of each step for view-dependent refinement, unless the table was built without them.
     bounds: Option<StepBounds>,
+    /// The table in a form that is decoded quickly.
+    quick: LazyQuickTable,
 }
 
 impl Fans {
@@ -100,6 +114,18 @@ impl Fans {
     /// Number of triangles of the base mesh.
     pub fn base_triangle_count(&self) -> usize {
         self.draw_counts(&self.level_at(0)).index_count / 3
+    }
+
+    /// Returns the triangle count of each level, from coarse to fine.
+    pub fn triangle_counts(&self) -> Vec<u32> {
+        let mut count = self.base_triangle_count();
+        let mut counts = Vec::with_capacity(self.step_count + 1);
+        counts.push(count as u32);
+        for step in 0..self.step_count as u32 {
+            count = count.saturating_add_signed(self.added.of(step));
+            counts.push(count as u32);
+        }
+        counts
     }
 
     /// Number of triangle groups.
@@ -196,9 +222,11 @@ impl LodModel for Fans {
             part("starts", starts),
             part("waits", size_of_val(&self.waits[..]) + size_of_val(&self.far[..])),
             part("orphans", size_of_val(&self.orphans[..])),
-            part("triangle counts", self.removed.len()),
+            part("triangle counts", self.added.bytes()),
         ];
         parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));
+        let quick = self.quick.bytes();
+        parts.extend((quick > 0).then(|| part("quick records", quick)));
         parts
     }
 

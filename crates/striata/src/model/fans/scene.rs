@@ -1,7 +1,7 @@
 //! Combines a table with the positions that a view criterion needs.
 
 use super::Fans;
-use crate::mesh::RefinableMesh;
+use crate::model::part_record::PartRecord;
 use crate::model::step_bounds::StepBounds;
 use crate::view::{Part, Sphere};
 
@@ -15,12 +15,11 @@ pub struct FanScene<'a> {
 }
 
 impl<'a> FanScene<'a> {
-    /// Combines a table with the positions of its mesh.
+    /// Combines a table with the positions of its mesh, in refinement order.
     ///
     /// # Panics
     /// If their vertex counts differ, or the table was built without bounds.
-    pub fn new(fans: &'a Fans, refinable: &'a RefinableMesh) -> Self {
-        let positions = &refinable.mesh.positions[..];
+    pub fn new(fans: &'a Fans, positions: &'a [[f32; 3]]) -> Self {
         assert_eq!(fans.vertex_count(), positions.len(), "the table belongs to a different mesh");
         let bounds = fans.bounds.as_ref().expect("the table was built with bounds");
         Self { fans, bounds, positions }
@@ -35,9 +34,14 @@ impl<'a> FanScene<'a> {
     ///
     /// # Panics
     /// If the step does not exist.
-    #[inline]
+    #[inline(always)]
     pub fn part(&self, step: u32) -> Part {
         self.bounds.part(step, self.positions[self.fans.center_vertex(step)])
+    }
+
+    /// Returns the bounds of a step as they are stored.
+    pub(super) fn record(&self, step: u32) -> PartRecord {
+        self.bounds.record(step)
     }
 
     /// Returns a sphere around all positions, for

@@ -1,5 +1,6 @@
 //! Converts a table to and from the arrays of the file format.
 
+use super::step_counts::StepCounts;
 use super::table::{Table, TableArrays};
 use super::{Fans, validate};
 use crate::model::ModelError;
@@ -30,40 +31,42 @@ impl Fans {
         FansParts { entries, blocks, starts, waits: &self.waits, far: &self.far, orphans: &self.orphans }
     }
 
-    /// Copies stored arrays into a table and validates them, so that no later operation can fail.
-    /// `removed` is the number of triangles that each step of the sequence removes.
+    /// Copies stored arrays into a table and validates them, so that no later operation can fail. If the steps
+    /// are collapses, `removed` is the number of triangles that each of them removes.
     pub(crate) fn from_parts(
         vertices: StepVertices<'_>,
-        removed: &[u8],
+        removed: Option<&[u8]>,
         group_count: usize,
         parts: FansParts<'_>,
     ) -> Result<Self, ModelError> {
         let FansParts { entries, blocks, starts, waits, far, orphans } = parts;
-        let step_count = removed.len();
-        vertices.check(step_count)?;
+        let step_count = removed.map_or_else(|| vertices.step_count(), <[u8]>::len);
+        vertices.check_firsts(step_count)?;
         let arrays = TableArrays { entries, blocks, starts };
         let table = Table::from_arrays(arrays, vertices.vertex_count, group_count > 1)?;
-        let fans = Self {
-            vertices: vertices.without_targets(),
+        let mut fans = Self {
+            vertices: vertices.without_targets().shortened(),
             step_count,
             group_count,
             table,
             waits: waits.to_vec(),
             far: far.to_vec(),
             orphans: orphans.to_vec(),
-            removed: removed.into(),
+            added: StepCounts::default(),
             bounds: None,
+            quick: Default::default(),
         };
-        validate::check(&fans)?;
+        fans.added = validate::check(&fans, removed)?;
         Ok(fans)
     }
 
-    /// Adds bounds read from their stored bytes; `errors` are the errors of the steps.
+    /// Adds bounds read from their stored bytes. `errors` are the errors of the steps, if they are known apart
+    /// from the bounds.
     ///
     /// # Errors
     /// If the number of records differs from that of the errors, or a record is not a valid bound.
-    pub(crate) fn with_stored_bounds(self, bytes: &[u8], errors: &[f32]) -> Result<Self, ModelError> {
-        let bounds = StepBounds::from_bytes(bytes, errors.len(), Some(errors))?;
+    pub(crate) fn with_stored_bounds(self, bytes: &[u8], errors: Option<&[f32]>) -> Result<Self, ModelError> {
+        let bounds = StepBounds::from_bytes(bytes, self.step_count, errors)?;
         Ok(Self { bounds: Some(bounds), ..self })
     }
 

@@ -7,7 +7,7 @@ use super::table::FanView;
 /// depends.
 #[derive(Clone, Copy, Debug)]
 pub struct TableFan<'t> {
-    view: FanView<'t>,
+    pub(super) view: FanView<'t>,
     own_step: Option<u32>,
 }
 

@@ -12,6 +12,7 @@
 //! that has a triangle there. So no visible triangle has an inactive corner. And since a step is collapsed
 //! only when its whole star is active, and split only when its whole floor is, triangle counts are exact.
 
+use super::step_counts::StepCounts;
 use super::table::FanView;
 use super::{Fans, listed};
 use crate::model::ModelError;
@@ -19,17 +20,22 @@ use crate::model::ModelError;
 /// Marks the base in a list of steps.
 const BASE: u32 = u32::MAX;
 
-/// Validates a table.
+/// Validates a table and counts the triangles that each step adds. If the steps are collapses, `removed` has the
+/// counts that they should have.
 ///
 /// # Errors
 /// [`ModelError`] naming the first part that no build would produce.
-pub(super) fn check(fans: &Fans) -> Result<(), ModelError> {
+pub(super) fn check(fans: &Fans, removed: Option<&[u8]>) -> Result<StepCounts, ModelError> {
     check_pairs("wait", &fans.waits, fans.step_count, |step, waits_for| step < waits_for)?;
     check_pairs("far target", &fans.far, fans.step_count, |step, target| target < step)?;
     let mut validator = Validator::new(fans);
     validator.read_entries()?;
+    if let Some(removed) = removed {
+        validator.check_counts(removed)?;
+    }
     validator.check_parents()?;
-    validator.check_needs()
+    validator.check_needs()?;
+    Ok(StepCounts::new(validator.added.into_iter()))
 }
 
 fn check_pairs(
@@ -64,7 +70,7 @@ struct Validator<'f> {
     /// table.
     corner_counts: Vec<u32>,
     /// For each step, the triangle count of its star minus that of its floor.
-    removed: Vec<i64>,
+    added: Vec<i32>,
 }
 
 impl<'f> Validator<'f> {
@@ -76,7 +82,7 @@ impl<'f> Validator<'f> {
             step_of[vertices.start as usize..vertices.end as usize].fill(step as u32);
         }
         let (is_listed, corner_counts) = (vec![false; step_count], vec![0; step_count]);
-        Self { fans, step_of, is_listed, corner_counts, removed: vec![0; step_count] }
+        Self { fans, step_of, is_listed, corner_counts, added: vec![0; step_count] }
     }
 
     /// Returns the step of a vertex plus 1, or 0 for a base vertex.
@@ -103,8 +109,13 @@ impl<'f> Validator<'f> {
                 return Err(ModelError::Entry { vertex: at, reason: "ends before the next one begins" });
             }
         }
-        let counts = self.removed.iter().zip(&self.fans.removed);
-        match { counts }.position(|(&found, &expected)| found != i64::from(expected)) {
+        Ok(())
+    }
+
+    /// Checks that each step removes as many triangles as stored.
+    fn check_counts(&self, removed: &[u8]) -> Result<(), ModelError> {
+        let mut counts = self.added.iter().zip(removed);
+        match counts.position(|(&found, &expected)| found != i32::from(expected)) {
             Some(step) => {
                 Err(ModelError::Step { step, reason: "removes a different number of triangles than stored" })
             }
@@ -122,8 +133,8 @@ impl<'f> Validator<'f> {
         check_arcs(fan)?;
         let arc_count = fan.arc_count();
         let own_step = self.step_of[fan.vertex as usize];
-        if let Some(removed) = self.removed.get_mut(own_step as usize) {
-            *removed += arc_count as i64;
+        if let Some(added) = self.added.get_mut(own_step as usize) {
+            *added += arc_count as i32;
         }
         let mut free = u32::MAX >> (32 - arc_count);
         let mut claim = |mask: u32| {
@@ -161,7 +172,7 @@ impl<'f> Validator<'f> {
         if is_child && std::mem::replace(&mut self.is_listed[step], true) {
             return Err("has a child that already has a parent");
         }
-        self.removed[step] -= i64::from(mask.count_ones());
+        self.added[step] -= mask.count_ones() as i32;
         self.corner_counts[step] += 1 + fan.corners_of(mask).count_ones();
         Ok(())
     }
@@ -244,7 +255,7 @@ impl<'f> Validator<'f> {
 }
 
 /// Checks that no triangle of a fan has an edge between equal vertices.
-fn check_arcs(fan: &FanView<'_>) -> Result<(), &'static str> {
+pub(super) fn check_arcs(fan: &FanView<'_>) -> Result<(), &'static str> {
     let mut distances = fan.distances();
     let first = distances.next();
     let mut last = first;

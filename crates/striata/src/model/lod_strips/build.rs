@@ -1,130 +1,280 @@
-//! Builds the edit records in one pass from the full mesh to the base, tracking which strips use each vertex.
+//! Builds records and stages in one pass from the full mesh to the base, tracking which strips use each
+//! vertex.
 
-use super::record::{Edit, FLAG_BITS, write_record};
-use super::{LodStrips, LodStripsParts, MAX_STRIP_INDICES};
-use crate::mesh::{CollapseSequence, RefinableMesh};
+use super::record::{ARENA_PADDING, Drop, Edit, RecordFormat};
+use super::{LodStrips, LodStripsParts, MAX_STRIP_INDICES, StageOptions};
+use crate::mesh::{CollapseSequence, IndexedMesh, RefinableMesh, TriangleGroup};
 use crate::model::ModelError;
-use crate::model::record_arena::{head_bytes, in_refinement_order};
+use crate::model::packed_vertices::PackedVertices;
 use crate::model::step_vertices::StepVertices;
+use crate::model::stored_strips::StoredStrips;
 use crate::model::strip_input::{check_strips, sorted_spatially};
+use crate::model::strip_run::Run;
 use crate::model::superfluous::drop_superfluous;
-use crate::strip::StripSet;
+use crate::strip::{StripSet, strip_triangles};
+
+/// A stage is not tried before the triangles have fallen to this share of those at the last try. Otherwise
+/// a limit that no strips can meet would be tried at every step.
+const RETRY_SHARE: f64 = 0.95;
 
 impl LodStrips<'static> {
-    /// Builds the model from strips of the full mesh; strips longer than [`MAX_STRIP_INDICES`] are cut.
+    /// Builds the model from strips of the full mesh, in a single stage; strips longer than
+    /// [`MAX_STRIP_INDICES`] are cut.
     ///
     /// # Errors
     /// [`ModelError`] if the strips do not belong to the mesh: different groups, different triangle
     /// counts, or vertices that do not exist.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
+        Self::build_staged(refinable, strips, &StageOptions::single(), |_| {
+            Ok::<_, ModelError>(StripSet::new())
+        })
+    }
+
+    /// Builds the model from strips of the full mesh, and calls `stripify` for new strips whenever a level
+    /// would need too many indices. The mesh that it receives is that level, with the groups of the full mesh
+    /// and without attributes. Strips longer than [`MAX_STRIP_INDICES`] are cut.
+    ///
+    /// ```
+    /// use striata::model::{LodModel as _, LodStrips};
+    /// use striata::{mesh::shapes, simplify::build_sequence, strip::stripify};
+    ///
+    /// let refinable = build_sequence(&shapes::torus(64, 32, 1.0, 0.4), &Default::default())?.refinable;
+    /// let strips = stripify(&refinable.mesh)?;
+    /// let model = LodStrips::build_staged(&refinable, &strips, &Default::default(), |level| {
+    ///     stripify(level).map_err(Box::<dyn std::error::Error>::from)
+    /// })?;
+    /// let mut state = model.new_state();
+    /// let tenth = refinable.sequence.split_count_for_triangles(refinable.mesh.triangle_count() / 10);
+    /// model.move_to(&mut state, tenth);
+    /// let indices = model.draw_counts(&state).index_count;
+    /// assert!(indices as f64 <= 1.45 * refinable.sequence.triangle_count_at(tenth) as f64);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What `stripify` returns, and [`ModelError`] if its strips or `strips` do not belong to their mesh:
+    /// different groups, different triangle counts, or vertices that do not exist.
+    pub fn build_staged<E: From<ModelError>>(
+        refinable: &RefinableMesh,
+        strips: &StripSet,
+        options: &StageOptions,
+        mut stripify: impl FnMut(&IndexedMesh) -> Result<StripSet, E>,
+    ) -> Result<Self, E> {
         check_strips(&refinable.mesh, strips)?;
-        let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
-        let sequence = &refinable.sequence;
-        let mut builder = Builder::new(sequence, &strips);
-        let mut reversed = Vec::new();
-        let mut lengths = Vec::with_capacity(sequence.step_count());
-        for step in (0..sequence.step_count()).rev() {
-            let start = reversed.len();
-            builder.write_step(step, &mut reversed);
-            lengths.push(reversed.len() - start);
+        let mut builder = Builder::new(refinable, strips);
+        for step in (0..refinable.sequence.step_count()).rev() {
+            let before = builder.written();
+            builder.write_step(step);
+            if builder.needs_strips(step, options.max_indices_per_triangle) {
+                let level = builder.level(step);
+                let strips = stripify(&level)?;
+                check_strips(&level, &strips)?;
+                builder.offer_stage(step, &strips, before);
+            }
         }
-        let (arena, record_lengths) = in_refinement_order(&reversed, &lengths);
-        let parts = LodStripsParts {
-            indices: strips.indices().to_vec().into(),
-            offsets: strips.offsets().to_vec().into(),
-            group_offsets: strips.group_offsets().to_vec().into(),
-            record_lengths: record_lengths.into(),
-            arena: arena.into(),
-        };
-        Ok(Self::unchecked(StepVertices::of_sequence(sequence).into_owned(), parts))
+        Ok(builder.finish())
     }
 }
 
-struct Builder<'s> {
-    sequence: &'s CollapseSequence,
-    strips: &'s StripSet,
-    head_bytes: usize,
+struct Builder<'r> {
+    refinable: &'r RefinableMesh,
+    sequence: &'r CollapseSequence,
+    stages: Vec<(usize, StoredStrips<'static>)>,
+    current: CurrentStage,
+    /// Records in the order in which they are written: from the last vertex to the base.
+    arena: Vec<u8>,
+    /// Head and length of each record, in the same order.
+    records: Vec<(u8, u32)>,
+    /// Number of triangles at which new strips were last tried.
+    tried_at: usize,
+}
+
+/// How much of the records has been written.
+#[derive(Clone, Copy)]
+struct Written {
+    arena: usize,
+    records: usize,
+}
+
+impl<'r> Builder<'r> {
+    fn new(refinable: &'r RefinableMesh, strips: &StripSet) -> Self {
+        let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
+        let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &mesh.positions);
+        let vertex_count = mesh.vertex_count();
+        Self {
+            refinable,
+            sequence,
+            stages: vec![(sequence.step_count(), StoredStrips::pack(&strips, vertex_count))],
+            current: CurrentStage::new(strips, vertex_count),
+            arena: Vec::new(),
+            records: Vec::with_capacity(sequence.targets().len()),
+            tried_at: usize::MAX,
+        }
+    }
+
+    fn written(&self) -> Written {
+        Written { arena: self.arena.len(), records: self.records.len() }
+    }
+
+    /// Collapses the vertices of a step and writes their records.
+    fn write_step(&mut self, step: usize) {
+        for vertex in self.sequence.step_vertices(step).rev() {
+            self.current.collapse(vertex, self.sequence.target(vertex));
+            let start = self.arena.len();
+            let head = self.current.format.write(&self.current.edit, &mut self.arena);
+            self.records.push((head, (self.arena.len() - start) as u32));
+        }
+    }
+
+    /// Whether the current strips need too many indices after a step.
+    fn needs_strips(&self, step: usize, limit: f64) -> bool {
+        let triangle_count = self.sequence.triangle_count_at(step);
+        self.current.index_count() as f64 > limit * triangle_count as f64
+            && triangle_count as f64 <= RETRY_SHARE * self.tried_at as f64
+    }
+
+    /// The mesh after a step, from the current strips.
+    fn level(&mut self, step: usize) -> IndexedMesh {
+        self.tried_at = self.sequence.triangle_count_at(step);
+        let vertex_count = self.sequence.step_vertices(step).start as usize;
+        let mut level = IndexedMesh::new(self.refinable.mesh.positions[..vertex_count].to_vec(), Vec::new());
+        let strips = &self.current.strips;
+        for group in 0..strips.group_count() {
+            let first = level.triangles.len();
+            for strip in strips.group_strips(group) {
+                level.triangles.extend(strip_triangles(self.current.live(strip)));
+            }
+            let count = (level.triangles.len() - first) as u32;
+            let name = String::new();
+            level.groups.push(TriangleGroup { name, material: None, first: first as u32, count });
+        }
+        level
+    }
+
+    /// Begins a stage with these strips of the level after a step, if they need fewer indices than the
+    /// current ones. The records of the step, written after `before`, are then not needed.
+    fn offer_stage(&mut self, step: usize, strips: &StripSet, before: Written) {
+        let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &self.refinable.mesh.positions);
+        let vertex_count = self.sequence.step_vertices(step).start as usize;
+        let stage = CurrentStage::new(strips, vertex_count);
+        if stage.index_count() >= self.current.index_count() {
+            return;
+        }
+        self.arena.truncate(before.arena);
+        self.records[before.records..].fill((0, 0));
+        self.stages.push((step, StoredStrips::pack(&stage.strips, vertex_count)));
+        self.current = stage;
+    }
+
+    fn finish(self) -> LodStrips<'static> {
+        let mut arena = Vec::with_capacity(self.arena.len() + ARENA_PADDING);
+        let mut end = self.arena.len();
+        for &(_, length) in self.records.iter().rev() {
+            let start = end - length as usize;
+            arena.extend_from_slice(&self.arena[start..end]);
+            end = start;
+        }
+        arena.extend([0; ARENA_PADDING]);
+        let heads = self.records.iter().rev().map(|record| record.0).collect();
+        let vertices = StepVertices::of_sequence(self.sequence).without_targets();
+        let targets = PackedVertices::pack(self.sequence.targets(), self.refinable.mesh.vertex_count());
+        let parts = LodStripsParts { stages: self.stages, heads, arena: arena.into() };
+        LodStrips::unchecked(vertices, targets, parts)
+    }
+}
+
+/// The strips of the stage being built.
+struct CurrentStage {
+    /// The strips at the finest level of the stage.
+    strips: StripSet,
+    format: RecordFormat,
     slots: Vec<u32>,
     lengths: Vec<u32>,
     /// For each vertex, the strips that use it, possibly with some that no longer do.
     strips_of: Vec<Vec<u32>>,
-    edits: Vec<Edit>,
-    touched: Vec<u32>,
+    /// Number of indices that are drawn, with a restart after each strip.
+    drawn: usize,
+    edit: Edit,
     changed: Vec<u32>,
+    runs: Vec<Run>,
 }
 
-impl<'s> Builder<'s> {
-    fn new(sequence: &'s CollapseSequence, strips: &'s StripSet) -> Self {
-        let mut strips_of = vec![Vec::new(); sequence.positions().vertex_count()];
+impl CurrentStage {
+    fn new(strips: StripSet, vertex_count: usize) -> Self {
+        let mut strips_of = vec![Vec::new(); vertex_count];
         for (strip, indices) in strips.strips().enumerate() {
             for &v in indices {
-                let list: &mut Vec<u32> = &mut strips_of[v as usize];
-                if list.last() != Some(&(strip as u32)) {
-                    list.push(strip as u32);
-                }
+                note(&mut strips_of[v as usize], strip as u32);
             }
         }
+        let lengths: Vec<u32> = strips.strips().map(|strip| strip.len() as u32).collect();
         Self {
-            sequence,
-            strips,
-            head_bytes: head_bytes(strips.strip_count(), FLAG_BITS),
+            format: RecordFormat::new(strips.indices().len(), strips.strip_count()),
             slots: strips.indices().to_vec(),
-            lengths: strips.strips().map(|s| s.len() as u32).collect(),
+            drawn: lengths.iter().map(|&length| drawn(length as usize)).sum(),
+            strips,
+            lengths,
             strips_of,
-            edits: Vec::new(),
-            touched: Vec::new(),
+            edit: Edit::default(),
             changed: Vec::new(),
+            runs: Vec::new(),
         }
     }
 
-    /// Applies a step to all strips that use its vertices, and appends the record of these edits.
-    fn write_step(&mut self, step: usize, out: &mut Vec<u8>) {
-        let vertices = self.sequence.step_vertices(step);
-        let wedge_count = vertices.end - vertices.start;
-        self.touched.clear();
-        for v in vertices.clone() {
-            self.touched.append(&mut self.strips_of[v as usize]);
-        }
-        self.touched.sort_unstable();
-        self.touched.dedup();
-        let touched = std::mem::take(&mut self.touched);
-        let mut used = 0;
+    /// Number of indices needed to draw all strips, restarts between them included.
+    fn index_count(&self) -> usize {
+        self.drawn.saturating_sub(1)
+    }
+
+    /// Live indices of a strip.
+    fn live(&self, strip: usize) -> &[u32] {
+        let first = self.strips.offsets()[strip] as usize;
+        &self.slots[first..first + self.lengths[strip] as usize]
+    }
+
+    /// Replaces a vertex by its target in all strips and drops what becomes superfluous; `edit` then says
+    /// where.
+    fn collapse(&mut self, vertex: u32, target: u32) {
+        self.edit.slots.clear();
+        self.edit.drops.clear();
+        let mut touched = std::mem::take(&mut self.strips_of[vertex as usize]);
+        touched.sort_unstable();
+        touched.dedup();
         for &strip in &touched {
-            if used == self.edits.len() {
-                self.edits.push(Edit::default());
-            }
-            used += usize::from(self.edit_strip(strip, vertices.clone(), used));
+            self.edit_strip(strip, vertex, target);
         }
-        self.touched = touched;
-        write_record(&self.edits[..used], wedge_count, self.head_bytes, out);
     }
 
-    /// Replaces the vertices in one strip and drops what becomes superfluous. Returns whether the strip
-    /// used any of them.
-    fn edit_strip(&mut self, strip: u32, vertices: std::ops::Range<u32>, edit: usize) -> bool {
-        let first = self.strips.offsets()[strip as usize] as usize;
+    fn edit_strip(&mut self, strip: u32, vertex: u32, target: u32) {
+        let first = self.strips.offsets()[strip as usize];
         let length = &mut self.lengths[strip as usize];
-        let slots = &mut self.slots[first..first + *length as usize];
-        let edit = &mut self.edits[edit];
-        edit.strip = strip;
-        edit.substitutions.clear();
-        edit.drops.clear();
-        for (index, v) in slots.iter_mut().enumerate() {
-            if vertices.contains(v) {
-                edit.substitutions.push((index as u32, *v - vertices.start));
-                *v = self.sequence.target(*v);
-                let list = &mut self.strips_of[*v as usize];
-                if list.last() != Some(&strip) {
-                    list.push(strip);
-                }
-            }
-        }
-        if edit.substitutions.is_empty() {
-            return false;
-        }
+        let live = &mut self.slots[first as usize..(first + *length) as usize];
         self.changed.clear();
-        self.changed.extend(edit.substitutions.iter().map(|s| s.0));
-        *length = drop_superfluous(slots, &mut self.changed, &mut edit.drops) as u32;
-        true
+        for (index, v) in live.iter_mut().enumerate().filter(|(_, v)| **v == vertex) {
+            *v = target;
+            self.changed.push(index as u32);
+            self.edit.slots.push(first + index as u32);
+        }
+        if self.changed.is_empty() {
+            return;
+        }
+        note(&mut self.strips_of[target as usize], strip);
+        self.runs.clear();
+        let left = drop_superfluous(live, &mut self.changed, &mut self.runs);
+        self.edit.drops.extend(self.runs.iter().map(|&run| Drop { strip, run }));
+        self.drawn = self.drawn + drawn(left) - drawn(*length as usize);
+        *length = left as u32;
+    }
+}
+
+/// Number of indices that a strip and its restart take.
+fn drawn(length: usize) -> usize {
+    if length == 0 { 0 } else { length + 1 }
+}
+
+/// Adds a strip to the list of a vertex, if it is not the last one there.
+fn note(strips: &mut Vec<u32>, strip: u32) {
+    if strips.last() != Some(&strip) {
+        strips.push(strip);
     }
 }

@@ -1,48 +1,77 @@
 //! State of one LodStrips instance: its level and current strips, and how it moves between levels.
 
+use std::ops::Range;
+
 use super::LodStrips;
-use super::record::{HAS_DROPS, RecordReader};
-use crate::model::StripModel;
-use crate::model::record_arena::{record_at, record_before};
-use crate::model::strip_run::{Run, drop_run, restore_run};
+use super::changes::Changes;
+use super::record::{ARENA_PADDING, Drop, LONG, LongRecord, long_record_at, long_record_before};
+use super::stage::Stage;
+use crate::model::strip_run::{drop_run, restore_run};
 
 /// An instance of the model: its level and its current strips. Created by
 /// [`LodModel::new_state`](crate::model::LodModel::new_state).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LodStripsState {
     split_count: usize,
-    /// Arena offset between the records of steps `split_count - 1` and `split_count`.
+    /// Number of vertices of the level.
+    vertex_count: u32,
+    /// Arena offset between the records of the last refined vertex and of the next one.
     cursor: usize,
-    /// Slots of all strips at their full lengths; see the drawing in the [module](super).
-    pub(super) slots: Vec<u32>,
-    pub(super) strips: Vec<LiveStrip>,
-    /// Strips that changed since a buffer last synchronized, without duplicates.
-    changed: Vec<u32>,
-    /// Scratch, kept so that no step allocates.
-    drops: Vec<Run>,
+    /// The split counts that the current stage can show.
+    levels: Range<usize>,
+    current: LiveStrips,
+    /// The strips of each finer stage, at its coarsest level.
+    finer: Vec<LiveStrips>,
+    pub(super) changes: Changes,
 }
 
-/// One strip of an instance. Everything that a step needs of it is in one struct, for locality.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LiveStrip {
-    /// Index of its first slot.
-    pub(super) first: u32,
-    /// Number of live indices.
-    pub(super) length: u32,
-    is_changed: bool,
+/// The strips of one stage.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct LiveStrips {
+    /// Slots of all strips at their full lengths; see the drawing in the [module](super).
+    slots: Vec<u32>,
+    /// Number of live indices of each strip.
+    lengths: Vec<u8>,
+}
+
+impl LiveStrips {
+    /// The strips of a stage at its finest level.
+    fn new(stage: &Stage<'_>) -> Self {
+        Self { slots: stage.strips.indices.to_vec(), lengths: stage.strips.lengths.to_vec() }
+    }
+
+    /// Drops a run of live indices.
+    #[inline]
+    fn drop(&mut self, firsts: &[u32], drop: Drop) -> Option<()> {
+        let (first, length) = (*firsts.get(drop.strip as usize)?, self.lengths.get_mut(drop.strip as usize)?);
+        let live = self.slots.get_mut(first as usize..first as usize + usize::from(*length))?;
+        drop_run(live, drop.run);
+        *length -= drop.run.count as u8;
+        Some(())
+    }
+
+    /// Restores a dropped run.
+    #[inline]
+    fn restore(&mut self, firsts: &[u32], drop: Drop) -> Option<()> {
+        let (first, length) = (*firsts.get(drop.strip as usize)?, self.lengths.get_mut(drop.strip as usize)?);
+        *length += drop.run.count as u8;
+        let live = self.slots.get_mut(first as usize..first as usize + usize::from(*length))?;
+        restore_run(live, drop.run);
+        Some(())
+    }
 }
 
 impl LodStripsState {
     pub(super) fn new(model: &LodStrips<'_>) -> Self {
-        let strip = |w: &[u32]| LiveStrip { first: w[0], length: w[1] - w[0], is_changed: false };
+        let most_slots = model.stage_index_counts().max().unwrap_or(0);
         Self {
-            split_count: model.record_lengths.len(),
-            cursor: model.arena.len(),
-            slots: model.indices.to_vec(),
-            strips: model.offsets.windows(2).map(strip).collect(),
-            // Room for all, so that no move allocates.
-            changed: Vec::with_capacity(model.strip_count()),
-            drops: Vec::with_capacity(16),
+            split_count: model.vertices.step_count(),
+            vertex_count: model.vertices.vertex_count() as u32,
+            cursor: model.arena.len() - ARENA_PADDING,
+            levels: model.levels_of_stage(0),
+            current: LiveStrips::new(&model.stages[0]),
+            finer: Vec::new(),
+            changes: Changes::none(most_slots),
         }
     }
 
@@ -51,154 +80,171 @@ impl LodStripsState {
         self.split_count
     }
 
-    /// Number of bytes that the instance owns.
+    /// Index of the stage whose strips the instance shows, 0 the finest.
+    pub fn stage(&self) -> usize {
+        self.finer.len()
+    }
+
+    /// Number of bytes that the instance owns. It grows with each stage that the instance enters on its way
+    /// to the base, and shrinks again on its way back.
     pub fn bytes(&self) -> usize {
-        4 * (self.slots.len() + self.changed.capacity()) + size_of_val(&self.strips[..])
+        let of_stage = |strips: &LiveStrips| 4 * strips.slots.len() + strips.lengths.len();
+        self.finer.iter().map(of_stage).sum::<usize>() + of_stage(&self.current) + self.changes.bytes()
     }
 
-    /// Returns the live indices of a strip.
-    pub(super) fn live(&self, strip: usize) -> &[u32] {
-        let LiveStrip { first, length, .. } = self.strips[strip];
-        &self.slots[first as usize..(first + length) as usize]
+    /// Returns the live indices of a strip of the current stage.
+    #[inline]
+    pub(super) fn live(&self, stage: &Stage<'_>, strip: usize) -> &[u32] {
+        let first = stage.strips.firsts()[strip] as usize;
+        &self.current.slots[first..first + usize::from(self.current.lengths[strip])]
     }
 
-    /// Moves the list of changed strips into `strips` and clears it here.
-    pub(super) fn take_changed_into(&mut self, strips: &mut Vec<u32>) {
-        strips.clear();
-        std::mem::swap(&mut self.changed, strips);
-        for &strip in strips.iter() {
-            self.strips[strip as usize].is_changed = false;
-        }
-        // The two lists have been swapped, so both need room for all strips.
-        self.changed.reserve(self.strips.len());
+    /// Lists the strips of the current stage that may have changed since the last call, and returns whether
+    /// the stage itself is a new one, so that all have.
+    pub(super) fn take_changed_into(&mut self, model: &LodStrips<'_>, strips: &mut Vec<u32>) -> bool {
+        let is_new_stage = self.changes.is_new_stage;
+        self.changes.take_strips_into(&model.stages[self.stage()], strips);
+        is_new_stage
     }
 
+    #[inline]
     pub(super) fn move_to(&mut self, model: &LodStrips<'_>, split_count: usize) {
-        let step_count = model.record_lengths.len();
-        assert!(split_count <= step_count, "split count {split_count} of {step_count}");
+        let vertex_count = model.vertices.count_at(split_count) as u32;
+        if split_count < self.levels.start || split_count >= self.levels.end {
+            self.change_stage(model, split_count);
+        }
+        self.move_within_stage(model, split_count, vertex_count);
+    }
+
+    /// Moves to a level of the current stage, which has this many vertices.
+    #[inline]
+    fn move_within_stage(&mut self, model: &LodStrips<'_>, split_count: usize, vertex_count: u32) {
+        self.split_count = split_count;
+        let done = if vertex_count < self.vertex_count {
+            self.coarsen(model, vertex_count)
+        } else {
+            self.refine(model, vertex_count)
+        };
+        debug_assert!(done.is_some(), "a checked record ended early");
+    }
+
+    /// The stage whose strips the instance shows.
+    #[inline]
+    fn stage_of<'m, 'a>(&self, model: &'m LodStrips<'a>) -> &'m Stage<'a> {
+        let stage = &model.stages[self.finer.len()];
         assert!(
-            self.slots.len() == model.indices.len() && self.strips.len() == model.strip_count(),
+            stage.strips.slot_count() == self.current.slots.len(),
             "the state belongs to a different model"
         );
-        while self.split_count > split_count {
-            let done = self.coarsen(model);
-            debug_assert!(done.is_some(), "a checked record ended early");
-        }
-        while self.split_count < split_count {
-            let done = self.refine(model);
-            debug_assert!(done.is_some(), "a checked record ended early");
-        }
-        // Leaves no trace of the path, so that states of one level are equal once buffers have synchronized.
-        self.drops.clear();
+        stage
     }
 
-    /// Applies the record of the step before: substitutes, then drops. `None` would mean that the record
-    /// was not validated.
-    fn coarsen(&mut self, model: &LodStrips<'_>) -> Option<()> {
-        self.split_count -= 1;
-        let step = self.split_count;
-        let (body, start) = record_before(&model.arena, self.cursor, model.record_lengths[step])?;
+    /// Applies the records of all vertices down to a level of the current stage: substitutes, then drops.
+    /// `None` would mean that a record was not validated.
+    #[inline(never)]
+    fn coarsen(&mut self, model: &LodStrips<'_>, vertex_count: u32) -> Option<()> {
+        let stage = self.stage_of(model);
+        let base = model.vertices.base_vertex_count();
+        while self.vertex_count > vertex_count {
+            self.vertex_count -= 1;
+            let at = (self.vertex_count - base) as usize;
+            let (head, target) = (*model.heads.get(at)?, model.targets.get(at));
+            if head == LONG {
+                self.coarsen_long(model, stage, target)?;
+                continue;
+            }
+            let record = stage.format.record_before(&model.arena, self.cursor, head)?;
+            self.cursor = record.start;
+            record.for_each_slot(|slot| self.substitute(slot, target))?;
+            record.for_each_drop(|drop| self.current.drop(stage.strips.firsts(), drop))?;
+        }
+        Some(())
+    }
+
+    #[cold]
+    fn coarsen_long(&mut self, model: &LodStrips<'_>, stage: &Stage<'_>, target: u32) -> Option<()> {
+        let LongRecord { start, edit, .. } = long_record_before(&model.arena, self.cursor)?;
         self.cursor = start;
-        let vertices = model.vertices.of_step(step);
-        let wedge_count = vertices.end - vertices.start;
-        let target = model.vertices.target(vertices.start);
-        let mut reader = RecordReader::new(body);
-        let mut last = None;
-        while !reader.is_empty() {
-            let (strip, flags) = reader.head(last, model.head_bytes)?;
-            last = Some(strip);
-            let live = &mut self.strips[strip as usize];
-            if !std::mem::replace(&mut live.is_changed, true) {
-                self.changed.push(strip);
+        edit.slots.into_iter().try_for_each(|slot| self.substitute(slot, target))?;
+        edit.drops.into_iter().try_for_each(|drop| self.current.drop(stage.strips.firsts(), drop))
+    }
+
+    /// Undoes the records of all vertices up to a level of the current stage: restores the dropped runs, then
+    /// the vertices.
+    #[inline(never)]
+    fn refine(&mut self, model: &LodStrips<'_>, vertex_count: u32) -> Option<()> {
+        let stage = self.stage_of(model);
+        let base = model.vertices.base_vertex_count();
+        while self.vertex_count < vertex_count {
+            let vertex = self.vertex_count;
+            self.vertex_count += 1;
+            let head = *model.heads.get((vertex - base) as usize)?;
+            if head == LONG {
+                self.refine_long(model, stage, vertex)?;
+                continue;
             }
-            let further = reader.further_substitution_count(flags)?;
-            let slots = &mut self.slots[live.first as usize..(live.first + live.length) as usize];
-            let (first_index, wedge) = reader.substitution(0, wedge_count)?;
-            slots[first_index as usize] =
-                if wedge == 0 { target } else { model.vertices.target(vertices.start + wedge) };
-            let mut index = first_index;
-            for _ in 0..further {
-                let (next, wedge) = reader.substitution(index + 1, wedge_count)?;
-                slots[next as usize] = model.vertices.target(vertices.start + wedge);
-                index = next;
-            }
-            if flags & HAS_DROPS != 0 {
-                let mut anchor = first_index;
-                loop {
-                    let (run, follows) = reader.run(anchor)?;
-                    drop_run(&mut slots[..live.length as usize], run);
-                    live.length -= run.count;
-                    anchor = run.first;
-                    if !follows {
-                        break;
-                    }
-                }
-            }
+            let record = stage.format.record_at(&model.arena, self.cursor, head)?;
+            self.cursor = record.end;
+            record.for_each_drop_reversed(|drop| self.current.restore(stage.strips.firsts(), drop))?;
+            record.for_each_slot(|slot| self.substitute(slot, vertex))?;
         }
         Some(())
     }
 
-    /// Undoes the record of the next step: restores the dropped runs, then the step's vertices.
-    fn refine(&mut self, model: &LodStrips<'_>) -> Option<()> {
-        let step = self.split_count;
-        let (body, end) = record_at(&model.arena, self.cursor, model.record_lengths[step])?;
-        self.split_count += 1;
+    #[cold]
+    fn refine_long(&mut self, model: &LodStrips<'_>, stage: &Stage<'_>, vertex: u32) -> Option<()> {
+        let LongRecord { end, edit, .. } = long_record_at(&model.arena, self.cursor)?;
         self.cursor = end;
-        let vertices = model.vertices.of_step(step);
-        let wedge_count = vertices.end - vertices.start;
-        let mut reader = RecordReader::new(body);
-        let mut last = None;
-        while !reader.is_empty() {
-            let (strip, flags) = reader.head(last, model.head_bytes)?;
-            last = Some(strip);
-            let live = &mut self.strips[strip as usize];
-            if !std::mem::replace(&mut live.is_changed, true) {
-                self.changed.push(strip);
-            }
-            let further = reader.further_substitution_count(flags)?;
-            let (first_index, first_wedge) = reader.substitution(0, wedge_count)?;
-            // Substitutions refer to the strip before its drops: skip them, restore the drops, then come
-            // back.
-            let mut substitutions = reader;
-            for _ in 0..further {
-                reader.substitution(0, wedge_count)?;
-            }
-            if flags & HAS_DROPS != 0 {
-                let slots = &mut self.slots[live.first as usize..];
-                let (run, follows) = reader.run(first_index)?;
-                if follows {
-                    read_runs(&mut reader, run, &mut self.drops)?;
-                    for &run in self.drops.iter().rev() {
-                        live.length += run.count;
-                        restore_run(&mut slots[..live.length as usize], run);
-                    }
-                }
-                live.length += run.count;
-                restore_run(&mut slots[..live.length as usize], run);
-            }
-            let slots = &mut self.slots[live.first as usize..];
-            slots[first_index as usize] = vertices.start + first_wedge;
-            let mut index = first_index;
-            for _ in 0..further {
-                let (next, wedge) = substitutions.substitution(index + 1, wedge_count)?;
-                slots[next as usize] = vertices.start + wedge;
-                index = next;
-            }
-        }
+        let mut drops = edit.drops.into_iter().rev();
+        drops.try_for_each(|drop| self.current.restore(stage.strips.firsts(), drop))?;
+        edit.slots.into_iter().try_for_each(|slot| self.substitute(slot, vertex))
+    }
+
+    /// Writes a vertex to a slot.
+    #[inline]
+    fn substitute(&mut self, slot: u32, vertex: u32) -> Option<()> {
+        self.changes.mark(slot);
+        *self.current.slots.get_mut(slot as usize)? = vertex;
         Some(())
     }
-}
 
-/// Reads the runs after `first` into `runs`.
-fn read_runs(reader: &mut RecordReader<'_>, first: Run, runs: &mut Vec<Run>) -> Option<()> {
-    runs.clear();
-    let mut anchor = first.first;
-    loop {
-        let (run, follows) = reader.run(anchor)?;
-        anchor = run.first;
-        runs.push(run);
-        if !follows {
-            return Some(());
+    /// Enters the stage that shows a level.
+    #[cold]
+    fn change_stage(&mut self, model: &LodStrips<'_>, split_count: usize) {
+        while split_count < self.levels.start {
+            self.move_to_level_of_stage(model, self.levels.start);
+            self.enter_coarser_stage(model);
         }
+        while split_count >= self.levels.end {
+            self.move_to_level_of_stage(model, self.levels.end - 1);
+            self.return_to_finer_stage(model);
+        }
+    }
+
+    fn move_to_level_of_stage(&mut self, model: &LodStrips<'_>, split_count: usize) {
+        self.move_within_stage(model, split_count, model.vertices.count_at(split_count) as u32);
+    }
+
+    /// Collapses the step below the current stage: the next stage shows what is left with its own strips.
+    fn enter_coarser_stage(&mut self, model: &LodStrips<'_>) {
+        let next = LiveStrips::new(&model.stages[self.stage() + 1]);
+        self.finer.push(std::mem::replace(&mut self.current, next));
+        self.enter_level(model, self.split_count - 1);
+    }
+
+    /// Refines the step above the current stage: the finer stage has waited at its coarsest level.
+    fn return_to_finer_stage(&mut self, model: &LodStrips<'_>) {
+        if let Some(finer) = self.finer.pop() {
+            self.current = finer;
+            self.enter_level(model, self.split_count + 1);
+        }
+    }
+
+    /// Notes the level at which the instance has entered its current stage.
+    fn enter_level(&mut self, model: &LodStrips<'_>, split_count: usize) {
+        self.split_count = split_count;
+        self.vertex_count = model.vertices.count_at(split_count) as u32;
+        self.levels = model.levels_of_stage(self.stage());
+        self.changes.enter_stage();
     }
 }

@@ -1,15 +1,17 @@
 //! An index buffer with primitive restart that follows an instance, ready for upload to a GPU.
 //!
 //! Each group owns a fixed region of the buffer, and each strip an allocation inside it, padded with
-//! restart indices. A strip that outgrows its allocation is_moved to the end of the used part of the region.
+//! restart indices. A strip that outgrows its allocation is moved to the end of the used part of the region.
 //! When the used part has become a quarter larger than the live indices, or the region is full, the region
 //! is repacked. The amortized cost of a move is therefore proportional to what changes, each group is
-//! drawn as one contiguous range, and the GPU buffer never has to grow.
+//! drawn as one contiguous range, and the GPU buffer never has to grow. When the instance enters another
+//! stage, all regions are repacked with its strips.
 
-use crate::model::{StoredModel, StripModel};
 use std::ops::Range;
 
+use super::stage::Stage;
 use super::{LodStrips, LodStripsState};
+use crate::model::StoredModel;
 use crate::strip::RESTART;
 
 /// Changed ranges with fewer than this many unchanged indices between them are merged.
@@ -61,23 +63,25 @@ impl StripBuffer {
         let mut regions = Vec::with_capacity(model.group_count());
         let mut first = 0;
         for group in 0..model.group_count() {
-            let strips = model.group_strips(group);
-            let full = model.offsets[strips.end] - model.offsets[strips.start] + strips.len() as u32;
-            let capacity = full + full / 4;
+            let of_stage = |stage: &Stage<'_>| {
+                let (strips, firsts) = (stage.strips.group_strips(group), stage.strips.firsts());
+                firsts[strips.end] - firsts[strips.start] + strips.len() as u32
+            };
+            let most = model.stages.iter().map(of_stage).max().unwrap_or(0);
+            let capacity = most + most / 4;
             regions.push(Region { first, capacity, used: 0, live: 0, is_full: false });
             first += capacity;
         }
+        let most_strips = model.stages.iter().map(|stage| stage.strips.strip_count()).max().unwrap_or(0);
         let mut buffer = Self {
             indices: vec![RESTART; first as usize],
             regions,
-            allocations: vec![Allocation::default(); model.strip_count()],
+            allocations: vec![Allocation::default(); most_strips],
             changed: Vec::new(),
             strips: Vec::new(),
         };
-        state.take_changed_into(&mut buffer.strips);
-        for group in 0..model.group_count() {
-            buffer.pack(model, state, group);
-        }
+        state.take_changed_into(model, &mut buffer.strips);
+        buffer.pack_all(model, state);
         buffer
     }
 
@@ -93,7 +97,7 @@ impl StripBuffer {
     }
 
     /// Returns the range of each strip, for multi-draw calls without primitive restart; empty for an empty
-    /// strip.
+    /// strip. Their number is that of the stage with the most strips.
     pub fn strip_ranges(&self) -> impl Iterator<Item = Range<u32>> {
         self.allocations.iter().map(|p| p.first..p.first + p.length)
     }
@@ -103,28 +107,47 @@ impl StripBuffer {
     /// # Panics
     /// If the state belongs to a different model than the buffer.
     pub fn sync(&mut self, model: &LodStrips<'_>, state: &mut LodStripsState) -> usize {
-        assert_eq!(self.allocations.len(), state.strips.len(), "the state belongs to a different model");
+        let stage = model.stages.get(state.stage());
+        assert!(
+            stage.is_some_and(|stage| stage.strips.strip_count() <= self.allocations.len()),
+            "the state belongs to a different model"
+        );
         let mut strips = std::mem::take(&mut self.strips);
-        state.take_changed_into(&mut strips);
-        strips.sort_unstable();
+        let is_new_stage = state.take_changed_into(model, &mut strips);
+        let written = match stage {
+            Some(stage) if !is_new_stage => self.write_strips(stage, state, &strips),
+            _ => self.pack_all(model, state),
+        };
+        self.strips = strips;
+        written
+    }
+
+    /// Writes strips of the stage that the buffer already shows, in ascending order.
+    fn write_strips(&mut self, stage: &Stage<'_>, state: &LodStripsState, strips: &[u32]) -> usize {
         let mut written = 0;
         let mut group = 0;
-        for &strip in &strips {
-            while model.group_offsets[group + 1] <= strip {
+        for &strip in strips {
+            while stage.strips.group_offsets[group + 1] <= strip {
                 group += 1;
             }
             if !self.regions[group].is_full {
-                written += self.write_strip(group, strip as usize, model.strip(state, strip as usize));
+                written += self.write_strip(group, strip as usize, state.live(stage, strip as usize));
             }
         }
-        self.strips = strips;
         for group in 0..self.regions.len() {
             let region = self.regions[group];
             if region.is_full || region.used > region.live + region.live / 4 + 64 {
-                written += self.pack(model, state, group);
+                written += self.pack(stage, state, group);
             }
         }
         written
+    }
+
+    /// Writes all strips of the state's stage, one after the other.
+    fn pack_all(&mut self, model: &LodStrips<'_>, state: &LodStripsState) -> usize {
+        self.allocations.fill(Allocation::default());
+        let stage = &model.stages[state.stage()];
+        (0..self.regions.len()).map(|group| self.pack(stage, state, group)).sum()
     }
 
     /// Returns the ranges of [`indices`](Self::indices) that changed since the last call, sorted and
@@ -183,11 +206,11 @@ impl StripBuffer {
     }
 
     /// Writes all strips of a region one after the other.
-    fn pack(&mut self, model: &LodStrips<'_>, state: &LodStripsState, group: usize) -> usize {
+    fn pack(&mut self, stage: &Stage<'_>, state: &LodStripsState, group: usize) -> usize {
         let region = self.regions[group];
         let mut at = region.first;
-        for strip in model.group_strips(group) {
-            let live = model.strip(state, strip);
+        for strip in stage.strips.group_strips(group) {
+            let live = state.live(stage, strip);
             let (length, needed) = (live.len() as u32, Allocation::needed(live.len() as u32));
             self.allocations[strip] = Allocation { first: at, capacity: needed, length };
             if length > 0 {

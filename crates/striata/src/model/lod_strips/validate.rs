@@ -1,37 +1,70 @@
 //! Validates a stored model once, so that later moves can trust its records.
 //!
-//! All records are applied once, from the full mesh to the base, to a copy of the strips. Every index and run
-//! must lie within its strip, every replaced vertex must be found at its index, and none of the step's
-//! vertices may be left over. A model that passes can be moved up and down without failing, and each of its
+//! All records are applied once, from the full mesh to the base, to a copy of the strips. Every slot and run
+//! must lie within the live part of a strip, every replaced vertex must be found at its slot, and it may not
+//! be left over anywhere else. A model that passes can be moved up and down without failing, and each of its
 //! levels uses only vertices of that level. Takes the time of one full sweep and the memory of one instance.
 
-use super::record::{HAS_DROPS, RecordReader};
+use super::record::{ARENA_PADDING, Drop, LONG, LongRecord, long_record_before};
+use super::stage::Stage;
 use super::{LodStrips, ModelError};
-use crate::model::StripModel;
-use crate::model::record_arena::{record_at, record_before};
 use crate::model::strip_run::drop_run;
-use crate::strip::check_offsets;
+
+const TRUNCATED: &str = "ends too early";
 
 pub(super) fn check(model: &LodStrips<'_>) -> Result<(), ModelError> {
     check_shape(model)?;
-    let mut sweep = Sweep::new(model)?;
-    for step in (0..model.record_lengths.len()).rev() {
-        sweep.apply(step).map_err(|reason| ModelError::Record { step, reason })?;
+    let mut cursor = model.arena.len() - ARENA_PADDING;
+    for (stage, vertices) in model.stages_with_vertices() {
+        let mut sweep = Sweep::new(model, stage, cursor);
+        for vertex in vertices.rev() {
+            let step = model.vertices.step_of(vertex);
+            sweep.apply(vertex).map_err(|reason| ModelError::Record { step, reason })?;
+        }
+        cursor = sweep.cursor;
     }
-    if sweep.cursor != 0 {
-        return Err(ModelError::Length { what: "record bytes left", found: sweep.cursor, expected: 0 });
+    if cursor != 0 {
+        return Err(ModelError::Length { what: "record bytes left", found: cursor, expected: 0 });
     }
     Ok(())
 }
 
 fn check_shape(model: &LodStrips<'_>) -> Result<(), ModelError> {
-    check_offsets("strip", &model.offsets, model.indices.len())?;
-    check_offsets("group", &model.group_offsets, model.offsets.len().saturating_sub(1))?;
-    model.vertices.check(model.record_lengths.len())
+    let step_count = model.vertices.step_count();
+    model.vertices.check(step_count, &model.targets)?;
+    let (found, expected) = (model.heads.len(), model.targets.len());
+    if found != expected {
+        return Err(ModelError::Length { what: "record heads", found, expected });
+    }
+    if model.arena.len() < ARENA_PADDING {
+        let (found, expected) = (model.arena.len(), ARENA_PADDING);
+        return Err(ModelError::Length { what: "record bytes", found, expected });
+    }
+    check_stages(model, step_count)
+}
+
+/// Checks that stages follow each other from the full mesh down, and that all have the same groups.
+fn check_stages(model: &LodStrips<'_>, step_count: usize) -> Result<(), ModelError> {
+    let group_count = model.stages[0].strips.group_offsets.len();
+    let mut above = step_count + 1;
+    for (place, stage) in model.stages.iter().enumerate() {
+        let is_first = place == 0;
+        let reason = if stage.split_count >= above || (is_first && stage.split_count != step_count) {
+            "does not begin below the one before it"
+        } else if stage.strips.group_offsets.len() != group_count {
+            "has other groups than the mesh"
+        } else {
+            above = stage.split_count;
+            continue;
+        };
+        return Err(ModelError::Listed { what: "stage", place, reason });
+    }
+    Ok(())
 }
 
 struct Sweep<'m, 'a> {
     model: &'m LodStrips<'a>,
+    stage: &'m Stage<'a>,
     slots: Vec<u32>,
     lengths: Vec<u32>,
     /// Number of live indices that refer to each vertex.
@@ -40,137 +73,184 @@ struct Sweep<'m, 'a> {
 }
 
 impl<'m, 'a> Sweep<'m, 'a> {
-    fn new(model: &'m LodStrips<'a>) -> Result<Self, ModelError> {
-        let vertex_count = model.vertices.vertex_count;
-        let mut uses = vec![0; vertex_count];
-        for strip in 0..model.strip_count() {
-            for &vertex in &model.indices[model.offsets[strip] as usize..model.offsets[strip + 1] as usize] {
-                let Some(count) = uses.get_mut(vertex as usize) else {
-                    return Err(ModelError::Vertex { strip, vertex, vertex_count });
-                };
-                *count += 1;
-            }
-        }
-        let lengths = model.offsets.windows(2).map(|w| w[1] - w[0]).collect();
-        Ok(Self { model, slots: model.indices.to_vec(), lengths, uses, cursor: model.arena.len() })
+    /// The strips of a stage at its finest level. Their vertices have been checked against that level.
+    fn new(model: &'m LodStrips<'a>, stage: &'m Stage<'a>, cursor: usize) -> Self {
+        let slots = stage.strips.indices.to_vec();
+        let mut uses = vec![0; model.vertices.count_at(stage.split_count)];
+        slots.iter().for_each(|&vertex| uses[vertex as usize] += 1);
+        let lengths = stage.strips.lengths.iter().map(|&length| u32::from(length)).collect();
+        Self { model, stage, slots, lengths, uses, cursor }
     }
 
-    fn apply(&mut self, step: usize) -> Result<(), &'static str> {
-        const TRUNCATED: &str = "ends too early";
-        let model = self.model;
-        let (body, start) =
-            record_before(&model.arena, self.cursor, model.record_lengths[step]).ok_or(TRUNCATED)?;
-        // A long record stores its length at both ends; the two must agree.
-        let forward = record_at(&model.arena, start, model.record_lengths[step]);
-        if forward != Some((body, self.cursor)) {
-            return Err("has different lengths at its ends");
+    fn apply(&mut self, vertex: u32) -> Result<(), &'static str> {
+        let Self { model, stage, .. } = *self;
+        let target = model.targets.get((vertex - model.vertices.base_vertex_count()) as usize);
+        if model.head(vertex) == LONG {
+            // Both of its ends have been compared.
+            let LongRecord { start, edit, .. } =
+                long_record_before(&model.arena, self.cursor).ok_or("is truncated or contradicts itself")?;
+            self.cursor = start;
+            edit.slots.into_iter().try_for_each(|slot| self.substitute(slot, vertex, target))?;
+            edit.drops.into_iter().try_for_each(|drop| self.drop(drop))?;
+        } else {
+            let record = stage.format.record_before(&model.arena, self.cursor, model.head(vertex));
+            let record = record.ok_or(TRUNCATED)?;
+            self.cursor = record.start;
+            let mut reason = TRUNCATED;
+            let mut checked = |result: Result<(), &'static str>| result.map_err(|found| reason = found).ok();
+            record
+                .for_each_slot(|slot| checked(self.substitute(slot, vertex, target)))
+                .and_then(|()| record.for_each_drop(|drop| checked(self.drop(drop))))
+                .ok_or(reason)?;
         }
-        self.cursor = start;
-        let vertices = model.vertices.of_step(step);
-        let mut reader = RecordReader::new(body);
-        let mut last = None;
-        while !reader.is_empty() {
-            let (strip, flags) = reader.head(last, model.head_bytes).ok_or(TRUNCATED)?;
-            last = Some(strip);
-            if strip as usize >= model.strip_count() {
-                return Err("edits a strip that does not exist");
-            }
-            let first_index = self.substitute(strip as usize, flags, vertices.clone(), &mut reader)?;
-            if flags & HAS_DROPS != 0 {
-                self.drop_runs(strip as usize, first_index, &mut reader)?;
-            }
-        }
-        if vertices.into_iter().any(|v| self.uses[v as usize] != 0) {
+        if self.uses[vertex as usize] != 0 {
             return Err("leaves a vertex of the step in a strip");
         }
         Ok(())
     }
 
-    fn live(&mut self, strip: usize) -> &mut [u32] {
-        let first = self.model.offsets[strip] as usize;
-        &mut self.slots[first..first + self.lengths[strip] as usize]
+    fn substitute(&mut self, slot: u32, vertex: u32, target: u32) -> Result<(), &'static str> {
+        let firsts = self.stage.strips.firsts();
+        let strip = firsts.partition_point(|&first| first <= slot) - 1;
+        if strip >= self.lengths.len() || slot - firsts[strip] >= self.lengths[strip] {
+            return Err("replaces a vertex beyond the end of a strip");
+        }
+        let place = &mut self.slots[slot as usize];
+        if *place != vertex {
+            return Err("replaces a vertex at an index that holds a different one");
+        }
+        *place = target;
+        self.uses[vertex as usize] -= 1;
+        self.uses[target as usize] += 1;
+        Ok(())
     }
 
-    fn substitute(
-        &mut self,
-        strip: usize,
-        flags: u32,
-        vertices: std::ops::Range<u32>,
-        reader: &mut RecordReader<'_>,
-    ) -> Result<u32, &'static str> {
-        const TRUNCATED: &str = "ends too early";
-        let further = reader.further_substitution_count(flags).ok_or(TRUNCATED)?;
-        let wedge_count = vertices.end - vertices.start;
-        let mut first_index = None;
-        let mut from = 0;
-        for _ in 0..u64::from(further) + 1 {
-            let (index, wedge) = reader.substitution(from, wedge_count).ok_or(TRUNCATED)?;
-            let vertex = vertices.start + wedge;
-            let target = self.model.vertices.target(vertex);
-            match self.live(strip).get_mut(index as usize) {
-                Some(v) if *v == vertex => *v = target,
-                Some(_) => return Err("replaces a vertex at an index that holds a different one"),
-                None => return Err("replaces a vertex beyond the end of a strip"),
-            }
-            self.uses[vertex as usize] -= 1;
-            self.uses[target as usize] += 1;
-            first_index.get_or_insert(index);
-            from = index + 1;
+    fn drop(&mut self, drop: Drop) -> Result<(), &'static str> {
+        let Drop { strip, run } = drop;
+        let Some(&length) = self.lengths.get(strip as usize) else {
+            return Err("edits a strip that does not exist");
+        };
+        if run.count == 0 || run.first + run.count > length {
+            return Err("drops a run beyond the end of a strip");
         }
-        first_index.ok_or(TRUNCATED)
-    }
-
-    fn drop_runs(
-        &mut self,
-        strip: usize,
-        mut anchor: u32,
-        reader: &mut RecordReader<'_>,
-    ) -> Result<(), &'static str> {
-        loop {
-            let (run, follows) = reader.run(anchor).ok_or("ends too early")?;
-            let length = self.lengths[strip];
-            if run.count == 0 || run.first.checked_add(run.count).is_none_or(|end| end > length) {
-                return Err("drops a run beyond the end of a strip");
-            }
-            let first = self.model.offsets[strip] as usize + run.first as usize;
-            for &v in &self.slots[first..first + run.count as usize] {
-                self.uses[v as usize] -= 1;
-            }
-            drop_run(self.live(strip), run);
-            self.lengths[strip] = length - run.count;
-            anchor = run.first;
-            if !follows {
-                return Ok(());
-            }
+        let first = self.stage.strips.firsts()[strip as usize] as usize;
+        let live = &mut self.slots[first..first + length as usize];
+        for &v in &live[run.first as usize..(run.first + run.count) as usize] {
+            self.uses[v as usize] -= 1;
         }
+        drop_run(live, run);
+        self.lengths[strip as usize] = length - run.count;
+        Ok(())
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::record::counts_at;
     use super::*;
-    use crate::mesh::shapes;
-    use crate::model::lod_strips::LodStripsParts;
+    use crate::mesh::{RefinableMesh, shapes};
+    use crate::model::lod_strips::{LodStripsParts, StageOptions};
+    use crate::model::stored_strips::StoredStrips;
     use crate::simplify::{SequenceOptions, build_sequence};
     use crate::strip::stripify;
 
+    fn refinable() -> RefinableMesh {
+        build_sequence(&shapes::grid(8, 8), &SequenceOptions::default()).unwrap().refinable
+    }
+
+    fn model() -> LodStrips<'static> {
+        let refinable = refinable();
+        LodStrips::build(&refinable, &stripify(&refinable.mesh).unwrap()).unwrap()
+    }
+
+    fn staged() -> LodStrips<'static> {
+        let refinable = refinable();
+        let strips = stripify(&refinable.mesh).unwrap();
+        let stages = |level: &_| Ok::<_, ModelError>(stripify(level).unwrap());
+        LodStrips::build_staged(&refinable, &strips, &StageOptions::default(), stages).unwrap()
+    }
+
+    fn checked(
+        model: LodStrips<'static>,
+        damage: impl FnOnce(&mut LodStripsParts<'static>),
+    ) -> Result<(), ModelError> {
+        let LodStrips { vertices, targets, stages, heads, arena, .. } = model;
+        let stages = stages.into_iter().map(|stage| (stage.split_count, stage.strips)).collect();
+        let mut parts = LodStripsParts { stages, heads, arena };
+        damage(&mut parts);
+        LodStrips::from_parts(vertices, targets, parts).map(drop)
+    }
+
+    #[test]
+    fn a_built_model_is_valid() {
+        assert_eq!(checked(model(), |_| ()), Ok(()));
+        assert!(staged().stages.len() > 1);
+        assert_eq!(checked(staged(), |_| ()), Ok(()));
+    }
+
     #[test]
     fn a_step_must_remove_its_vertices_from_every_strip() {
-        let mesh = shapes::grid(8, 8);
-        let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
-        let strips = stripify(&built.refinable.mesh).unwrap();
-        let model = LodStrips::build(&built.refinable, &strips).unwrap();
-        for step in 0..model.record_lengths.len() {
-            let LodStrips { vertices, indices, offsets, group_offsets, record_lengths, arena, .. } =
-                model.clone();
-            let mut parts = LodStripsParts { indices, offsets, group_offsets, record_lengths, arena };
-            let start: usize = parts.record_lengths[..step].iter().map(|&n| usize::from(n)).sum();
-            let length = usize::from(std::mem::take(&mut parts.record_lengths.to_mut()[step]));
-            assert!(length > 0, "on a grid each step changes a strip");
-            parts.arena.to_mut().drain(start..start + length);
+        let whole = model();
+        let mut start = 0;
+        for step in 0..whole.heads.len() {
+            let (_, _, end) =
+                counts_at(whole.stages[0].format, &whole.arena, start, whole.heads[step]).unwrap();
+            let range = start..end;
+            start = end;
+            let found = checked(model(), |parts| {
+                parts.heads.to_mut()[step] = 0;
+                parts.arena.to_mut().drain(range);
+            });
             let reason = "leaves a vertex of the step in a strip";
-            let found = LodStrips::from_parts(vertices, parts).map(drop);
             assert_eq!(found, Err(ModelError::Record { step, reason }));
         }
+    }
+
+    #[test]
+    fn records_must_fit_their_strips() {
+        let last = model().heads.len() - 1;
+        let damaged = |damage: fn(&mut [u8], usize)| {
+            checked(model(), |parts| {
+                let at = parts.arena.len() - ARENA_PADDING;
+                damage(parts.arena.to_mut(), at);
+            })
+        };
+        // The last byte of the arena is the count of a drop if the last record has drops.
+        let found = damaged(|arena, end| arena[end - 1] = 255);
+        assert!(matches!(found, Err(ModelError::Record { step, .. }) if step == last), "{found:?}");
+        let found = checked(model(), |parts| parts.heads.to_mut()[last] = 255);
+        let reason = "is truncated or contradicts itself";
+        assert_eq!(found, Err(ModelError::Record { step: last, reason }));
+        let found = checked(model(), |parts| parts.arena.to_mut().truncate(2));
+        assert!(matches!(found, Err(ModelError::Length { what: "record bytes", found: 2, .. })), "{found:?}");
+        let found = checked(model(), |parts| parts.arena.to_mut().splice(0..0, [0]).for_each(drop));
+        assert!(matches!(found, Err(ModelError::Length { what: "record bytes left", found: 1, .. })));
+    }
+
+    #[test]
+    fn heads_must_match_the_steps() {
+        let found = checked(model(), |parts| parts.heads.to_mut().push(0));
+        assert!(matches!(found, Err(ModelError::Length { what: "record heads", .. })), "{found:?}");
+    }
+
+    #[test]
+    fn stages_must_descend_and_have_the_same_groups() {
+        let with_split_count =
+            |stage: usize, split_count: usize| checked(staged(), |parts| parts.stages[stage].0 = split_count);
+        let reason = "does not begin below the one before it";
+        for (stage, split_count) in [(0, 3), (1, staged().vertices.step_count())] {
+            let expected = ModelError::Listed { what: "stage", place: stage, reason };
+            assert_eq!(with_split_count(stage, split_count), Err(expected));
+        }
+        let level_count = staged().vertices.count_at(staged().stages[1].split_count);
+        let found = checked(staged(), |parts| {
+            let StoredStrips { lengths, indices, .. } = parts.stages[1].1.clone();
+            let groups = vec![0, lengths.len() as u32, lengths.len() as u32];
+            let bytes = indices.bytes().to_vec();
+            let strips = StoredStrips::from_parts(groups.into(), lengths, bytes.into(), level_count);
+            parts.stages[1].1 = strips.unwrap();
+        });
+        let reason = "has other groups than the mesh";
+        assert_eq!(found, Err(ModelError::Listed { what: "stage", place: 1, reason }));
     }
 }

@@ -1,19 +1,17 @@
 //! Builds the model: follows each strip through its history, then collects the strips that each step changes.
 
+use super::lifetimes::{self, NEVER_DROPPED};
+use super::record::{ChangedStrip, RecordFormat};
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::ModelError;
-use crate::model::record_arena::{head_bytes, push_record, write_varint};
+use crate::model::bits::Bits;
+use crate::model::packed_vertices::PackedVertices;
 use crate::model::step_vertices::StepVertices;
+use crate::model::stored_strips::StoredStrips;
 use crate::model::strip_history::{Piece, StripHistory, Touch};
 use crate::model::strip_input::{check_strips, sorted_spatially};
 use crate::strip::StripSet;
-
-/// Last change of a slot that is never dropped.
-pub(super) const NEVER_DROPPED: u8 = u8::MAX;
-
-// Slots, and so changes, must be countable in a byte.
-const _: () = assert!(MAX_STRIP_INDICES < NEVER_DROPPED as usize);
 
 impl Mts<'static> {
     /// Builds the model from strips of the full mesh; strips longer than [`MAX_STRIP_INDICES`] are cut.
@@ -25,76 +23,58 @@ impl Mts<'static> {
         check_strips(&refinable.mesh, strips)?;
         let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
         let sequence = &refinable.sequence;
-        let mut lifetimes = Lifetimes::default();
-        lifetimes.break_offsets.push(0);
+        let vertex_count = refinable.mesh.vertex_count();
+        let mut histories = Histories::default();
         for (index, strip) in strips.strips().enumerate() {
-            lifetimes.push(sequence, index as u32, strip);
+            histories.push(sequence, index as u32, strip);
         }
-        let (arena, record_lengths) = lifetimes.records(sequence.step_count(), strips.strip_count());
+        lifetimes::finish(&mut histories.lifetimes);
+        let (heads, arena) = histories.records(sequence.step_count(), strips.strip_count());
         let parts = MtsParts {
-            indices: strips.indices().to_vec().into(),
-            offsets: strips.offsets().to_vec().into(),
-            group_offsets: strips.group_offsets().to_vec().into(),
-            lasts: lifetimes.lasts.into(),
-            break_offsets: lifetimes.break_offsets.into(),
-            breaks: lifetimes.breaks.into(),
-            record_lengths: record_lengths.into(),
+            strips: StoredStrips::pack(&strips, vertex_count),
+            lifetimes: histories.lifetimes.into(),
+            heads: heads.into(),
             arena: arena.into(),
         };
-        Ok(Self::unchecked(StepVertices::of_sequence(sequence).into_owned(), parts))
+        let vertices = StepVertices::of_sequence(sequence).without_targets();
+        let targets = PackedVertices::pack(sequence.targets(), vertex_count);
+        Self::unchecked(vertices, targets, parts)
     }
 }
 
-/// Lifetimes of the slots and breaks of all strips added so far.
+/// Histories of all strips added so far.
 #[derive(Debug, Default)]
-struct Lifetimes {
-    lasts: Vec<u8>,
-    break_offsets: Vec<u32>,
-    breaks: Vec<[u8; 2]>,
+struct Histories {
+    /// Entries of all strips; see [`lifetimes`].
+    lifetimes: Vec<u8>,
     /// Pairs of a strip and a step that changes it.
     touches: Vec<(u32, Touch)>,
 }
 
-impl Lifetimes {
+impl Histories {
     /// Adds the history of the next strip.
     fn push(&mut self, sequence: &CollapseSequence, index: u32, strip: &[u32]) {
         let mut history = StripHistory::new(sequence, strip);
-        let first = self.lasts.len();
         // A slot counts as dropped until it is seen again after a later change.
-        self.lasts.resize(first + strip.len(), 0);
+        let mut slots = SlotLifetimes { lifetimes: vec![1; strip.len()], breaks: Vec::new() };
         let mut change = 0;
-        let mut breaks = Vec::new();
-        self.record_pieces(history.pieces(), first, change, &mut breaks);
+        slots.note(history.pieces(), change);
         while let Some(touch) = history.coarsen() {
             self.touches.push((index, touch));
             if touch.drops {
                 // Each change drops at least one slot, and there are few enough slots for a byte.
                 change += 1;
-                self.record_pieces(history.pieces(), first, change, &mut breaks);
+                slots.note(history.pieces(), change);
             }
         }
         for piece in history.pieces() {
-            piece.places.iter().for_each(|&slot| self.lasts[first + slot as usize] = NEVER_DROPPED);
+            piece.places.iter().for_each(|&slot| slots.lifetimes[slot as usize] = NEVER_DROPPED);
         }
-        breaks.sort_unstable();
-        self.breaks.extend(breaks);
-        self.break_offsets.push(self.breaks.len() as u32);
+        slots.breaks.sort_unstable();
+        lifetimes::write(&slots.lifetimes, &slots.breaks, &mut self.lifetimes);
     }
 
-    /// Records the slots and breaks that a strip has after one of its changes.
-    fn record_pieces(&mut self, pieces: &[Piece], first: usize, change: u8, breaks: &mut Vec<[u8; 2]>) {
-        for (i, piece) in pieces.iter().enumerate() {
-            piece.places.iter().for_each(|&slot| self.lasts[first + slot as usize] = change);
-            // A break is permanent: pieces are split but never joined.
-            let begin = piece.places[0] as u8;
-            if i > 0 && breaks.iter().all(|b| b[0] != begin) {
-                breaks.push([begin, change]);
-            }
-        }
-    }
-
-    /// Returns the arena of records, which list the strips that each step changes, and the record lengths.
-    /// For the layout see [`super::state`].
+    /// Returns the heads and the arena of the records, which list the strips that each step changes.
     fn records(&self, step_count: usize, strip_count: usize) -> (Vec<u8>, Vec<u8>) {
         let mut ends = vec![0u32; step_count + 1];
         for (_, touch) in &self.touches {
@@ -104,27 +84,38 @@ impl Lifetimes {
             ends[step + 1] += ends[step];
         }
         // Touches are sorted by strip, so the strips of each step come out in ascending order.
-        let mut heads = vec![0u32; self.touches.len()];
+        let mut changed: Vec<ChangedStrip> = vec![(0, false); self.touches.len()];
         let mut next = ends.clone();
         for &(strip, touch) in &self.touches {
             let at = &mut next[touch.step as usize];
-            heads[*at as usize] = strip << 1 | u32::from(touch.drops);
+            changed[*at as usize] = (strip, touch.drops);
             *at += 1;
         }
-        let head_bytes = head_bytes(strip_count, 1);
-        let (mut arena, mut lengths, mut body) = (Vec::new(), Vec::with_capacity(step_count), Vec::new());
-        for step in ends.windows(2) {
-            body.clear();
-            let mut last = None;
-            for &head in &heads[step[0] as usize..step[1] as usize] {
-                match last {
-                    None => body.extend_from_slice(&head.to_le_bytes()[..head_bytes]),
-                    Some(last) => write_varint(((head >> 1) - last - 1) << 1 | head & 1, &mut body),
-                }
-                last = Some(head >> 1);
+        let format = RecordFormat::new(strip_count);
+        let mut bits = Bits::default();
+        let of_step = |w: &[u32]| format.write(&changed[w[0] as usize..w[1] as usize], &mut bits);
+        let heads = ends.windows(2).map(of_step).collect();
+        (heads, bits.into_padded())
+    }
+}
+
+/// Lifetimes and breaks of one strip.
+struct SlotLifetimes {
+    lifetimes: Vec<u32>,
+    breaks: Vec<[u8; 2]>,
+}
+
+impl SlotLifetimes {
+    /// Records the slots and breaks that the strip has after one of its changes.
+    fn note(&mut self, pieces: &[Piece], change: u8) {
+        for (i, piece) in pieces.iter().enumerate() {
+            let lifetime = u32::from(change) + 1;
+            piece.places.iter().for_each(|&slot| self.lifetimes[slot as usize] = lifetime);
+            // A break is permanent: pieces are split but never joined.
+            let begin = piece.places[0] as u8;
+            if i > 0 && self.breaks.iter().all(|b| b[0] != begin) {
+                self.breaks.push([begin, change]);
             }
-            push_record(&body, &mut arena, &mut lengths);
         }
-        (arena, lengths)
     }
 }

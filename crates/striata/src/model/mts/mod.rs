@@ -19,14 +19,16 @@
 //! a slot currently shows; chains of targets are shared by all strips. Slots keep their order, so the
 //! target and range of an arc follow from the lifetimes of the slots in between: of rows and arcs, only
 //! one `res` per column remains. It counts changes of the strip rather than levels of the mesh, so it fits
-//! into a byte; a record of a few bytes lists the strips that a step changes. The special nodes -1 and -2
-//! of the paper are our breaks, and -3 is the end of the slots.
+//! into a few bits; a record of a few bytes lists the strips that a step changes. The special nodes -1 and
+//! -2 of the paper are our breaks, and -3 is the end of the slots.
 //!
 //! Cost: a step rebuilds two or three strips of at most [`MAX_STRIP_INDICES`] slots; recovering a whole
 //! level is linear in the number of slots. Building takes time linear in the number of steps times
 //! [`MAX_STRIP_INDICES`].
 
 mod build;
+mod lifetimes;
+mod record;
 mod state;
 mod validate;
 
@@ -34,8 +36,12 @@ use std::borrow::Cow;
 
 pub use state::MtsState;
 
+use self::lifetimes::StripSlots;
+use self::record::RecordFormat;
 pub use super::lod_strips::MAX_STRIP_INDICES;
+use super::packed_vertices::PackedVertices;
 use super::step_vertices::StepVertices;
+use super::stored_strips::StoredStrips;
 use super::{
     DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
     strips_of_group_into,
@@ -45,54 +51,103 @@ use crate::strip::RESTART;
 /// The static half of the model, shared by all instances; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mts<'a> {
-    pub(crate) vertices: StepVertices<'a>,
-    pub(crate) parts: MtsParts<'a>,
-    /// Size of the first strip index of a record in bytes, derived from the strip count.
-    head_bytes: usize,
+    /// The vertices of each step, without targets.
+    vertices: StepVertices<'a>,
+    /// Target of each vertex above the base.
+    targets: PackedVertices<'a>,
+    parts: MtsParts<'a>,
+    /// Offset of each strip's entry in the lifetimes.
+    entries: Vec<u32>,
+    format: RecordFormat,
+    /// Number of bits of all records.
+    record_bits: usize,
 }
 
 /// The stored arrays of a model, except for those that come from the sequence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct MtsParts<'a> {
-    /// Vertex of each slot at full detail.
-    pub(crate) indices: Cow<'a, [u32]>,
-    /// First slot of each strip, followed by the slot count.
-    pub(crate) offsets: Cow<'a, [u32]>,
-    pub(crate) group_offsets: Cow<'a, [u32]>,
-    /// For each slot, the last change of its strip that it survives; 255 if it is never dropped.
-    pub(crate) lasts: Cow<'a, [u8]>,
-    /// First break of each strip, followed by the break count.
-    pub(crate) break_offsets: Cow<'a, [u32]>,
-    /// Breaks in ascending slot order: the slot before which the strip breaks, and the change since which
-    /// it does.
-    pub(crate) breaks: Cow<'a, [[u8; 2]]>,
-    /// Size of each step's record in bytes, as in LodStrips.
-    pub(crate) record_lengths: Cow<'a, [u8]>,
-    /// For each step, the strips that it changes.
+    /// Strips of the full mesh.
+    pub(crate) strips: StoredStrips<'a>,
+    /// For each strip, how long its slots survive and where it breaks; see `lifetimes.rs`.
+    pub(crate) lifetimes: Cow<'a, [u8]>,
+    /// For each step, the head of its record.
+    pub(crate) heads: Cow<'a, [u8]>,
+    /// For each step, the strips that it changes; see `record.rs`.
     pub(crate) arena: Cow<'a, [u8]>,
 }
 
 impl<'a> Mts<'a> {
     /// Assembles a model from stored arrays and validates them, so that no later move can fail.
-    pub(crate) fn from_parts(vertices: StepVertices<'a>, parts: MtsParts<'a>) -> Result<Self, ModelError> {
-        let model = Self::unchecked(vertices, parts);
+    pub(crate) fn from_parts(
+        vertices: StepVertices<'a>,
+        targets: PackedVertices<'a>,
+        parts: MtsParts<'a>,
+    ) -> Result<Self, ModelError> {
+        let model = Self::unchecked(vertices, targets, parts)?;
         validate::check(&model)?;
         Ok(model)
     }
 
-    fn unchecked(vertices: StepVertices<'a>, parts: MtsParts<'a>) -> Self {
-        let head_bytes = super::record_arena::head_bytes(parts.offsets.len().saturating_sub(1), 1);
-        Self { vertices, parts, head_bytes }
+    /// Finds the entries of the strips and the end of the records.
+    fn unchecked(
+        vertices: StepVertices<'a>,
+        targets: PackedVertices<'a>,
+        parts: MtsParts<'a>,
+    ) -> Result<Self, ModelError> {
+        let entries = lifetimes::offsets(&parts.lifetimes, &parts.strips.lengths)
+            .map_err(|strip| ModelError::Strip { strip, reason: "has no room for its lifetimes" })?;
+        let format = RecordFormat::new(parts.strips.strip_count());
+        let mut record_bits = 0;
+        for (step, &head) in parts.heads.iter().enumerate() {
+            let record = format.record_at(&parts.arena, record_bits, head);
+            record_bits = record.ok_or(ModelError::Record { step, reason: "ends too early" })?.end;
+        }
+        Ok(Self { vertices, targets, parts, entries, format, record_bits })
     }
 
-    /// Returns the vertex of each slot at full detail, strip by strip.
-    pub fn indices(&self) -> &[u32] {
-        &self.parts.indices
+    /// The stored arrays, except for those that come from the sequence.
+    pub(crate) fn parts(&self) -> &MtsParts<'a> {
+        &self.parts
+    }
+
+    /// Number of slots: indices of the strips at full detail.
+    pub fn slot_count(&self) -> usize {
+        self.parts.strips.slot_count()
     }
 
     /// Number of breaks between pieces of strips, over all levels.
     pub fn break_count(&self) -> usize {
-        self.parts.breaks.len()
+        (0..self.strip_count()).map(|strip| self.strip_slots(strip).breaks().len()).sum()
+    }
+
+    /// Number of changes of strips, summed over all steps.
+    pub fn change_count(&self) -> usize {
+        let mut count = 0;
+        let mut cursor = 0;
+        for &head in self.parts.heads.iter() {
+            let Some(record) = self.format.record_at(&self.parts.arena, cursor, head) else { break };
+            cursor = record.end;
+            let counted = self.format.for_each_strip(&self.parts.arena, record, |_, _| count += 1);
+            debug_assert!(counted.is_some(), "a checked record ended early");
+        }
+        count
+    }
+
+    #[inline]
+    fn strip_slots(&self, strip: usize) -> StripSlots<'_> {
+        let MtsParts { strips, lifetimes, .. } = &self.parts;
+        StripSlots {
+            indices: &strips.indices,
+            first: strips.firsts()[strip] as usize,
+            length: usize::from(strips.lengths[strip]),
+            entry: &lifetimes[self.entries[strip] as usize..],
+        }
+    }
+
+    /// Returns the vertex that a vertex above the base collapses to.
+    #[inline]
+    fn target(&self, vertex: u32) -> u32 {
+        self.targets.get((vertex - self.vertices.base_vertex_count()) as usize)
     }
 
     /// Rebuilds every strip of an instance at its level, as the published model does whenever the level
@@ -106,20 +161,19 @@ impl<'a> Mts<'a> {
 
     /// Returns a copy that owns its arrays.
     pub fn into_owned(self) -> Mts<'static> {
-        let parts = self.parts;
+        let MtsParts { strips, lifetimes, heads, arena } = self.parts;
         Mts {
             vertices: self.vertices.into_owned(),
+            targets: self.targets.into_owned(),
             parts: MtsParts {
-                indices: parts.indices.into_owned().into(),
-                offsets: parts.offsets.into_owned().into(),
-                group_offsets: parts.group_offsets.into_owned().into(),
-                lasts: parts.lasts.into_owned().into(),
-                break_offsets: parts.break_offsets.into_owned().into(),
-                breaks: parts.breaks.into_owned().into(),
-                record_lengths: parts.record_lengths.into_owned().into(),
-                arena: parts.arena.into_owned().into(),
+                strips: strips.into_owned(),
+                lifetimes: lifetimes.into_owned().into(),
+                heads: heads.into_owned().into(),
+                arena: arena.into_owned().into(),
             },
-            head_bytes: self.head_bytes,
+            entries: self.entries,
+            format: self.format,
+            record_bits: self.record_bits,
         }
     }
 
@@ -132,7 +186,7 @@ impl LodModel for Mts<'_> {
     type State = MtsState;
 
     fn step_count(&self) -> usize {
-        self.parts.record_lengths.len()
+        self.parts.heads.len()
     }
 
     fn new_state(&self) -> MtsState {
@@ -163,14 +217,13 @@ impl LodModel for Mts<'_> {
 
     fn bytes(&self) -> Vec<PartBytes> {
         let part = |name, bytes| PartBytes { name, bytes };
-        let parts = &self.parts;
+        let [strips, offsets] = self.parts.strips.bytes();
         vec![
-            part("strips", 4 * parts.indices.len()),
-            part("strip offsets", 4 * (parts.offsets.len() + parts.group_offsets.len())),
-            part("targets", 4 * (self.vertices.targets.len() + self.vertices.firsts.len())),
-            part("last changes", parts.lasts.len()),
-            part("breaks", 4 * parts.break_offsets.len() + 2 * parts.breaks.len()),
-            part("changed strips", parts.record_lengths.len() + parts.arena.len()),
+            part("strips", strips),
+            part("strip offsets", offsets + size_of_val(&self.entries[..])),
+            part("targets", self.targets.bytes().len() + 4 * self.vertices.word_count()),
+            part("lifetimes", self.parts.lifetimes.len()),
+            part("changed strips", self.parts.heads.len() + self.parts.arena.len()),
         ]
     }
 
@@ -195,7 +248,7 @@ impl StoredModel for Mts<'_> {
 
 impl StripModel for Mts<'_> {
     fn group_offsets(&self) -> &[u32] {
-        &self.parts.group_offsets
+        &self.parts.strips.group_offsets
     }
 
     fn strip<'s>(&self, state: &'s MtsState, strip: usize) -> &'s [u32] {

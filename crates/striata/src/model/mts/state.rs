@@ -1,14 +1,7 @@
 //! State of one MTS instance: its level and current strips, and how it moves between levels.
-//!
-//! The record of a step lists the strips that it changes in ascending order. The first strip index has as
-//! many bytes as the largest one needs; the others are varints of the gap to the previous strip, minus
-//! one. Each is shifted left by one bit. If the low bit is set, the strip loses slots; otherwise only the
-//! vertices that its slots show change.
-
-use std::ops::Range;
 
 use super::Mts;
-use crate::model::record_arena::{read_fixed, read_varint, record_at, record_before};
+use super::record::Record;
 use crate::model::{StoredModel, StripModel};
 use crate::strip::RESTART;
 
@@ -21,7 +14,7 @@ const RESOLVE_ALL_DIVISOR: usize = 8;
 #[derive(Clone, Debug)]
 pub struct MtsState {
     split_count: usize,
-    /// Arena offset between the records of steps `split_count - 1` and `split_count`.
+    /// Bit of the arena between the records of steps `split_count - 1` and `split_count`.
     cursor: usize,
     /// Current indices of all strips; each strip has room for its full length.
     slots: Vec<u32>,
@@ -59,12 +52,13 @@ impl Eq for MtsState {}
 
 impl MtsState {
     pub(super) fn new(model: &Mts<'_>) -> Self {
-        let strip = |w: &[u32]| LiveStrip { first: w[0], length: 0, change: 0, is_touched: false };
+        let strip = |&first: &u32| LiveStrip { first, length: 0, change: 0, is_touched: false };
+        let firsts = &model.parts.strips.firsts()[..model.strip_count()];
         let mut state = Self {
-            split_count: model.parts.record_lengths.len(),
-            cursor: model.parts.arena.len(),
-            slots: vec![0; model.parts.indices.len()],
-            strips: model.parts.offsets.windows(2).map(strip).collect(),
+            split_count: model.parts.heads.len(),
+            cursor: model.record_bits,
+            slots: vec![0; model.slot_count()],
+            strips: firsts.iter().map(strip).collect(),
             touched: Vec::with_capacity(model.strip_count()),
             representatives: Vec::new(),
         };
@@ -99,13 +93,13 @@ impl MtsState {
 
     fn check_model(&self, model: &Mts<'_>) {
         assert!(
-            self.slots.len() == model.parts.indices.len() && self.strips.len() == model.strip_count(),
+            self.slots.len() == model.slot_count() && self.strips.len() == model.strip_count(),
             "the state belongs to a different model"
         );
     }
 
     pub(super) fn move_to(&mut self, model: &Mts<'_>, split_count: usize) {
-        let step_count = model.parts.record_lengths.len();
+        let step_count = model.parts.heads.len();
         assert!(split_count <= step_count, "split count {split_count} of {step_count}");
         self.check_model(model);
         while self.split_count > split_count {
@@ -123,7 +117,7 @@ impl MtsState {
     fn rebuild_touched(&mut self, model: &Mts<'_>) {
         let vertex_count = model.vertex_count_at(self.split_count) as u32;
         let mut touched = std::mem::take(&mut self.touched);
-        let is_full = self.split_count == model.parts.record_lengths.len();
+        let is_full = self.split_count == model.parts.heads.len();
         // Resolving chains of targets slot by slot costs more than resolving every vertex once.
         if !is_full && touched.len() > self.strips.len() / RESOLVE_ALL_DIVISOR {
             self.find_representatives(model, vertex_count);
@@ -140,8 +134,8 @@ impl MtsState {
     fn find_representatives(&mut self, model: &Mts<'_>, vertex_count: u32) {
         self.representatives.clear();
         self.representatives.extend(0..vertex_count);
-        for vertex in vertex_count..model.vertices.vertex_count as u32 {
-            let target = model.vertices.target(vertex);
+        for vertex in vertex_count..model.vertex_count() as u32 {
+            let target = model.target(vertex);
             self.representatives.push(self.representatives[target as usize]);
         }
     }
@@ -149,25 +143,25 @@ impl MtsState {
     /// Passes the record of the step before, touching the strips that it changes.
     fn touch_coarser(&mut self, model: &Mts<'_>) -> Option<()> {
         self.split_count -= 1;
-        let length = model.parts.record_lengths[self.split_count];
-        let (body, start) = record_before(&model.parts.arena, self.cursor, length)?;
-        self.cursor = start;
-        self.touch(body, model.head_bytes, |change, drops| *change += u8::from(drops))
+        let head = model.parts.heads[self.split_count];
+        let record = model.format.record_before(&model.parts.arena, self.cursor, head)?;
+        self.cursor = record.start;
+        self.touch(model, record, |change, drops| *change += u8::from(drops))
     }
 
     /// Passes the record of the next step, touching the strips that it changes.
     fn touch_finer(&mut self, model: &Mts<'_>) -> Option<()> {
-        let length = model.parts.record_lengths[self.split_count];
-        let (body, end) = record_at(&model.parts.arena, self.cursor, length)?;
+        let head = model.parts.heads[self.split_count];
+        let record = model.format.record_at(&model.parts.arena, self.cursor, head)?;
         self.split_count += 1;
-        self.cursor = end;
-        self.touch(body, model.head_bytes, |change, drops| *change -= u8::from(drops))
+        self.cursor = record.end;
+        self.touch(model, record, |change, drops| *change -= u8::from(drops))
     }
 
     /// Marks the strips of a record for rebuilding; `count` updates the change count of each.
     #[inline]
-    fn touch(&mut self, body: &[u8], head_bytes: usize, count: impl Fn(&mut u8, bool)) -> Option<()> {
-        for_each_strip(body, head_bytes, |strip, drops| {
+    fn touch(&mut self, model: &Mts<'_>, record: Record, count: impl Fn(&mut u8, bool)) -> Option<()> {
+        model.format.for_each_strip(&model.parts.arena, record, |strip, drops| {
             let live = &mut self.strips[strip as usize];
             count(&mut live.change, drops);
             if !std::mem::replace(&mut live.is_touched, true) {
@@ -179,11 +173,11 @@ impl MtsState {
     /// Rebuilds one strip, following the chain of targets of each slot.
     fn rebuild(&mut self, model: &Mts<'_>, strip: usize, vertex_count: u32) {
         let live = &mut self.strips[strip];
-        let slots = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
+        let slots = &mut self.slots[model.parts.strips.slots(strip)];
         let length = model.strip_slots(strip).recover(live.change, slots, |vertex| vertex);
         for vertex in &mut slots[..length] {
             while *vertex >= vertex_count && *vertex != RESTART {
-                *vertex = model.vertices.target(*vertex);
+                *vertex = model.target(*vertex);
             }
         }
         live.length = length as u32;
@@ -193,97 +187,9 @@ impl MtsState {
     /// Rebuilds one strip from the representatives that `find_representatives` has computed.
     fn rebuild_from_representatives(&mut self, model: &Mts<'_>, strip: usize) {
         let live = &mut self.strips[strip];
-        let slots = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
+        let slots = &mut self.slots[model.parts.strips.slots(strip)];
         let shown = |vertex: u32| self.representatives[vertex as usize];
         live.length = model.strip_slots(strip).recover(live.change, slots, shown) as u32;
         live.is_touched = false;
-    }
-}
-
-/// Calls `visit` with each strip of a record and whether it loses slots. Returns `None` if the record is
-/// truncated.
-#[inline]
-pub(super) fn for_each_strip(
-    mut body: &[u8],
-    head_bytes: usize,
-    mut visit: impl FnMut(u32, bool),
-) -> Option<()> {
-    if body.is_empty() {
-        return Some(());
-    }
-    let head = read_fixed(&mut body, head_bytes)?;
-    let mut strip = head >> 1;
-    visit(strip, head & 1 != 0);
-    while !body.is_empty() {
-        let head = read_varint(&mut body)?;
-        strip = strip.checked_add(head >> 1)?.checked_add(1)?;
-        visit(strip, head & 1 != 0);
-    }
-    Some(())
-}
-
-/// The slots and breaks of one strip.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct StripSlots<'m> {
-    pub(super) indices: &'m [u32],
-    pub(super) lasts: &'m [u8],
-    pub(super) breaks: &'m [[u8; 2]],
-}
-
-impl StripSlots<'_> {
-    /// Writes the indices that are left after `change` changes of the strip; returns their number.
-    #[inline]
-    pub(super) fn recover(&self, change: u8, slots: &mut [u32], shown: impl Fn(u32) -> u32) -> usize {
-        let take = |range: Range<usize>, slots: &mut [u32], mut length: usize| {
-            // Every index is written and then kept or overwritten: a branch here would be unpredictable.
-            for (&index, &last) in self.indices[range.clone()].iter().zip(&self.lasts[range]) {
-                slots[length] = shown(index);
-                length += usize::from(last >= change);
-            }
-            length
-        };
-        let mut length = 0;
-        let mut from = 0;
-        for &[slot, since] in self.breaks {
-            let slot = usize::from(slot);
-            if since <= change && self.lasts[slot] >= change {
-                length = take(from..slot, slots, length);
-                from = slot;
-                // Nothing may be left of the piece before. Otherwise the slot of the break follows the
-                // restart, so it survives.
-                if length > 0 {
-                    slots[length] = RESTART;
-                    length += 1;
-                }
-            }
-        }
-        take(from..self.indices.len(), slots, length)
-    }
-}
-
-impl Mts<'_> {
-    #[inline]
-    pub(super) fn strip_slots(&self, strip: usize) -> StripSlots<'_> {
-        let parts = &self.parts;
-        let slots = parts.offsets[strip] as usize..parts.offsets[strip + 1] as usize;
-        let breaks = parts.break_offsets[strip] as usize..parts.break_offsets[strip + 1] as usize;
-        StripSlots {
-            indices: &parts.indices[slots.clone()],
-            lasts: &parts.lasts[slots],
-            breaks: &parts.breaks[breaks],
-        }
-    }
-
-    /// Number of changes of strips, summed over all steps.
-    pub fn change_count(&self) -> usize {
-        let mut count = 0;
-        let mut cursor = 0;
-        for &length in self.parts.record_lengths.iter() {
-            let Some((body, end)) = record_at(&self.parts.arena, cursor, length) else { break };
-            cursor = end;
-            let counted = for_each_strip(body, self.head_bytes, |_, _| count += 1);
-            debug_assert!(counted.is_some(), "a checked record ended early");
-        }
-        count
     }
 }

@@ -4,22 +4,13 @@
 //! both directions. Each slot is followed through its chain of targets for as long as it survives: the
 //! step of every vertex that it shows must list the slot's strip.
 
-use super::state::{StripSlots, for_each_strip};
-use super::{MAX_STRIP_INDICES, Mts, MtsParts};
-use crate::model::record_arena::{record_at, record_before};
+use super::lifetimes::StripSlots;
+use super::{Mts, MtsParts};
+use crate::model::bits::PADDING;
 use crate::model::{ModelError, StripModel};
-use crate::strip::check_offsets;
 
 pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
     check_shape(model)?;
-    model.vertices.check(model.parts.record_lengths.len())?;
-    let vertex_count = model.vertices.vertex_count;
-    for strip in 0..model.strip_count() {
-        let range = model.parts.offsets[strip] as usize..model.parts.offsets[strip + 1] as usize;
-        if let Some(&vertex) = model.parts.indices[range].iter().find(|&&v| v as usize >= vertex_count) {
-            return Err(ModelError::Vertex { strip, vertex, vertex_count });
-        }
-    }
     let touches = Touches::of(model)?;
     (0..model.strip_count()).try_for_each(|strip| {
         let slots = model.strip_slots(strip);
@@ -68,20 +59,23 @@ impl Touches {
 impl StripSlots<'_> {
     /// Checks that what is left of the strip, including restarts, fits into its slots after every change.
     fn check(&self) -> Result<(), &'static str> {
-        if !self.breaks.is_sorted_by(|a, b| a[0] < b[0]) {
+        let breaks = self.breaks();
+        if !breaks.is_sorted_by(|a, b| a[0] < b[0]) {
             return Err("has breaks out of order");
         }
-        if self.breaks.last().is_some_and(|b| usize::from(b[0]) >= self.indices.len()) {
+        if breaks.last().is_some_and(|b| usize::from(b[0]) >= self.length) {
             return Err("has a break beyond its end");
         }
+        let last_changes: Vec<u32> = self.last_changes().collect();
+        let survives = |slot: usize, change: u8| last_changes[slot] >= u32::from(change);
         // Slots only disappear and breaks only appear, so the strip is fullest just after a break appears.
-        for &[_, change] in self.breaks {
+        for &[_, change] in breaks {
             let (mut length, mut from) = (0, 0);
-            for &[slot, since] in self.breaks {
+            for &[slot, since] in breaks {
                 let slot = usize::from(slot);
-                length += self.lasts[from..slot].iter().filter(|&&last| last >= change).count();
+                length += (from..slot).filter(|&slot| survives(slot, change)).count();
                 from = slot;
-                length += usize::from(since <= change && self.lasts[slot] >= change);
+                length += usize::from(since <= change && survives(slot, change));
                 if length > slot {
                     return Err("has a break where no slot has been dropped");
                 }
@@ -95,19 +89,19 @@ impl StripSlots<'_> {
     /// Checks that the strip is rebuilt at every step that removes a vertex shown by one of its slots.
     fn check_touches(&self, model: &Mts<'_>, touches: &[(u32, u8)]) -> Result<(), &'static str> {
         let vertices = &model.vertices;
-        for (&index, &last) in self.indices.iter().zip(self.lasts) {
-            let mut vertex = index;
-            while vertex >= vertices.base_vertex_count {
+        for (slot, last) in self.last_changes().enumerate() {
+            let mut vertex = self.indices.get(self.first + slot);
+            while vertex >= vertices.base_vertex_count() {
                 let step = vertices.step_of(vertex) as u32;
                 let at = touches.partition_point(|touch| touch.0 < step);
-                let change = touches.get(at).map_or(0, |touch| touch.1);
+                let change = touches.get(at).map_or(0, |touch| u32::from(touch.1));
                 if last < change {
                     break;
                 }
                 if touches.get(at).is_none_or(|touch| touch.0 != step) {
                     return Err("is not listed by a step that removes one of its vertices");
                 }
-                vertex = vertices.target(vertex);
+                vertex = model.target(vertex);
             }
         }
         Ok(())
@@ -115,56 +109,48 @@ impl StripSlots<'_> {
 }
 
 fn check_shape(model: &Mts<'_>) -> Result<(), ModelError> {
-    let MtsParts { indices, offsets, group_offsets, lasts, break_offsets, breaks, .. } = &model.parts;
-    check_offsets("strip", offsets, indices.len())?;
-    check_offsets("group", group_offsets, offsets.len().saturating_sub(1))?;
-    check_offsets("break", break_offsets, breaks.len())?;
-    let length = |what, found, expected| {
-        if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
-    };
-    if let Some(found) = offsets.windows(2).map(|w| (w[1] - w[0]) as usize).find(|&n| n > MAX_STRIP_INDICES) {
-        return Err(ModelError::Length { what: "slots of a strip", found, expected: MAX_STRIP_INDICES });
-    }
-    length("strips with breaks", break_offsets.len(), offsets.len())?;
-    length("last changes", lasts.len(), indices.len())
+    let MtsParts { heads, arena, .. } = &model.parts;
+    model.vertices.check(heads.len(), &model.targets)?;
+    let (what, found, expected) = ("record bytes", arena.len(), model.record_bits.div_ceil(8) + PADDING);
+    if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
 }
 
-/// Visits the step, the strip and whether it loses slots, for all records; the lengths at both ends must
-/// agree.
+/// Visits the step, the strip and whether it loses slots, for all records; each must also be found from its
+/// end.
 fn for_each_record(model: &Mts<'_>, mut visit: impl FnMut(u32, usize, bool)) -> Result<(), ModelError> {
-    let MtsParts { record_lengths, arena, .. } = &model.parts;
+    let MtsParts { heads, arena, .. } = &model.parts;
     let strip_count = model.strip_count();
     let mut cursor = 0;
-    for (step, &length) in record_lengths.iter().enumerate() {
+    for (step, &head) in heads.iter().enumerate() {
         let error = |reason| ModelError::Record { step, reason };
-        let (body, end) = record_at(arena, cursor, length).ok_or(error("ends too early"))?;
-        if record_before(arena, end, length) != Some((body, cursor)) {
+        let record = model.format.record_at(arena, cursor, head).ok_or(error("ends too early"))?;
+        if model.format.record_before(arena, record.end, head) != Some(record) {
             return Err(error("has different lengths at its ends"));
         }
-        cursor = end;
+        cursor = record.end;
         let mut fits = true;
-        for_each_strip(body, model.head_bytes, |strip, drops| {
+        let visited = model.format.for_each_strip(arena, record, |strip, drops| {
             if (strip as usize) < strip_count {
                 visit(step as u32, strip as usize, drops);
             } else {
                 fits = false;
             }
-        })
-        .ok_or(error("ends too early"))?;
+        });
+        visited.ok_or(error("ends too early"))?;
         if !fits {
             return Err(error("changes a strip that does not exist"));
         }
-    }
-    if cursor != arena.len() {
-        return Err(ModelError::Length { what: "record bytes", found: cursor, expected: arena.len() });
     }
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::lifetimes;
+    use super::super::record::{ChangedStrip, RecordFormat};
     use super::*;
     use crate::mesh::{IndexedMesh, shapes};
+    use crate::model::bits::Bits;
     use crate::simplify::{SequenceOptions, build_sequence};
     use crate::strip::stripify;
 
@@ -179,26 +165,57 @@ mod tests {
     }
 
     fn checked(model: Mts<'static>, damage: impl FnOnce(&mut MtsParts<'static>)) -> Result<(), ModelError> {
-        let Mts { vertices, mut parts, .. } = model;
+        let Mts { vertices, targets, mut parts, .. } = model;
         damage(&mut parts);
-        Mts::from_parts(vertices, parts).map(drop)
+        Mts::from_parts(vertices, targets, parts).map(drop)
+    }
+
+    /// The strips that each step changes.
+    fn changed_strips(model: &Mts<'_>) -> Vec<Vec<ChangedStrip>> {
+        let mut steps = vec![Vec::new(); model.parts.heads.len()];
+        for_each_record(model, |step, strip, drops| steps[step as usize].push((strip as u32, drops)))
+            .unwrap();
+        steps
+    }
+
+    /// Writes the records of all steps anew.
+    fn set_changed_strips(parts: &mut MtsParts<'static>, steps: &[Vec<ChangedStrip>]) {
+        let format = RecordFormat::new(parts.strips.strip_count());
+        let mut bits = Bits::default();
+        parts.heads = steps.iter().map(|strips| format.write(strips, &mut bits)).collect();
+        parts.arena = bits.into_padded().into();
+    }
+
+    /// Replaces the breaks of every strip.
+    fn set_breaks(parts: &mut MtsParts<'static>, breaks: &[[u8; 2]], model: &Mts<'_>) {
+        let mut bytes = Vec::new();
+        for strip in 0..model.strip_count() {
+            let slots = model.strip_slots(strip);
+            let lifetimes: Vec<u32> = slots.last_changes().map(|last| last.wrapping_add(1)).collect();
+            lifetimes::write(&lifetimes, breaks, &mut bytes);
+        }
+        lifetimes::finish(&mut bytes);
+        parts.lifetimes = bytes.into();
     }
 
     #[test]
     fn a_built_model_is_valid() {
         assert_eq!(checked(model(), |_| ()), Ok(()));
+        let (whole, steps) = (model(), changed_strips(&model()));
+        checked(model(), |parts| {
+            set_changed_strips(parts, &steps);
+            assert_eq!(*parts, whole.parts);
+        })
+        .unwrap();
     }
 
     #[test]
     fn a_step_must_list_every_strip_that_shows_its_vertices() {
-        let step_count = model().parts.record_lengths.len();
-        for step in 0..step_count {
-            let found = checked(model(), |parts| {
-                let start: usize = parts.record_lengths[..step].iter().map(|&n| usize::from(n)).sum();
-                let length = usize::from(std::mem::take(&mut parts.record_lengths.to_mut()[step]));
-                assert!(length > 0, "on a grid each step changes a strip");
-                parts.arena.to_mut().drain(start..start + length);
-            });
+        let steps = changed_strips(&model());
+        for step in 0..steps.len() {
+            let mut fewer = steps.clone();
+            assert!(!std::mem::take(&mut fewer[step]).is_empty(), "on a grid each step changes a strip");
+            let found = checked(model(), |parts| set_changed_strips(parts, &fewer));
             // Which strip keeps the stale slot depends on the step.
             assert!(
                 matches!(found, Err(ModelError::Strip { reason, .. }) if reason.contains("not listed")),
@@ -208,14 +225,21 @@ mod tests {
     }
 
     #[test]
+    fn records_must_end_where_the_arena_ends() {
+        let found = checked(model(), |parts| parts.arena = parts.arena[1..].to_vec().into());
+        assert!(matches!(found, Err(ModelError::Record { .. } | ModelError::Length { .. })), "{found:?}");
+        let found = checked(model(), |parts| parts.arena = [&parts.arena[..], &[0]].concat().into());
+        assert!(matches!(found, Err(ModelError::Length { what: "record bytes", .. })), "{found:?}");
+        let found = checked(model(), |parts| parts.heads.to_mut()[0] = 255);
+        assert!(matches!(found, Err(ModelError::Record { step: 0, .. } | ModelError::Length { .. })));
+        let found = checked(model(), |parts| parts.lifetimes = parts.lifetimes[1..].to_vec().into());
+        assert!(matches!(found, Err(ModelError::Strip { reason: "has no room for its lifetimes", .. })));
+    }
+
+    #[test]
     fn breaks_must_lie_in_their_strip_where_slots_are_dropped() {
-        let with_breaks = |at: &[[u8; 2]]| {
-            checked(model(), |parts| {
-                parts.breaks = at.to_vec().into();
-                let strip_count = parts.offsets.len() - 1;
-                parts.break_offsets = std::iter::once(0).chain(vec![at.len() as u32; strip_count]).collect();
-            })
-        };
+        let whole = model();
+        let with_breaks = |at: &[[u8; 2]]| checked(model(), |parts| set_breaks(parts, at, &whole));
         let reason = |found| match found {
             Err(ModelError::Strip { strip: 0, reason }) => reason,
             other => panic!("{other:?}"),
@@ -228,23 +252,12 @@ mod tests {
     }
 
     #[test]
-    fn strip_lengths_and_change_counts_must_fit_into_a_byte() {
-        let too_long = checked(model(), |parts| {
-            let slot_count = parts.indices.len() as u32;
-            assert!(slot_count as usize > MAX_STRIP_INDICES);
-            parts.offsets = vec![0, slot_count].into();
-            parts.group_offsets = vec![0, 1].into();
-            parts.break_offsets = vec![0, 0].into();
-            parts.breaks = Vec::new().into();
-        });
-        assert!(matches!(too_long, Err(ModelError::Length { what: "slots of a strip", .. })), "{too_long:?}");
-        let found = checked(model_of(&shapes::grid(20, 20)), |parts| {
-            let step_count = parts.record_lengths.len();
-            assert!(step_count > usize::from(u8::MAX));
-            // Each step drops slots of the first strip only.
-            parts.record_lengths.to_mut().fill(1);
-            parts.arena = vec![1; step_count].into();
-        });
+    fn change_counts_must_fit_into_a_byte() {
+        let whole = model_of(&shapes::grid(20, 20));
+        let step_count = whole.parts.heads.len();
+        assert!(step_count > usize::from(u8::MAX));
+        // Each step drops slots of the first strip only.
+        let found = checked(whole, |parts| set_changed_strips(parts, &vec![vec![(0, true)]; step_count]));
         assert_eq!(found, Err(ModelError::Strip { strip: 0, reason: "changes too often" }));
     }
 }

@@ -261,7 +261,7 @@ fn budgets_and_levels_hold_for_the_whole_scene() {
     let mut drawing = Drawing::of(&scenes::hierarchy());
     let full = drawing.test.triangle_count();
     for goal in [GoalKind::Triangles, GoalKind::Budget] {
-        drawing.test.viewer.state.set_goal(goal, true);
+        drawing.test.viewer.state.set_goal(goal);
         for count in [full / 2, full / 3] {
             (drawing.test.viewer.state.triangles, drawing.test.viewer.state.budget) =
                 (Some(count), Some(count));
@@ -273,7 +273,7 @@ fn budgets_and_levels_hold_for_the_whole_scene() {
             assert_ne!(drawing.picture(), before);
         }
     }
-    drawing.test.viewer.state.set_goal(GoalKind::Pixels, true);
+    drawing.test.viewer.state.set_goal(GoalKind::Pixels);
     drawing.picture();
     let near = drawing.test.triangle_count();
     (0..20).for_each(|_| drawing.test.press(Key::Minus));

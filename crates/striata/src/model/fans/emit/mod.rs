@@ -14,6 +14,7 @@
 //! and 1.97 in fans. With several groups, the indices of all groups but the first are copied once.
 
 mod fan_form;
+mod index_sink;
 mod walk;
 
 pub use fan_form::{FanForm, fan_triangles_into};
@@ -21,7 +22,10 @@ pub use fan_form::{FanForm, fan_triangles_into};
 use std::ops::Range;
 
 use self::fan_form::{write_fans, write_strips};
-use self::walk::{Shown, Span, for_each_fan};
+pub(super) use self::index_sink::IndexSink;
+pub(super) use self::walk::Span;
+use self::walk::{Collapsed, Shown, for_each_fan, for_each_step};
+use super::quick_table::{Number, Record, Records};
 use super::{FanInstance, Fans, FansLevel};
 use crate::model::DrawCounts;
 
@@ -39,7 +43,7 @@ pub struct FanIndices {
     /// For each group, its range of `indices`.
     pub group_ranges: Vec<Range<u32>>,
     /// Scratch for the indices of all groups but the first.
-    others: Vec<Vec<u32>>,
+    others: Vec<IndexSink>,
 }
 
 impl FanInstance {
@@ -63,8 +67,7 @@ impl FanInstance {
     /// If the instance belongs to a different table.
     pub fn emit_into(&self, fans: &Fans, form: FanForm, out: &mut FanIndices) {
         self.check_table(fans);
-        out.clear();
-        out.append(fans, self, form);
+        out.replace(fans, self, form);
     }
 
     /// Writes the same indices as [`emit_into`](Self::emit_into), using all threads.
@@ -122,8 +125,7 @@ impl Fans {
     /// If the level belongs to a different table.
     pub fn emit_level_into(&self, level: &FansLevel, form: FanForm, out: &mut FanIndices) {
         level.check_table(self);
-        out.clear();
-        out.append(self, level, form);
+        out.replace(self, level, form);
     }
 
     /// Writes the same indices as [`emit_level_into`](Self::emit_level_into), using all threads.
@@ -148,8 +150,9 @@ impl Fans {
 
 /// Appends what is shown to the caller's indices.
 pub(super) fn append_all(fans: &Fans, shown: &impl Shown, form: FanForm, out: &mut Vec<u32>) {
+    let start = out.len();
     let mut all = FanIndices { indices: std::mem::take(out), ..FanIndices::default() };
-    all.append(fans, shown, form);
+    all.append(fans, shown, form, start);
     *out = all.indices;
 }
 
@@ -163,28 +166,25 @@ impl PartialEq for FanIndices {
 impl Eq for FanIndices {}
 
 impl FanIndices {
-    fn clear(&mut self) {
-        self.indices.clear();
+    /// Replaces the contents by what is shown, in one sequential pass.
+    fn replace(&mut self, fans: &Fans, shown: &impl Shown, form: FanForm) {
         self.group_ranges.clear();
+        self.append(fans, shown, form, 0);
     }
 
-    /// Appends what is shown, in one sequential pass.
-    fn append(&mut self, fans: &Fans, shown: &impl Shown, form: FanForm) {
-        let start = self.indices.len();
+    /// Writes what is shown behind the first `start` indices, in one sequential pass.
+    fn append(&mut self, fans: &Fans, shown: &impl Shown, form: FanForm, start: usize) {
+        let mut first = IndexSink::new(std::mem::take(&mut self.indices), start);
         let mut others = std::mem::take(&mut self.others);
-        others.resize_with(fans.group_count - 1, Vec::new);
-        others.iter_mut().for_each(Vec::clear);
-        write(
-            fans,
-            shown,
-            form,
-            Span::whole(fans),
-            &mut GroupOutputs { first: &mut self.indices, others: &mut others },
-        );
+        others.resize_with(fans.group_count - 1, IndexSink::default);
+        others.iter_mut().for_each(IndexSink::restart);
+        let outputs = &mut GroupOutputs { first: &mut first, others: &mut others };
+        write(fans, shown, form, Span::whole(fans), outputs);
+        self.indices = first.into_indices();
         self.close_group(start..self.indices.len(), form);
         for group in &others {
             let first = self.indices.len();
-            self.indices.extend_from_slice(group);
+            self.indices.extend_from_slice(group.indices());
             self.close_group(first..self.indices.len(), form);
         }
         self.others = others;
@@ -197,19 +197,18 @@ impl FanIndices {
     fn replace_parallel(&mut self, fans: &Fans, shown: &(impl Shown + Sync), form: FanForm) {
         use rayon::prelude::*;
         if shown.active_count(fans) < MIN_PARALLEL_COUNT {
-            self.clear();
-            return self.append(fans, shown, form);
+            return self.replace(fans, shown, form);
         }
         let spans = Span::pieces(fans).into_par_iter();
-        let pieces: Vec<Vec<Vec<u32>>> = spans.map(|span| groups_of(fans, shown, form, span)).collect();
-        let total = pieces.iter().flatten().map(Vec::len).sum();
+        let pieces: Vec<Vec<IndexSink>> = spans.map(|span| groups_of(fans, shown, form, span)).collect();
+        let total = pieces.iter().flatten().map(IndexSink::len).sum();
         self.group_ranges.clear();
         self.indices.resize(total, 0);
         let (mut copies, mut rest, mut at) = (Vec::new(), &mut self.indices[..], 0);
         let mut firsts = Vec::with_capacity(fans.group_count);
         for group in 0..fans.group_count {
             firsts.push(at);
-            for piece in pieces.iter().map(|groups| &groups[group]) {
+            for piece in pieces.iter().map(|groups| groups[group].indices()) {
                 let (to, behind) = rest.split_at_mut(piece.len());
                 (rest, at) = (behind, at + piece.len());
                 copies.push((to, piece));
@@ -250,25 +249,34 @@ fn counts(fans: &Fans, shown: &impl Shown, form: FanForm) -> DrawCounts {
 
 /// Returns the indices of a section of the pass, group by group.
 #[cfg(feature = "parallel")]
-fn groups_of(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span) -> Vec<Vec<u32>> {
-    let mut groups = vec![Vec::new(); fans.group_count];
+fn groups_of(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span) -> Vec<IndexSink> {
+    let mut groups = vec![IndexSink::default(); fans.group_count];
     if let [first, others @ ..] = &mut groups[..] {
         // A vertex has about two triangles.
-        first.reserve(7 * span.active_count(shown));
+        *first = IndexSink::new(Vec::with_capacity(7 * span.active_count(shown)), 0);
         write(fans, shown, form, span, &mut GroupOutputs { first, others });
     }
     groups
 }
 
 /// Output buffers of all groups.
-struct GroupOutputs<'a> {
-    first: &'a mut Vec<u32>,
-    others: &'a mut [Vec<u32>],
+pub(super) struct GroupOutputs<'a> {
+    first: &'a mut IndexSink,
+    others: &'a mut [IndexSink],
 }
 
-impl GroupOutputs<'_> {
-    #[inline]
-    fn of(&mut self, group: u32) -> &mut Vec<u32> {
+impl<'a> GroupOutputs<'a> {
+    /// Outputs to one buffer for each group.
+    ///
+    /// # Panics
+    /// If there are none.
+    pub(super) fn new(sinks: &'a mut [IndexSink]) -> Self {
+        let (first, others) = sinks.split_first_mut().expect("a mesh has a group");
+        Self { first, others }
+    }
+
+    #[inline(always)]
+    fn of(&mut self, group: u32) -> &mut IndexSink {
         if group == 0 { self.first } else { &mut self.others[group as usize - 1] }
     }
 }
@@ -277,14 +285,84 @@ impl GroupOutputs<'_> {
 fn write(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span, outputs: &mut GroupOutputs<'_>) {
     // Each arm instantiates its own loop, so that the code for a fan is inlined.
     match form {
-        FanForm::Triangles => {
-            for_each_fan(fans, shown, span, |fan, mask| fan.triangles_into(mask, outputs.of(fan.group)));
-        }
-        FanForm::Fans => {
-            for_each_fan(fans, shown, span, |fan, mask| write_fans(&fan, mask, outputs.of(fan.group)));
-        }
-        FanForm::Strips => {
-            for_each_fan(fans, shown, span, |fan, mask| write_strips(&fan, mask, outputs.of(fan.group)));
-        }
+        FanForm::Triangles => write_triangles(fans, shown, span, outputs),
+        FanForm::Fans => for_each_fan(fans, shown, span, |fan, mask| {
+            outputs.of(fan.group).append(|out| write_fans(&fan, mask, out));
+        }),
+        FanForm::Strips => for_each_fan(fans, shown, span, |fan, mask| {
+            outputs.of(fan.group).append(|out| write_strips(&fan, mask, out));
+        }),
+    }
+}
+
+/// Writes the triangles of a section of the pass.
+pub(super) fn write_triangles(fans: &Fans, shown: &impl Shown, span: Span, outputs: &mut GroupOutputs<'_>) {
+    let shown = shown.collapsed();
+    match &fans.quick().records {
+        Records::Small(records) => write_records(fans, records, shown, span, outputs),
+        Records::Medium(records) => write_records(fans, records, shown, span, outputs),
+        Records::Large(records) => write_records(fans, records, shown, span, outputs),
+    }
+}
+
+/// Writes the triangles of a section of the pass, with records for most vertices.
+fn write_records<N: Number>(
+    fans: &Fans,
+    records: &[Record<N>],
+    shown: impl Collapsed,
+    span: Span,
+    outputs: &mut GroupOutputs<'_>,
+) {
+    for vertex in span.base {
+        write_vertex((fans, records), shown, (vertex, 0), outputs);
+    }
+    if fans.vertices.firsts.is_empty() && fans.group_count == 1 {
+        let base = fans.vertices.base_vertex_count;
+        for_each_step(shown, &span.steps, |step| {
+            let (record, vertex) = (&records[(base + step) as usize], base + step);
+            if record.is_complete() {
+                let mask = record.mask(step + 1, |step| shown.bit(step));
+                outputs.first.push_record(record, vertex, mask);
+            } else {
+                write_entry(fans, shown, (vertex, step + 1), outputs);
+            }
+        });
+    } else {
+        for_each_step(shown, &span.steps, |step| {
+            for vertex in fans.vertices.of_step(step as usize) {
+                write_vertex((fans, records), shown, (vertex, step + 1), outputs);
+            }
+        });
+    }
+}
+
+/// Writes the triangles of a vertex, given with its step plus 1, or 0 in the base.
+#[inline(never)]
+fn write_vertex<N: Number>(
+    (fans, records): (&Fans, &[Record<N>]),
+    shown: impl Collapsed,
+    (vertex, own_step): (u32, u32),
+    outputs: &mut GroupOutputs<'_>,
+) {
+    let record = &records[vertex as usize];
+    if record.is_complete() {
+        let mask = record.mask(own_step, |step| shown.bit(step));
+        outputs.of(fans.quick().group(vertex)).push_record(record, vertex, mask);
+    } else {
+        write_entry(fans, shown, (vertex, own_step), outputs);
+    }
+}
+
+/// Writes the triangles of a vertex of any kind.
+#[inline(never)]
+fn write_entry(
+    fans: &Fans,
+    shown: impl Collapsed,
+    (vertex, own_step): (u32, u32),
+    outputs: &mut GroupOutputs<'_>,
+) {
+    for fan in fans.table.entry(vertex, own_step) {
+        let mask = fan.mask(|step| shown.has(step));
+        outputs.of(fan.group).push(&fan, mask);
     }
 }

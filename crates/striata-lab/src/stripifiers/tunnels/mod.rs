@@ -1,0 +1,128 @@
+//! Stripification by tunnels as published: \[PS03\] with dynamic identities, and \[Ste01\] with static ones.
+//!
+//! The library's `tunnel` grows strips before it searches, and moves ends that have no tunnel. Here, every
+//! triangle begins as a strip of its own, ends are taken in random order, each end gets the shortest tunnel
+//! that a breadth-first search finds from it, and all ends are tried again until none has a tunnel. A tunnel
+//! alternates dashed and solid links; making the dashed ones solid and the solid ones dashed joins two strips
+//! (`strip` of the library explains the terms). Two rules keep loops out \[PS03, 3.1\]: the last link must
+//! lead to another strip, and inside a strip a tunnel must turn back toward its moving end. Whether two
+//! triangles are in one strip is known from identities:
+//!
+//! * [`Identities::Dynamic`] \[PS03, 4\]: each step of a search pushes the identity of the moving end along the
+//!   triangles that it takes over, and a step back restores them. The rules are then exact (`dynamic`).
+//! * [`Identities::Static`] \[Ste01\]: identities, and the direction of the moving end, are those of the
+//!   beginning of the search. The rules then let loops pass, so each tunnel is checked by walking before it
+//!   is accepted (`fixed`).
+//!
+//! Differs: \[PS03\] keeps a stack of identities in every node; here one log lists the changes of all nodes in
+//! order, which undoes them just as well. \[Ste01\] is known to us through \[PS03\]; how it treats loops is our
+//! reading, chosen because it reproduces the published strip count (158 strips of the bunny; lengths up to about 75).
+
+mod dynamic;
+mod fixed;
+mod path_search;
+
+use striata::mesh::{Random, is_proper};
+use striata::strip::StripLinks;
+
+use dynamic::DynamicTunnels;
+use fixed::StaticTunnels;
+
+/// How a search knows the strips of triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Identities {
+    /// Identities follow every step of the search \[PS03\].
+    Dynamic,
+    /// Identities are those of the beginning of the search \[Ste01\]; tunnels that close a loop are discarded.
+    Static,
+}
+
+/// How often a search may visit a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Visits {
+    /// Once in the whole search.
+    OncePerSearch,
+    /// Once on each path. After 1,000 moving ends once in the whole search, because the number of paths
+    /// doubles with every second link.
+    OncePerPath,
+}
+
+/// Options of [`join_along_tunnels`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TunnelOptions {
+    /// Length of the longest tunnel, in links; an even number acts as the odd one below it.
+    pub max_length: u32,
+    /// How a search knows the strips of triangles.
+    pub identities: Identities,
+    /// How often a search may visit a triangle.
+    pub visits: Visits,
+    /// Seed of the order of ends, and of the first link that a search crosses.
+    pub seed: u64,
+}
+
+/// Counts of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TunnelReport {
+    /// Number of times that all ends were tried.
+    pub pass_count: usize,
+    /// Number of searches.
+    pub search_count: usize,
+    /// Number of tunnels applied: each joins two strips.
+    pub tunnel_count: usize,
+    /// Number of tunnels found that would have closed a loop; 0 with dynamic identities.
+    pub loop_count: usize,
+}
+
+/// A search for tunnels that changes links.
+trait FindTunnels {
+    /// Applies the shortest tunnel from the end of a strip. Returns whether there was one.
+    fn apply_shortest(&mut self, start: u32, links: &mut StripLinks<'_>, random: &mut Random) -> bool;
+
+    /// Number of tunnels that were discarded because of a loop.
+    fn loop_count(&self) -> usize;
+}
+
+/// Joins strips along tunnels until no end has one; the links may contain strips already, but no loops.
+///
+/// Degenerate triangles are left out.
+///
+/// # Panics
+/// If `triangles` are not those of the links' graph.
+pub fn join_along_tunnels(
+    triangles: &[[u32; 3]],
+    links: &mut StripLinks<'_>,
+    options: &TunnelOptions,
+) -> TunnelReport {
+    let mut tunnels: Box<dyn FindTunnels> = match options.identities {
+        Identities::Dynamic => Box::new(DynamicTunnels::new(links, options)),
+        Identities::Static => Box::new(StaticTunnels::new(links, options)),
+    };
+    let mut random = Random::new(options.seed);
+    let mut report = TunnelReport::default();
+    loop {
+        let mut found_count = 0;
+        for end in shuffled_ends(triangles, links, &mut random) {
+            // Another tunnel may have made it the inside of a strip.
+            if links.solid_degree(end) < 2 {
+                report.search_count += 1;
+                found_count += usize::from(tunnels.apply_shortest(end, links, &mut random));
+            }
+        }
+        report.pass_count += 1;
+        report.tunnel_count += found_count;
+        if found_count == 0 {
+            report.loop_count = tunnels.loop_count();
+            return report;
+        }
+    }
+}
+
+/// Returns the triangles at which strips end, in random order.
+fn shuffled_ends(triangles: &[[u32; 3]], links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
+    let is_end = |&t: &u32| links.solid_degree(t) < 2 && is_proper(&triangles[t as usize]);
+    let mut ends: Vec<u32> = (0..triangles.len() as u32).filter(is_end).collect();
+    for i in (1..ends.len()).rev() {
+        ends.swap(i, random.below(i as u32 + 1) as usize);
+    }
+    ends
+}
