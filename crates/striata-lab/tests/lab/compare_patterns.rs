@@ -71,15 +71,15 @@ fn every_source_has_every_form() {
             ],
         );
     }
-    // New vertices need no more bits for each fragment than removed ones.
+    // Small meshes need nearly as many rules as fragments.
     for row in &list(report, "sources")[PUBLISHED..] {
-        assert!(number(row, "bits_per_fragment") < 200.0 && number(row, "open_secs") > 0.0, "{row}");
+        assert!(number(row, "bits_per_fragment") < 1500.0 && number(row, "open_secs") > 0.0, "{row}");
         let form = |key| row[key].is_null() == row["cannot_be_general"].is_string();
         assert!(form("general_bits_per_fragment") && form("general_rule_count"), "{row}");
     }
     for row in list(report, "overlap_errors") {
         let [fragments, overlaps] = ["by_fragment", "by_overlap"].map(|key| number(row, key));
-        assert!(overlaps > 0.0 && overlaps <= 1.02 * fragments, "{row}");
+        assert!(overlaps > 0.0 && overlaps <= fragments, "{row}");
     }
     assert_eq!(list(report, "overlap_errors").len(), 4);
     assert_eq!(report["extracted_from"], "removal");

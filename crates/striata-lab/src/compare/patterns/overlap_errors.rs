@@ -19,9 +19,9 @@ pub(super) struct OverlapErrorRow {
     share: f64,
     /// Error limit, mesh units.
     error: f32,
-    /// If each fragment has one error, that of its floor.
+    /// If each fragment has one error, that of its floor, rounded up to a byte.
     by_fragment: usize,
-    /// If each overlap has an error of its own, rounded up to a byte.
+    /// If each overlap has an error of its own, rounded likewise.
     by_overlap: usize,
     /// Ratio of the two.
     ratio: f64,
@@ -52,14 +52,15 @@ pub(super) fn measure(mesh: &FragmentedMesh, bar: &mut Bar) -> Result<Vec<Overla
     let CertifiedFaces { fragmented, face_errors } =
         certified.map_err(|_| Failure::internal("the certification was cancelled"))?;
     let fragments = &fragmented.fragments;
-    let patterns = Patterns::build_with_overlap_errors(&fragmented, &face_errors)?;
+    let by_fragment = Patterns::build(&fragmented)?;
+    let by_overlap = Patterns::build_with_overlap_errors(&fragmented, &face_errors)?;
     let levels = fragments.levels();
     let full = levels.triangle_count_at(levels.step_count());
     let row = |share: f64| {
         let level = levels.split_count_for_triangles((share * full as f64) as usize);
         let error = levels.errors().get(level).copied().unwrap_or(0.0);
-        let by_fragment = count(&patterns, &|overlap: Overlap| fragments.floor_error(overlap.upper) > error);
-        let by_overlap = count(&patterns, &|overlap: Overlap| overlap.error > error);
+        let [by_fragment, by_overlap] = [&by_fragment, &by_overlap]
+            .map(|patterns| count(patterns, &|overlap: Overlap| overlap.error > error));
         let ratio = by_overlap as f64 / by_fragment.max(1) as f64;
         OverlapErrorRow { share: 100.0 * share, error, by_fragment, by_overlap, ratio }
     };
