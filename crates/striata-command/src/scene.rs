@@ -262,8 +262,12 @@ impl SequenceArgs {
         let SequencePlan::Quadric { mut options, guarantee, .. } =
             self.plan(scene.diagonal(), Limits::default())?
         else {
-            return Err(Failure::user("--order hausdorff is for one mesh, not for a scene")
-                .with_hint("add --flat to treat the scene as one mesh, or remove --order hausdorff"));
+            let flag = match self.new_vertices {
+                Some(_) => "--new-vertices",
+                None => "--order hausdorff",
+            };
+            return Err(Failure::user(format!("{flag} is for one mesh, not for a scene"))
+                .with_hint(format!("add --flat to treat the scene as one mesh, or remove {flag}")));
         };
         if self.weights.uv_contrast {
             options.texcoord_factors = texture_factors(&appearance_of(scene), output);

@@ -6,9 +6,10 @@ use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::model::FanSource;
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, RemovalOptions, Retriangulation, SeamRule,
-    SequenceOptions, SimplifyError, StopReason, TopologyRule, build_welded_batches_with_progress,
-    build_welded_fragments_with_progress, build_welded_sequence_with_progress,
+    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, PlacedOptions, RemovalOptions,
+    RemovalOrder, Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
+    build_welded_batches_with_progress, build_welded_fragments_with_progress,
+    build_welded_placed_fragments_with_progress, build_welded_sequence_with_progress,
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
 };
 
@@ -31,6 +32,8 @@ pub enum SequencePlan {
     },
     /// Vertex removals in the order of the distance that remains.
     Hausdorff(RemovalOptions),
+    /// Collapses of edges or triangles to new vertices, in the order of their quadric cost.
+    Placed(PlacedOptions),
 }
 
 /// How far a simplification goes.
@@ -173,8 +176,8 @@ impl SequencePlan {
     /// If the plan is not in quadric order.
     pub fn use_batches(&mut self, terms: BatchSettings) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
-            return Err(Failure::user("streams require quadric order")
-                .with_hint("remove --order hausdorff, or do not make a stream"));
+            return Err(Failure::user("streams require collapses in quadric order, to existing vertices")
+                .with_hint("remove --order and --new-vertices, or do not make a stream"));
         };
         *batches = Some(terms);
         Ok(())
@@ -183,7 +186,8 @@ impl SequencePlan {
     /// Returns the order of the steps.
     pub fn order(&self) -> OrderArg {
         match self {
-            Self::Quadric { .. } => OrderArg::Quadric,
+            Self::Quadric { .. } | Self::Placed(_) => OrderArg::Quadric,
+            Self::Hausdorff(options) if options.order == RemovalOrder::Hausdorff => OrderArg::HausdorffStrict,
             Self::Hausdorff(_) => OrderArg::Hausdorff,
         }
     }
@@ -223,6 +227,16 @@ impl SequencePlan {
                 };
                 let stop_reason = built.stop_reason;
                 Ok(SimplifiedSteps { steps, stop_reason, error_is_guaranteed: true, batches: None, floors })
+            }
+            Self::Placed(options) => {
+                let built = build_welded_placed_fragments_with_progress(welded, options, progress)?;
+                Ok(SimplifiedSteps {
+                    steps: Steps::Fragments(built.fragmented),
+                    stop_reason: built.stop_reason,
+                    error_is_guaranteed: true,
+                    batches: None,
+                    floors: None,
+                })
             }
         }
     }
@@ -299,20 +313,23 @@ impl SequenceArgs {
         let (boundary, group_borders) = (rule(self.lock_boundary), rule(self.lock_groups));
         let seams = if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross };
         let topology = if self.keep_parts { TopologyRule::KeepParts } else { TopologyRule::Change };
-        let misplaced = match self.order {
-            OrderArg::Quadric => self.removal.first_given_flag(),
-            OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
-            OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
-            OrderArg::Hausdorff => self.weights.first_given_flag(),
+        let removal_order = self.order.of_removals();
+        let misplaced = match removal_order {
+            None => self.removal.first_given_flag(),
+            Some(_) if self.new_vertices.is_some() => Some("--new-vertices"),
+            Some(_) if self.cost.is_some() => Some("--cost"),
+            Some(_) if self.pair_distance.is_some() => Some("--pair-distance"),
+            Some(_) => self.weights.first_given_flag(),
         };
         if let Some(flag) = misplaced {
             let order = self.order.as_str();
-            let other = if self.order == OrderArg::Quadric { "hausdorff" } else { "quadric" };
+            let other = if removal_order.is_none() { "hausdorff" } else { "quadric" };
             return Err(Failure::user(format!("{flag} has no meaning in {order} order"))
                 .with_hint(format!("use --order {other}, or remove {flag}")));
         }
-        match self.order {
-            OrderArg::Quadric => {
+        self.check_new_vertices()?;
+        match removal_order {
+            None => {
                 let mut options = SequenceOptions::default()
                     .with_boundary(boundary)
                     .with_group_borders(group_borders)
@@ -323,12 +340,17 @@ impl SequenceArgs {
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
                 options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
+                if let Some(collapse) = self.new_vertices {
+                    let placed = PlacedOptions::default().with_collapse(collapse.into());
+                    return Ok(SequencePlan::Placed(placed.with_sequence(options)));
+                }
                 let is_certified = self.certify || max_error.is_some();
                 let guarantee = if is_certified { ErrorGuarantee::Levels } else { ErrorGuarantee::None };
                 Ok(SequencePlan::Quadric { options, guarantee, batches: None })
             }
-            OrderArg::Hausdorff => {
+            Some(order) => {
                 let mut options = RemovalOptions::default()
+                    .with_order(order)
                     .with_boundary(boundary)
                     .with_group_borders(group_borders)
                     .with_seams(seams)
@@ -337,7 +359,11 @@ impl SequenceArgs {
                 options.max_error = max_error;
                 let removal = &self.removal;
                 options.retriangulation = removal.retriangulation.map_or(Retriangulation::Free, Into::into);
-                options.criterion = removal.criterion.map_or(options.criterion, Into::into);
+                let criterion = match order {
+                    RemovalOrder::Hausdorff => HoleCriterion::Maximum,
+                    _ => options.criterion,
+                };
+                options.criterion = removal.criterion.map_or(criterion, Into::into);
                 options.degree_limit = removal.degree_limit.map_or(options.degree_limit, |n| n as usize);
                 options.feature_angle = removal.feature_angle.map(f64::to_radians);
                 Ok(SequencePlan::Hausdorff(options))
@@ -345,11 +371,24 @@ impl SequenceArgs {
         }
     }
 
+    /// Checks that no flag is given that does not work with new vertices.
+    ///
+    /// # Errors
+    /// If there is such a flag.
+    fn check_new_vertices(&self) -> Result<(), Failure> {
+        let flags = [("--cost", self.cost.is_some()), ("--pair-distance", self.pair_distance.is_some())];
+        match flags.into_iter().find(|&(_, is_given)| is_given && self.new_vertices.is_some()) {
+            None => Ok(()),
+            Some((flag, _)) => Err(Failure::user(format!("{flag} does not work with --new-vertices"))
+                .with_hint(format!("remove --new-vertices or {flag}"))),
+        }
+    }
+
     /// Explains why a mesh cannot be simplified further, if only the constraints prevent it.
     pub fn describe_limit(&self, kind: StepKind) -> String {
         let step = match self.order {
             OrderArg::Quadric => "no more edges can be collapsed",
-            OrderArg::Hausdorff => "no more vertices can be removed",
+            OrderArg::Hausdorff | OrderArg::HausdorffStrict => "no more vertices can be removed",
         };
         let loss = match kind {
             StepKind::Single | StepKind::Optimal => "removing the last triangles",

@@ -171,8 +171,7 @@ fn assert_same_as_in_memory(name: &str, bytes: &[u8], block_triangles: usize) ->
             let width = layer.vertex_bytes();
             let row = |v: usize| layer.data.as_bytes()[v * width..][..width].to_vec();
             let position = |v: usize| mesh.positions[v].map(|x| (x + 0.0).to_bits());
-            let mut all: Vec<_> =
-                (0..mesh.vertex_count()).map(|v| (position(v), row(v))).collect();
+            let mut all: Vec<_> = (0..mesh.vertex_count()).map(|v| (position(v), row(v))).collect();
             all.sort();
             all
         };

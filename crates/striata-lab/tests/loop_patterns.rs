@@ -182,7 +182,9 @@ fn scattered_conditions_leave_nothing_too_coarse() {
             assert_eq!(model.adapt(&mut smallest, &condition), PatternChange::default());
             for shown in [&state, &smallest] {
                 shows_what_is_inserted(&mesh, shown);
-                let is_fine = |lower, upper| shown.is_refined(upper) || !condition(Overlap { lower, upper });
+                let is_fine = |lower, upper| {
+                    shown.is_refined(upper) || !condition(Overlap { lower, upper, error: f32::INFINITY })
+                };
                 assert!(model.base_covers().iter().all(|&upper| is_fine(None, upper)));
                 for step in inserted(&model, shown) {
                     assert!(model.covering(step).all(|upper| is_fine(Some(step), upper)));
@@ -211,7 +213,7 @@ fn any_condition_leads_to_the_smallest_set_from_anywhere() {
             let condition = scattered([5, 20, 50, 80][round % 4], seed * 100 + round as u64);
             let evaluate = |face: Option<u32>, upper| {
                 let lower = face.and_then(|face| fragments.creating_step(face));
-                condition(Overlap { lower, upper })
+                condition(Overlap { lower, upper, error: f32::INFINITY })
             };
             let expected = smallest_set(fragments, &sets, evaluate);
             model.adapt(&mut state, &condition);

@@ -12,8 +12,8 @@ use striata::mesh::{
     replay, replay_fragments, shapes, surface_distance,
 };
 use striata::simplify::{
-    SequenceOptions, build_sequence, certify, certify_collapses, certify_collapses_in_any_state,
-    certify_with_progress,
+    CertifiedFaces, SequenceOptions, build_sequence, certify, certify_collapses,
+    certify_collapses_in_any_state, certify_faces, certify_with_progress,
 };
 use support::{
     Case, RandomSequenceOptions, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases,
@@ -47,8 +47,15 @@ fn errors_hold_at_levels(refinable: &RefinableMesh, stride: usize, sample_count:
 /// Checks random sets of steps, each with everything that it depends on.
 fn errors_hold_for_random_sets(refinable: &RefinableMesh, count: usize, sample_count: usize) {
     let fragmented = FragmentedMesh::from_collapses(refinable);
-    let certain = certify(&fragmented);
+    let CertifiedFaces { fragmented: certain, face_errors } = certify_faces(&fragmented);
+    assert!(certain == certify(&fragmented));
     let fragments = &certain.fragments;
+    for step in 0..fragments.step_count() as u32 {
+        let of_faces = fragments.floor(step).iter().map(|&face| face_errors[face as usize]);
+        assert!(
+            fragments.floor(step).is_empty() || of_faces.fold(0.0, f32::max) == fragments.floor_error(step)
+        );
+    }
     let collapses = certify_collapses_in_any_state(refinable);
     assert_eq!(collapses.sequence.errors(), fragments.levels().errors());
     let replaced_by = fragments.replacing_steps();
@@ -56,12 +63,14 @@ fn errors_hold_for_random_sets(refinable: &RefinableMesh, count: usize, sample_c
     for i in 0..count {
         let selected = random_selection(fragments, &mut random, 5 + 90 * i as u32 / count as u32);
         let faces = fragment_faces(fragments, |step| selected[step as usize]);
+        // The errors of single faces are not larger than those of floors.
         let mut error = 0f32;
         for &face in &faces {
             let step = replaced_by[face as usize];
             if step != FragmentSequence::NO_STEP {
-                error = error.max(fragments.floor_error(step));
+                assert!(face_errors[face as usize] <= fragments.floor_error(step));
             }
+            error = error.max(face_errors[face as usize]);
         }
         for step in (0..selected.len() as u32).filter(|&step| !selected[step as usize]) {
             // A surface that vanishes leaves no face that could carry its error.

@@ -4,11 +4,13 @@
 use striata_testing::support;
 
 use proptest::prelude::*;
+use striata::file::{FileModel, StriataFile, WriteOptions, write_fragments};
 use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
-    canonical_triangles, fragment_faces,
+    canonical_triangles, fragment_faces, shapes,
 };
-use striata::model::{CriterionCondition, Overlap, PatternInstance, PatternScene, Patterns};
+use striata::model::{CriterionCondition, ModelError, Overlap, PatternInstance, PatternScene, Patterns};
+use striata::simplify::{CertifiedFaces, SequenceOptions, build_sequence, certify_faces};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{
     Case, RandomSequenceOptions, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases,
@@ -41,7 +43,9 @@ fn any_set_of_fragments_follows_the_oracle(fragmented: &FragmentedMesh, patterns
     let errors = (0..step_count as u32).map(|step| fragmented.fragments.floor_error(step)).collect();
     let unpacked = patterns.unpack(errors).unwrap();
     let again = FragmentedMesh { mesh: fragmented.mesh.clone(), fragments: unpacked };
-    assert_eq!(&Patterns::build(&again).unwrap(), patterns, "unpacked and built again");
+    // Bounds depend on the order of the faces.
+    let built = Patterns::build_without_bounds(&again).unwrap();
+    assert!(built == patterns.clone().without_bounds(), "unpacked and built again");
     if step_count == 0 {
         return;
     }
@@ -134,7 +138,8 @@ fn adapting_yields_the_smallest_set_that_satisfies_a_condition() {
         for seed in 0..20 {
             let condition = |overlap: Overlap| random_condition(overlap, seed, (seed as u32 * 17) % 100);
             let smallest = smallest_set(fragments, &standing, |face, upper| {
-                condition(Overlap { lower: face.and_then(|face| fragments.creating_step(face)), upper })
+                let lower = face.and_then(|face| fragments.creating_step(face));
+                condition(Overlap { lower, upper, error: 0.0 })
             });
             instance.adapt(&patterns, &condition);
             let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_refined(step));
@@ -166,18 +171,36 @@ fn with_errors_as_condition_both_algorithms_agree() {
     }
 }
 
-/// All fragments that a criterion wants are inserted, and besides them only what they depend on.
-fn check_wanted_set(patterns: &Patterns, scene: PatternScene<'_>, criterion: &impl Criterion) -> usize {
+/// Inserts fragments that replace a triangle shown and that a criterion wants, until there is none left.
+fn check_wanted_set(
+    fragments: &FragmentSequence,
+    scene: PatternScene<'_>,
+    criterion: &impl Criterion,
+) -> PatternInstance {
+    let patterns = scene.patterns();
     let mut instance = PatternInstance::base(patterns);
     instance.adapt(patterns, &CriterionCondition::new(scene, criterion));
+    let replaced_by = fragments.replacing_steps();
     let mut expected = PatternInstance::base(patterns);
-    for step in 0..patterns.fragment_count() as u32 {
-        if criterion.weigh(&scene.part(step)).should_refine() {
+    let is_wanted = |step: &u32| criterion.weigh(&scene.part(*step)).should_refine();
+    let floorless = (0..fragments.step_count() as u32).filter(|&step| fragments.floor(step).is_empty());
+    for step in floorless.filter(is_wanted) {
+        expected.insert(patterns, step);
+    }
+    loop {
+        let shown = fragment_faces(fragments, |step| expected.is_refined(step));
+        let above = shown.iter().map(|&face| replaced_by[face as usize]);
+        let above = above.filter(|&step| step != FragmentSequence::NO_STEP);
+        let wanted: Vec<u32> = above.filter(is_wanted).collect();
+        wanted.iter().for_each(|&step| {
             expected.insert(patterns, step);
+        });
+        if wanted.is_empty() {
+            break;
         }
     }
     assert_eq!(instance, expected, "{} fragments, {}", instance.split_count(), expected.split_count());
-    instance.triangle_count()
+    instance
 }
 
 #[test]
@@ -194,41 +217,95 @@ fn views_and_boxes_refine_everything_wanted() {
     let middle: [f32; 3] = std::array::from_fn(|a| 0.5 * (all.min[a] + all.max[a]));
     let quarter =
         DetailBox { min: all.min, max: [middle[0], middle[1], all.max[2]], error_outside: f32::INFINITY };
-    let shown = check_wanted_set(&patterns, scene, &quarter);
+    let shown = check_wanted_set(&fragmented.fragments, scene, &quarter).triangle_count();
     assert!(shown > full / 5 && shown < full * 4 / 5, "{shown} of {full} triangles for a quarter");
     let nowhere = DetailBox { min: [9e9; 3], max: [9e9; 3], ..quarter };
-    assert_eq!(check_wanted_set(&patterns, scene, &nowhere), base);
+    let count = |criterion| check_wanted_set(&fragmented.fragments, scene, criterion).triangle_count();
+    assert_eq!(count(&nowhere), base);
     let everywhere = DetailBox { min: all.min, max: all.max, ..quarter };
-    assert_eq!(check_wanted_set(&patterns, scene, &everywhere), full);
+    assert_eq!(count(&everywhere), full);
     for eye in [[2.0, 2.0, 2.0], [0.1, 0.1, 0.4], [-3.0, 0.2, 0.3]] {
         let camera = Camera::new(eye, middle, [0.0, 0.0, 1.0], 0.4, [800, 600]).unwrap();
-        let shown = check_wanted_set(&patterns, scene, &ScreenError::new(camera, 2.0));
+        let criterion = ScreenError::new(camera, 2.0);
+        let shown = check_wanted_set(&fragmented.fragments, scene, &criterion).triangle_count();
         assert!(shown > base && shown < full, "{shown} triangles from {eye:?}");
     }
 }
 
-/// Inside the box, the instance must match the full mesh.
+/// The bounds of a fragment enclose the triangles of the full mesh that its floor stands for, so every such
+/// triangle that touches a box is shown.
 #[test]
 fn a_box_shows_full_detail() {
     let mesh = striata::mesh::shapes::terrain(40, 3);
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
-    let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
-    let patterns = Patterns::build(&fragmented).unwrap();
-    let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
-    let all = fragmented.mesh.bounds().unwrap();
-    let max = std::array::from_fn(|a| if a == 2 { all.max[a] } else { 0.6 * all.min[a] + 0.4 * all.max[a] });
-    let detail = DetailBox { min: all.min, max, error_outside: f32::INFINITY };
-    let mut instance = PatternInstance::full(&patterns);
-    instance.adapt(&patterns, &CriterionCondition::new(scene, &detail));
-    let mut shown = Vec::new();
-    instance.triangles_into(&mut shown);
-    let shown = canonical_triangles(&shown);
-    let is_inside =
-        |t: &[u32; 3]| t.iter().all(|&v| (0..3).all(|a| fragmented.mesh.positions[v as usize][a] <= max[a]));
-    let inside: Vec<_> =
-        canonical_triangles(&fragmented.mesh.triangles).into_iter().filter(is_inside).collect();
-    assert!(inside.len() > 200 && shown.len() < fragmented.mesh.triangle_count() / 2);
-    assert!(inside.iter().all(|t| shown.binary_search(t).is_ok()));
+    let collapsed = FragmentedMesh::from_collapses(&built.unwrap().refinable);
+    let removed =
+        random_removals(&striata::mesh::shapes::terrain(20, 4), usize::MAX, &mut support::Random::new(3));
+    for (fragmented, edge) in [(&collapsed, 0.25), (&collapsed, 0.02), (&removed, 0.25), (&removed, 0.02)] {
+        let patterns = Patterns::build(fragmented).unwrap();
+        let positions = &fragmented.mesh.positions;
+        let scene = PatternScene::new(&patterns, positions);
+        let all = fragmented.mesh.bounds().unwrap();
+        let mut random = Random::new(5);
+        let mut instance = PatternInstance::full(&patterns);
+        for _ in 0..20 {
+            let at = [(); 3].map(|()| random.unit() as f32);
+            let size: [f32; 3] = std::array::from_fn(|a| all.max[a] - all.min[a]);
+            let min: [f32; 3] = std::array::from_fn(|a| all.min[a] + at[a] * size[a]);
+            let max = std::array::from_fn(|a| if a == 2 { all.max[a] } else { min[a] + edge * size[a] });
+            let min = [min[0], min[1], all.min[2]];
+            let detail = DetailBox { min, max, error_outside: f32::INFINITY };
+            instance.adapt(&patterns, &CriterionCondition::new(scene, &detail));
+            let mut shown = Vec::new();
+            instance.triangles_into(&mut shown);
+            let shown = canonical_triangles(&shown);
+            // Any corner in the box makes a triangle touch it.
+            let is_inside = |v: u32| (0..3).all(|a| (min[a]..=max[a]).contains(&positions[v as usize][a]));
+            let touches = |t: &[u32; 3]| t.iter().any(|&v| is_inside(v));
+            let mut touching = canonical_triangles(&fragmented.mesh.triangles);
+            touching.retain(touches);
+            assert!(touching.iter().all(|t| shown.binary_search(t).is_ok()));
+            assert!(instance.triangle_count() < fragmented.mesh.triangle_count() * 4 / 5);
+        }
+    }
+}
+
+/// A set that satisfies a condition on the errors of overlaps shows no face with a larger error, and it is
+/// mostly smaller than one that knows only the errors of floors.
+#[test]
+fn errors_of_overlaps_cover_their_faces() {
+    let (mut by_overlap, mut by_fragment) = (0, 0);
+    let collapsed = build_sequence(&shapes::terrain(24, 3), &SequenceOptions::default()).unwrap();
+    let removed = random_removals(&shapes::torus(18, 12, 2.0, 0.7), usize::MAX, &mut support::Random::new(8));
+    for mesh in [FragmentedMesh::from_collapses(&collapsed.refinable), removed] {
+        let CertifiedFaces { fragmented, face_errors } = certify_faces(&mesh);
+        let fragments = &fragmented.fragments;
+        let patterns = Patterns::build_with_overlap_errors(&fragmented, &face_errors).unwrap();
+        let floors = Patterns::build(&fragmented).unwrap();
+        assert!(patterns.has_overlap_errors() && !floors.has_overlap_errors());
+        let largest = fragments.levels().error_at(0);
+        let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
+        let mut instance = PatternInstance::base(&patterns);
+        for share in [0.5, 0.2, 0.05, 0.01, 0.3] {
+            let limit = share * largest;
+            instance.adapt(&patterns, &|overlap: Overlap| overlap.error > limit);
+            assert!(scene.error_of(&instance) <= limit);
+            let shown = fragment_faces(fragments, |step| instance.is_refined(step));
+            assert!(shown.iter().all(|&face| face_errors[face as usize] <= limit));
+            by_overlap += instance.triangle_count();
+            let mut other = PatternInstance::base(&floors);
+            other.adapt(&floors, &|overlap: Overlap| overlap.error > limit);
+            assert!(other.triangle_count() >= instance.triangle_count());
+            by_fragment += other.triangle_count();
+        }
+        let mut bytes = Vec::new();
+        write_fragments(&fragmented, &[FileModel::Patterns(&patterns)], &WriteOptions::default(), &mut bytes)
+            .unwrap();
+        assert_eq!(StriataFile::parse(&bytes).unwrap().patterns().unwrap().unwrap(), patterns);
+        let missing = Patterns::build_with_overlap_errors(&fragmented, &face_errors[1..]);
+        assert!(matches!(missing, Err(ModelError::Length { .. })));
+    }
+    assert!(by_overlap < by_fragment, "{by_overlap} triangles instead of {by_fragment}");
 }
 
 /// A closed ring of triangles around one vertex.
@@ -318,6 +395,8 @@ fn errors_that_rise_and_fall_are_found() {
     let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
     for error_outside in [0.5, 0.9, 0.99, 0.998] {
         let detail = DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside };
-        check_wanted_set(&patterns, scene, &detail);
+        let instance = check_wanted_set(&fragmented.fragments, scene, &detail);
+        let error = scene.error_of(&instance);
+        assert!(error <= error_outside && error > 0.0, "{error} of {error_outside}");
     }
 }

@@ -10,8 +10,8 @@ use striata::mesh::{
     surface_distance, weld,
 };
 use striata::simplify::{
-    BoundaryRule, BuiltFragments, RemovalOptions, Retriangulation, SequenceOptions, StopReason, TopologyRule,
-    build_fragments, build_sequence, certify_collapses,
+    BoundaryRule, BuiltFragments, HoleCriterion, RemovalOptions, RemovalOrder, Retriangulation,
+    SequenceOptions, StopReason, TopologyRule, build_fragments, build_sequence, certify_collapses,
 };
 use support::Topology;
 
@@ -192,6 +192,32 @@ fn errors_are_tight_bounds() {
     ratios.sort_unstable_by(f64::total_cmp);
     let (median, count) = (ratios[ratios.len() / 2], ratios.len());
     assert!(count > 60 && median < 1.2, "median {median} of {count}");
+}
+
+/// By the largest distance alone, as published: errors hold, and the largest distances of levels are smaller
+/// than in the default order.
+#[test]
+fn the_strict_order_has_smaller_maxima() {
+    let strict =
+        RemovalOptions::default().with_order(RemovalOrder::Hausdorff).with_criterion(HoleCriterion::Maximum);
+    let meshes = [shapes::terrain(40, 3), shapes::terrain(32, 8), shapes::torus(40, 28, 2.0, 0.8)];
+    let mut logs = Vec::new();
+    for mesh in meshes {
+        let built = [&strict, &RemovalOptions::default()].map(|options| build(&mesh, options));
+        check_fragments("strict", &mesh, &strict, &built[0]);
+        for share in [0.5, 0.25, 0.1] {
+            let [found, expected] = [0, 1].map(|i| {
+                let levels = built[i].fragmented.fragments.levels();
+                let at = levels.split_count_for_triangles((share * mesh.triangle_count() as f64) as usize);
+                let found = measured(&built[i], at);
+                assert!(found <= f64::from(levels.error_at(at)) + 1e-6 * mesh.diagonal());
+                found
+            });
+            logs.push((found / expected).ln());
+        }
+    }
+    let mean = (logs.iter().sum::<f64>() / logs.len() as f64).exp();
+    assert!(mean < 0.97, "{mean} of the maxima of the default order");
 }
 
 #[test]

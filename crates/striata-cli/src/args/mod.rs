@@ -128,6 +128,9 @@ pub(crate) struct BuildArgs {
     /// Store only a compressed stream, like --models progressive; --bits sets the precision
     #[arg(long, conflicts_with = "models")]
     stream: bool,
+    /// Store an error for each overlap of patterns, so that views need fewer triangles
+    #[arg(long)]
+    pub(crate) overlap_errors: bool,
     /// Stop at N triangles, or P% of the input [default: as few as possible]
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, help_heading = BASE)]
     pub(crate) base: Option<Count>,

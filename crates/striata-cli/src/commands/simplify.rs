@@ -141,7 +141,8 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
     }
     let weight = args.sequence.weights.first_given_flag();
     let flags = [
-        ("--order hausdorff", args.sequence.order == OrderArg::Hausdorff),
+        ("--order", args.sequence.order != OrderArg::Quadric),
+        ("--new-vertices", args.sequence.new_vertices.is_some()),
         ("--max-error", args.max_error.is_some()),
         ("--certify", args.sequence.certify),
         ("--cost", args.sequence.cost.is_some()),
@@ -164,8 +165,8 @@ fn limits(args: &SimplifyArgs, requests: &[LevelRequest], diagonal: f64) -> Limi
     });
     // No level coarser than the coarsest target is needed.
     limits.base_triangle_count = triangles.min().unwrap_or(0);
-    if let ([LevelRequest { target: Some(Target::Error(error)), .. }], OrderArg::Hausdorff) =
-        (requests, args.sequence.order)
+    if let [LevelRequest { target: Some(Target::Error(error)), .. }] = requests
+        && args.sequence.order.of_removals().is_some()
     {
         // With the error as a limit, the Hausdorff order skips vertices that would exceed it and continues
         // with others.

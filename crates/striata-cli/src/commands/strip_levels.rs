@@ -1,6 +1,6 @@
 //! `strip --levels`: strips that stay in repair while a mesh moves from level to level.
 
-use std::path::PathBuf;
+use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
@@ -223,7 +223,7 @@ impl<'a> Follower<'a> {
     ///
     /// # Errors
     /// If the format cannot represent the mesh or writing fails.
-    fn write(&self, path: &PathBuf, files: &mut LevelFiles<'_>) -> Result<(), Failure> {
+    fn write(&self, path: &Path, files: &mut LevelFiles<'_>) -> Result<(), Failure> {
         let mesh = replay(self.refinable, self.live.split_count());
         let (mesh, strips) = without_unused_vertices(mesh, Some(self.live.to_strip_set()));
         let strips =

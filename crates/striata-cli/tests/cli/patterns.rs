@@ -299,3 +299,65 @@ fn wrong_boxes_and_damaged_files_are_refused() {
         assert!(matches!(code, Some(0 | 1)), "byte {offset}: {assert}");
     }
 }
+
+#[test]
+fn collapses_create_vertices_for_patterns() {
+    let bench = Workbench::with_ball();
+    for kind in ["edge", "triangle"] {
+        let build = format!("build sphere.obj -o new.striata --models patterns --new-vertices {kind}");
+        let report = bench.json(&build);
+        assert_eq!((&report["order"], &report["error_is_guaranteed"]), (&"quadric".into(), &true.into()));
+        assert_eq!(count(&bench.json("info new.striata")), 512);
+        for level in ["--triangles 120", "--detail 0.3", "--detail 1"] {
+            let report = bench.json(&format!("extract new.striata -o new.ply {level}"));
+            let measured = distance(&bench, "sphere.obj", "new.ply");
+            assert!(measured <= number(&report, "error") + 1e-9, "{level}: measured {measured}, {report}");
+        }
+        let view = bench.json("extract new.striata -o view.ply --eye 0,0,3 --pixels 2");
+        assert!((20..512).contains(&count(&view)), "{view}");
+        let line = format!("simplify sphere.obj -o one.ply --triangles 120 --new-vertices {kind}");
+        let report = bench.json(&line);
+        assert!(count(&report) <= 120 && report["error_is_guaranteed"] == true, "{report}");
+    }
+    for (flags, why) in [
+        ("--new-vertices edge", "model lodstrips does not support new vertices"),
+        ("--new-vertices edge --models patterns,fans", "model fans does not support new vertices"),
+        ("--new-vertices edge --models patterns --order hausdorff", "--new-vertices has no meaning"),
+        ("--new-vertices edge --models patterns --cost tracked", "--cost does not work with --new-vertices"),
+        ("--overlap-errors", "--overlap-errors has no effect without patterns"),
+    ] {
+        let message = bench.refused(&format!("build sphere.obj -o x.striata {flags}"));
+        assert!(message.contains(why) && message.contains("hint:"), "{message}");
+    }
+    let message = bench.refused("simplify sphere.obj -o x.ply --placement optimal --new-vertices edge");
+    assert!(message.contains("--new-vertices does not work with --placement optimal"), "{message}");
+}
+
+#[test]
+fn errors_of_overlaps_make_views_smaller() {
+    let bench = Workbench::with_ball();
+    for order in ["hausdorff", "hausdorff-strict"] {
+        let build = format!("build sphere.obj --order {order} --models patterns");
+        let report = bench.json(&format!("{build} -o floors.striata"));
+        assert_eq!(report["order"], order);
+        bench.run(&format!("{build} -o overlaps.striata --overlap-errors --quiet")).success();
+        let model = |file: &str| bench.json(&format!("info {file}.striata"))["models"]["patterns"].clone();
+        let [floors, overlaps] = ["floors", "overlaps"].map(model);
+        assert_eq!(
+            (&floors["has_overlap_errors"], &overlaps["has_overlap_errors"]),
+            (&false.into(), &true.into())
+        );
+        assert!(number(&overlaps, "bytes") > number(&floors, "bytes"));
+        let count_of = |file: &str| {
+            let line = format!("extract {file}.striata -o {file}.ply --eye -0.4,0.3,-3 --pixels 1");
+            let report = bench.json(&line);
+            let measured = distance(&bench, "sphere.obj", &format!("{file}.ply"));
+            assert!(measured <= number(&report, "error") + 1e-9, "measured {measured}, {report}");
+            count(&report)
+        };
+        let [by_floors, by_overlaps] = ["floors", "overlaps"].map(count_of);
+        assert!(by_overlaps <= by_floors, "{by_overlaps} triangles instead of {by_floors}");
+        let few = bench.json("extract overlaps.striata -o few.ply --eye -0.4,0.3,-3 --triangles 100");
+        assert!((60..=100).contains(&count(&few)), "{few}");
+    }
+}

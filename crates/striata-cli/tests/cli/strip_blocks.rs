@@ -81,9 +81,7 @@ fn blocks_of_every_streamed_format_are_the_same_mesh() {
     for output in ["ball.ply.zst", "ball.off", "ball.glb", "ball.gltf"] {
         bench.run(&format!("convert sphere.ply {output} --quiet")).success();
     }
-    for input in
-        ["text.ply", "sphere.obj", "ball.stl", "ball.ply.zst", "ball.off", "ball.glb", "ball.gltf"]
-    {
+    for input in ["text.ply", "sphere.obj", "ball.stl", "ball.ply.zst", "ball.off", "ball.glb", "ball.gltf"] {
         let report = bench.json(&format!("strip {input} --block-triangles 200 -o strips.ply"));
         for key in ["triangle_count", "block_count", "vertex_count"] {
             assert_eq!(count(&report, key), count(&plain, key), "{input}: {key}");

@@ -1,7 +1,9 @@
 //! Flags of the verbs that simplify: the order of the steps, and what they must preserve.
 
 use clap::{Args, ValueEnum};
-use striata::simplify::{AttributeWeights, HoleCriterion, RemovalOptions, Retriangulation};
+use striata::simplify::{
+    AttributeWeights, HoleCriterion, PlacedCollapse, RemovalOptions, RemovalOrder, Retriangulation,
+};
 
 use super::Length;
 
@@ -15,8 +17,9 @@ const HAUSDORFF: &str = "Simplification with --order hausdorff";
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Simplification")]
 pub struct SequenceArgs {
-    /// What to remove first: quadric (edges of least quadric cost) or hausdorff (vertices, by distance, area
-    /// and attributes; slower, with guaranteed errors)
+    /// What to remove first: quadric (edges of least quadric cost), hausdorff (vertices, by distance, area
+    /// and attributes; slower, with guaranteed errors) or hausdorff-strict (vertices, by the largest distance
+    /// alone)
     #[arg(long, value_name = "ORDER", default_value = "quadric", hide_possible_values = true)]
     pub order: OrderArg,
     /// Guarantee errors in quadric order too: no point of the original is farther from a level than its error
@@ -41,6 +44,10 @@ pub struct SequenceArgs {
     /// Also merge disconnected parts that are closer than this (mesh units, or % of the diagonal)
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = QUADRIC)]
     pub pair_distance: Option<Length>,
+    /// Collapse each edge or triangle to a new vertex at the best position, with guaranteed errors; stores
+    /// about twice as many vertices, and only patterns support it
+    #[arg(long, value_name = "edge|triangle", hide_possible_values = true, help_heading = QUADRIC)]
+    pub new_vertices: Option<NewVerticesArg>,
     /// Weights of attributes.
     #[command(flatten)]
     pub weights: WeightArgs,
@@ -120,8 +127,8 @@ pub struct RemovalArgs {
     /// half-edge collapse would; required by every model but patterns) [default: free if the models allow it]
     #[arg(long, value_name = "METHOD", hide_possible_values = true)]
     pub retriangulation: Option<RetriangulationArg>,
-    /// Which triangulation is best: distance (closest to the original), flatness or shape (roundest
-    /// triangles) [default: distance]
+    /// Which triangulation is best: distance (closest to the original), maximum (smallest largest distance),
+    /// flatness or shape (roundest triangles) [default: distance; in strict order maximum]
     #[arg(long, hide_possible_values = true)]
     pub criterion: Option<CriterionArg>,
     #[arg(
@@ -151,6 +158,24 @@ impl RemovalArgs {
     }
 }
 
+/// What a step collapses to a new vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum NewVerticesArg {
+    /// Edges
+    Edge,
+    /// Triangles; single edges where that costs far less
+    Triangle,
+}
+
+impl From<NewVerticesArg> for PlacedCollapse {
+    fn from(collapse: NewVerticesArg) -> Self {
+        match collapse {
+            NewVerticesArg::Edge => Self::Edge,
+            NewVerticesArg::Triangle => Self::Triangle,
+        }
+    }
+}
+
 /// Order in which the parts of the mesh are simplified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum OrderArg {
@@ -158,6 +183,8 @@ pub enum OrderArg {
     Quadric,
     /// Vertex removals that leave the smallest distance
     Hausdorff,
+    /// Vertex removals in the order of the one-sided Hausdorff distance
+    HausdorffStrict,
 }
 
 impl OrderArg {
@@ -166,6 +193,16 @@ impl OrderArg {
         match self {
             Self::Quadric => "quadric",
             Self::Hausdorff => "hausdorff",
+            Self::HausdorffStrict => "hausdorff-strict",
+        }
+    }
+
+    /// Returns the order of vertex removals; `None` for other orders.
+    pub const fn of_removals(self) -> Option<RemovalOrder> {
+        match self {
+            Self::Quadric => None,
+            Self::Hausdorff => Some(RemovalOrder::Mixed),
+            Self::HausdorffStrict => Some(RemovalOrder::Hausdorff),
         }
     }
 }
@@ -204,6 +241,8 @@ impl From<RetriangulationArg> for Retriangulation {
 pub enum CriterionArg {
     /// The one closest to the original surface
     Distance,
+    /// The one with the smallest largest distance from it
+    Maximum,
     /// The flattest one
     Flatness,
     /// The one with the roundest triangles
@@ -214,6 +253,7 @@ impl From<CriterionArg> for HoleCriterion {
     fn from(criterion: CriterionArg) -> Self {
         match criterion {
             CriterionArg::Distance => Self::Distance,
+            CriterionArg::Maximum => Self::Maximum,
             CriterionArg::Flatness => Self::Flatness,
             CriterionArg::Shape => Self::Shape,
         }

@@ -71,36 +71,6 @@ impl ObjPieces {
         Ok(Self { tables, summary, runs, piece_size: options.piece_size() })
     }
 
-    /// Number of positions.
-    pub(crate) fn position_count(&self) -> usize {
-        self.tables.positions.len() / 12
-    }
-
-    /// Whether a vertex is a position, because there are neither texture coordinates nor normals.
-    pub(crate) fn has_positions_only(&self) -> bool {
-        self.summary.layers.iter().all(|kind| matches!(kind.semantic, Semantic::Color(_)))
-    }
-
-    /// Passes the triangles to `visit`: for each corner its position, texture coordinate and normal.
-    pub(crate) fn for_each_triangle<E>(
-        &self,
-        mut visit: impl FnMut([[u32; 3]; 3]) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let (has_texcoord, has_normal) = self.used();
-        for bytes in self.tables.corners.chunks_exact(3 * CORNER_BYTES) {
-            visit([0, 1, 2].map(|k| corner_at(&bytes[k * CORNER_BYTES..], has_texcoord, has_normal)))?;
-        }
-        Ok(())
-    }
-
-    /// Appends the position and the layers of a corner, little-endian.
-    pub(crate) fn push_row(&self, corner: [u32; 3], row: &mut Vec<u8>) {
-        row.extend_from_slice(bytemuck::cast_slice(&floats::<3>(&self.tables.positions, corner[0])));
-        for kind in &self.summary.layers {
-            row.extend_from_slice(self.layer(kind, &[corner]).data.as_bytes());
-        }
-    }
-
     /// Whether vertices have texture coordinates and normals.
     fn used(&self) -> (bool, bool) {
         let keeps = |semantic| self.summary.layers.iter().any(|kind| kind.semantic == semantic);
@@ -151,6 +121,39 @@ impl ObjPieces {
             after.checked_sub(1).map_or(0, |run| self.runs[run].1)
         };
         (first..end).map(group_of).collect()
+    }
+}
+
+#[cfg(feature = "blocks")]
+impl ObjPieces {
+    /// Number of positions.
+    pub(crate) fn position_count(&self) -> usize {
+        self.tables.positions.len() / 12
+    }
+
+    /// Whether a vertex is a position, because there are neither texture coordinates nor normals.
+    pub(crate) fn has_positions_only(&self) -> bool {
+        self.summary.layers.iter().all(|kind| matches!(kind.semantic, Semantic::Color(_)))
+    }
+
+    /// Passes the triangles to `visit`: for each corner its position, texture coordinate and normal.
+    pub(crate) fn for_each_triangle<E>(
+        &self,
+        mut visit: impl FnMut([[u32; 3]; 3]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (has_texcoord, has_normal) = self.used();
+        for bytes in self.tables.corners.chunks_exact(3 * CORNER_BYTES) {
+            visit([0, 1, 2].map(|k| corner_at(&bytes[k * CORNER_BYTES..], has_texcoord, has_normal)))?;
+        }
+        Ok(())
+    }
+
+    /// Appends the position and the layers of a corner, little-endian.
+    pub(crate) fn push_row(&self, corner: [u32; 3], row: &mut Vec<u8>) {
+        row.extend_from_slice(bytemuck::cast_slice(&floats::<3>(&self.tables.positions, corner[0])));
+        for kind in &self.summary.layers {
+            row.extend_from_slice(self.layer(kind, &[corner]).data.as_bytes());
+        }
     }
 }
 

@@ -82,12 +82,7 @@ fn push_binary(mesh: &IndexedMesh, out: &mut Vec<u8>) {
 
 /// Appends the position of a vertex and its values in all layers.
 #[inline]
-pub(crate) fn push_row(
-    positions: &[[f32; 3]],
-    layers: &[AttributeLayer],
-    vertex: usize,
-    out: &mut Vec<u8>,
-) {
+pub(crate) fn push_row(positions: &[[f32; 3]], layers: &[AttributeLayer], vertex: usize, out: &mut Vec<u8>) {
     out.extend_from_slice(bytemuck::cast_slice(&positions[vertex]));
     for layer in layers {
         let length = layer.vertex_bytes();

@@ -7,9 +7,11 @@
 //! Attributes are ignored by all tools.
 //!
 //! ```text
-//! --cost memoryless|accumulated|tracked|batches|hausdorff|all
+//! --cost memoryless|accumulated|tracked|batches|hausdorff|all|hausdorff-strict|edges|triangles
 //!                                             cost of our collapses (batches: as in a 12-bit stream) or
-//!                                             removals (hausdorff); default memoryless; comma-separated
+//!                                             removals (hausdorff); all: those before; or collapses of
+//!                                             edges or triangles to new vertices; default memoryless;
+//!                                             comma-separated
 //! --placement optimal                         add our one-level simplifier with free vertex placement
 //! --promises                                   instead: compare guaranteed errors with measured ones
 //! --samples N                                 samples per surface; default 500000, 0 skips distances
@@ -25,10 +27,12 @@ mod table;
 use std::error::Error;
 use std::io::Write;
 
+use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, Welded, weld};
 use striata::simplify::{
-    BatchOptions, CollapseCost, RemovalOptions, SequenceOptions, SimplifyError, build_welded_batches,
-    build_welded_fragments, build_welded_sequence,
+    BatchOptions, CollapseCost, HoleCriterion, PlacedCollapse, PlacedOptions, RemovalOptions, RemovalOrder,
+    SequenceOptions, SimplifyError, build_welded_batches, build_welded_fragments,
+    build_welded_placed_fragments_with_progress, build_welded_sequence,
 };
 use striata_stream::{Precision, SHAPE_STEPS, StreamOptions};
 
@@ -84,22 +88,38 @@ enum Simplifier {
     Batches,
     /// Vertex removals with holes filled freely, ordered by squared distances, gaps and the largest distance.
     Removal,
+    /// Vertex removals ordered by the one-sided Hausdorff distance alone.
+    StrictRemoval,
+    /// Edges or triangles collapsed to new vertices, as fragments.
+    Placed(PlacedCollapse),
 }
 
 impl Simplifier {
-    const ALL: [Self; 5] = [
+    /// All that `--cost` can name.
+    const ALL: [Self; 8] = [
         Self::Collapses(CollapseCost::Memoryless),
         Self::Collapses(CollapseCost::Accumulated),
         Self::Collapses(CollapseCost::Tracked),
         Self::Batches,
         Self::Removal,
+        Self::StrictRemoval,
+        Self::Placed(PlacedCollapse::Edge),
+        Self::Placed(PlacedCollapse::Triangle),
     ];
+
+    /// Whether `--cost all` includes it: steps of the orders that any model or stream is built from.
+    fn is_common(self) -> bool {
+        !matches!(self, Self::StrictRemoval | Self::Placed(_))
+    }
 
     fn name(self) -> String {
         match self {
             Self::Collapses(cost) => format!("{cost:?}").to_lowercase(),
             Self::Batches => "batches".to_owned(),
             Self::Removal => "hausdorff".to_owned(),
+            Self::StrictRemoval => "hausdorff-strict".to_owned(),
+            Self::Placed(PlacedCollapse::Triangle) => "triangles".to_owned(),
+            Self::Placed(_) => "edges".to_owned(),
         }
     }
 
@@ -124,6 +144,19 @@ impl Simplifier {
                 let built = build_welded_fragments(welded, &options)?;
                 Ok(BuiltSequence::Fragments(Box::new(built.fragmented)))
             }
+            Self::StrictRemoval => {
+                let options = RemovalOptions::default()
+                    .with_order(RemovalOrder::Hausdorff)
+                    .with_criterion(HoleCriterion::Maximum);
+                let built = build_welded_fragments(welded, &options)?;
+                Ok(BuiltSequence::Fragments(Box::new(built.fragmented)))
+            }
+            Self::Placed(collapse) => {
+                let options = PlacedOptions::default().with_collapse(collapse);
+                let built =
+                    build_welded_placed_fragments_with_progress(welded, &options, &mut ignore_progress)?;
+                Ok(BuiltSequence::Fragments(Box::new(built.fragmented)))
+            }
         }
     }
 }
@@ -135,8 +168,9 @@ enum BuiltSequence {
 }
 
 fn simplifiers_of(name: &str) -> Fallible<Vec<Simplifier>> {
-    let is_chosen =
-        |simplifier: &Simplifier| name == "all" || name.split(',').any(|n| simplifier.name() == n);
+    let is_chosen = |simplifier: &Simplifier| {
+        name == "all" && simplifier.is_common() || name.split(',').any(|n| simplifier.name() == n)
+    };
     let chosen: Vec<_> = Simplifier::ALL.into_iter().filter(is_chosen).collect();
     if chosen.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(chosen) }
 }

@@ -5,6 +5,7 @@
 
 pub mod discrete_levels;
 pub mod efficient_lod_strips;
+pub mod general_patterns;
 pub mod hoppe_progressive_meshes;
 pub mod loop_patterns;
 pub mod multi_triangulation;
@@ -21,6 +22,7 @@ mod step_set;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
 pub use efficient_lod_strips::{EfficientLodStrips, EfficientLodStripsState, Winding};
+pub use general_patterns::{GeneralPatterns, GeneralPatternsState};
 pub use hoppe_progressive_meshes::{
     HoppeProgressiveMeshes, HoppeProgressiveMeshesError, HoppeProgressiveMeshesState,
 };

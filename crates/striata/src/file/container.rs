@@ -81,22 +81,22 @@ impl SectionKind {
     pub const FAN_ORPHANS: Self = Self(*b"FNOR");
     /// Fans: bounds of each step, for view-dependent refinement.
     pub const FAN_BOUNDS: Self = Self(*b"FNBD");
-    /// Patterns: bit widths of the packed numbers.
-    pub const PATTERN_WIDTHS: Self = Self(*b"PTWD");
+    /// Patterns: counts, scales, and how records are packed.
+    pub const PATTERN_HEADER: Self = Self(*b"PAHD");
     /// Patterns: rules.
-    pub const PATTERN_RULES: Self = Self(*b"PTRU");
+    pub const PATTERN_RULES: Self = Self(*b"PARU");
     /// Patterns: ways in which ceilings are divided among later fragments.
-    pub const PATTERN_WAYS: Self = Self(*b"PTWY");
-    /// Patterns: start of each block of records.
-    pub const PATTERN_BLOCKS: Self = Self(*b"PTBL");
+    pub const PATTERN_SHARINGS: Self = Self(*b"PASH");
+    /// Patterns: the pairs of a rule and a sharing that occur.
+    pub const PATTERN_KINDS: Self = Self(*b"PAKD");
+    /// Patterns: start and counts of each block of records.
+    pub const PATTERN_BLOCKS: Self = Self(*b"PABL");
     /// Patterns: records of all steps.
-    pub const PATTERN_RECORDS: Self = Self(*b"PTRC");
+    pub const PATTERN_RECORDS: Self = Self(*b"PARC");
     /// Patterns: triangles of the base mesh and the fragments that replace them.
-    pub const PATTERN_BASE: Self = Self(*b"PTBS");
-    /// Patterns: vertices of steps that do not follow from the triangles of their fragments.
-    pub const PATTERN_EXTRAS: Self = Self(*b"PTEX");
+    pub const PATTERN_BASE: Self = Self(*b"PABS");
     /// Patterns: bounds of each step, for view-dependent refinement.
-    pub const PATTERN_BOUNDS: Self = Self(*b"PTBD");
+    pub const PATTERN_BOUNDS: Self = Self(*b"PABD");
     /// Progressive stream.
     pub const STREAM: Self = Self(*b"STRM");
     /// Scene: the JSON of a glTF document.
@@ -139,13 +139,13 @@ impl SectionKind {
             Self::FAN_FAR_TARGETS,
             Self::FAN_ORPHANS,
             Self::FAN_BOUNDS,
-            Self::PATTERN_WIDTHS,
+            Self::PATTERN_HEADER,
             Self::PATTERN_RULES,
-            Self::PATTERN_WAYS,
+            Self::PATTERN_SHARINGS,
+            Self::PATTERN_KINDS,
             Self::PATTERN_BLOCKS,
             Self::PATTERN_RECORDS,
             Self::PATTERN_BASE,
-            Self::PATTERN_EXTRAS,
             Self::PATTERN_BOUNDS,
             Self::STREAM,
             Self::SCENE,

@@ -27,7 +27,7 @@ use crate::strip::{StripSet, strip_triangles};
 pub struct StriataFile<'a> {
     container: Container<'a>,
     summary: Summary,
-    /// The patterns, cached after validation, which takes as long as building them.
+    /// The patterns, cached after validation.
     patterns: OnceLock<Patterns>,
     /// The decoded mesh of a file that contains only a stream.
     decoded: OnceLock<RefinableMesh>,
@@ -149,8 +149,7 @@ impl<'a> StriataFile<'a> {
 
     /// Whether the steps of the file are collapses; if not, its levels are only available as fans or patterns.
     pub fn has_collapses(&self) -> bool {
-        let has_fragments = self.has(SectionKind::PATTERN_RECORDS) || self.has(SectionKind::FAN_ENTRIES);
-        self.has(SectionKind::TARGETS) || !has_fragments
+        self.has(SectionKind::TARGETS) || !(self.has_patterns() || self.has(SectionKind::FAN_ENTRIES))
     }
 
     /// Sizes and errors of the levels, whether the steps are collapses or not.
@@ -442,8 +441,8 @@ impl<'a> StriataFile<'a> {
                 self.append_full(&self.read_fans()?, SectionKind::FAN_ENTRIES, &mut mesh)?;
                 SectionKind::FAN_ENTRIES
             }
-            None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::PATTERN_RECORDS) => {
-                self.append_full(&self.read_patterns()?, SectionKind::PATTERN_RECORDS, &mut mesh)?;
+            None if !self.has(SectionKind::TRIANGLES) && self.has_patterns() => {
+                self.append_full(self.read_patterns()?, SectionKind::PATTERN_RECORDS, &mut mesh)?;
                 SectionKind::PATTERN_RECORDS
             }
             None => {
@@ -478,7 +477,10 @@ impl<'a> StriataFile<'a> {
             return self.moved(&model?, split_count);
         }
         let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
-        self.moved(&self.patterns().ok_or(missing)??, split_count)
+        if !self.has_patterns() {
+            return Err(missing);
+        }
+        self.moved(self.read_patterns()?, split_count)
     }
 
     fn moved<M: StoredModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {

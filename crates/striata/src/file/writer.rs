@@ -79,14 +79,14 @@ impl<'m> FileModel<'m> {
             Self::Patterns(patterns) => {
                 let parts = patterns.parts();
                 vec![
-                    (SectionKind::PATTERN_WIDTHS, bytes_of(&parts.header).into_owned().into()),
+                    (SectionKind::PATTERN_HEADER, bytes_of(&parts.header).into_owned().into()),
                     (SectionKind::PATTERN_RULES, parts.rules.into()),
-                    (SectionKind::PATTERN_WAYS, parts.ways.into()),
+                    (SectionKind::PATTERN_SHARINGS, parts.sharings.into()),
+                    (SectionKind::PATTERN_KINDS, parts.kinds.into()),
                     (SectionKind::PATTERN_BLOCKS, bytes_of(parts.blocks)),
                     (SectionKind::PATTERN_RECORDS, parts.records.into()),
                     (SectionKind::PATTERN_BASE, bytes_of(&parts.base).into_owned().into()),
-                    (SectionKind::PATTERN_EXTRAS, bytes_of(&parts.extras).into_owned().into()),
-                    (SectionKind::PATTERN_BOUNDS, patterns.stored_bounds().into()),
+                    (SectionKind::PATTERN_BOUNDS, parts.bounds.into()),
                 ]
             }
             // The stream is the last section, so that a truncated file still contains its beginning.

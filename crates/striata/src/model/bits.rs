@@ -99,6 +99,7 @@ pub(in crate::model) fn field(padded: &[u8], at: usize, width: u32) -> Option<u6
 }
 
 /// Returns the number of bits needed for values below `count`.
+#[inline]
 pub(in crate::model) fn width_of(count: u64) -> u32 {
     u64::BITS - count.saturating_sub(1).leading_zeros()
 }

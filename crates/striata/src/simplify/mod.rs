@@ -24,8 +24,9 @@ mod place;
 mod remove;
 
 pub use certify::{
-    certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
-    certify_collapses_with_progress, certify_with_progress,
+    CertifiedFaces, certify, certify_collapses, certify_collapses_in_any_state,
+    certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_faces,
+    certify_faces_with_progress, certify_with_progress,
 };
 pub use collapse::batches::{
     BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
@@ -35,8 +36,12 @@ pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions,
     Simplified, SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
 };
+pub use place::{
+    BuiltPlaced, PlacedCollapse, PlacedOptions, build_placed_fragments, build_placed_fragments_with_progress,
+    build_welded_placed_fragments_with_progress,
+};
 pub use remove::{
-    BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, build_fragments,
+    BuiltFragments, HoleCriterion, RemovalOptions, RemovalOrder, Retriangulation, build_fragments,
     build_fragments_with_progress, build_welded_fragments, build_welded_fragments_with_progress,
 };
 

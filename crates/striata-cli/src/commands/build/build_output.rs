@@ -49,6 +49,8 @@ pub(crate) struct BuildPlan {
     pub(crate) models: Vec<ModelKind>,
     /// How the stream is encoded, if there is one.
     pub(crate) stream: StreamOptions,
+    /// Whether patterns store an error for each overlap.
+    pub(crate) has_overlap_errors: bool,
 }
 
 impl BuildPlan {
@@ -60,6 +62,7 @@ impl BuildPlan {
             stages: StageOptions::single(),
             models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
+            has_overlap_errors: false,
         }
     }
 
@@ -113,7 +116,7 @@ pub(crate) fn build(
     phases.enter("models");
     bar.phase("models");
     let strips = stripped.as_ref().map(|stripped| plan.strip_source(&stripped.strips));
-    let models = Models::build(&plan.models, &sequenced, (strips, stream), bar)?;
+    let models = Models::build(plan, &sequenced, (strips, stream), bar)?;
     let order = plan.sequence.order();
     let SimplifiedSteps { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
     Ok(BuildOutput { steps, models, order, stop_reason, error_is_guaranteed, strip_report })

@@ -47,6 +47,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let models = models_of_names(&args.model_names())?;
     check_stream_flags(args, &models)?;
     check_strip_flags(args, &models)?;
+    check_overlap_errors(args, &models)?;
     check_output_name(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
@@ -79,8 +80,14 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         sequence.use_batches(args.stream_encoding.batches(&mesh)?)?;
     }
     let stream = args.stream_encoding.options(diagonal);
-    let (strips, stages) = (args.strip_plan(), args.stages());
-    let plan = BuildPlan { sequence, strips, stages, models, stream };
+    let plan = BuildPlan {
+        sequence,
+        strips: args.strip_plan(),
+        stages: args.stages(),
+        models,
+        stream,
+        has_overlap_errors: args.overlap_errors,
+    };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
     check_strict(args.strict, None, shortfall.as_deref())?;
@@ -119,7 +126,7 @@ fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshEr
 /// switch.
 ///
 /// # Errors
-/// If the user requested free retriangulation.
+/// If the user requested free retriangulation or new vertices.
 fn adapt_retriangulation(
     sequence: &mut SequencePlan,
     models: &[ModelKind],
@@ -127,8 +134,14 @@ fn adapt_retriangulation(
 ) -> Result<Option<String>, Failure> {
     let is_demanding = |model: &&ModelKind| !matches!(model, ModelKind::Patterns | ModelKind::Fans);
     let demanding_model = models.iter().find(is_demanding);
-    let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, demanding_model) else {
-        return Ok(None);
+    let Some(model) = demanding_model else { return Ok(None) };
+    let options = match sequence {
+        SequencePlan::Hausdorff(options) => options,
+        SequencePlan::Placed(_) => {
+            return Err(Failure::user(format!("model {model} does not support new vertices"))
+                .with_hint("use --models patterns, or remove --new-vertices"));
+        }
+        SequencePlan::Quadric { .. } => return Ok(None),
     };
     if options.retriangulation == Retriangulation::Collapse {
         return Ok(None);
@@ -161,6 +174,18 @@ fn check_stream_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Fail
         }
         _ => Ok(()),
     }
+}
+
+/// Checks that errors of overlaps are only requested for patterns.
+///
+/// # Errors
+/// If there are no patterns.
+fn check_overlap_errors(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
+    if args.overlap_errors && !models.contains(&ModelKind::Patterns) {
+        return Err(Failure::user("--overlap-errors has no effect without patterns")
+            .with_hint("add --models patterns, or remove --overlap-errors"));
+    }
+    Ok(())
 }
 
 /// Checks that flags of strips are only given if a model has strips.

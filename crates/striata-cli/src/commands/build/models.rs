@@ -3,9 +3,11 @@
 use striata::file::FileModel;
 use striata::mesh::RefinableMesh;
 use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns, StageOptions};
+use striata::simplify::{SimplifyError, certify_faces_with_progress};
 use striata::strip::StripSet;
 use striata_stream::{EncodedStream, file_model};
 
+use super::build_output::BuildPlan;
 use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
 use striata_command::sequence::{SimplifiedSteps, Steps};
@@ -61,12 +63,12 @@ impl Models {
     /// # Errors
     /// If the strips do not belong to the mesh, or there are too many fragments.
     pub(super) fn build(
-        kinds: &[ModelKind],
+        plan: &BuildPlan,
         sequenced: &SimplifiedSteps,
         (strips, stream): (Option<StripSource<'_>>, Option<EncodedStream>),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
-        let is_wanted = |kind: ModelKind| kinds.contains(&kind);
+        let is_wanted = |kind: ModelKind| plan.models.contains(&kind);
         let mut models = Self { lod_strips: None, mts: None, fans: None, patterns: None, stream };
         if let Steps::Collapses(refinable) = &sequenced.steps {
             let strips_for = |kind| strips.filter(|_| is_wanted(kind));
@@ -78,7 +80,13 @@ impl Models {
         models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(sequenced.steps.fan_source()));
         if is_wanted(ModelKind::Patterns) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
-            models.patterns = Some(Patterns::build(&fragmented)?);
+            models.patterns = Some(if plan.has_overlap_errors {
+                let certified = certify_faces_with_progress(&fragmented, &mut |progress| bar.show(progress))
+                    .map_err(SimplifyError::from)?;
+                Patterns::build_with_overlap_errors(&certified.fragmented, &certified.face_errors)?
+            } else {
+                Patterns::build(&fragmented)?
+            });
         }
         Ok(models)
     }

@@ -1,7 +1,8 @@
 //! `extract --eye` and `--detail-box` with patterns.
 //!
-//! Each fragment gets a weight. The result is the coarsest surface that contains all fragments whose weight
-//! exceeds a threshold; with a triangle limit, the threshold is the lowest one that respects it.
+//! Each overlap gets a weight, from the bounds of the upper fragment and the error of the overlap. The result
+//! is the coarsest surface without triangles whose weight exceeds a threshold; with a triangle limit, the
+//! threshold is the lowest one that respects it.
 
 use std::time::Instant;
 
@@ -9,7 +10,7 @@ use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
 use striata::model::{Overlap, PatternInstance, PatternScene, Patterns};
 use striata::simplify::StopReason;
-use striata::view::{Camera, Criterion, DetailBox};
+use striata::view::{Camera, Criterion, DetailBox, Part};
 
 use super::fan_view::{MIN_PIXELS, ViewLevel};
 use striata_command::args::{AxisAlignedBox, ViewArgs};
@@ -74,7 +75,7 @@ impl FilePatterns {
         let criterion = view.criterion(camera, if triangle_limit.is_some() { MIN_PIXELS } else { 0.0 });
         // Fragments around the eye have infinite weight, but must be removable if there are too many
         // triangles.
-        let weight = |scene: &PatternScene<'_>, step| criterion.weigh(&scene.part(step)).weight.min(f32::MAX);
+        let weight = |part: &Part| criterion.weigh(part).weight.min(f32::MAX);
         let (level, threshold) = self.level(weight, Budget { triangle_limit, threshold: 1.0 });
         let pixels = match triangle_limit {
             None => view.pixels(),
@@ -87,22 +88,21 @@ impl FilePatterns {
     pub(crate) fn level_of_box(&self, corners: AxisAlignedBox, budget: Budget) -> ViewLevel {
         let AxisAlignedBox { min, max } = corners;
         let inside = DetailBox { min, max, error_outside: f32::INFINITY };
-        let weight = |scene: &PatternScene<'_>, step| {
-            let part = scene.part(step);
-            if inside.weigh(&part).should_refine() { f32::INFINITY } else { part.error }
-        };
+        let weight =
+            |part: &Part| if inside.weigh(part).should_refine() { f32::INFINITY } else { part.error };
         self.level(weight, budget).0
     }
 
-    /// Returns the coarsest level that contains all fragments over a threshold, and that threshold.
-    fn level(&self, weight: impl Fn(&PatternScene<'_>, u32) -> f32, budget: Budget) -> (ViewLevel, f32) {
+    /// Returns the coarsest level whose triangles are all within a threshold, and that threshold.
+    fn level(&self, weight: impl Fn(&Part) -> f32, budget: Budget) -> (ViewLevel, f32) {
         let started = Instant::now();
         let scene = PatternScene::new(&self.patterns, &self.mesh.positions);
-        let steps = || 0..self.step_count() as u32;
+        let weight_of =
+            |overlap: Overlap| weight(&Part { error: overlap.error, ..scene.part(overlap.upper) });
         let BudgetedInstance { instance, threshold, stop_reason } = match budget.triangle_limit {
             // This does not need the weights of all fragments.
             None => {
-                let is_too_coarse = |overlap: Overlap| weight(&scene, overlap.upper) > budget.threshold;
+                let is_too_coarse = |overlap: Overlap| weight_of(overlap) > budget.threshold;
                 let mut instance = PatternInstance::base(&self.patterns);
                 instance.adapt(&self.patterns, &is_too_coarse);
                 BudgetedInstance {
@@ -112,16 +112,16 @@ impl FilePatterns {
                 }
             }
             Some(limit) => {
-                let weights: Vec<f32> = steps().map(|step| weight(&scene, step)).collect();
-                self.instance_within(&weights, limit, budget.threshold)
+                let steps = 0..self.step_count() as u32;
+                let thresholds = steps.map(|step| weight(&scene.part(step))).collect();
+                self.instance_within(thresholds, weight_of, Budget { triangle_limit: Some(limit), ..budget })
             }
         };
         let seek_secs = started.elapsed().as_secs_f64();
-        let omitted = steps().filter(|&step| !instance.is_refined(step));
         let level = ViewLevel {
             mesh: self.mesh_of(&instance),
             split_count: instance.split_count(),
-            error: omitted.map(|step| scene.part(step).error).fold(0.0, f32::max),
+            error: scene.error_of(&instance),
             pixels: 0.0,
             stop_reason,
             seek_secs,
@@ -129,17 +129,22 @@ impl FilePatterns {
         (level, threshold)
     }
 
-    /// Returns the instance for the lowest threshold (at least `min_threshold`) with at most `limit`
+    /// Returns the instance for the lowest of the thresholds (at least that of the budget) with few enough
     /// triangles.
-    fn instance_within(&self, weights: &[f32], limit: usize, min_threshold: f32) -> BudgetedInstance {
-        let mut thresholds: Vec<f32> =
-            weights.iter().copied().filter(|&w| w > min_threshold && w.is_finite()).collect();
-        thresholds.push(min_threshold);
+    fn instance_within(
+        &self,
+        mut thresholds: Vec<f32>,
+        weight_of: impl Fn(Overlap) -> f32,
+        budget: Budget,
+    ) -> BudgetedInstance {
+        let limit = budget.triangle_limit.unwrap_or(usize::MAX);
+        thresholds.retain(|&w| w > budget.threshold && w.is_finite());
+        thresholds.push(budget.threshold);
         thresholds.sort_unstable_by(f32::total_cmp);
         thresholds.dedup();
         let mut instance = PatternInstance::base(&self.patterns);
         let mut instance_at = |threshold: f32| {
-            instance.adapt(&self.patterns, &|overlap: Overlap| weights[overlap.upper as usize] > threshold);
+            instance.adapt(&self.patterns, &|overlap: Overlap| weight_of(overlap) > threshold);
             instance.clone()
         };
         // Binary search: a higher threshold gives fewer triangles.

@@ -153,6 +153,7 @@ fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh),
         let model = &mut report.models[ModelKind::Patterns.as_str()];
         model["rule_count"] = json!(patterns.rule_count());
         model["overlap_count"] = json!(patterns.overlap_count());
+        model["has_overlap_errors"] = json!(patterns.has_overlap_errors());
     }
     if let Some(stream) = file.stream() {
         report.add_stream(&file, stream.map_err(|error| input.damaged(&error))?, input)?;

@@ -19,7 +19,7 @@ impl LoopPatterns {
     /// If the state belongs to another model.
     pub fn adapt(&self, state: &mut LoopPatternsState, condition: &impl Condition) -> PatternChange {
         state.check(self);
-        let coarse = |lower, upper| condition.is_too_coarse(Overlap { lower, upper });
+        let coarse = |lower, upper| condition.is_too_coarse(Self::overlap(lower, upper));
         let wanted = self.base_covers.iter().copied().filter(|&upper| coarse(None, upper)).collect();
         let change = state.inserted.change_to(wanted, |step, waiting| {
             waiting.extend(self.records.covered(step));
@@ -50,9 +50,14 @@ impl LoopPatterns {
         count
     }
 
+    /// An overlap of the published form, which stores no errors.
+    fn overlap(lower: Option<u32>, upper: u32) -> Overlap {
+        Overlap { lower, upper, error: f32::INFINITY }
+    }
+
     /// Whether an overlap in the floor of a fragment is too coarse.
     fn is_wanted(&self, step: u32, condition: &impl Condition) -> bool {
-        let is_coarse = |lower| condition.is_too_coarse(Overlap { lower, upper: step });
+        let is_coarse = |lower| condition.is_too_coarse(Self::overlap(lower, step));
         self.base_covers.binary_search(&step).is_ok() && is_coarse(None)
             || self.records.covered(step).any(|lower| is_coarse(Some(lower)))
     }
@@ -64,7 +69,7 @@ impl LoopPatterns {
     /// If the state belongs to another model.
     pub fn refine(&self, state: &mut LoopPatternsState, condition: &impl Condition) -> usize {
         state.check(self);
-        let coarse = |lower, upper| condition.is_too_coarse(Overlap { lower, upper });
+        let coarse = |lower, upper| condition.is_too_coarse(Self::overlap(lower, upper));
         let mut arrived = state.inserted.steps().to_vec();
         let mut count = 0;
         for &upper in &self.base_covers {

@@ -2,11 +2,13 @@
 //! the time to extract a level by a condition on errors.
 //!
 //! The paper, \[KG98\], accepts any simplifier. Therefore fragments come from collapses in quadric order,
-//! and from vertices removed by Hausdorff distance, with holes filled freely or as collapses would.
+//! from vertices removed by Hausdorff distance, with holes filled freely or as collapses would, and from
+//! edges and triangles collapsed to new vertices.
 
 mod charts;
 mod extraction;
 mod or_dash;
+mod overlap_errors;
 mod report;
 mod sizes;
 mod source;
@@ -15,7 +17,7 @@ use striata::mesh::{IndexedMesh, RefinableMesh};
 
 pub(super) use self::charts::sections;
 pub(super) use self::report::PatternsReport;
-use self::report::{extraction_table, table};
+use self::report::{extraction_table, overlap_error_table, table};
 use self::sizes::{Models, SourceRow};
 use self::source::Source;
 use striata_command::failure::Failure;
@@ -32,7 +34,7 @@ pub(super) fn measure(
     say: &dyn Fn(&str),
 ) -> Result<PatternsReport, Failure> {
     let mut sources = Vec::new();
-    let (mut extracted_from, mut extraction) = ("", Vec::new());
+    let (mut extracted_from, mut extraction, mut overlap_errors) = ("", Vec::new(), Vec::new());
     for source in Source::ALL {
         say(&format!("fragments, {}", source.as_str()));
         let started = std::time::Instant::now();
@@ -46,6 +48,8 @@ pub(super) fn measure(
             say("extraction");
             extraction = extraction::measure(&models, &mut |share| bar.share("timing", share))?;
             extracted_from = source.as_str();
+            say("errors of overlaps");
+            overlap_errors = overlap_errors::measure(&fragmented, bar)?;
         }
     }
     Ok(PatternsReport {
@@ -54,16 +58,19 @@ pub(super) fn measure(
         sources,
         extracted_from,
         extraction,
+        overlap_errors,
     })
 }
 
 /// The tables, with explanations of their columns.
 pub(super) fn to_text(report: &PatternsReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {
     format!(
-        "Patterns. {}\n{}\nExtraction from the base by a condition on errors, fragments of {}\n{}",
+        "Patterns. {}\n{}\nExtraction from the base by a condition on errors, fragments of {}\n{}\n\
+         Triangles within an error limit, with one error for each fragment and for each overlap\n{}",
         report.about(),
         text_of(table(report)),
         report.extracted_from,
-        text_of(extraction_table(report))
+        text_of(extraction_table(report)),
+        text_of(overlap_error_table(report)),
     )
 }

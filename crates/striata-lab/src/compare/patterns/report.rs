@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::extraction::{self, ExtractionRow};
 use super::or_dash::or_dash;
+use super::overlap_errors::{self, OverlapErrorRow};
 use super::sizes::SourceRow;
 use super::source::Source;
 use crate::compare::papers::{KG98_FRAGMENT_BITS, KG98_OVERLAPS, KG98_SEQUENTIAL_BITS};
@@ -19,6 +20,8 @@ pub(in crate::compare) struct PatternsReport {
     /// The source whose extraction is timed.
     pub(super) extracted_from: &'static str,
     pub(super) extraction: Vec<ExtractionRow>,
+    /// Triangles within error limits, for the same source.
+    pub(super) overlap_errors: Vec<OverlapErrorRow>,
 }
 
 impl PatternsReport {
@@ -54,13 +57,16 @@ pub(super) fn table(report: &PatternsReport) -> Vec<Vec<String>> {
         "bits, paper's count",
         "ours",
         "as published",
+        "for any ceiling",
         "in sequence",
         "bytes per vertex",
         "with bounds",
         "as published",
         "Multi-Triangulation",
         "its paper's count",
-        "/ ours",
+        "without errors / ours",
+        "/ ours with bounds",
+        "opened in",
     ];
     let mut table = vec![head.map(str::to_owned).to_vec()];
     table.extend(report.sources.iter().map(SourceRow::cells));
@@ -78,6 +84,13 @@ pub(super) fn extraction_table(report: &PatternsReport) -> Vec<Vec<String>> {
     table
 }
 
+/// Header and rows: triangles within error limits.
+pub(super) fn overlap_error_table(report: &PatternsReport) -> Vec<Vec<String>> {
+    let mut table = vec![overlap_errors::HEAD.map(str::to_owned).to_vec()];
+    table.extend(report.overlap_errors.iter().map(OverlapErrorRow::cells));
+    table
+}
+
 impl SourceRow {
     fn cells(&self) -> Vec<String> {
         vec![
@@ -89,6 +102,7 @@ impl SourceRow {
             format!("{:.1}", self.paper_bits_per_fragment),
             format!("{:.1}", self.bits_per_fragment),
             or_dash(self.loop_bits_per_fragment, 1),
+            or_dash(self.general_bits_per_fragment, 1),
             or_dash(self.sequential_bits_per_fragment, 1),
             format!("{:.1}", self.bytes_per_vertex),
             format!("{:.1}", self.bytes_per_vertex_with_bounds),
@@ -96,6 +110,8 @@ impl SourceRow {
             format!("{:.1}", self.multi_triangulation_bytes_per_vertex),
             format!("{:.1}", self.multi_triangulation_paper_bytes_per_vertex),
             format!("{:.2}", self.multi_triangulation_ratio),
+            format!("{:.2}", self.multi_triangulation_ratio_with_bounds),
+            format_duration(self.open_secs),
         ]
     }
 }

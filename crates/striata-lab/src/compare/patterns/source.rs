@@ -1,7 +1,10 @@
 //! Sources of fragments.
 
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh};
-use striata::simplify::{RemovalOptions, Retriangulation, build_fragments_with_progress};
+use striata::simplify::{
+    HoleCriterion, PlacedCollapse, PlacedOptions, RemovalOptions, RemovalOrder, Retriangulation,
+    build_fragments_with_progress, build_placed_fragments_with_progress,
+};
 
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
@@ -15,17 +18,33 @@ pub(super) enum Source {
     Removal,
     /// Removed vertices, with holes filled as by collapses.
     RemovalCollapse,
+    /// Removed vertices in the order of the one-sided Hausdorff distance, as published.
+    RemovalStrict,
+    /// Edges collapsed to new vertices.
+    Edges,
+    /// Triangles collapsed to new vertices.
+    Triangles,
 }
 
 impl Source {
-    /// All sources; extraction is timed for the one in the middle, which is the paper's.
-    pub(super) const ALL: [Self; 3] = [Self::Quadric, Self::Removal, Self::RemovalCollapse];
+    /// All sources; extraction is timed for [`Self::Removal`], the paper's kind of fragments.
+    pub(super) const ALL: [Self; 6] = [
+        Self::Quadric,
+        Self::Removal,
+        Self::RemovalCollapse,
+        Self::RemovalStrict,
+        Self::Edges,
+        Self::Triangles,
+    ];
 
     pub(super) const fn as_str(self) -> &'static str {
         match self {
             Self::Quadric => "quadric",
             Self::Removal => "removal",
             Self::RemovalCollapse => "removal-collapse",
+            Self::RemovalStrict => "removal-strict",
+            Self::Edges => "edges",
+            Self::Triangles => "triangles",
         }
     }
 
@@ -37,6 +56,9 @@ impl Source {
                  holes filled freely"
             }
             Self::RemovalCollapse => "same removal, holes filled as by half-edge collapses",
+            Self::RemovalStrict => "vertices removed by the one-sided Hausdorff distance alone",
+            Self::Edges => "edges collapsed to new vertices, which count as vertices too",
+            Self::Triangles => "triangles collapsed to new vertices, which count as vertices too",
         }
     }
 
@@ -50,12 +72,21 @@ impl Source {
         refinable: &RefinableMesh,
         bar: &mut Bar,
     ) -> Result<FragmentedMesh, Failure> {
-        let how = match self {
-            Self::Quadric => return Ok(FragmentedMesh::from_collapses(refinable)),
-            Self::Removal => Retriangulation::Free,
-            Self::RemovalCollapse => Retriangulation::Collapse,
+        let placed = |collapse, bar: &mut Bar| {
+            let options = PlacedOptions::default().with_collapse(collapse);
+            build_placed_fragments_with_progress(mesh, &options, &mut |progress| bar.show(progress))
         };
-        let options = RemovalOptions::default().with_retriangulation(how);
+        let free = RemovalOptions::default();
+        let options = match self {
+            Self::Quadric => return Ok(FragmentedMesh::from_collapses(refinable)),
+            Self::Edges => return Ok(placed(PlacedCollapse::Edge, bar)?.fragmented),
+            Self::Triangles => return Ok(placed(PlacedCollapse::Triangle, bar)?.fragmented),
+            Self::Removal => free,
+            Self::RemovalCollapse => free.with_retriangulation(Retriangulation::Collapse),
+            Self::RemovalStrict => {
+                free.with_order(RemovalOrder::Hausdorff).with_criterion(HoleCriterion::Maximum)
+            }
+        };
         Ok(build_fragments_with_progress(mesh, &options, &mut |progress| bar.show(progress))?.fragmented)
     }
 }

@@ -154,11 +154,11 @@ fn side_toward(end: u32, from: u32, links: &StripLinks<'_>) -> Option<u32> {
     // Both ways at once, so that the nearer end decides.
     let mut ways = [Some(first), other];
     loop {
-        for i in 0..2 {
-            let Some(exit) = ways[i] else { continue };
+        for (i, way) in ways.iter_mut().enumerate() {
+            let Some(exit) = *way else { continue };
             let entered = links.twins()[exit as usize];
-            ways[i] = links.other_solid(entered);
-            if ways[i].is_none() {
+            *way = links.other_solid(entered);
+            if way.is_none() {
                 let is_here = (entered / 3 == end) == (i == 0);
                 return if is_here { Some(first) } else { other };
             }

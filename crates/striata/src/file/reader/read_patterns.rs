@@ -3,45 +3,49 @@
 use super::StriataFile;
 use crate::file::{DecodeError, SectionKind};
 use crate::mesh::{FragmentedMesh, Levels};
-use crate::model::patterns::PatternsParts;
+use crate::model::patterns::{HEADER_LEN, PatternsParts};
 use crate::model::{LodModel, ModelKind, Patterns};
 
 impl StriataFile<'_> {
     /// The patterns and the bounds of their fragments, if the file has them; copied out of the file and
     /// validated once, so that no move can fail.
     pub fn patterns(&self) -> Option<Result<Patterns, DecodeError>> {
-        self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
+        self.has_patterns().then(|| self.read_patterns().cloned())
     }
 
-    pub(super) fn read_patterns(&self) -> Result<Patterns, DecodeError> {
+    /// Whether the file has patterns, even if they cannot be read.
+    pub(super) fn has_patterns(&self) -> bool {
+        self.has(SectionKind::PATTERN_RECORDS)
+    }
+
+    pub(super) fn read_patterns(&self) -> Result<&Patterns, DecodeError> {
         if let Some(checked) = self.patterns.get() {
-            return Ok(checked.clone());
+            return Ok(checked);
         }
         let checked = self.check_patterns()?;
-        Ok(self.patterns.get_or_init(|| checked).clone())
+        Ok(self.patterns.get_or_init(|| checked))
     }
 
     fn check_patterns(&self) -> Result<Patterns, DecodeError> {
-        let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
-        self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
+        let header = self.container.numbers::<u32>(SectionKind::PATTERN_HEADER)?;
+        self.expect(SectionKind::PATTERN_HEADER, "numbers", header.len(), HEADER_LEN)?;
         let parts = PatternsParts {
-            header: [header[0], header[1], header[2], header[3]],
+            header: std::array::from_fn(|i| header[i]),
             rules: self.container.get(SectionKind::PATTERN_RULES)?.into(),
-            ways: self.container.get(SectionKind::PATTERN_WAYS)?.into(),
+            sharings: self.container.get(SectionKind::PATTERN_SHARINGS)?.into(),
+            kinds: self.container.get(SectionKind::PATTERN_KINDS)?,
             blocks: &self.container.numbers(SectionKind::PATTERN_BLOCKS)?,
             records: self.container.get(SectionKind::PATTERN_RECORDS)?,
             base: self.container.numbers(SectionKind::PATTERN_BASE)?.into_owned(),
-            extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
+            bounds: self.container.get(SectionKind::PATTERN_BOUNDS)?,
         };
         let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
         let group_count = self.groups()?.len().max(1);
-        let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
+        let counts = (group_count, self.summary.triangle_count);
+        let patterns = Patterns::from_parts(self.step_vertices()?, counts, parts).map_err(unsound)?;
         let kind = SectionKind::PATTERN_RECORDS;
         self.expect(kind, "steps", patterns.step_count(), self.summary.step_count)?;
-        let full = patterns.triangle_counts().last().map_or(0, |&count| count as usize);
-        self.expect(kind, "triangles", full, self.summary.triangle_count)?;
-        let records = self.container.get(SectionKind::PATTERN_BOUNDS)?;
-        patterns.with_stored_bounds(records).map_err(unsound)
+        Ok(patterns)
     }
 
     /// The levels with the given triangle counts, which are those of a model.
@@ -64,8 +68,8 @@ impl StriataFile<'_> {
     /// [`DecodeError`] if any part is invalid or inconsistent with the others.
     pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
         let unsound = |model, reason| DecodeError::Model { model, reason };
-        let fragments = if let Some(patterns) = self.patterns() {
-            let fragments = patterns?.unpack(self.errors()?.into_owned());
+        let fragments = if self.has_patterns() {
+            let fragments = self.read_patterns()?.unpack(self.errors()?.into_owned());
             fragments.map_err(|reason| unsound(ModelKind::Patterns, reason))?
         } else if self.has_collapses() {
             return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));

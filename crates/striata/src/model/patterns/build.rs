@@ -1,19 +1,16 @@
 //! Builds patterns from fragments.
 
-use std::collections::BinaryHeap;
-
+use super::bounds::{PackedBounds, Scale};
+use super::dependencies::Dependencies;
+use super::kinds::KindTable;
 use super::overlaps::{MAX_RUN, OverlapTableBuilder, Share};
-use super::records::{Draft, Records, Widths};
+use super::records::{Draft, Layout, Records, Up};
 use super::rule::{Rule, first_corner};
-use super::rule_table::RuleTable;
+use super::rule_table::{RuleTable, of_rule};
 use super::rulebook::{Matched, Rulebook};
 use super::{BaseFace, Patterns};
 use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
-use crate::model::step_bounds::StepBounds;
 use crate::model::{ModelError, StepVertices};
-
-/// Limit of the search for redundant links down. A dependency that is not recognized as redundant is stored.
-const MAX_VISITED: usize = 24;
 
 impl Patterns {
     /// Builds the patterns of a mesh with fragments of any origin, including the bounds of the fragments.
@@ -22,7 +19,25 @@ impl Patterns {
     /// [`ModelError::TooMany`] if the links would take more than 512 MB.
     pub fn build(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         let patterns = Self::build_without_bounds(mesh)?;
-        Ok(Self { bounds: Some(StepBounds::of_fragments(mesh)), ..patterns })
+        Ok(Self { bounds: Some(PackedBounds::of_fragments(mesh)), ..patterns })
+    }
+
+    /// Builds the patterns with bounds of the fragments and an error for each overlap, from an error for each
+    /// face; see [`certify_faces`](crate::simplify::certify_faces).
+    ///
+    /// # Errors
+    /// Fails under the same conditions as [`build`](Self::build), and if the number of errors is not that
+    /// of the faces.
+    pub fn build_with_overlap_errors(mesh: &FragmentedMesh, face_errors: &[f32]) -> Result<Self, ModelError> {
+        let (found, expected) = (face_errors.len(), mesh.fragments.faces().len());
+        if found != expected {
+            return Err(ModelError::Length { what: "errors of faces", found, expected });
+        }
+        let bounds = PackedBounds::of_fragments(mesh);
+        let largest = face_errors.iter().copied().fold(0.0, f32::max);
+        let errors = FaceErrors { errors: face_errors, scale: Scale::of_errors(largest) };
+        let group_count = mesh.mesh.groups.len().max(1);
+        Ok(Self { bounds: Some(bounds), ..Self::of_parts(&mesh.fragments, group_count, Some(errors))? })
     }
 
     /// Builds the patterns without bounds; see [`from_fragments`](Self::from_fragments).
@@ -45,87 +60,107 @@ impl Patterns {
     /// # Errors
     /// Fails under the same conditions as [`build`](Self::build).
     pub fn from_fragments(fragments: &FragmentSequence, group_count: usize) -> Result<Self, ModelError> {
+        Self::of_parts(fragments, group_count, None)
+    }
+
+    fn of_parts(
+        fragments: &FragmentSequence,
+        group_count: usize,
+        errors: Option<FaceErrors<'_>>,
+    ) -> Result<Self, ModelError> {
+        let step_count = fragments.step_count();
         let mut rulebook = Rulebook::new(fragments, group_count);
-        let mut locations = FaceLocations::new(fragments);
-        let mut extras = Vec::new();
-        let mut rules_of = Vec::with_capacity(fragments.step_count());
-        for step in 0..fragments.step_count() as u32 {
+        let mut locations = FaceLocations::new(fragments, errors);
+        let mut locals = Vec::with_capacity(step_count);
+        let mut rules_of = Vec::with_capacity(step_count);
+        for step in 0..step_count as u32 {
             let matched = rulebook.find(step);
             locations.record(&matched, rulebook.rule(matched.rule));
             rules_of.push(matched.rule);
-            extras.push(matched.locals);
+            locals.push(matched.locals);
         }
         let rules = rulebook.into_table();
-        let extras = Extras::of(&rules, &rules_of, extras);
+        let codes = RuleCodes::new(&rules);
+        let vertices = StepVertices::of_levels(fragments.levels());
         let mut sharings = OverlapTableBuilder::default();
-        let mut drafts: Vec<Draft> = Vec::with_capacity(fragments.step_count());
-        let mut ancestry = Ancestry::new(fragments.step_count());
-        for step in 0..fragments.step_count() as u32 {
-            let (sharing, up) = locations.share(step, &rules, &rules_of);
-            let below =
-                fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face)).collect();
-            let down = ancestry.add(below);
-            drafts.push(Draft { rule: rules_of[step as usize], sharing: sharings.find(sharing), up, down });
+        let mut sharings_of = Vec::with_capacity(step_count);
+        let mut drafts: Vec<Draft> = Vec::with_capacity(step_count);
+        let mut dependencies = Dependencies::new(step_count);
+        let mut below = Vec::new();
+        for step in 0..step_count as u32 {
+            let (sharing, up) = locations.share(step, (&rules, &codes), &rules_of);
+            sharings_of.push(sharings.find(&sharing));
+            below.clear();
+            below.extend(fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face)));
+            below.sort_unstable();
+            below.dedup();
+            let down = dependencies.add(&below).to_vec();
+            let first = vertices.of_step(step as usize).start;
+            let locals = &locals[step as usize];
+            let listed =
+                of_rule!(rules.rule(rules_of[step as usize]), rule => rule.extras().collect::<Vec<_>>());
+            let extras = listed.into_iter().map(|local| first - 1 - locals[local as usize]).collect();
+            drafts.push(Draft { kind: 0, up, down, extras });
         }
         let sharings = sharings.into_table();
-        let base = (0..fragments.base_face_count() as u32).map(|face| locations.base_face(face)).collect();
-        let half_edge_count = rules.iter().map(|rule| 3 * rule.floor_count()).max().unwrap_or(0) as u32;
-        let widths = Widths {
-            rule_count: rules.len(),
-            sharing_count: sharings.len(),
-            half_edge_count,
-            offset_width: 0,
+        let pairs = rules_of.iter().zip(sharings_of).map(|(&rule, found)| (rule, sharings.index_of(found)));
+        let (kinds, kinds_of) = KindTable::of_steps(&pairs.collect::<Vec<_>>(), &rules, &sharings)?;
+        drafts.iter_mut().zip(kinds_of).for_each(|(draft, kind)| draft.kind = kind);
+        let base = (0..fragments.base_face_count() as u32)
+            .map(|face| locations.base_face(face, &codes, &rules_of))
+            .collect();
+        let layout = Layout {
+            kind_count: kinds.len(),
+            half_edge_count: rules.iter().map(|rule| 3 * rule.floor_count()).max().unwrap_or(0) as u32,
+            has_errors: errors.is_some(),
+            ..Layout::default()
         };
         Ok(Self {
-            vertices: StepVertices::of_levels(fragments.levels()),
+            vertices,
             group_count,
             base,
-            floorless: (0..fragments.step_count() as u32)
-                .filter(|&s| fragments.floor(s).is_empty())
-                .collect(),
-            records: Records::pack(&drafts, widths)?,
+            floorless: (0..step_count as u32).filter(|&s| fragments.floor(s).is_empty()).collect(),
+            records: Records::pack(&drafts, layout)?,
             rules,
             sharings,
-            extras,
+            kinds,
+            overlap_errors: errors.map(|errors| errors.scale),
             bounds: None,
         })
     }
 }
 
-/// Vertices that a fragment must list explicitly, because they do not follow from its triangles.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::model) struct Extras {
-    /// Steps that have extra vertices, ascending.
-    pub(super) steps: Vec<u32>,
-    /// Index of the first extra vertex of each of these steps, followed by the number of extra vertices.
-    pub(super) firsts: Vec<u32>,
-    pub(super) vertices: Vec<u32>,
+/// Errors of all faces, and how they are packed.
+#[derive(Clone, Copy)]
+struct FaceErrors<'a> {
+    errors: &'a [f32],
+    scale: Scale,
 }
 
-impl Extras {
-    fn of(rules: &RuleTable, rules_of: &[u32], locals: Vec<Vec<u32>>) -> Self {
-        let mut extras = Self { firsts: vec![0], ..Self::default() };
-        for (step, (locals, &rule)) in locals.iter().zip(rules_of).enumerate() {
-            let known = extras.vertices.len();
-            extras.vertices.extend(rules.rule(rule).extras().map(|local| locals[local as usize]));
-            if extras.vertices.len() > known {
-                extras.steps.push(step as u32);
-                extras.firsts.push(extras.vertices.len() as u32);
+/// For each rule, the code of each half-edge at which a run can begin.
+struct RuleCodes {
+    firsts: Vec<u32>,
+    codes: Vec<u32>,
+}
+
+impl RuleCodes {
+    fn new(rules: &RuleTable) -> Self {
+        let mut out = Self { firsts: Vec::with_capacity(rules.len()), codes: Vec::new() };
+        for rule in rules.iter() {
+            let first = out.codes.len();
+            out.firsts.push(first as u32);
+            let count = 3 * rule.floor_count();
+            out.codes.resize(first + count, 0);
+            for code in 0..count as u32 {
+                let half_edge = rule.locate(code, 0).expect("every half-edge has a code");
+                out.codes[first + half_edge as usize] = code;
             }
         }
-        extras
+        out
     }
 
-    /// Returns the extra vertices of a step.
-    pub(super) fn of_step(&self, step: u32) -> &[u32] {
-        match self.steps.binary_search(&step) {
-            Ok(i) => &self.vertices[self.firsts[i] as usize..self.firsts[i + 1] as usize],
-            Err(_) => &[],
-        }
-    }
-
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<u32>() * (self.steps.len() + self.firsts.len() + self.vertices.len())
+    fn code(&self, rule: u32, half_edge: u32) -> u32 {
+        self.codes[(self.firsts[rule as usize] + half_edge) as usize]
     }
 }
 
@@ -138,12 +173,14 @@ struct FaceLocations<'a> {
     /// For each face, the corner of its youngest vertex in the floor that contains it, as a half-edge of
     /// the rule.
     half_edges: Vec<u32>,
+    errors: Option<FaceErrors<'a>>,
 }
 
 impl<'a> FaceLocations<'a> {
-    fn new(fragments: &'a FragmentSequence) -> Self {
+    fn new(fragments: &'a FragmentSequence, errors: Option<FaceErrors<'a>>) -> Self {
         Self {
             fragments,
+            errors,
             replaced_by: fragments.replacing_steps(),
             ceilings: Vec::with_capacity(fragments.faces().len() - fragments.base_face_count()),
             half_edges: vec![0; fragments.faces().len()],
@@ -160,15 +197,31 @@ impl<'a> FaceLocations<'a> {
         }
     }
 
-    fn base_face(&self, face: u32) -> BaseFace {
+    fn base_face(&self, face: u32, codes: &RuleCodes, rules_of: &[u32]) -> BaseFace {
         let Face { corners: [a, b, c], group } = self.fragments.faces()[face as usize];
         let above = self.replaced_by[face as usize];
-        let half_edge = if above == FragmentSequence::NO_STEP { 0 } else { self.half_edges[face as usize] };
-        BaseFace { corners: first_corner([a, b, c], a.max(b).max(c)), group, above, half_edge }
+        let is_replaced = above != FragmentSequence::NO_STEP;
+        let code = |()| codes.code(rules_of[above as usize], self.half_edges[face as usize]);
+        BaseFace {
+            corners: first_corner([a, b, c], a.max(b).max(c)),
+            group,
+            above,
+            code: is_replaced.then_some(()).map_or(0, code),
+            error: if is_replaced { self.error_code(face) } else { 0 },
+        }
+    }
+
+    fn error_code(&self, face: u32) -> u32 {
+        self.errors.map_or(0, |errors| errors.scale.error_code(errors.errors[face as usize]))
     }
 
     /// Returns how the ceiling of a step is shared, and its links up.
-    fn share(&self, step: u32, rules: &RuleTable, rules_of: &[u32]) -> (Vec<Share>, Vec<(u32, u32)>) {
+    fn share(
+        &self,
+        step: u32,
+        (rules, codes): (&RuleTable, &RuleCodes),
+        rules_of: &[u32],
+    ) -> (Vec<Share>, Vec<Up>) {
         let base = self.fragments.base_face_count();
         let range = self.fragments.ceiling(step);
         let faces = &self.ceilings[range.start as usize - base..range.end as usize - base];
@@ -195,9 +248,12 @@ impl<'a> FaceLocations<'a> {
             offset += 1;
             if i == 0 || offset == MAX_RUN || !follows(s, (s + count - 1) % count) {
                 offset = 0;
-                up.push((above(s), half_edge(s)));
+                let code = codes.code(rules_of[above(s) as usize], half_edge(s));
+                up.push(Up { above: above(s), code, error: 0 });
             }
-            sharing[s] = Share { link: up.len() as u32 - 1, offset };
+            let link = up.len() - 1;
+            up[link].error = up[link].error.max(self.error_code(faces[s]));
+            sharing[s] = Share { link: link as u32, offset };
         }
         renumber(&mut sharing, &mut up);
         (sharing, up)
@@ -205,7 +261,7 @@ impl<'a> FaceLocations<'a> {
 }
 
 /// Renumbers links by first use in the ceiling, so that equivalent sharings become equal.
-fn renumber(sharing: &mut [Share], up: &mut Vec<(u32, u32)>) {
+fn renumber(sharing: &mut [Share], up: &mut Vec<Up>) {
     let mut fresh = vec![u32::MAX; up.len()];
     let mut order = Vec::with_capacity(up.len());
     for share in sharing.iter_mut().filter(|share| share.link != Share::FULL) {
@@ -219,86 +275,18 @@ fn renumber(sharing: &mut [Share], up: &mut Vec<(u32, u32)>) {
     *up = order;
 }
 
-/// The dependencies between steps, used to remove those that follow from others.
-struct Ancestry {
-    below: Vec<Vec<u32>>,
-    /// For each step, the last step whose dependencies included it.
-    seen: Vec<u32>,
-    waiting: BinaryHeap<u32>,
-}
-
-impl Ancestry {
-    fn new(step_count: usize) -> Self {
-        Self {
-            below: Vec::with_capacity(step_count),
-            seen: vec![u32::MAX; step_count],
-            waiting: BinaryHeap::new(),
-        }
-    }
-
-    /// Adds a step and the steps that it depends on. Returns those that none of the others depends on,
-    /// youngest first.
-    fn add(&mut self, mut below: Vec<u32>) -> Vec<u32> {
-        below.sort_unstable_by(|a, b| b.cmp(a));
-        below.dedup();
-        let step = self.below.len() as u32;
-        let Some(&oldest) = below.last() else {
-            self.below.push(Vec::new());
-            return Vec::new();
-        };
-        let mut kept: Vec<u32> = Vec::new();
-        self.waiting.clear();
-        let mut visited_count = 0;
-        for &candidate in &below {
-            // Youngest first, and no further than the candidate: older steps cannot depend on it.
-            while self.waiting.peek().is_some_and(|&at| at > candidate) && visited_count < MAX_VISITED {
-                let Some(younger) = self.waiting.pop() else { break };
-                visited_count += 1;
-                for &next in &self.below[younger as usize] {
-                    if next >= oldest && self.seen[next as usize] != step {
-                        self.seen[next as usize] = step;
-                        self.waiting.push(next);
-                    }
-                }
-            }
-            if self.seen[candidate as usize] != step {
-                self.seen[candidate as usize] = step;
-                kept.push(candidate);
-                self.waiting.push(candidate);
-            }
-        }
-        self.below.push(kept.clone());
-        kept
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn redundant_dependencies_are_not_listed() {
-        let mut ancestry = Ancestry::new(6);
-        let lists: [(&[u32], &[u32]); 6] = [
-            (&[], &[]),
-            (&[0], &[0]),
-            (&[0], &[0]),
-            (&[0, 1, 1], &[1]),
-            (&[0, 2, 3, 1], &[3, 2]),
-            (&[0, 4, 3], &[4]),
-        ];
-        for (below, kept) in lists {
-            assert_eq!(ancestry.add(below.to_vec()), kept, "{below:?}");
-        }
-    }
-
-    #[test]
     fn links_are_numbered_by_first_use() {
         let share = |link| Share { link, offset: 0 };
         let mut sharing = [2, Share::FULL, 0, 2, 1].map(share);
-        let mut up = vec![(7, 0), (8, 1), (9, 2)];
-        renumber(&mut sharing, &mut up);
+        let up = |above| Up { above, code: above % 3, error: 0 };
+        let mut ups = [7, 8, 9].map(up).to_vec();
+        renumber(&mut sharing, &mut ups);
         assert_eq!(sharing, [0, Share::FULL, 1, 0, 2].map(share));
-        assert_eq!(up, [(9, 2), (7, 0), (8, 1)]);
+        assert_eq!(ups, [9, 7, 8].map(up));
     }
 }

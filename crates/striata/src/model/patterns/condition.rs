@@ -5,12 +5,15 @@
 //! and fine enough, so is their intersection. [`PatternInstance::adapt`] finds it by working upward from
 //! the base, through fragments that replace triangles that are too coarse, and their dependencies.
 
+use super::records::Up;
+use super::rule::NONE;
 use super::{PatternInstance, PatternScene, Patterns};
 use crate::model::step_bits::StepBits;
-use crate::view::Criterion;
+use crate::view::{Criterion, Part};
 
-/// The triangles that one fragment creates and another one replaces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Triangles that one fragment creates and another one replaces. If these two overlap in several places,
+/// each is an overlap of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
     /// Fragment whose ceiling contains the triangles. `None` if they belong to the base mesh, or if the
     /// upper fragment has no floor; such a fragment is evaluated too, because nothing else could cause it
@@ -18,6 +21,9 @@ pub struct Overlap {
     pub lower: Option<u32>,
     /// Fragment whose floor contains the triangles.
     pub upper: u32,
+    /// How far the triangles are from what they stand for, in mesh units. If the model does not store errors
+    /// of overlaps, the error of the whole floor; if it has no bounds either, infinity.
+    pub error: f32,
 }
 
 /// Decides which overlaps are too coarse. Any function of an overlap is a condition; to select fragments,
@@ -34,7 +40,7 @@ impl<F: Fn(Overlap) -> bool> Condition for F {
 }
 
 /// A condition derived from a view criterion: an overlap is too coarse if the criterion wants its upper
-/// fragment.
+/// fragment, judged by the bounds of the fragment and the error of the overlap.
 #[derive(Clone, Copy, Debug)]
 pub struct CriterionCondition<'a, C> {
     scene: PatternScene<'a>,
@@ -50,7 +56,8 @@ impl<'a, C: Criterion> CriterionCondition<'a, C> {
 
 impl<C: Criterion> Condition for CriterionCondition<'_, C> {
     fn is_too_coarse(&self, overlap: Overlap) -> bool {
-        self.criterion.weigh(&self.scene.part(overlap.upper)).should_refine()
+        let part = Part { error: overlap.error, ..self.scene.part(overlap.upper) };
+        self.criterion.weigh(&part).should_refine()
     }
 }
 
@@ -72,49 +79,60 @@ impl PatternInstance {
         self.check(patterns);
         let mut change = PatternChange::default();
         let mut wanted = StepBits::none(patterns.fragment_count());
-        for above in patterns.above_base() {
-            if !wanted.has(above) && condition.is_too_coarse(Overlap { lower: None, upper: above }) {
-                wanted.insert(above);
+        for overlap in patterns.base_overlaps() {
+            if !wanted.has(overlap.upper) && condition.is_too_coarse(overlap) {
+                wanted.insert(overlap.upper);
             }
         }
         // In ascending order, records are read sequentially, and most dependencies are already inserted.
+        let mut heads = patterns.records.cursor();
         let mut waiting = Vec::new();
         let mut next = 0;
         while let Some(step) = wanted.first_from(next) {
             next = step + 1;
             waiting.push(step);
             while let Some(step) = waiting.pop() {
-                let head = patterns.records.head(step);
-                for below in patterns.down(&head) {
+                let head = heads.head(step);
+                let mut is_founded = true;
+                for below in patterns.records.downs(&head) {
+                    is_founded &= self.is_refined(below);
                     if !wanted.has(below) {
                         wanted.insert(below);
                         waiting.push(below);
                     }
                 }
-                if !self.is_refined(step) {
-                    self.lay_foundation(patterns, step, |_| change.inserted += 1);
-                }
-                for link in 0..patterns.sharings.link_count(head.sharing) {
-                    let (upper, _) = patterns.records.up(&head, link);
-                    if !wanted.has(upper) && condition.is_too_coarse(Overlap { lower: Some(step), upper }) {
-                        wanted.insert(upper);
-                        if upper < next {
-                            waiting.push(upper);
+                let mut visit = |up: Up| {
+                    if !wanted.has(up.above) && condition.is_too_coarse(patterns.overlap(Some(step), up)) {
+                        wanted.insert(up.above);
+                        if up.above < next {
+                            waiting.push(up.above);
                         }
                     }
+                };
+                if is_founded && !self.is_refined(step) {
+                    self.insert_founded(patterns, step, &head, visit);
+                    change.inserted += 1;
+                    continue;
+                }
+                patterns.records.ups(&head).for_each(&mut visit);
+                if !is_founded {
+                    self.lay_foundation(patterns, step, |_| change.inserted += 1);
                 }
             }
         }
-        // Fragments that depend on this one are younger, so they have been removed before.
-        let mut end = patterns.fragment_count() as u32;
-        while let Some(step) = self.last_inserted_before(end) {
-            if !wanted.has(step) {
-                self.remove_top(patterns, step);
-                change.removed += 1;
+        // Everything wanted has been inserted, so there may be nothing to remove.
+        if self.split_count() > wanted.count() {
+            // Fragments that depend on this one are younger, so they have been removed before.
+            let mut end = patterns.fragment_count() as u32;
+            while let Some(step) = self.last_inserted_before(end) {
+                if !wanted.has(step) {
+                    self.remove_top(patterns, step);
+                    change.removed += 1;
+                }
+                end = step;
             }
-            end = step;
+            self.compact();
         }
-        self.compact();
         change
     }
 
@@ -131,15 +149,16 @@ impl PatternInstance {
         self.check(patterns);
         let before = self.split_count();
         let mut end = patterns.fragment_count() as u32;
-        let mut makers = Vec::new();
+        let mut base: Vec<Overlap> = patterns.base_overlaps().collect();
+        base.sort_by_key(|overlap| overlap.upper);
+        let mut floor = Vec::new();
         while let Some(step) = self.last_inserted_before(end) {
             end = step;
             if self.is_covered(patterns, step) {
                 continue;
             }
-            self.floor_makers_into(patterns, step, &mut makers);
-            let is_wanted = |&lower: &Option<u32>| condition.is_too_coarse(Overlap { lower, upper: step });
-            if !makers.iter().any(is_wanted) {
+            self.floor_overlaps_into(patterns, step, &base, &mut floor);
+            if !floor.iter().any(|&overlap| condition.is_too_coarse(overlap)) {
                 self.remove_top(patterns, step);
             }
         }
@@ -155,36 +174,54 @@ impl PatternInstance {
     pub fn refine(&mut self, patterns: &Patterns, condition: &impl Condition) -> usize {
         self.check(patterns);
         let before = self.split_count();
-        let too_coarse = |lower, upper| condition.is_too_coarse(Overlap { lower, upper });
-        let mut waiting: Vec<u32> = patterns.above_base().filter(|&step| too_coarse(None, step)).collect();
-        let mut end = patterns.fragment_count() as u32;
-        while let Some(step) = self.last_inserted_before(end) {
-            end = step;
-            patterns.for_each_above(step, |above| {
-                if !self.is_refined(above) && too_coarse(Some(step), above) {
-                    waiting.push(above);
-                }
-            });
-        }
+        let mut waiting: Vec<u32> = Vec::new();
+        self.for_each_shown_overlap(patterns, |overlap| {
+            if condition.is_too_coarse(overlap) {
+                waiting.push(overlap.upper);
+            }
+        });
         let mut fresh = Vec::new();
         while let Some(step) = waiting.pop() {
             self.lay_foundation(patterns, step, |step| fresh.push(step));
             for step in fresh.drain(..) {
-                patterns.for_each_above(step, |above| {
-                    if !self.is_refined(above) && too_coarse(Some(step), above) {
-                        waiting.push(above);
+                let head = patterns.records.head(step);
+                for up in patterns.records.ups(&head) {
+                    let overlap = patterns.overlap(Some(step), up);
+                    if !self.is_refined(up.above) && condition.is_too_coarse(overlap) {
+                        waiting.push(up.above);
                     }
-                });
+                }
             }
         }
         self.split_count() - before
     }
+
+    /// Calls `visit` with the overlaps of all triangles shown, except for those of the full mesh, and with
+    /// fragments without a floor that are not inserted.
+    pub(super) fn for_each_shown_overlap(&self, patterns: &Patterns, mut visit: impl FnMut(Overlap)) {
+        self.check(patterns);
+        let is_shown = |overlap: &Overlap| !self.is_refined(overlap.upper);
+        patterns.base_overlaps().filter(is_shown).for_each(&mut visit);
+        let mut end = patterns.fragment_count() as u32;
+        while let Some(step) = self.last_inserted_before(end) {
+            end = step;
+            let head = patterns.records.head(step);
+            for up in patterns.records.ups(&head).filter(|up| !self.is_refined(up.above)) {
+                visit(patterns.overlap(Some(step), up));
+            }
+        }
+    }
 }
 
 impl Patterns {
-    /// Returns fragments whose floor contains base triangles, possibly repeated, and those without a floor.
-    fn above_base(&self) -> impl Iterator<Item = u32> + use<'_> {
-        let of_base = self.base.iter().map(|face| face.above).filter(|&above| above != super::rule::NONE);
-        of_base.chain(self.floorless.iter().copied())
+    /// Returns the overlaps of the base mesh, and those of fragments without a floor.
+    fn base_overlaps(&self) -> impl Iterator<Item = Overlap> + use<'_> {
+        let of_base = self.base.iter().filter(|face| face.above != NONE);
+        let of_base = of_base.map(|face| Up { above: face.above, code: face.code, error: face.error });
+        let floorless = self.floorless.iter().map(|&upper| {
+            let error = self.bounds.as_ref().map_or(f32::INFINITY, |bounds| bounds.error(upper));
+            Overlap { lower: None, upper, error }
+        });
+        of_base.map(|up| self.overlap(None, up)).chain(floorless)
     }
 }

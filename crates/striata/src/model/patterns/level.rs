@@ -43,7 +43,7 @@ impl LodModel for Patterns {
             state.instance.remove_top(self, step as u32);
         }
         for step in now..split_count {
-            state.instance.insert_supported(self, step as u32);
+            state.instance.insert_next(self, step as u32);
         }
     }
 
@@ -75,8 +75,8 @@ impl LodModel for Patterns {
             part("blocks of records", blocks),
             part("table of rules", self.rules.bytes()),
             part("table of sharings", self.sharings.bytes()),
+            part("table of kinds", self.kinds.bytes()),
             part("base", size_of_val(&self.base[..]) + size_of_val(&self.floorless[..])),
-            part("named vertices", self.extras.bytes()),
             part("first vertices", size_of_val(&self.vertices.firsts[..])),
         ];
         parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));

@@ -20,8 +20,9 @@
 //! fragment that creates a triangle therefore knows where it belongs in the floor above, and a floor is
 //! assembled by its creators. No anchor, search or adjacency is needed, and non-manifold edges, seams and
 //! groups need no special treatment. One link serves a run of triangles. How runs share a ceiling is
-//! called its sharing; different sharings are indexed like rules (`overlaps.rs`). Links down omit
-//! everything that other links down need anyway. All records are bit-packed (`records.rs`).
+//! called its sharing (`overlaps.rs`); the pairs of a rule and a sharing that occur are indexed by
+//! frequency (`kinds.rs`). Links down omit most of what other links down need anyway (`dependencies.rs`).
+//! All records are bit-packed (`records.rs`).
 //!
 //! **Valid sets.** A fragment can be inserted once all fragments that create its floor are inserted.
 //! [`PatternInstance::adapt`] finds the smallest valid set that satisfies a [`Condition`], regardless of
@@ -33,7 +34,10 @@
 mod bounds;
 mod build;
 mod condition;
+mod dependencies;
+mod exchange;
 mod instance;
+mod kinds;
 mod level;
 mod overlaps;
 mod parts;
@@ -43,19 +47,20 @@ mod rule_table;
 mod rulebook;
 mod scene;
 mod unpack;
+mod walk;
 
 pub use condition::{Condition, CriterionCondition, Overlap, PatternChange};
 pub use instance::PatternInstance;
 pub use level::PatternsState;
-pub(crate) use parts::PatternsParts;
+pub(crate) use parts::{HEADER_LEN, PatternsParts};
 pub use scene::PatternScene;
 
-use self::build::Extras;
+use self::bounds::{PackedBounds, Scale};
+use self::kinds::KindTable;
 use self::overlaps::OverlapTable;
-use self::records::{Head, Records};
-use self::rule_table::RuleTable;
+use self::records::{Head, Records, Up};
+use self::rule_table::{RuleRef, RuleTable};
 use super::StepVertices;
-use super::step_bounds::StepBounds;
 
 /// The static half of the model, shared by all instances; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,10 +72,12 @@ pub struct Patterns {
     floorless: Vec<u32>,
     rules: RuleTable,
     sharings: OverlapTable,
+    kinds: KindTable,
     records: Records,
-    extras: Extras,
+    /// How errors of overlaps are packed, if the model has them.
+    overlap_errors: Option<Scale>,
     /// Bounds of each fragment for view-dependent refinement, unless the model was built without them.
-    bounds: Option<StepBounds>,
+    bounds: Option<PackedBounds>,
 }
 
 /// A triangle of the base mesh and the fragment that replaces it.
@@ -82,20 +89,9 @@ struct BaseFace {
     /// Step that replaces it, or [`rule::NONE`] if it is part of the full mesh.
     above: u32,
     /// Corner of its youngest vertex in the floor of that step.
-    half_edge: u32,
-}
-
-/// Packs a location in a floor: the half-edge where a run begins, and how many triangles further around
-/// its vertex.
-#[inline]
-fn pack_floor_location(half_edge: u32, along: u32) -> u32 {
-    half_edge * overlaps::MAX_RUN + along
-}
-
-/// Unpacks what [`pack_floor_location`] has packed.
-#[inline]
-fn unpack_floor_location(tag: u32) -> (u32, u32) {
-    (tag / overlaps::MAX_RUN, tag % overlaps::MAX_RUN)
+    code: u32,
+    /// Packed error; 0 if the model has no errors of overlaps.
+    error: u32,
 }
 
 impl Patterns {
@@ -109,16 +105,32 @@ impl Patterns {
         self.rules.len()
     }
 
+    /// Whether the model has an error for each overlap, not only for each fragment.
+    pub fn has_overlap_errors(&self) -> bool {
+        self.overlap_errors.is_some()
+    }
+
     /// Returns the triangle count of each level, from coarse to fine.
     pub fn triangle_counts(&self) -> Vec<u32> {
+        let of_kinds = self.kind_counts();
         let mut count = self.base.len() as u32;
-        let mut counts = vec![count];
-        for step in 0..self.records.step_count as u32 {
-            let rule = self.rules.rule(self.records.head(step).rule);
-            count = (count + rule.ceiling_count() as u32).saturating_sub(rule.floor_count() as u32);
+        let mut counts = Vec::with_capacity(self.records.step_count + 1);
+        counts.push(count);
+        self.records.for_each_head(|_, head| {
+            let [ceiling, floor] = of_kinds[head.kind as usize];
+            count = (count + ceiling).saturating_sub(floor);
             counts.push(count);
-        }
+        });
         counts
+    }
+
+    /// Returns the number of triangles of the ceiling and of the floor of each kind.
+    fn kind_counts(&self) -> Vec<[u32; 2]> {
+        let counts = |kind: u32| {
+            let rule = self.rules.rule(self.kinds.get(kind).0);
+            [rule.ceiling_count() as u32, rule.floor_count() as u32]
+        };
+        (0..self.kinds.len()).map(counts).collect()
     }
 
     /// Number of pairs of fragments that overlap, not counting overlaps with the base mesh.
@@ -143,9 +155,7 @@ impl Patterns {
     #[inline]
     pub fn for_each_above(&self, step: u32, mut visit: impl FnMut(u32)) {
         let head = self.records.head(step);
-        for link in 0..self.sharings.link_count(head.sharing) {
-            visit(self.records.up(&head, link).0);
-        }
+        self.records.ups(&head).for_each(|up| visit(up.above));
     }
 
     /// Calls `visit` with fragments on which a fragment depends. Those that the visited ones need
@@ -155,17 +165,27 @@ impl Patterns {
     /// If the fragment does not exist.
     pub fn for_each_below(&self, step: u32, visit: impl FnMut(u32)) {
         let head = self.records.head(step);
-        self.down(&head).for_each(visit);
-    }
-
-    /// Appends the links up of a step.
-    #[inline]
-    fn links_into(&self, head: &Head, out: &mut Vec<(u32, u32)>) {
-        out.extend((0..self.sharings.link_count(head.sharing)).map(|link| self.records.up(head, link)));
+        self.records.downs(&head).for_each(visit);
     }
 
     #[inline]
-    fn down(&self, head: &Head) -> impl Iterator<Item = u32> + use<'_> {
-        self.records.down(head, self.sharings.link_count(head.sharing))
+    fn rule_of(&self, head: &Head) -> RuleRef<'_> {
+        self.rules.rule(self.kinds.get(head.kind).0)
+    }
+
+    /// Returns the error of the triangles that a link leads from.
+    #[inline]
+    fn error_of(&self, above: u32, code: u32) -> f32 {
+        match (&self.overlap_errors, &self.bounds) {
+            (Some(scale), _) => scale.error(code),
+            (None, Some(bounds)) => bounds.error(above),
+            (None, None) => f32::INFINITY,
+        }
+    }
+
+    /// Returns the overlap of a step that a link leads from; `None` for the base mesh.
+    #[inline]
+    fn overlap(&self, lower: Option<u32>, up: Up) -> Overlap {
+        Overlap { lower, upper: up.above, error: self.error_of(up.above, up.error) }
     }
 }

@@ -1,49 +1,63 @@
 //! Converts patterns to and from the arrays of the file format.
 //!
-//! Rules and sharings are stored as varints of 7 bits per byte. A stored model is validated by unpacking
-//! it to fragments and building it again: if the result is the same, the model is one that a build
-//! produces, and it is valid for every set of fragments.
+//! Rules and sharings are stored as varints of 7 bits per byte. A stored model is validated by one walk
+//! over its fragments (`walk.rs`); afterward it is valid for every set of fragments.
 
-use super::build::Extras;
-use super::overlaps::{MAX_RUN, OverlapTable, Share};
-use super::records::{Records, Widths};
-use super::rule::{NONE, Rule};
+use super::bounds::{PackedBounds, Scale};
+use super::kinds::KindTable;
+use super::overlaps::{MAX_RUN, OverlapTable, OverlapTableBuilder, Share};
+use super::records::{Layout, Records};
+use super::rule::Rule;
 use super::rule_table::RuleTable;
+use super::walk::FragmentWalk;
 use super::{BaseFace, Patterns};
 use crate::model::bits::Bits;
-use crate::model::step_bounds::StepBounds;
 use crate::model::{ModelError, StepVertices};
+
+/// Number of numbers in the header.
+pub(crate) const HEADER_LEN: usize = 10;
 
 /// The stored arrays of patterns.
 #[derive(Clone, Debug)]
 pub(crate) struct PatternsParts<'a> {
-    /// Half-edge count of the largest floor, width of an offset, and total bits of all records (low word,
-    /// high word).
-    pub(crate) header: [u32; 4],
+    /// Number of kinds; low bits of a kind; half-edges of the largest floor; 1 if counts of links
+    /// down take 4 bits, plus 2 if there are errors of overlaps; bits of all records (low word, high word); scale of
+    /// errors of overlaps; scales of radii and errors of bounds; 0.
+    pub(crate) header: [u32; HEADER_LEN],
     pub(crate) rules: Vec<u8>,
-    pub(crate) ways: Vec<u8>,
+    pub(crate) sharings: Vec<u8>,
+    pub(crate) kinds: &'a [u8],
     pub(crate) blocks: &'a [u32],
     pub(crate) records: &'a [u8],
-    /// Corners, group, step above, and half-edge in its floor, for each base triangle.
-    pub(crate) base: Vec<[u32; 6]>,
-    /// Pairs of a step and one of its extra vertices.
-    pub(crate) extras: Vec<[u32; 2]>,
+    /// Corners, group, step above, code of the corner in its floor, and packed error, for each base
+    /// triangle.
+    pub(crate) base: Vec<[u32; 7]>,
+    pub(crate) bounds: &'a [u8],
 }
 
 impl Patterns {
     pub(crate) fn parts(&self) -> PatternsParts<'_> {
-        let widths = self.records.widths(self.rules.len(), self.sharings.len());
         let (blocks, bits) = self.records.parts();
         let length = bits.len() as u64;
-        let named = |i: usize| {
-            let vertices =
-                &self.extras.vertices[self.extras.firsts[i] as usize..self.extras.firsts[i + 1] as usize];
-            vertices.iter().map(move |&vertex| [self.extras.steps[i], vertex])
-        };
+        let layout = self.records.layout();
+        let flags = u32::from(layout.has_wide_counts) | u32::from(layout.has_errors) << 1;
+        let [radius_base, error_base] = self.bounds.as_ref().map_or([0; 2], PackedBounds::bases);
         PatternsParts {
-            header: [widths.half_edge_count, widths.offset_width, length as u32, (length >> 32) as u32],
+            header: [
+                layout.kind_count,
+                layout.short_kind_bits,
+                layout.half_edge_count,
+                flags,
+                length as u32,
+                (length >> 32) as u32,
+                self.overlap_errors.map_or(0, Scale::base),
+                radius_base,
+                error_base,
+                0,
+            ],
             rules: rules_to_bytes(&self.rules),
-            ways: sharings_to_bytes(&self.sharings),
+            sharings: sharings_to_bytes(&self.sharings),
+            kinds: self.kinds.as_bytes(),
             blocks,
             records: bits.as_bytes(),
             base: self
@@ -51,23 +65,25 @@ impl Patterns {
                 .iter()
                 .map(|face| {
                     let [a, b, c] = face.corners;
-                    [a, b, c, face.group, face.above, face.half_edge]
+                    [a, b, c, face.group, face.above, face.code, face.error]
                 })
                 .collect(),
-            extras: (0..self.extras.steps.len()).flat_map(named).collect(),
+            bounds: self.bounds.as_ref().map_or(&[], PackedBounds::as_bytes),
         }
     }
 
-    /// Assembles patterns from stored arrays and validates them, so that no later move can fail.
+    /// Assembles patterns with bounds from stored arrays and validates them, so that no later move can fail
+    /// in any valid set: every floor receives all its triangles, these agree on its vertices and groups, no
+    /// triangle is degenerate, and links down lead to the steps that create the floor.
     ///
     /// # Errors
     /// [`ModelError`] naming the first mismatch.
     pub(crate) fn from_parts(
         vertices: StepVertices<'_>,
-        group_count: usize,
+        (group_count, triangle_count): (usize, usize),
         parts: PatternsParts<'_>,
     ) -> Result<Self, ModelError> {
-        for (what, bytes) in [("bytes of rules", &parts.rules), ("bytes of sharings", &parts.ways)] {
+        for (what, bytes) in [("bytes of rules", &parts.rules), ("bytes of sharings", &parts.sharings)] {
             let (found, limit) = (bytes.len() as u64, MAX_TABLE_BYTES);
             if found > limit {
                 return Err(ModelError::TooMany { what, found, limit });
@@ -76,91 +92,72 @@ impl Patterns {
         let step_count = vertices.step_count();
         vertices.check_firsts(step_count)?;
         let vertices = vertices.without_targets().shortened();
+        let [kind_count, short_kind_bits, half_edge_count, flags, low, high, error_base, rest @ ..] =
+            parts.header;
+        let [radius_base, bounds_error_base, reserved] = rest;
+        if flags > 3 || reserved != 0 {
+            let reason = "has flags that are not known";
+            return Err(ModelError::Listed { what: "header", place: 3, reason });
+        }
         let rules = rules_from_bytes(&parts.rules, group_count)?;
-        let sharings = sharings_from_bytes(&parts.ways)?;
-        let [half_edge_count, offset_width, low, high] = parts.header;
+        let sharings = sharings_from_bytes(&parts.sharings)?;
+        let kinds = KindTable::from_bytes(parts.kinds, (kind_count, step_count), &rules, &sharings)?;
         let length = u64::from(low) | u64::from(high) << 32;
         let bits = usize::try_from(length).ok().and_then(|length| Bits::from_bytes(parts.records, length));
         let expected = parts.records.len().saturating_mul(8);
         let wrong = ModelError::Length { what: "bits of records", found: length as usize, expected };
-        let widths =
-            Widths { rule_count: rules.len(), sharing_count: sharings.len(), half_edge_count, offset_width };
-        let blocks = parts.blocks.to_vec();
-        let records = Records::from_parts(step_count, widths, (blocks, bits.ok_or(wrong)?), &sharings)?;
-        let extras = Extras::from_pairs(&parts.extras)?;
-        let base = parts.base.iter().map(|&[a, b, c, group, above, half_edge]| BaseFace {
-            corners: [a, b, c],
-            group,
-            above,
-            half_edge,
-        });
-        let is_unfounded = |&step: &u32| rules.rule(records.head(step).rule).floor_count() == 0;
-        let floorless = (0..step_count as u32).filter(is_unfounded).collect();
-        let patterns = Self {
+        let (has_wide_counts, has_errors) = (flags & 1 != 0, flags & 2 != 0);
+        let layout = Layout { kind_count, short_kind_bits, half_edge_count, has_errors, has_wide_counts };
+        let records = Records::from_parts(step_count, layout, (parts.blocks.to_vec(), bits.ok_or(wrong)?))?;
+        let scale = Scale::of_stored_errors(error_base).filter(|_| has_errors || error_base == 0);
+        let reason = "exceeds the largest number";
+        let scale = scale.ok_or(ModelError::Listed { what: "scale of errors", place: 0, reason })?;
+        let mut patterns = Self {
             vertices,
             group_count,
-            base: base.collect(),
-            floorless,
+            base: parts.base.iter().map(base_face).collect(),
+            floorless: Vec::new(),
             rules,
             sharings,
+            kinds,
             records,
-            extras,
+            overlap_errors: has_errors.then_some(scale),
             bounds: None,
         };
-        patterns.check_size()?;
-        let fragments = patterns.unpack(vec![0.0; step_count])?;
-        if Self::from_fragments(&fragments, group_count)? != patterns {
-            return Err(ModelError::Listed {
-                what: "pattern",
-                place: 0,
-                reason: "differs from what a build produces",
-            });
+        patterns.check_base_errors()?;
+        let walk = FragmentWalk::new(&patterns)?;
+        patterns.check_ceilings(walk.ceiling_count())?;
+        let (found, expected) = (walk.full_count() as usize, triangle_count);
+        if found != expected {
+            return Err(ModelError::Length { what: "triangles of the full mesh", found, expected });
         }
-        Ok(patterns)
+        let floorless = walk.floorless();
+        walk.check()?;
+        patterns.floorless = floorless;
+        let bounds = PackedBounds::from_bytes(parts.bounds, [radius_base, bounds_error_base], step_count)?;
+        Ok(Self { bounds: Some(bounds), ..patterns })
     }
 
-    /// Adds bounds read from their stored bytes.
-    ///
-    /// # Errors
-    /// If the number of records differs from that of the fragments, or a record is not a valid bound.
-    pub(crate) fn with_stored_bounds(self, bytes: &[u8]) -> Result<Self, ModelError> {
-        let bounds = StepBounds::from_bytes(bytes, self.fragment_count(), None)?;
-        Ok(Self { bounds: Some(bounds), ..self })
-    }
-
-    /// Returns the bounds to store in a file; empty if there are none.
-    pub(crate) fn stored_bounds(&self) -> &[u8] {
-        self.bounds.as_ref().map_or(&[], StepBounds::as_bytes)
+    /// Checks that errors of overlaps in the base exist only if the model has such errors.
+    fn check_base_errors(&self) -> Result<(), ModelError> {
+        let limit = if self.overlap_errors.is_some() { u32::from(u8::MAX) } else { 0 };
+        match self.base.iter().position(|face| face.error > limit) {
+            None => Ok(()),
+            Some(place) => {
+                let reason = "has an error that cannot be";
+                Err(ModelError::Listed { what: "triangle of the base", place, reason })
+            }
+        }
     }
 
     /// Number of steps that have bounds.
     pub(crate) fn bounded_step_count(&self) -> usize {
-        self.bounds.as_ref().map_or(0, StepBounds::step_count)
+        self.bounds.as_ref().map_or(0, |bounds| bounds.as_bytes().len() / 3)
     }
 }
 
-impl Extras {
-    /// Builds the table from pairs of a step and an extra vertex, as listed by [`Patterns::parts`].
-    ///
-    /// # Errors
-    /// [`ModelError::Listed`] if the steps are not ascending.
-    fn from_pairs(pairs: &[[u32; 2]]) -> Result<Self, ModelError> {
-        let mut extras = Self { firsts: vec![0], ..Self::default() };
-        for (place, &[step, vertex]) in pairs.iter().enumerate() {
-            let last = extras.steps.last().copied();
-            if last.is_some_and(|last| last > step) {
-                return Err(ModelError::Listed { what: "extra vertex", place, reason: "is out of order" });
-            }
-            extras.vertices.push(vertex);
-            if last == Some(step) {
-                extras.firsts.pop();
-            } else {
-                extras.steps.push(step);
-            }
-            extras.firsts.push(place as u32 + 1);
-        }
-        Ok(extras)
-    }
+fn base_face(&[a, b, c, group, above, code, error]: &[u32; 7]) -> BaseFace {
+    BaseFace { corners: [a, b, c], group, above, code, error }
 }
 
 /// Size limit of a stored table of rules or sharings. Unpacked, a byte becomes less than four numbers, so
@@ -177,15 +174,16 @@ impl Patterns {
     /// # Errors
     /// [`ModelError::Dense`] with the number of triangles and the limit.
     pub(crate) fn check_size(&self) -> Result<(), ModelError> {
-        let ceilings =
-            (0..self.records.step_count as u32).map(|step| self.rules.rule(self.records.head(step).rule));
-        let found: u64 = ceilings.map(|rule| rule.ceiling_count() as u64).sum();
+        let counts = self.kind_counts();
+        let mut found = 0;
+        self.records.for_each_head(|_, head| found += u64::from(counts[head.kind as usize][0]));
+        self.check_ceilings(found)
+    }
+
+    fn check_ceilings(&self, found: u64) -> Result<(), ModelError> {
         let (_, bits) = self.records.parts();
         let limit = bits.len() as u64 + MAX_UNLINKED * self.vertices.vertex_count as u64;
-        if found > limit {
-            return Err(ModelError::Dense { found, limit });
-        }
-        Ok(())
+        if found > limit { Err(ModelError::Dense { found, limit }) } else { Ok(()) }
     }
 }
 
@@ -292,8 +290,9 @@ fn rules_from_bytes(bytes: &[u8], group_count: usize) -> Result<RuleTable, Model
 fn sharings_to_bytes(sharings: &OverlapTable) -> Vec<u8> {
     let mut out = Vec::new();
     for sharing in 0..sharings.len() as u32 {
-        write_number(sharings.count(sharing) as u32, &mut out);
-        for share in sharings.shares(sharing) {
+        let shares = sharings.shares(sharing);
+        write_number(shares.len() as u32, &mut out);
+        for share in shares {
             let number = if share.link == Share::FULL { 0 } else { 1 + share.link * MAX_RUN + share.offset };
             write_number(number, &mut out);
         }
@@ -303,7 +302,7 @@ fn sharings_to_bytes(sharings: &OverlapTable) -> Vec<u8> {
 
 fn sharings_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
     let mut numbers = Numbers { bytes, what: "sharing", place: 0 };
-    let mut sharings = Vec::new();
+    let mut sharings = OverlapTableBuilder::default();
     while !numbers.bytes.is_empty() {
         let count = numbers.count()?;
         let sharing: Vec<Share> = (0..count)
@@ -318,17 +317,17 @@ fn sharings_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
         if sharing.iter().any(|share| share.link != Share::FULL && share.link as usize >= count) {
             return Err(numbers.wrong("has more links than triangles"));
         }
-        sharings.push(sharing);
+        if !sharings.push_next(&sharing) {
+            return Err(numbers.wrong("is listed twice, or after one of a larger class"));
+        }
         numbers.place += 1;
     }
-    Ok(OverlapTable::pack(sharings))
+    Ok(sharings.into_table())
 }
-
-/// Marks a local vertex that is not known yet.
-pub(super) const UNKNOWN: u32 = NONE;
 
 #[cfg(test)]
 mod tests {
+    use super::super::rule_table::of_rule;
     use super::*;
 
     #[test]
@@ -338,7 +337,8 @@ mod tests {
             [u32::MAX, u32::MAX, 0, 0].into_iter().for_each(|number| write_number(number, &mut bytes));
         }
         let rules = rules_from_bytes(&bytes, 1).unwrap();
-        assert_eq!((rules.len(), rules.rule(999).extras().count()), (1000, 0));
+        let extra_count = of_rule!(rules.rule(999), rule => rule.extra_count());
+        assert_eq!((rules.len(), extra_count), (1000, 0));
         [u32::MAX - 1, u32::MAX, 0, 0].into_iter().for_each(|number| write_number(number, &mut bytes));
         assert!(rules_from_bytes(&bytes, 1).is_err(), "a vertex that nothing shows");
     }
@@ -351,10 +351,8 @@ mod tests {
         let with_corner = |corner| rules_from_bytes(&[1, 3, 1, 0, 0, 1, corner], 1);
         assert!(with_corner(2).is_ok() && with_corner(3).is_err(), "no such corner");
         let with_link = |link: u8| sharings_from_bytes(&[2, 0, 1 + 16 * link]);
-        assert_eq!(with_link(1).map(|sharings| sharings.link_count(0)), Ok(2));
+        assert_eq!(with_link(1).map(|sharings| sharings.len()), Ok(1));
         assert!(with_link(2).is_err(), "more links than triangles");
-        assert!(Extras::from_pairs(&[[4, 9], [4, 3], [6, 0]]).is_ok());
-        assert!(Extras::from_pairs(&[[4, 9], [6, 0], [4, 3]]).is_err(), "out of order");
     }
 
     #[test]

@@ -25,6 +25,9 @@ pub(in crate::model) struct Rule {
     /// For corner `c` of floor triangle `j`, at `3 j + c`: the corner of the same vertex in the next
     /// triangle around it.
     pub(super) next_around: Vec<u32>,
+    /// Half-edges by their code: first those to which `next_around` does not lead, then those to which it
+    /// leads from these, and so on. A run usually begins at one of the first.
+    pub(super) starts: Vec<u32>,
 }
 
 impl Rule {
@@ -40,8 +43,32 @@ impl Rule {
         let is_extra = |&local: &u32| shown[(local - self.own_count) as usize] != 3;
         self.extras = (self.own_count..self.local_count).filter(is_extra).collect();
         self.next_around = next_around(&self.floor);
+        self.starts = starts(&self.next_around);
         self
     }
+}
+
+/// Orders half-edges by how many others precede them around their vertex; those around a vertex inside the
+/// floor, which are all preceded by others, come last.
+fn starts(next_around: &[u32]) -> Vec<u32> {
+    let count = next_around.len();
+    let mut is_led_to = vec![false; count];
+    next_around.iter().filter(|&&next| next != NONE).for_each(|&next| is_led_to[next as usize] = true);
+    let mut depths = vec![count; count];
+    for first in (0..count).filter(|&half_edge| !is_led_to[half_edge]) {
+        let (mut at, mut depth) = (first, 0);
+        while depths[at] == count {
+            depths[at] = depth;
+            depth += 1;
+            at = match next_around[at] {
+                NONE => break,
+                next => next as usize,
+            };
+        }
+    }
+    let mut starts: Vec<u32> = (0..count as u32).collect();
+    starts.sort_by_key(|&half_edge| depths[half_edge as usize]);
+    starts
 }
 
 /// For each corner of a floor, finds the corner of the same vertex in the next triangle around it, if it

@@ -1,6 +1,6 @@
 //! All rules of a model in one array, using bytes for rules with small numbers.
 
-use super::rule::Rule;
+use super::rule::{NONE, Rule};
 
 /// All rules of a model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -24,24 +24,48 @@ struct Entry {
     is_wide: bool,
 }
 
-/// View of a rule in the table. Its numbers are, in order: triangles of the ceiling, triangles of the
-/// floor, the next corner around each corner of the floor, extra vertices, and groups of the ceiling and
-/// floor triangles.
+/// A rule in the table, with numbers of one size.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RuleRef<'a> {
+pub(super) enum RuleRef<'a> {
+    Narrow(RuleView<'a, u8>),
+    Wide(RuleView<'a, u32>),
+}
+
+/// View of a rule in the table. Its numbers are, in order: triangles of the ceiling, triangles of the
+/// floor, the next corner around each corner of the floor, the half-edge of each code, extra vertices, and
+/// groups of the ceiling and floor triangles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RuleView<'a, N> {
     entry: Entry,
-    numbers: Numbers<'a>,
+    numbers: &'a [N],
     is_grouped: bool,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Numbers<'a> {
-    Narrow(&'a [u8]),
-    Wide(&'a [u32]),
+/// The numbers of a rule: bytes, if they are small enough.
+pub(super) trait Number: Copy {
+    /// Marks a missing corner.
+    const MISSING: Self;
+
+    fn get(self) -> u32;
 }
 
-/// Marks a missing corner in a narrow rule.
-const NARROW_NONE: u8 = u8::MAX;
+impl Number for u8 {
+    const MISSING: Self = Self::MAX;
+
+    #[inline]
+    fn get(self) -> u32 {
+        u32::from(self)
+    }
+}
+
+impl Number for u32 {
+    const MISSING: Self = NONE;
+
+    #[inline]
+    fn get(self) -> u32 {
+        self
+    }
+}
 
 impl RuleTable {
     /// Packs rules, deriving the fields that do not come from a file.
@@ -57,12 +81,12 @@ impl RuleTable {
         let numbers = || {
             let triangles = rule.ceiling.iter().chain(&rule.floor).flatten();
             let groups = rule.ceiling_groups.iter().chain(&rule.floor_groups);
-            triangles.chain(&rule.next_around).chain(&rule.extras).chain(groups).copied()
+            triangles.chain(&rule.next_around).chain(&rule.starts).chain(&rule.extras).chain(groups).copied()
         };
         self.is_grouped |= !rule.ceiling_groups.is_empty() || !rule.floor_groups.is_empty();
-        // With that many corners, the index of one would equal `NARROW_NONE`.
-        let is_wide = 3 * rule.floor.len() > usize::from(NARROW_NONE)
-            || numbers().any(|n| n != super::rule::NONE && n >= u32::from(NARROW_NONE));
+        // With that many corners, the index of one would equal the mark of a missing one.
+        let missing = u32::from(u8::MISSING);
+        let is_wide = 3 * rule.floor.len() > missing as usize || numbers().any(|n| n != NONE && n >= missing);
         let first = if is_wide { self.wide.len() } else { self.narrow.len() };
         self.entries.push(Entry {
             first: first as u32,
@@ -76,7 +100,7 @@ impl RuleTable {
         if is_wide {
             self.wide.extend(numbers());
         } else {
-            self.narrow.extend(numbers().map(|n| u8::try_from(n).unwrap_or(NARROW_NONE)));
+            self.narrow.extend(numbers().map(|n| u8::try_from(n).unwrap_or(u8::MISSING)));
         }
     }
 
@@ -88,12 +112,11 @@ impl RuleTable {
     #[inline]
     pub(super) fn rule(&self, number: u32) -> RuleRef<'_> {
         let entry = self.entries[number as usize];
-        let first = entry.first as usize;
-        let numbers = match entry.is_wide {
-            false => Numbers::Narrow(&self.narrow[first..]),
-            true => Numbers::Wide(&self.wide[first..]),
-        };
-        RuleRef { entry, numbers, is_grouped: self.is_grouped }
+        let (first, is_grouped) = (entry.first as usize, self.is_grouped);
+        match entry.is_wide {
+            false => RuleRef::Narrow(RuleView { entry, numbers: &self.narrow[first..], is_grouped }),
+            true => RuleRef::Wide(RuleView { entry, numbers: &self.wide[first..], is_grouped }),
+        }
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = RuleRef<'_>> {
@@ -105,28 +128,47 @@ impl RuleTable {
     }
 }
 
+/// Evaluates an expression for a rule, whatever the size of its numbers.
+macro_rules! of_rule {
+    ($rule:expr, $view:ident => $value:expr) => {
+        match $rule {
+            $crate::model::patterns::rule_table::RuleRef::Narrow($view) => $value,
+            $crate::model::patterns::rule_table::RuleRef::Wide($view) => $value,
+        }
+    };
+}
+
 impl RuleRef<'_> {
-    #[inline]
-    fn number(&self, at: usize) -> u32 {
-        match self.numbers {
-            Numbers::Narrow(numbers) => u32::from(numbers[at]),
-            Numbers::Wide(numbers) => numbers[at],
-        }
-    }
-
-    #[inline]
-    fn triangle(&self, at: usize) -> [u32; 3] {
-        match self.numbers {
-            Numbers::Narrow(numbers) => {
-                let [a, b, c] = *numbers[at..].first_chunk().expect("a triangle has three corners");
-                [u32::from(a), u32::from(b), u32::from(c)]
-            }
-            Numbers::Wide(numbers) => *numbers[at..].first_chunk().expect("a triangle has three corners"),
-        }
-    }
-
     /// Copies the rule out of the table, without the derived fields.
     pub(super) fn to_rule(self) -> Rule {
+        of_rule!(self, rule => rule.to_rule())
+    }
+
+    #[inline]
+    pub(super) fn ceiling_count(&self) -> usize {
+        of_rule!(self, rule => rule.ceiling_count())
+    }
+
+    #[inline]
+    pub(super) fn floor_count(&self) -> usize {
+        of_rule!(self, rule => rule.floor_count())
+    }
+
+    /// Returns the corner of the same vertex in the next triangle around it, if it exists.
+    pub(super) fn next_around(&self, half_edge: u32) -> Option<u32> {
+        of_rule!(self, rule => rule.around(half_edge, 1))
+    }
+
+    /// Returns the half-edge at which a run begins, and goes `count` triangles further around its vertex;
+    /// `None` if either does not exist.
+    #[inline]
+    pub(super) fn locate(&self, code: u32, count: u32) -> Option<u32> {
+        of_rule!(self, rule => rule.locate(code, count))
+    }
+}
+
+impl<N: Number> RuleView<'_, N> {
+    fn to_rule(self) -> Rule {
         let (ceiling, floor) = (self.ceiling_count(), self.floor_count());
         let groups = |range: std::ops::Range<usize>| range.map(|triangle| self.group(triangle)).collect();
         Rule {
@@ -141,6 +183,7 @@ impl RuleRef<'_> {
     }
 
     /// Number of vertices that the step restores; they have the first local indices.
+    #[inline]
     pub(super) fn own_count(&self) -> usize {
         self.entry.own_count as usize
     }
@@ -161,36 +204,74 @@ impl RuleRef<'_> {
         self.entry.floor_count as usize
     }
 
-    /// Returns a triangle of the ceiling, with its youngest corner first.
+    /// Number of vertices that each fragment lists explicitly.
     #[inline]
-    pub(super) fn ceiling(&self, s: usize) -> [u32; 3] {
-        self.triangle(3 * s)
+    pub(super) fn extra_count(&self) -> usize {
+        self.entry.extra_count as usize
     }
 
-    /// Returns a triangle of the floor.
     #[inline]
-    pub(super) fn floor(&self, j: usize) -> [u32; 3] {
-        self.triangle(3 * (self.ceiling_count() + j))
+    fn triangle(&self, index: usize) -> [u32; 3] {
+        let [a, b, c] = self.numbers[3 * index..].first_chunk().expect("a triangle has three corners");
+        [a.get(), b.get(), c.get()]
     }
 
-    /// Returns the corner of the same vertex in the next triangle around it, if there is exactly one.
+    /// Returns the triangles of the ceiling in local vertex indices.
     #[inline]
-    pub(super) fn next_around(&self, half_edge: u32) -> Option<u32> {
-        let next = self.number(3 * (self.ceiling_count() + self.floor_count()) + half_edge as usize);
-        (next < 3 * self.entry.floor_count).then_some(next)
+    pub(super) fn ceilings(&self) -> &[[N; 3]] {
+        self.numbers[..3 * self.ceiling_count()].as_chunks().0
+    }
+
+    /// Returns the triangles of the floor in local vertex indices.
+    #[inline]
+    pub(super) fn floors(&self) -> &[[N; 3]] {
+        self.numbers[3 * self.ceiling_count()..self.after_triangles()].as_chunks().0
+    }
+
+    /// Returns a triangle of the ceiling in local vertex indices.
+    #[inline]
+    pub(super) fn ceiling(&self, triangle: usize) -> [u32; 3] {
+        self.triangle(triangle)
+    }
+
+    /// Returns a triangle of the floor in local vertex indices.
+    #[inline]
+    pub(super) fn floor(&self, triangle: usize) -> [u32; 3] {
+        self.triangle(self.ceiling_count() + triangle)
+    }
+
+    /// First number after the triangles.
+    #[inline]
+    fn after_triangles(&self) -> usize {
+        3 * (self.ceiling_count() + self.floor_count())
     }
 
     /// Returns the corner of the same vertex `count` triangles further around it, if it exists.
     #[inline]
     pub(super) fn around(&self, half_edge: u32, count: u32) -> Option<u32> {
-        (0..count).try_fold(half_edge, |at, _| self.next_around(at))
+        let first = self.after_triangles();
+        (0..count).try_fold(half_edge, |at, _| {
+            let next = self.numbers[first + at as usize].get();
+            (next != N::MISSING.get()).then_some(next)
+        })
+    }
+
+    /// Returns the half-edge at which a run begins, and goes `count` triangles further around its vertex;
+    /// `None` if either does not exist.
+    #[inline]
+    pub(super) fn locate(&self, code: u32, count: u32) -> Option<u32> {
+        if code as usize >= 3 * self.floor_count() {
+            return None;
+        }
+        let first = self.after_triangles() + 3 * self.floor_count();
+        self.around(self.numbers[first + code as usize].get(), count)
     }
 
     /// Returns the local vertices that are missing from the ceiling or the floor.
     #[inline]
     pub(super) fn extras(&self) -> impl Iterator<Item = u32> + '_ {
-        let first = 3 * (self.ceiling_count() + 2 * self.floor_count());
-        (first..first + self.entry.extra_count as usize).map(|at| self.number(at))
+        let first = self.after_triangles() + 6 * self.floor_count();
+        self.numbers[first..first + self.extra_count()].iter().map(|number| number.get())
     }
 
     /// Returns the group of a ceiling triangle, or of a floor triangle if the index exceeds those of the
@@ -200,10 +281,12 @@ impl RuleRef<'_> {
         if !self.is_grouped {
             return 0;
         }
-        let first = 3 * (self.ceiling_count() + 2 * self.floor_count()) + self.entry.extra_count as usize;
-        self.number(first + triangle)
+        let first = self.after_triangles() + 6 * self.floor_count() + self.extra_count();
+        self.numbers[first + triangle].get()
     }
 }
+
+pub(super) use of_rule;
 
 #[cfg(test)]
 mod tests {
@@ -217,5 +300,16 @@ mod tests {
             let rule = table.rule(0);
             assert!((0..3 * count as u32).all(|half_edge| rule.next_around(half_edge).is_none()), "{count}");
         }
+    }
+
+    #[test]
+    fn runs_begin_at_corners_without_a_predecessor_first() {
+        // A fan from vertex 0; half-edges 0, 3 and 6 are its corners there.
+        let floor = vec![[0, 1, 2], [0, 2, 3], [0, 3, 4]];
+        let table = RuleTable::pack([Rule { local_count: 5, floor, ..Rule::default() }]);
+        let rule = table.rule(0);
+        let located: Vec<u32> = (0..9).filter_map(|code| rule.locate(code, 0)).collect();
+        assert_eq!(located, [0, 1, 4, 7, 8, 2, 3, 5, 6], "five vertices, then what follows around them");
+        assert_eq!((rule.locate(0, 2), rule.locate(0, 3), rule.locate(9, 0)), (Some(6), None, None));
     }
 }

@@ -163,15 +163,14 @@ impl PieceAssigner {
         (squared <= self.allowed()).then_some((face, squared))
     }
 
-    /// Cuts a piece until each part has a face that is close enough, and passes each part to `out`;
-    /// returns the largest squared bound.
+    /// Cuts a piece until each part has a face that is close enough, and passes each part with its face and
+    /// its squared bound to `out`.
     pub(super) fn assign(
         &mut self,
         shape: CutPiece,
         plane: &TrianglePlane,
-        mut out: impl FnMut(usize, &CutPiece),
-    ) -> f64 {
-        let mut largest: f64 = 0.0;
+        mut out: impl FnMut(usize, f64, &CutPiece),
+    ) {
         let mut cuts_left = MAX_CUTS + MAX_CUTS_PER_FACE * self.floor.count();
         self.jobs.push(shape);
         while let Some(shape) = self.jobs.pop() {
@@ -183,11 +182,9 @@ impl PieceAssigner {
                 cuts_left -= 1;
                 parts.into_iter().for_each(|part| self.push_job(part));
             } else {
-                largest = largest.max(squared);
-                out(face, &shape);
+                out(face, squared, &shape);
             }
         }
-        largest
     }
 
     /// Queues a part, split in two if it has one corner too many.

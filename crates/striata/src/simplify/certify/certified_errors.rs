@@ -47,6 +47,42 @@ pub fn certify_with_progress(
     Ok(FragmentedMesh { mesh: mesh.mesh.clone(), fragments })
 }
 
+/// Fragments with certified errors for their floors and for each face.
+#[derive(Clone, Debug)]
+pub struct CertifiedFaces {
+    /// The fragments with certified errors of their floors, as [`certify`] returns them.
+    pub fragmented: FragmentedMesh,
+    /// The error of each face, mesh units: how far what the face stands for is from it. 0 for faces of the
+    /// full mesh.
+    pub face_errors: Vec<f32>,
+}
+
+/// Returns the fragments with certified errors, also of single faces.
+///
+/// The error of a floor is the largest error of its faces. A state of selective refinement that takes the
+/// errors of its faces into account is therefore coarser than one for the same error that only knows floors.
+pub fn certify_faces(mesh: &FragmentedMesh) -> CertifiedFaces {
+    certify_faces_with_progress(mesh, &mut ignore_progress).expect("the default callback never cancels")
+}
+
+/// Runs [`certify_faces`] and reports progress; the callback can cancel.
+///
+/// # Errors
+/// [`Cancelled`] if the callback cancels.
+pub fn certify_faces_with_progress(
+    mesh: &FragmentedMesh,
+    progress: &mut ProgressFn<'_>,
+) -> Result<CertifiedFaces, Cancelled> {
+    let mut face_errors = vec![0.0; mesh.fragments.faces().len()];
+    let errors = walk_errors(mesh, Scope::All, progress, |walk, step| {
+        for (index, &face) in mesh.fragments.floor(step).iter().enumerate() {
+            face_errors[face as usize] = rounded_up(walk.cover.face_bound(index));
+        }
+    })?;
+    let fragments = mesh.fragments.with_floor_errors(errors).expect("one finite error per step");
+    Ok(CertifiedFaces { fragmented: FragmentedMesh { mesh: mesh.mesh.clone(), fragments }, face_errors })
+}
+
 /// Returns the collapse sequence with certified errors for its levels: the distance of the original
 /// surface from a level is at most the level's error.
 ///
@@ -132,6 +168,16 @@ fn floor_errors(
     scope: Scope,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Vec<f32>, Cancelled> {
+    walk_errors(mesh, scope, progress, |_, _| ())
+}
+
+/// Returns the bound of each step's floor, rounded up, and calls `visit` after each step.
+fn walk_errors(
+    mesh: &FragmentedMesh,
+    scope: Scope,
+    progress: &mut ProgressFn<'_>,
+    mut visit: impl FnMut(&CoarseningWalk<'_>, u32),
+) -> Result<Vec<f32>, Cancelled> {
     let fragments = &mesh.fragments;
     let mut walk = CoarseningWalk::new(mesh, scope);
     let step_count = fragments.step_count();
@@ -144,6 +190,7 @@ fn floor_errors(
             }
         }
         errors[step] = rounded_up(walk.undo(step as u32));
+        visit(&walk, step as u32);
     }
     Ok(errors)
 }

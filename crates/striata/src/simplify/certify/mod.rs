@@ -39,8 +39,9 @@ mod polygon;
 mod substitutes;
 
 pub use certified_errors::{
-    certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
-    certify_collapses_with_progress, certify_with_progress,
+    CertifiedFaces, certify, certify_collapses, certify_collapses_in_any_state,
+    certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_faces,
+    certify_faces_with_progress, certify_with_progress,
 };
 
 use glam::DVec3;
@@ -91,6 +92,8 @@ struct Proposal {
     /// Whole triangles: the original triangle and the index of its face in the floor.
     wholes: Vec<(u32, u32)>,
     parts: Vec<(u32, u32, Polygon)>,
+    /// Largest squared bound of the pieces of each face of the floor.
+    squared_bounds: Vec<f64>,
 }
 
 /// A piece of the ceiling, after parts of the same triangle have been joined where possible.
@@ -143,6 +146,8 @@ impl Cover {
         proposal.floor.extend(floor.iter().map(|face| face.0));
         proposal.wholes.clear();
         proposal.parts.clear();
+        proposal.squared_bounds.clear();
+        proposal.squared_bounds.resize(floor.len(), 0.0);
         if proposal.gathered.is_empty() {
             return 0.0;
         }
@@ -152,7 +157,18 @@ impl Cover {
         let origin = self.origin;
         let corners = |face: &(u32, [[f64; 3]; 3])| face.1.map(|p| DVec3::from_array(p) - origin);
         self.assigner.floor.set(floor.iter().map(corners));
-        self.assign_all().sqrt() + ROUNDING * self.diagonal
+        self.assign_all();
+        let largest = self.proposal.squared_bounds.iter().copied().fold(0.0, f64::max);
+        largest.sqrt() + ROUNDING * self.diagonal
+    }
+
+    /// Returns a bound on the distance of the last proposed pieces from a face of the floor, given by its
+    /// index in it, that they were assigned to.
+    fn face_bound(&self, index: usize) -> f64 {
+        if self.proposal.gathered.is_empty() {
+            return 0.0;
+        }
+        self.proposal.squared_bounds[index].sqrt() + ROUNDING * self.diagonal
     }
 
     /// Returns the largest distance between the proposed pieces and the pieces that their new faces
@@ -269,11 +285,11 @@ impl Cover {
         gathered.iter().for_each(|piece| piece_of_triangle[piece.triangle as usize] = NONE);
     }
 
-    /// Measures and assigns all gathered pieces; returns the largest squared bound.
-    fn assign_all(&mut self) -> f64 {
+    /// Measures and assigns all gathered pieces.
+    fn assign_all(&mut self) {
         self.measure();
-        let mut largest: f64 = 0.0;
-        let Proposal { gathered, polygons, corner_points, wholes, parts, .. } = &mut self.proposal;
+        let Proposal { gathered, polygons, corner_points, wholes, parts, squared_bounds, .. } =
+            &mut self.proposal;
         for piece in gathered {
             let corners = match polygons.get(piece.polygon as usize) {
                 Some(polygon) => polygon.corners(),
@@ -281,7 +297,7 @@ impl Cover {
             };
             let points = &corner_points[piece.first_corner as usize..][..corners.len()];
             if let Some((face, squared)) = self.assigner.single_face(points) {
-                largest = largest.max(squared);
+                squared_bounds[face] = squared_bounds[face].max(squared);
                 match polygons.get(piece.polygon as usize) {
                     Some(&polygon) => parts.push((piece.triangle, face as u32, polygon)),
                     None => wholes.push((piece.triangle, face as u32)),
@@ -291,13 +307,14 @@ impl Cover {
             let mut shape = CutPiece::new();
             corners.iter().zip(points).for_each(|(&corner, &point)| shape.push(corner, point));
             let plane = plane(&self.positions, self.origin, self.triangles[piece.triangle as usize]);
-            let put = |face: usize, shape: &CutPiece| match shape.polygon() {
-                polygon if polygon.is_whole() => wholes.push((piece.triangle, face as u32)),
-                polygon => parts.push((piece.triangle, face as u32, polygon)),
-            };
-            largest = largest.max(self.assigner.assign(shape, &plane, put));
+            self.assigner.assign(shape, &plane, |face, squared, shape| {
+                squared_bounds[face] = squared_bounds[face].max(squared);
+                match shape.polygon() {
+                    polygon if polygon.is_whole() => wholes.push((piece.triangle, face as u32)),
+                    polygon => parts.push((piece.triangle, face as u32, polygon)),
+                }
+            });
         }
-        largest
     }
 
     /// Measures the corners of all pieces, those at original vertices only once.

@@ -1,10 +1,10 @@
-//! Free placement: simplifies to one level by edge collapses with optimal positions of the new vertices.
+//! Free placement: edge collapses with optimal positions of the new vertices, to one level or as a sequence.
 //!
 //! The cost of an edge is the squared distance of its new vertex from the planes of the *current*
 //! triangles around both ends, weighted by area; the new position minimizes it while preserving the
 //! volume [LT98], [Hop99]. No history is kept, so errors do not add up to a bias, and preserving the
 //! volume keeps the surface from shrinking. Levels are not nested: vertices move at every step, so the
-//! result is one mesh and not a sequence.
+//! result is one mesh, or a sequence in which every moved vertex is a new one (`placed_fragments`).
 //!
 //! ```text
 //!     r1 --- r2                r1 --- r2
@@ -44,16 +44,24 @@ mod edge_placement;
 mod measure;
 mod merger;
 mod neighborhood;
+mod placed_fragments;
+mod placed_options;
 mod quadratic_form;
 mod scaled_space;
 mod seams;
 mod stop_criteria;
 
-use crate::ProgressFn;
-use crate::mesh::Welded;
-use crate::simplify::options::{Simplified, SimplifyError, SimplifyOptions};
+pub use placed_options::{BuiltPlaced, PlacedCollapse, PlacedOptions};
+
+use crate::mesh::{IndexedMesh, Welded, weld};
+use crate::simplify::certify::certify_with_progress;
+use crate::simplify::options::{
+    SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target, check_locked,
+};
+use crate::{ProgressFn, ignore_progress};
 use measure::measured_error;
 use merger::Merger;
+use placed_fragments::{PlacedMesh, build_placed, steps_of};
 use stop_criteria::StopCriteria;
 
 /// Number of times that a level beyond the error limit is simplified again, each time with a smaller limit.
@@ -70,10 +78,7 @@ pub(super) fn simplify_optimal(
     options: &SimplifyOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Simplified, SimplifyError> {
-    if let Some(distance) = options.sequence.pair_distance {
-        let expected = "none with optimal placement";
-        return Err(SimplifyError::Option { option: "pair_distance", value: distance.to_string(), expected });
-    }
+    check_no_pairs(&options.sequence)?;
     let mut merger = Merger::new(welded, &options.sequence);
     let mut criteria = StopCriteria::new(options, merger.counts());
     let limit = criteria.limit;
@@ -93,4 +98,97 @@ pub(super) fn simplify_optimal(
         merger = Merger::new(welded, &options.sequence);
     }
     Ok(Simplified { mesh: welded.mesh.clone(), error: 0.0, stop_reason: criteria.at_limit })
+}
+
+fn check_no_pairs(options: &SequenceOptions) -> Result<(), SimplifyError> {
+    let Some(distance) = options.pair_distance else { return Ok(()) };
+    let expected = "none with optimal placement";
+    Err(SimplifyError::Option { option: "pair_distance", value: distance.to_string(), expected })
+}
+
+/// Collapses edges or triangles to new vertices as far as the options allow, and returns the sequence of all
+/// levels on the way, with certified errors.
+///
+/// No vertex moves, and every level uses a prefix of the vertices, as in other sequences; but the new
+/// vertices are stored in addition to those of the full mesh, about as many again. Levels are closer to
+/// the original than those that use its vertices only. The steps are neither half-edge collapses nor
+/// removals of single positions, so they need a model that takes any fragments:
+/// [`Patterns`](crate::model::Patterns).
+///
+/// # Errors
+/// [`SimplifyError`] if the mesh is invalid or an option is out of range.
+///
+/// # Example
+/// ```
+/// use striata::mesh::{replay_fragments, shapes};
+/// use striata::model::Patterns;
+/// use striata::simplify::{PlacedOptions, build_placed_fragments};
+///
+/// let torus = shapes::torus(32, 16, 1.0, 0.4);
+/// let built = build_placed_fragments(&torus, &PlacedOptions::default())?;
+/// let level = built.fragmented.fragments.levels().split_count_for_triangles(200);
+/// println!("{} triangles", replay_fragments(&built.fragmented, level).triangle_count());
+/// let patterns = Patterns::build(&built.fragmented)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn build_placed_fragments(
+    mesh: &IndexedMesh,
+    options: &PlacedOptions,
+) -> Result<BuiltPlaced, SimplifyError> {
+    build_placed_fragments_with_progress(mesh, options, &mut ignore_progress)
+}
+
+/// Runs [`build_placed_fragments`] and reports progress; the callback can cancel.
+///
+/// # Errors
+/// See [`build_placed_fragments`]; also [`SimplifyError::Cancelled`] if the callback cancels.
+pub fn build_placed_fragments_with_progress(
+    mesh: &IndexedMesh,
+    options: &PlacedOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<BuiltPlaced, SimplifyError> {
+    options.sequence.check()?;
+    check_locked(&options.sequence.locked_vertices, mesh.vertex_count())?;
+    build_welded_placed_fragments_with_progress(weld(mesh)?, options, progress)
+}
+
+/// Collapses a mesh that is already welded; see [`build_placed_fragments`]. The callback reports progress and
+/// can cancel.
+///
+/// # Errors
+/// See [`build_placed_fragments_with_progress`].
+pub fn build_welded_placed_fragments_with_progress(
+    welded: Welded,
+    options: &PlacedOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<BuiltPlaced, SimplifyError> {
+    options.sequence.check()?;
+    check_no_pairs(&options.sequence)?;
+    // The limit applies to certified errors, not to the estimates of the loop.
+    let sequence = SequenceOptions { max_error: None, ..options.sequence.clone() };
+    let simplify_options =
+        SimplifyOptions::default().with_target(Target::Triangles(0)).with_sequence(sequence);
+    let mut merger = Merger::new(&welded, &simplify_options.sequence)
+        .with_log(options.collapse == PlacedCollapse::Triangle);
+    let criteria = StopCriteria::new(&simplify_options, merger.counts());
+    let mut stop_reason = merger.run(&criteria, progress)?;
+    let (Some(log), targets) = merger.into_log() else { unreachable!("the merger was created with a log") };
+    let step_count = steps_of(&log).count();
+    let PlacedMesh { mut fragmented, mut rows } = build_placed(&welded, (&log, &targets), step_count)?;
+    fragmented = certify_with_progress(&fragmented, progress)?;
+    let limit = options.sequence.max_error.unwrap_or(f64::INFINITY);
+    let beyond = fragmented.fragments.levels().split_count_for_error(limit);
+    if beyond > 0 {
+        stop_reason = StopReason::ErrorLimit;
+        PlacedMesh { fragmented, rows } = build_placed(&welded, (&log, &targets), step_count - beyond)?;
+        fragmented = certify_with_progress(&fragmented, progress)?;
+    }
+    let source = |&row: &u32| welded.source_vertex.get(row as usize).copied();
+    Ok(BuiltPlaced {
+        fragmented,
+        source_vertex: rows.iter().map(source).collect(),
+        stop_reason,
+        degenerate_triangle_count: welded.degenerate_triangle_count,
+        merged_vertex_count: welded.merged_vertex_count,
+    })
 }

@@ -9,6 +9,7 @@ use crate::simplify::collapse::links::LinkKind;
 
 use super::hole::Features;
 use super::removal_evaluator::{Filling, MEMORYLESS_SHARE, RemovalCandidate, RemovalEvaluator, fan_into};
+use super::removal_options::RemovalOrder;
 
 impl RemovalEvaluator<'_> {
     /// Returns the best collapse of `v` and leaves its fan in `floor`.
@@ -68,9 +69,17 @@ impl RemovalEvaluator<'_> {
         let protrusion = star.protrusion_squared(k);
         let surface_cost = star.costs[k] + star.distance_cost(own + protrusion);
         self.update_floor_corners();
-        let (increase, worst) = self.increase();
-        let worst = worst.max(protrusion);
-        let cost = increase.max(0.0) + MEMORYLESS_SHARE * surface_cost + crossing + Self::spike_cost(worst);
+        let (increase, one_sided) = self.increase();
+        let worst = one_sided.max(protrusion);
+        let cost = match self.options.order {
+            RemovalOrder::Mixed => {
+                increase.max(0.0) + MEMORYLESS_SHARE * surface_cost + crossing + Self::spike_cost(worst)
+            }
+            // Attributes have no place in the published order; crossing a seam counts as a distance.
+            RemovalOrder::Hausdorff => {
+                one_sided + crossing / self.collapse_evaluator.star.area().max(f32::MIN_POSITIVE)
+            }
+        };
         Some(RemovalCandidate { cost, filling: Filling::Collapse(k), worst })
     }
 }

@@ -9,14 +9,15 @@ use crate::simplify::collapse::wedges::Wedges;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
 use crate::{Progress, ProgressFn};
 
-use super::removal_evaluator::{CollapsePhase, Filling, Precision, RemovalEvaluator};
-use super::removal_options::{RemovalOptions, Retriangulation};
+use super::removal_evaluator::{CollapsePhase, Filling, Precision, RemovalCandidate, RemovalEvaluator};
+use super::removal_options::{RemovalOptions, RemovalOrder, Retriangulation};
 use super::removal_record::{Faces, Outcome, RemovalRecord};
 
 /// Number of removals between two progress reports.
 const REPORT_INTERVAL: u64 = 4096;
 
-/// A cost may exceed its key by this factor; evaluating every vertex twice would gain almost nothing.
+/// In mixed order, a cost may exceed its key by this factor; evaluating every vertex twice would gain almost
+/// nothing.
 const COST_TOLERANCE: f32 = 1.2;
 
 /// Complete state of one simplification.
@@ -103,9 +104,7 @@ impl<'a> FragmentBuilder<'a> {
             }
             // The proven bound replaces the largest distance of the tracked vertices.
             let known = if vanishes { 0.0 } else { self.evaluator.scaled_squared(error) };
-            let bound = known.max(candidate.worst);
-            let rise = RemovalEvaluator::spike_cost(bound) - RemovalEvaluator::spike_cost(candidate.worst);
-            if self.requeue_if_costlier(v, key.max(candidate.cost), candidate.cost + rise) {
+            if self.requeue_if_costlier(v, key.max(candidate.cost), self.proven_cost(candidate, known)) {
                 continue;
             }
             self.remove(v, candidate.filling, error);
@@ -141,10 +140,25 @@ impl<'a> FragmentBuilder<'a> {
         self.heap.first()
     }
 
+    /// Returns the cost of a removal with a proven bound on the squared distance, scaled units.
+    fn proven_cost(&self, candidate: RemovalCandidate, bound: f32) -> f32 {
+        match self.options.order {
+            RemovalOrder::Mixed => {
+                let spike = RemovalEvaluator::spike_cost;
+                candidate.cost + spike(bound.max(candidate.worst)) - spike(candidate.worst)
+            }
+            RemovalOrder::Hausdorff => bound.max(candidate.cost),
+        }
+    }
+
     /// Updates the key of `v` if its true cost is well above the key that it came up with; returns
     /// whether another vertex comes first then.
     fn requeue_if_costlier(&mut self, v: u32, key: f32, cost: f32) -> bool {
-        if cost <= COST_TOLERANCE * key {
+        let tolerance = match self.options.order {
+            RemovalOrder::Mixed => COST_TOLERANCE,
+            RemovalOrder::Hausdorff => 1.0,
+        };
+        if cost <= tolerance * key {
             return false;
         }
         self.heap.set(v, cost);

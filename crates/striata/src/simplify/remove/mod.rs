@@ -16,10 +16,9 @@
 //! ```
 //!
 //! After \[KLS96\] and \[KK97\], as \[KG98\] uses them: strict order, one-sided Hausdorff distance, and
-//! retriangulation of holes up to a size limit. Differs: the order is not by that distance alone, which
-//! made the RMS error of levels 5 to 30 % larger for maxima that were 10 to 40 % smaller. Surface that
-//! sticks out adds to the cost, although one-sided distances do not detect it. The error is a proven
-//! bound, not a sample. A collapse is one way to fill a hole, and the only one at seams, between groups
+//! retriangulation of holes up to a size limit. Differs: by default the order is not by that distance
+//! alone ([`RemovalOrder::Hausdorff`] is); surface that sticks out adds to the cost, although one-sided
+//! distances do not detect it. The error is a proven bound, not a sample. A collapse is one way to fill a hole, and the only one at seams, between groups
 //! of triangles and where sheets meet; crossing a seam adds to the cost.
 //!
 //! A vertex without any such removal gets a **relaxed** collapse, as in the collapse simplifier:
@@ -40,7 +39,7 @@ mod removal_options;
 mod removal_record;
 mod tracked_vertices;
 
-pub use removal_options::{BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation};
+pub use removal_options::{BuiltFragments, HoleCriterion, RemovalOptions, RemovalOrder, Retriangulation};
 
 use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::{ProgressFn, ignore_progress};

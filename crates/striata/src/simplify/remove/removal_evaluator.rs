@@ -4,7 +4,8 @@
 //! so far, weighted by the areas that they represent: it keeps the result close to the original
 //! surface. The second is the gap between the old and the new surface, since one-sided distances of
 //! points do not detect a surface that sticks out. The third is the largest distance alone, the
-//! Hausdorff distance by which \[KLS96\] orders removals; it dominates if it is large.
+//! Hausdorff distance by which \[KLS96\] orders removals; it dominates if it is large. In strict order,
+//! the cost is that distance alone, measured from the original to the new surface.
 
 use crate::mesh::Welded;
 use crate::simplify::collapse::collapse_choice::CollapseChoice;
@@ -17,7 +18,7 @@ use crate::simplify::options::SequenceOptions;
 use glam::Vec3;
 
 use super::hole::{Features, Hole, RingTriangle};
-use super::removal_options::{RemovalOptions, Retriangulation};
+use super::removal_options::{RemovalOptions, RemovalOrder, Retriangulation};
 use super::tracked_vertices::{TrackedVertices, nearest};
 
 /// Weight of the squared distance of the removed vertex, and of squared gaps, over the area of the
@@ -182,9 +183,13 @@ impl<'a> RemovalEvaluator<'a> {
         let k = star.ids.iter().position(|&id| id == target)?;
         fan_into(star, k, floor);
         self.update_floor_corners();
-        let (increase, worst) = self.increase();
-        let worst = worst.max(distance_squared).max(protrusion_squared);
-        let cost = increase.max(0.0) + MEMORYLESS_SHARE * cost + Self::spike_cost(worst);
+        let (increase, one_sided) = self.increase();
+        let one_sided = one_sided.max(distance_squared);
+        let worst = one_sided.max(protrusion_squared);
+        let cost = match self.options.order {
+            RemovalOrder::Mixed => increase.max(0.0) + MEMORYLESS_SHARE * cost + Self::spike_cost(worst),
+            RemovalOrder::Hausdorff => one_sided,
+        };
         Some(RemovalCandidate { cost, filling: Filling::Relaxed(k), worst })
     }
 
@@ -246,25 +251,26 @@ impl<'a> RemovalEvaluator<'a> {
         let (gap_sum, gap_squared) = self.hole.gaps_squared(&self.floor);
         let area = self.hole.area();
         let mut surface_cost = self.volume_cost() + self.border_cost();
-        let (increase, worst) = match precision {
+        let (increase, one_sided, protrusion) = match precision {
             Precision::Estimate => {
                 surface_cost += GAP_AREA_WEIGHT * area * gap_sum;
-                let (increase, worst) = self.increase_estimate();
-                (increase, worst.max(gap_squared))
+                let (increase, one_sided) = self.increase_estimate();
+                (increase, one_sided, gap_squared)
             }
             Precision::Exact => {
                 let (own, _) = nearest(&self.floor_corners, Vec3::ZERO)?;
                 let protrusion = gap_squared.max(self.hole.protrusion_squared(&self.floor));
                 surface_cost += GAP_AREA_WEIGHT * area * (own + gap_sum.max(protrusion));
-                let (increase, worst) = self.increase();
-                (increase, worst.max(protrusion))
+                let (increase, one_sided) = self.increase();
+                (increase, one_sided, protrusion)
             }
         };
-        Some(RemovalCandidate {
-            cost: increase.max(0.0) + surface_cost + Self::spike_cost(worst),
-            filling,
-            worst,
-        })
+        let worst = one_sided.max(protrusion);
+        let cost = match self.options.order {
+            RemovalOrder::Mixed => increase.max(0.0) + surface_cost + Self::spike_cost(worst),
+            RemovalOrder::Hausdorff => one_sided,
+        };
+        Some(RemovalCandidate { cost, filling, worst })
     }
 
     /// Loads the ring of `v` and the new edges that it may get; returns false if it cannot have a floor.

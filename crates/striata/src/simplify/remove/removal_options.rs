@@ -15,6 +15,20 @@ pub enum Retriangulation {
     Collapse,
 }
 
+/// Order in which vertices are removed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RemovalOrder {
+    /// Least increase of squared distances over the surface, of the gap between the old and the new surface,
+    /// and of the largest distance. Surface that sticks out counts.
+    #[default]
+    Mixed,
+    /// Smallest one-sided Hausdorff distance, as published \[KLS96\], \[KG98\]: the largest distance of a
+    /// point of the original from the surface that replaces it. Maxima are smaller, mean distances larger,
+    /// and surface that sticks out is not noticed.
+    Hausdorff,
+}
+
 /// Criterion that selects the triangulation of a hole. The order of removals depends on distances whichever
 /// criterion is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,6 +37,8 @@ pub enum HoleCriterion {
     /// Nearest to the original surface.
     #[default]
     Distance,
+    /// Smallest largest distance from the original surface; among equal ones, nearest to it.
+    Maximum,
     /// Least change of direction relative to the old triangles.
     Flatness,
     /// Roundest triangles.
@@ -36,6 +52,8 @@ pub(super) const MAX_DEGREE: usize = 16;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RemovalOptions {
+    /// Order of the removals; default [`RemovalOrder::Mixed`].
+    pub order: RemovalOrder,
     /// How holes may be filled; default [`Retriangulation::Free`].
     pub retriangulation: Retriangulation,
     /// Criterion for the best triangulation; default [`HoleCriterion::Distance`]. Half-edge collapses are
@@ -72,6 +90,7 @@ pub struct RemovalOptions {
 impl Default for RemovalOptions {
     fn default() -> Self {
         Self {
+            order: RemovalOrder::default(),
             retriangulation: Retriangulation::default(),
             criterion: HoleCriterion::default(),
             degree_limit: 8,
@@ -107,6 +126,7 @@ impl RemovalOptions {
     }
 
     setters! {
+        with_order, order: RemovalOrder;
         with_retriangulation, retriangulation: Retriangulation;
         with_criterion, criterion: HoleCriterion;
         with_degree_limit, degree_limit: usize;

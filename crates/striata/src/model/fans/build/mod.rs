@@ -160,7 +160,7 @@ impl Fans {
         let (mut arcs, mut fans) = (Vec::new(), Vec::new());
         let vertex_count = history.vertex_count();
         for vertex in 0..vertex_count as u32 {
-            if vertex as usize % STEPS_PER_REPORT == 0 {
+            if (vertex as usize).is_multiple_of(STEPS_PER_REPORT) {
                 let (done, total) = ((vertex_count + vertex as usize) as u64, 2 * vertex_count as u64);
                 Progress { phase: "fans", done, total }.report(progress)?;
             }

@@ -39,7 +39,7 @@ impl Merger<'_> {
     }
 
     /// Computes the costs of all edges of the gathered `v` from the quadratic forms alone.
-    fn fill_costs(&mut self, v: u32) {
+    pub(super) fn fill_costs(&mut self, v: u32) {
         self.costs.clear();
         for i in 0..self.neighborhood.ids.len() {
             let cost = match self.placement(v, i) {
@@ -133,7 +133,7 @@ impl Merger<'_> {
 
     /// Returns the first position for the new vertex that passes all tests, or the cheapest one if
     /// seams are crossed, and its cost.
-    fn evaluate_edge(&mut self, v: u32, i: usize, limit: f32) -> Option<(f32, EdgeChoice)> {
+    pub(super) fn evaluate_edge(&mut self, v: u32, i: usize, limit: f32) -> Option<(f32, EdgeChoice)> {
         let placement = self.placement(v, i);
         let u = self.neighborhood.ids[i];
         let edge = self.edge_form(v, i);

@@ -3,6 +3,7 @@
 mod edge_choice;
 mod edge_evaluation;
 mod finish;
+mod merge_log;
 
 use glam::DVec3;
 
@@ -22,6 +23,11 @@ use super::scaled_space::ScaledSpace;
 use super::seams::merge_wedges;
 use super::stop_criteria::{Counts, StopCriteria};
 use edge_choice::{EdgeChoice, NO_CHOICE, UNDECIDED};
+pub(super) use merge_log::{LoggedMerge, MergeLog};
+
+/// A third vertex follows a collapsed edge if that costs at most this many times as much as the next
+/// collapse in the queue, or as the edge.
+const THIRD_VERTEX_FACTOR: f32 = 8.0;
 
 /// Data about a position and its star.
 #[derive(Clone, Copy, Debug, Default)]
@@ -64,6 +70,11 @@ pub(super) struct Merger<'a> {
     /// Number of positions removed so far.
     pub(super) removed_count: usize,
     pub(super) error: f64,
+    /// All merges, if a sequence will be built from them.
+    log: Option<MergeLog>,
+    /// Whether the third vertex of a triangle follows a collapsed edge.
+    has_triangle_collapses: bool,
+    thirds: Vec<u32>,
 }
 
 impl<'a> Merger<'a> {
@@ -104,7 +115,22 @@ impl<'a> Merger<'a> {
             removed: Vec::new(),
             removed_count: 0,
             error: 0.0,
+            log: None,
+            has_triangle_collapses: false,
+            thirds: Vec::new(),
         }
+    }
+
+    /// Records all merges; with `has_triangle_collapses`, triangles are collapsed instead of edges where
+    /// that is possible.
+    pub(super) fn with_log(self, has_triangle_collapses: bool) -> Self {
+        let log = Some(MergeLog::new(&self.layers, self.welded.mesh.vertex_count()));
+        Self { log, has_triangle_collapses, ..self }
+    }
+
+    /// Returns the recorded merges, and the wedge that each removed wedge was merged into.
+    pub(super) fn into_log(self) -> (Option<MergeLog>, Vec<u32>) {
+        (self.log, self.targets)
     }
 
     pub(super) fn counts(&self) -> Counts {
@@ -143,9 +169,11 @@ impl<'a> Merger<'a> {
                 self.decide(v, key);
                 continue;
             }
+            self.find_thirds(v);
             if !self.collapse(v, criteria.limit) {
                 return Ok(criteria.at_limit);
             }
+            self.collapse_third(key, criteria);
             let done = self.removed_count as u64;
             if done.is_multiple_of(4096) {
                 Progress { phase: "simplify", done, total }.report(progress)?;
@@ -245,8 +273,65 @@ impl<'a> Merger<'a> {
         self.removed.push(removed);
         self.is_moved[kept as usize] |= position != old_position;
         self.pairs.iter().for_each(|&(from, to)| blend::blend(&mut self.layers, from, to, share));
+        self.log_merge((removed, kept), position != old_position);
         self.update_ring();
         true
+    }
+
+    fn log_merge(&mut self, (removed, kept): (u32, u32), is_moved: bool) {
+        let Some(log) = &mut self.log else { return };
+        let is_lost = self.evaluator.links.triangle_count(kept) == 0;
+        let moved = is_moved.then(|| {
+            let first_row = log.add_rows(&self.layers, self.welded.positions.wedges(kept));
+            (self.space.unscaled(self.positions[kept as usize]), first_row)
+        });
+        let others = self.gone.iter().copied().filter(|&p| p != removed && (p != kept || is_lost));
+        let lost = others.collect();
+        log.merges.push(LoggedMerge { removed, kept, moved, lost, continues: false });
+    }
+
+    /// Finds the vertices that form a triangle with the edge that `v` is about to collapse.
+    fn find_thirds(&mut self, v: u32) {
+        self.thirds.clear();
+        if !self.has_triangle_collapses {
+            return;
+        }
+        let other = self.choices[v as usize].other;
+        self.gather(v);
+        let Neighborhood { ids, triangles, .. } = &self.neighborhood;
+        for t in triangles {
+            let [a, b] = [t.a, t.b].map(|i| ids[i as usize]);
+            self.thirds.extend((a == other).then_some(b).or((b == other).then_some(a)));
+        }
+    }
+
+    /// Merges the cheaper of the found vertices with the one that the last collapse has kept, if it is not too
+    /// expensive.
+    fn collapse_third(&mut self, key: f32, criteria: &StopCriteria) {
+        let Some(kept) = self.log.as_ref().and_then(|log| log.merges.last()).map(|merge| merge.kept) else {
+            return;
+        };
+        if self.thirds.is_empty() || self.evaluator.links.triangle_count(kept) == 0 {
+            return;
+        }
+        let limit = THIRD_VERTEX_FACTOR * self.heap.first().map_or(key, |(next, _)| next.max(key));
+        self.gather(kept);
+        self.fill_costs(kept);
+        let mut best: Option<(f32, EdgeChoice)> = None;
+        for i in 0..self.neighborhood.ids.len() {
+            if self.thirds.contains(&self.neighborhood.ids[i]) && self.costs[i] < f32::INFINITY {
+                let least = best.map_or(limit, |(cost, _)| cost);
+                best = self.evaluate_edge(kept, i, least).filter(|found| found.0 < least).or(best);
+            }
+        }
+        if let Some((_, choice)) = best {
+            self.choices[kept as usize] = choice;
+            if self.collapse(kept, criteria.limit)
+                && let Some(merge) = self.log.as_mut().and_then(|log| log.merges.last_mut())
+            {
+                merge.continues = true;
+            }
+        }
     }
 
     fn move_to(&mut self, p: u32, position: DVec3) {

@@ -14,6 +14,7 @@ use glam::Vec3;
 
 use super::removal_options::MAX_DEGREE;
 use crate::simplify::collapse::fan::distance_squared;
+use search::HoleCost;
 
 /// An open ring has one more position than triangles.
 const MAX_RING: usize = MAX_DEGREE + 1;
@@ -60,7 +61,7 @@ pub(super) struct Hole {
     /// Bit `j` of entry `i`: whether the edge `i`-`j` is allowed.
     allowed: [u32; MAX_RING],
     /// Search state: the least cost between two members of the ring, and the apex of the triangle there.
-    best: [[f32; MAX_RING]; MAX_RING],
+    best: [[HoleCost; MAX_RING]; MAX_RING],
     apex: [[u8; MAX_RING]; MAX_RING],
     /// For each diagonal, a bit mask of the points to its left, in `words` words.
     left: Vec<u64>,

@@ -11,13 +11,39 @@
 //! ```
 //!
 //! The result is exact if costs add up over triangles and new edges. Distances do: each tracked vertex lies
-//! over one triangle, and old and new surface are farthest apart where new edges cross the old spokes.
+//! over one triangle, and old and new surface are farthest apart where new edges cross the old spokes. For
+//! the smallest largest distance, the larger cost counts instead of the sum.
 //!
 //! Time O(n^3) for a ring of n; each triangle is evaluated once.
 
 use super::{Hole, RingTriangle, edges_squared, quality};
 use crate::simplify::remove::removal_options::HoleCriterion;
 use crate::simplify::remove::tracked_vertices::TrackedVertex;
+
+/// Cost of a part of a triangulation: a largest value, then a sum, which decides among equal ones. Costs
+/// that are not allowed are infinite in both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+pub(super) struct HoleCost {
+    /// Largest squared distance; 0 unless the criterion asks for it.
+    largest: f32,
+    sum: f32,
+}
+
+impl HoleCost {
+    const INFINITE: Self = Self { largest: f32::INFINITY, sum: f32::INFINITY };
+
+    fn of_sum(sum: f32) -> Self {
+        Self { largest: 0.0, sum }
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self { largest: self.largest.max(other.largest), sum: self.sum + other.sum }
+    }
+
+    fn and_sum(self, sum: f32) -> Self {
+        Self { sum: self.sum + sum, ..self }
+    }
+}
 
 /// Cost of a squared gap under a new edge, per area of the star.
 const GAP_WEIGHT: f32 = 0.2;
@@ -34,14 +60,14 @@ impl Hole {
         self.compute_sides(points);
         let n = self.n;
         for i in 0..n - 1 {
-            self.best[i][i + 1] = 0.0;
+            self.best[i][i + 1] = HoleCost::default();
         }
         for span in 2..n {
             for i in 0..n - span {
                 self.best[i][i + span] = self.best_between(i, i + span, points, criterion);
             }
         }
-        let is_found = self.best[0][n - 1] < f32::INFINITY;
+        let is_found = self.best[0][n - 1].sum < f32::INFINITY;
         if is_found {
             self.collect(0, n - 1, floor);
         }
@@ -54,16 +80,16 @@ impl Hole {
         j: usize,
         points: &[TrackedVertex],
         criterion: HoleCriterion,
-    ) -> f32 {
+    ) -> HoleCost {
         if self.allowed[i] & 1 << j == 0 {
-            return f32::INFINITY;
+            return HoleCost::INFINITE;
         }
-        let mut least = f32::INFINITY;
+        let mut least = HoleCost::INFINITE;
         for k in i + 1..j {
-            let parts = self.best[i][k] + self.best[k][j];
+            let parts = self.best[i][k].and(self.best[k][j]);
             // No triangle has a negative cost.
             if parts < least {
-                let cost = parts + self.triangle_cost([i, k, j], points, criterion);
+                let cost = parts.and(self.triangle_cost([i, k, j], points, criterion));
                 if cost < least {
                     least = cost;
                     self.apex[i][j] = k as u8;
@@ -71,7 +97,7 @@ impl Hole {
             }
         }
         match criterion {
-            HoleCriterion::Distance => least + self.edge_cost(i, j),
+            HoleCriterion::Distance | HoleCriterion::Maximum => least.and_sum(self.edge_cost(i, j)),
             HoleCriterion::Flatness | HoleCriterion::Shape => least,
         }
     }
@@ -81,26 +107,34 @@ impl Hole {
     }
 
     /// Cost of a triangle; infinite if it is not allowed.
-    fn triangle_cost(&self, corners: [usize; 3], points: &[TrackedVertex], criterion: HoleCriterion) -> f32 {
-        let Some(normal) = self.valid_normal(corners) else { return f32::INFINITY };
+    fn triangle_cost(
+        &self,
+        corners: [usize; 3],
+        points: &[TrackedVertex],
+        criterion: HoleCriterion,
+    ) -> HoleCost {
+        let Some(normal) = self.valid_normal(corners) else { return HoleCost::INFINITE };
         match criterion {
-            HoleCriterion::Distance => {
+            HoleCriterion::Distance | HoleCriterion::Maximum => {
                 let level = normal.dot(self.ring[corners[0]]);
-                let mut sum = 0.0;
+                let (mut sum, mut largest) = (0.0, 0.0f32);
                 self.for_each_point_over(corners, points, |point| {
                     let height = normal.dot(point.at) - level;
                     sum += point.weight * height * height;
+                    largest = largest.max(height * height);
                 });
-                sum / normal.length_squared()
+                let squared = normal.length_squared();
+                let largest = if criterion == HoleCriterion::Maximum { largest / squared } else { 0.0 };
+                HoleCost { largest, sum: sum / squared }
             }
             HoleCriterion::Flatness => {
                 // The area that turns away.
                 let facing = self.facing_of(corners).normalize_or_zero();
-                (0.5 * (normal.length() - normal.dot(facing))).max(0.0)
+                HoleCost::of_sum((0.5 * (normal.length() - normal.dot(facing))).max(0.0))
             }
             HoleCriterion::Shape => {
                 let edges = edges_squared(corners.map(|i| self.ring[i]));
-                (1.0 / quality(normal.length(), edges) - 1.0).max(0.0)
+                HoleCost::of_sum((1.0 / quality(normal.length(), edges) - 1.0).max(0.0))
             }
         }
     }
@@ -131,7 +165,7 @@ impl Hole {
             if others.clone().any(|i| self.allowed[apex] & 1 << i == 0) {
                 return f32::INFINITY;
             }
-            let triangles = fan(n, apex).map(|t| self.triangle_cost(t, points, HoleCriterion::Distance));
+            let triangles = fan(n, apex).map(|t| self.triangle_cost(t, points, HoleCriterion::Distance).sum);
             triangles.sum::<f32>() + others.map(|i| self.edge_cost(apex, i)).sum::<f32>()
         };
         let best = apexes.map(|apex| (cost(apex), apex)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -185,18 +219,19 @@ mod tests {
         j: usize,
         points: &[TrackedVertex],
         criterion: HoleCriterion,
-    ) -> f32 {
+    ) -> HoleCost {
         if j < i + 2 {
-            return 0.0;
+            return HoleCost::default();
         }
-        let edge = if criterion == HoleCriterion::Distance { hole.edge_cost(i, j) } else { 0.0 };
+        let has_edges = matches!(criterion, HoleCriterion::Distance | HoleCriterion::Maximum);
+        let edge = if has_edges { hole.edge_cost(i, j) } else { 0.0 };
         let at = |k: usize| {
             least_of_all(hole, i, k, points, criterion)
-                + least_of_all(hole, k, j, points, criterion)
-                + hole.triangle_cost([i, k, j], points, criterion)
-                + edge
+                .and(least_of_all(hole, k, j, points, criterion))
+                .and(hole.triangle_cost([i, k, j], points, criterion))
+                .and_sum(edge)
         };
-        (i + 1..j).map(at).fold(f32::INFINITY, f32::min)
+        (i + 1..j).map(at).fold(HoleCost::INFINITE, |least, cost| if cost < least { cost } else { least })
     }
 
     #[test]
@@ -206,17 +241,26 @@ mod tests {
         for case in 0..200 {
             let n = 3 + case % 6;
             let (mut hole, points) = random_hole(n, &mut random);
-            let criterion =
-                [HoleCriterion::Distance, HoleCriterion::Flatness, HoleCriterion::Shape][case % 3];
+            let criterion = [
+                HoleCriterion::Distance,
+                HoleCriterion::Flatness,
+                HoleCriterion::Shape,
+                HoleCriterion::Maximum,
+            ][case % 4];
             let mut floor = Vec::new();
             let is_found = hole.triangulate(&points, criterion, &mut floor);
             let least = least_of_all(&hole, 0, n - 1, &points, criterion);
-            assert_eq!(is_found, least < f32::INFINITY);
+            assert_eq!(is_found, least.sum < f32::INFINITY);
             if is_found {
                 found_count += 1;
                 assert_eq!(floor.len(), n - 2);
                 let found = hole.best[0][n - 1];
-                assert!((found - least).abs() <= 1e-4 * least.max(1e-3), "{found} {least}");
+                // For the largest distance, the sum only decides among equal parts.
+                let pair = match criterion {
+                    HoleCriterion::Maximum => (found.largest, least.largest),
+                    _ => (found.sum, least.sum),
+                };
+                assert!((pair.0 - pair.1).abs() <= 1e-4 * pair.1.max(1e-3), "{found:?} {least:?}");
             }
         }
         assert!(found_count > 100, "{found_count}");
