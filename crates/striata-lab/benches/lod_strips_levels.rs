@@ -205,8 +205,7 @@ impl Tables {
         self.add_levels(
             subject,
             label,
-            [format!("{:.3}", all[0]), worst],
-            format!("{:.3}", all[1]),
+            ([format!("{:.3}", all[0]), worst], format!("{:.3}", all[1])),
             &mut cost_at,
         );
         let (stage_count, plain) = (model.stage_split_counts().count(), subject.plain_bytes(strips));
@@ -235,7 +234,7 @@ impl Tables {
             level_cost(&subject.refinable, split_count, &indices)
         };
         let none = || "–".to_owned();
-        self.add_levels(subject, &label, [none(), none()], none(), &mut cost_at);
+        self.add_levels(subject, &label, ([none(), none()], none()), &mut cost_at);
     }
 
     /// Adds a row for indices and one for misses, with the given last cells.
@@ -243,8 +242,7 @@ impl Tables {
         &mut self,
         subject: &Subject,
         label: &str,
-        indices_end: [String; 2],
-        misses_end: String,
+        (indices_end, misses_end): ([String; 2], String),
         cost_at: &mut dyn FnMut(usize) -> LevelCost,
     ) {
         let Subject { name, refinable } = subject;
