@@ -1,5 +1,7 @@
 //! The part of a table in pages that is always in memory, and how a table is cut into pages.
 
+use glam::Vec3;
+
 use super::page::Page;
 use crate::mesh::{IndexedMesh, ZOrderCurve};
 use crate::model::fans::{FanScene, Fans, listed};
@@ -134,9 +136,16 @@ impl Fans {
 fn bounds_of(scene: &FanScene<'_>, steps: &[u32]) -> Part {
     let first = scene.part(steps[0]);
     let cone = NormalCone::around(direction(first.cone.axis).to_array());
-    steps.iter().map(|&step| scene.part(step)).fold(Part { cone, ..first }, |all, part| Part {
+    let parts = || steps.iter().map(|&step| scene.part(step));
+    let mut bounds = parts().fold(Part { cone, ..first }, |all, part| Part {
         sphere: all.sphere.with_sphere(&part.sphere),
         cone: all.cone.with_cone(&part.cone),
         error: all.error.max(part.error),
-    })
+    });
+    // Packed axes are shorter than 1, and the shorter an axis, the less its part counts as turned away. The page must
+    // not be turned away unless all of its steps are.
+    let lengths = parts().map(|part| Vec3::from(part.cone.axis).length());
+    let length = lengths.fold(1.0, f32::min) * (1.0 - 1e-5);
+    bounds.cone.axis = bounds.cone.axis.map(|x| x * length);
+    bounds
 }
