@@ -37,7 +37,7 @@ const CACHE_WEIGHT: f64 = 0.5;
 /// Frames of the walk from the full mesh to the base.
 const FRAME_COUNT: usize = 200;
 /// Number of runs to take the fastest of.
-const RUN_COUNT: usize = 7;
+const RUN_COUNT: usize = 21;
 /// Levels with fewer triangles are left out of the worst level: a handful needs more in any case.
 const FEW_TRIANGLES: usize = 100;
 
@@ -93,8 +93,6 @@ struct Tables {
 /// A mesh with its sequence, and its name in the tables.
 struct Subject {
     name: String,
-    /// Positions in the order of the input, which is that of other tools.
-    positions: Vec<[f32; 3]>,
     refinable: RefinableMesh,
 }
 
@@ -190,7 +188,7 @@ impl Tables {
         strips: &StripSet,
         build: impl FnOnce() -> Fallible<LodStrips<'static>>,
     ) -> Fallible<()> {
-        let Subject { name, refinable, .. } = subject;
+        let Subject { name, refinable } = subject;
         let started = Instant::now();
         let model = build()?;
         let build_secs = started.elapsed().as_secs_f64();
@@ -207,8 +205,7 @@ impl Tables {
         self.add_levels(
             subject,
             label,
-            [format!("{:.3}", all[0]), worst],
-            format!("{:.3}", all[1]),
+            ([format!("{:.3}", all[0]), worst], format!("{:.3}", all[1])),
             &mut cost_at,
         );
         let (stage_count, plain) = (model.stage_split_counts().count(), subject.plain_bytes(strips));
@@ -237,7 +234,7 @@ impl Tables {
             level_cost(&subject.refinable, split_count, &indices)
         };
         let none = || "–".to_owned();
-        self.add_levels(subject, &label, [none(), none()], none(), &mut cost_at);
+        self.add_levels(subject, &label, ([none(), none()], none()), &mut cost_at);
     }
 
     /// Adds a row for indices and one for misses, with the given last cells.
@@ -245,11 +242,10 @@ impl Tables {
         &mut self,
         subject: &Subject,
         label: &str,
-        indices_end: [String; 2],
-        misses_end: String,
+        (indices_end, misses_end): ([String; 2], String),
         cost_at: &mut dyn FnMut(usize) -> LevelCost,
     ) {
-        let Subject { name, refinable, .. } = subject;
+        let Subject { name, refinable } = subject;
         let [mut indices, mut misses] = [(); 2].map(|()| vec![name.clone(), label.to_owned()]);
         for percent in LEVEL_PERCENTS {
             let triangle_count = refinable.mesh.triangle_count() * percent / 100;
@@ -272,7 +268,7 @@ impl Subject {
         let file = path.file_name().map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
         let name = file.split('.').next().unwrap_or_default().to_owned();
         let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
-        Ok(Self { name, positions: mesh.positions, refinable })
+        Ok(Self { name, refinable })
     }
 
     /// Positions and normals of 24 bytes, and 4 bytes per index.
@@ -320,13 +316,15 @@ impl Subject {
             return Ok(None);
         }
         let (_, mut indices) = peer_strips::read(&path)?;
-        // The sequence has sorted the vertices; their positions are all different.
+        let positions =
+            peer_strips::read_positions(&path.with_file_name(format!("{}.triangles", self.name)))?;
+        // The sequence has sorted the vertices, all of which have different positions.
         let bits = |position: &[f32; 3]| position.map(f32::to_bits);
         let places: HashMap<_, u32> = self.refinable.mesh.positions.iter().map(bits).zip(0..).collect();
         for index in &mut indices {
             // Restarts are not vertices.
-            if let Some(position) = self.positions.get(*index as usize) {
-                *index = places[&bits(position)];
+            if let Some(position) = positions.get(*index as usize) {
+                *index = *places.get(&bits(position)).ok_or("the strips are those of another mesh")?;
             }
         }
         Ok(Some(peer_strips::of_mesh(&indices, &self.refinable.mesh)))

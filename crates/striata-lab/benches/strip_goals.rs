@@ -4,7 +4,8 @@
 //! long SGI's `tomesh`, tunneling as published and our stripifiers take to reach the strip counts of \[PS03\],
 //! mean and standard deviation over ten seeds, and what `fewest` and `cheapest` reach in some seconds.
 //!
-//! `--as-filed` leaves equal vertices apart; `--seeds N` changes the number of seeds.
+//! `--as-filed` leaves equal vertices apart; `--seeds N` changes the number of seeds; `--tunnels NAME,...` measures
+//! only some kinds of tunneling, and none after `--tunnels none`.
 
 #[path = "quality/table.rs"]
 mod table;
@@ -39,16 +40,22 @@ struct Arguments {
     paths: Vec<String>,
     is_as_filed: bool,
     seed_count: u64,
+    tunnels: Vec<Tunneling>,
 }
 
 impl Arguments {
     fn parse(mut words: impl Iterator<Item = String>) -> Fallible<Self> {
-        let mut found = Self { paths: Vec::new(), is_as_filed: false, seed_count: SEED_COUNT };
+        let tunnels = Tunneling::ALL.to_vec();
+        let mut found = Self { paths: Vec::new(), is_as_filed: false, seed_count: SEED_COUNT, tunnels };
         while let Some(word) = words.next() {
             match word.as_str() {
                 "--bench" => {}
                 "--as-filed" => found.is_as_filed = true,
                 "--seeds" => found.seed_count = words.next().ok_or("--seeds takes a number")?.parse()?,
+                "--tunnels" => {
+                    let names = words.next().ok_or("--tunnels takes names")?;
+                    found.tunnels.retain(|kind| names.split(',').any(|name| name == kind.as_str()));
+                }
                 _ => found.paths.push(word),
             }
         }
@@ -77,7 +84,7 @@ fn main() -> Fallible<()> {
         let mesh = IndexedMesh::new(mesh.positions, mesh.triangles);
         let mesh = if arguments.is_as_filed { mesh } else { weld(&mesh)?.mesh };
         for &(of, matched) in MATCHED.iter().filter(|(of, _)| *of == name) {
-            let mut rows = Rows { table: &mut counts, mesh: &mesh, seed_count: arguments.seed_count };
+            let mut rows = Rows { table: &mut counts, mesh: &mesh, arguments: &arguments };
             matched.iter().try_for_each(|&target| rows.add(of, target))?;
         }
         if !arguments.is_as_filed {
@@ -102,7 +109,7 @@ fn main() -> Fallible<()> {
 struct Rows<'a> {
     table: &'a mut Table,
     mesh: &'a IndexedMesh,
-    seed_count: u64,
+    arguments: &'a Arguments,
 }
 
 impl Rows<'_> {
@@ -114,8 +121,8 @@ impl Rows<'_> {
         };
         let (count, ms) = tomesh(self.mesh)?;
         push("tomesh", "–".to_owned(), count.to_string(), format!("{ms:.1}"));
-        for tunneling in Tunneling::ALL {
-            match shortest(tunneling, self.mesh, target, self.seed_count)? {
+        for &tunneling in &self.arguments.tunnels {
+            match shortest(tunneling, self.mesh, target, self.arguments.seed_count)? {
                 Some((length, strips, ms)) => {
                     push(tunneling.as_str(), length.to_string(), cell(strips), cell(ms));
                 }

@@ -23,6 +23,16 @@ pub(crate) fn read(path: &Path) -> Fallible<(f64, Vec<u32>)> {
     Ok((f64::from_le_bytes(*ms), indices))
 }
 
+/// Reads the positions of the list that a tool was given; `stripifier_rows::write_list` writes it.
+pub(crate) fn read_positions(path: &Path) -> Fallible<Vec<[f32; 3]>> {
+    let bytes = std::fs::read(path)?;
+    let words = bytes.as_chunks::<4>().0;
+    let count = words.first().map_or(0, |&count| u32::from_le_bytes(count) as usize);
+    let numbers = words.get(2..).unwrap_or_default().as_chunks::<3>().0;
+    let positions = numbers.get(..count).ok_or_else(|| format!("{} is cut short", path.display()))?;
+    Ok(positions.iter().map(|position| position.map(f32::from_le_bytes)).collect())
+}
+
 /// Strips that draw each triangle of a mesh once: those of another tool, cut where they draw a triangle that the mesh
 /// does not have or that has been drawn, and a strip for each triangle that they leave out.
 pub(crate) fn of_mesh(indices: &[u32], mesh: &IndexedMesh) -> StripSet {

@@ -27,8 +27,8 @@
 //! record is a few bytes that can be read in both directions. Strips are sorted along a space-filling curve, so
 //! that the slots of a vertex are close to each other. Vertices are packed in as many bits as they need.
 //!
-//! Cost: a step writes about three slots and moves 0.8 ends of strips, 24 ns on the bunny. What took 42 ns
-//! before were branches: a substitution now names a slot instead of a strip and a place in it, and drops come
+//! Cost: a step writes about three slots and moves 0.8 ends of strips, 24 to 35 ns on the bunny. What took 42 ns
+//! and more before were branches: a substitution now names a slot instead of a strip and a place in it, and drops come
 //! after all substitutions, so that a record is two loops over numbers of fixed width. Building takes time
 //! linear in the number of steps times [`MAX_STRIP_INDICES`].
 
