@@ -45,8 +45,10 @@ fn random_walk(mesh: &FragmentedMesh, fans: &Fans, change_count: usize, random: 
     }
 }
 
+type CornersAndGroup = ([u32; 3], u32);
+
 /// The faces of a sequence in an order that does not depend on how they were listed.
-fn fragments_of(fragments: &FragmentSequence) -> Vec<[Vec<([u32; 3], u32)>; 2]> {
+fn fragments_of(fragments: &FragmentSequence) -> Vec<[Vec<CornersAndGroup>; 2]> {
     let sorted = |faces: &mut dyn Iterator<Item = u32>| {
         let canonical = |face: u32| {
             let Face { corners, group } = fragments.faces()[face as usize];

@@ -200,7 +200,7 @@ fn check_traces(links: &StripLinks<'_>, start: u32, random: &mut Random) -> usiz
                 assert_eq!(is_above == is_end_above, pushed.leads_to(side, end), "{steps:?}, side {side}");
             }
         }
-        let choices = pushed.valid_steps(end, |t| is_on_path(t));
+        let choices = pushed.valid_steps(end, is_on_path);
         if choices.is_empty() {
             break;
         }

@@ -289,10 +289,25 @@ mod tests {
 
     fn read_back(record: Record<'_>) -> Edit {
         let mut edit = Edit::default();
-        record.for_each_slot(|slot| Some(edit.slots.push(slot))).unwrap();
-        record.for_each_drop(|drop| Some(edit.drops.push(drop))).unwrap();
+        record
+            .for_each_slot(|slot| {
+                edit.slots.push(slot);
+                Some(())
+            })
+            .unwrap();
+        record
+            .for_each_drop(|drop| {
+                edit.drops.push(drop);
+                Some(())
+            })
+            .unwrap();
         let mut reversed = Vec::new();
-        record.for_each_drop_reversed(|drop| Some(reversed.push(drop))).unwrap();
+        record
+            .for_each_drop_reversed(|drop| {
+                reversed.push(drop);
+                Some(())
+            })
+            .unwrap();
         reversed.reverse();
         assert_eq!(reversed, edit.drops);
         edit
