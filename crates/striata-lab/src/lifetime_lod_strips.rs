@@ -20,7 +20,7 @@ use striata::model::strip_history::{Piece, StripHistory};
 use striata::model::{
     DrawCounts, LodModel, ModelError, PartBytes, StepVertices, Topology, check_strips, join_strips,
 };
-use striata::strip::{RESTART, StripSet};
+use striata::strip::{RESTART, StripSet, strip_triangles};
 
 use crate::paper_bytes::{Accounting, PaperBytes};
 
@@ -79,7 +79,7 @@ impl LifetimeLodStrips {
     /// [`ModelError`] if the strips do not match the mesh.
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
-        let strips = strips.cut(MAX_STRIP_INDICES);
+        let strips = drawn_strips(&strips.cut(MAX_STRIP_INDICES));
         let sequence = &refinable.sequence;
         let mut of_steps = vec![Vec::new(); sequence.step_count()];
         let slot_count = strips.indices().len();
@@ -212,6 +212,20 @@ impl LifetimeLodStrips {
         }
         row.push((vertex, slot));
     }
+}
+
+/// The strips that have triangles.
+fn drawn_strips(strips: &StripSet) -> StripSet {
+    let mut drawn = StripSet::new();
+    for group in 0..strips.group_count() {
+        for strip in strips.group_strips(group).map(|index| strips.strip(index)) {
+            if strip_triangles(strip).next().is_some() {
+                drawn.push(strip);
+            }
+        }
+        drawn.end_group();
+    }
+    drawn
 }
 
 impl LifetimeLodStripsState {

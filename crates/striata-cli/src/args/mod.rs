@@ -128,7 +128,7 @@ pub(crate) struct BuildArgs {
     /// Store only a compressed stream, like --models progressive; --bits sets the precision
     #[arg(long, conflicts_with = "models")]
     stream: bool,
-    /// Store an error for each overlap of patterns, so that views need fewer triangles
+    /// Store an error for each overlap of patterns, which views and boxes then evaluate
     #[arg(long)]
     pub(crate) overlap_errors: bool,
     /// Stop at N triangles, or P% of the input [default: as few as possible]

@@ -44,9 +44,9 @@ pub struct SequenceArgs {
     /// Also merge disconnected parts that are closer than this (mesh units, or % of the diagonal)
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = QUADRIC)]
     pub pair_distance: Option<Length>,
-    /// Collapse each edge or triangle to a new vertex at the best position, with guaranteed errors; stores
-    /// about twice as many vertices, and only patterns support it
-    #[arg(long, value_name = "edge|triangle", hide_possible_values = true, help_heading = QUADRIC)]
+    /// Collapse each edge or triangle (edge, triangle) to a new vertex at the best position, with guaranteed
+    /// errors; stores about twice as many vertices, and only patterns support it
+    #[arg(long, value_name = "KIND", hide_possible_values = true, help_heading = QUADRIC)]
     pub new_vertices: Option<NewVerticesArg>,
     /// Weights of attributes.
     #[command(flatten)]

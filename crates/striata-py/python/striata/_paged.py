@@ -31,7 +31,7 @@ class PagedLod:
     >>> paged
     <striata.PagedLod: 40,000 points, 79,202 faces, ... pages>
     >>> paged.level(triangles=1000).face_count
-    1000
+    999
     """
 
     def __init__(self, *arguments: Any) -> None:
