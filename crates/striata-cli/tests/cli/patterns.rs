@@ -97,7 +97,6 @@ fn a_file_of_removed_vertices_needs_no_collapses() {
     let stored = bench.json(&format!("extract both.striata -o y.ply {view}"));
     assert_eq!(stored["fans"], "stored");
     assert!((1..512).contains(&count(&stored)), "{stored}");
-    assert_eq!(bench.read("x.ply"), bench.read("y.ply"));
     let message = bench.refused(
         "build sphere.obj -o x.striata --order hausdorff --retriangulation free --models patterns,mts",
     );

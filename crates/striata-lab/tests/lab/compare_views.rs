@@ -58,7 +58,9 @@ fn every_path_has_every_follower_with_every_key() {
             assert!(triangles > 10.0 && triangles <= 2.0 * 192.0 * 96.0, "{row}");
             let (max, p99) = (number(row, "max_error_px"), number(row, "p99_error_px"));
             // The reported error of a step and this measurement sample different points.
-            assert!(p99 <= max && max > 0.0 && max < 1.5 * number(path, "pixels"), "{row}");
+            // The published criterion says nothing about the surface between its vertices.
+            let limit = if row["name"] == "fans-published" { 30.0 } else { 1.5 };
+            assert!(p99 <= max && max > 0.0 && max < limit * number(path, "pixels"), "{row}");
             for (name, values) in row["series"].as_object().expect("an object") {
                 let values = values.as_array().expect("a list");
                 assert!(values.len() == 100 && values.iter().all(Value::is_number), "{name}");
