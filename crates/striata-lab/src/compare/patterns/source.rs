@@ -3,7 +3,7 @@
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh};
 use striata::simplify::{
     HoleCriterion, PlacedCollapse, PlacedOptions, RemovalOptions, RemovalOrder, Retriangulation,
-    build_fragments_with_progress, build_placed_fragments_with_progress,
+    SequenceOptions, TopologyRule, build_fragments_with_progress, build_placed_fragments_with_progress,
 };
 
 use striata_command::failure::Failure;
@@ -73,10 +73,12 @@ impl Source {
         bar: &mut Bar,
     ) -> Result<FragmentedMesh, Failure> {
         let placed = |collapse, bar: &mut Bar| {
-            let options = PlacedOptions::default().with_collapse(collapse);
+            let sequence = SequenceOptions::default().with_topology(TopologyRule::Keep);
+            let options = PlacedOptions::default().with_collapse(collapse).with_sequence(sequence);
             build_placed_fragments_with_progress(mesh, &options, &mut |progress| bar.show(progress))
         };
-        let free = RemovalOptions::default();
+        // Published forms require steps that preserve the topology, so all forms get what all can represent.
+        let free = RemovalOptions::default().with_topology(TopologyRule::Keep);
         let options = match self {
             Self::Quadric => return Ok(FragmentedMesh::from_collapses(refinable)),
             Self::Edges => return Ok(placed(PlacedCollapse::Edge, bar)?.fragmented),
