@@ -7,7 +7,7 @@ use std::cell::Cell;
 use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles, shapes,
 };
-use striata::model::LodModel;
+use striata::model::{LodModel, PartRecord};
 use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 use striata::view::{Camera, Criterion, NormalCone, Part, ScreenError, Sphere, Verdict};
 use striata_lab::baseline::{ViewDependentError, ViewDependentMeshes, ViewDependentState};
@@ -403,7 +403,7 @@ fn bytes_match_the_arrays() {
     let (steps, base) = (model.step_count(), refinable.sequence.base_vertex_count());
     let base_triangles = refinable.sequence.triangle_count_at(0);
     let bytes: Vec<usize> = model.bytes().iter().map(|part| part.bytes).collect();
-    assert_eq!(bytes, [32 * steps, size_of::<Part>() * steps, 28 * base_triangles + 4 * base, 0]);
+    assert_eq!(bytes, [32 * steps, size_of::<PartRecord>() * steps, 28 * base_triangles + 4 * base, 0]);
     // Every step of a closed surface creates two triangles; [Hop97] counts 52 bytes per node and 36 per
     // triangle.
     let expected = 52 * (base + 2 * steps) + 36 * (base_triangles + 2 * steps);

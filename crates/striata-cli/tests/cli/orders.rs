@@ -228,7 +228,7 @@ fn contradicting_flags_are_refused() {
         (format!("simplify sphere.obj {level} --order hausdorff --feature-angle 181"), "0 to 180"),
         (
             format!("simplify sphere.obj {level} --order hausdorff --criterion beauty"),
-            "distance, flatness, shape",
+            "distance, maximum, flatness, shape",
         ),
         (format!("simplify sphere.obj {level} --max-error -1"), "not a length"),
         (format!("simplify sphere.obj {level} --order sideways"), "quadric, hausdorff"),

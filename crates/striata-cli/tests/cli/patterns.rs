@@ -303,14 +303,19 @@ fn wrong_boxes_and_damaged_files_are_refused() {
 fn collapses_create_vertices_for_patterns() {
     let bench = Workbench::with_ball();
     for kind in ["edge", "triangle"] {
-        let build = format!("build sphere.obj -o new.striata --models patterns --new-vertices {kind}");
+        let build = format!("build sphere.obj -o new.striata --models patterns,fans --new-vertices {kind}");
         let report = bench.json(&build);
         assert_eq!((&report["order"], &report["error_is_guaranteed"]), (&"quadric".into(), &true.into()));
         assert_eq!(count(&bench.json("info new.striata")), 512);
         for level in ["--triangles 120", "--detail 0.3", "--detail 1"] {
-            let report = bench.json(&format!("extract new.striata -o new.ply {level}"));
-            let measured = distance(&bench, "sphere.obj", "new.ply");
-            assert!(measured <= number(&report, "error") + 1e-9, "{level}: measured {measured}, {report}");
+            let counts = ["patterns", "fans"].map(|model| {
+                let line = format!("extract new.striata -o new.ply {level} --model {model}");
+                let report = bench.json(&line);
+                let measured = distance(&bench, "sphere.obj", "new.ply");
+                assert!(measured <= number(&report, "error") + 1e-9, "{line}: measured {measured}, {report}");
+                count(&report)
+            });
+            assert_eq!(counts[0], counts[1], "{level}");
         }
         let view = bench.json("extract new.striata -o view.ply --eye 0,0,3 --pixels 2");
         assert!((20..512).contains(&count(&view)), "{view}");
@@ -320,7 +325,7 @@ fn collapses_create_vertices_for_patterns() {
     }
     for (flags, why) in [
         ("--new-vertices edge", "model lodstrips does not support new vertices"),
-        ("--new-vertices edge --models patterns,fans", "model fans does not support new vertices"),
+        ("--new-vertices edge --models patterns,mts", "model mts does not support new vertices"),
         ("--new-vertices edge --models patterns --order hausdorff", "--new-vertices has no meaning"),
         ("--new-vertices edge --models patterns --cost tracked", "--cost does not work with --new-vertices"),
         ("--overlap-errors", "--overlap-errors has no effect without patterns"),
@@ -328,7 +333,8 @@ fn collapses_create_vertices_for_patterns() {
         let message = bench.refused(&format!("build sphere.obj -o x.striata {flags}"));
         assert!(message.contains(why) && message.contains("hint:"), "{message}");
     }
-    let message = bench.refused("simplify sphere.obj -o x.ply --placement optimal --new-vertices edge");
+    let message =
+        bench.refused("simplify sphere.obj -o x.ply --triangles 100 --placement optimal --new-vertices edge");
     assert!(message.contains("--new-vertices does not work with --placement optimal"), "{message}");
 }
 

@@ -285,7 +285,7 @@ fn info_reports_on_meshes_and_containers() {
     let container = bench.json("info ball.striata");
     assert_keys(&container, &keys);
     assert_eq!(container["kind"], "striata");
-    assert_eq!(container["format_version"], 1);
+    assert_eq!(container["format_version"], 2);
     assert_eq!(container["triangle_count"], 512);
     assert_keys(&container, &["models.lodstrips", "base.triangle_count"]);
     let text = bench.run("info ball.striata").success();
@@ -537,6 +537,6 @@ fn shapes_are_meshes_for_every_verb() {
     }
     assert!(bench.refused("extract shape:cube -o x.ply --detail 1").contains("striata build"));
     let message = bench.refused("strip shape:grid --block-triangles 1000");
-    assert!(message.contains("hint: write a file first"), "{message}");
+    assert!(message.contains("or write a file first"), "{message}");
     assert_eq!(bench.names(), ["cube.ply", "grid.striata", "small.ply"]);
 }

@@ -136,7 +136,10 @@ fn invalid_comparisons_are_rejected_immediately() {
         ("compare sphere.obj --parts strips,models,walks", "walks"),
         ("compare sphere.obj --frames 0", "1..=10000"),
         ("compare sphere.obj --model-strips zigzag", "zigzag"),
-        ("compare nowhere.ply --models lodstrips,vdpm", "hint: this version has: lodstrips, mts, "),
+        (
+            "compare nowhere.ply --models lodstrips,vdpm",
+            "hint: this version has: lodstrips, lodstrips-staged, mts, ",
+        ),
         ("compare shape:ball", "hint: there are: sphere, torus, "),
         ("compare sphere.obj --html no/page.html", "hint: create the output folder first"),
         ("compare sphere.obj --html - --json", "stdout"),

@@ -139,7 +139,7 @@ fn adapt_retriangulation(
         SequencePlan::Hausdorff(options) => options,
         SequencePlan::Placed(_) => {
             return Err(Failure::user(format!("model {model} does not support new vertices"))
-                .with_hint("use --models patterns, or remove --new-vertices"));
+                .with_hint("use --models patterns,fans, or remove --new-vertices"));
         }
         SequencePlan::Quadric { .. } => return Ok(None),
     };
