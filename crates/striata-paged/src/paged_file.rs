@@ -11,7 +11,7 @@ use crate::{
 
 /// Pages of earlier levels are kept as long as all pages in memory have at most so many vertices, about 600 MB.
 const MAX_CACHED_VERTICES: u64 = 10_000_000;
-/// At most so many bytes are in memory before their pages are decoded, if no single want has more.
+/// Most bytes that are in memory before their pages are decoded, if no single want has more.
 const MAX_BATCH_BYTES: u64 = 32 << 20;
 
 /// What has been read so far.
@@ -173,7 +173,7 @@ impl PagedFile {
         self.assemble(&pages)
     }
 
-    /// The mesh with all levels of up to so many triangles.
+    /// The mesh with all levels of up to `triangle_count` triangles.
     ///
     /// Its sequence is that of the whole file down to the returned level: steps beyond it have been dropped only
     /// if they are less important than every step of the pages that were not read.

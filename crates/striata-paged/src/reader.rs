@@ -12,7 +12,7 @@ use crate::{
 const FIRST_BYTES: u64 = 1 << 16;
 /// Pages closer than this in a file are read at once, in bytes.
 const MAX_GAP: u64 = 1 << 14;
-/// At most so many bytes are wanted at once.
+/// Most bytes that are wanted at once.
 const MAX_WANT: u64 = 8 << 20;
 
 /// Where bytes are.

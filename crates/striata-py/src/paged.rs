@@ -104,7 +104,7 @@ impl PagedLodData {
         (read.request_count, read.byte_count, read.page_count)
     }
 
-    /// All levels of up to so many triangles.
+    /// All levels of up to a number of triangles.
     fn lod(&self, py: Python<'_>, triangles: usize) -> Outcome<LodData> {
         self.run(py, move |file| {
             let level = file.level_for_triangles(triangles).map_err(paged_error)?;

@@ -56,7 +56,17 @@ fn levels_views_and_boxes_read_only_some_pages() {
     bench.run("extract t.striata -o level-{}.ply --levels 10%,1%").success();
     bench.run("convert t.striata full.ply").success();
     assert_eq!(mesh(&bench, "full.ply").triangle_count(), 2 * 259 * 259);
-    bench.run("render t.striata -o t.png --software --size 200x200").success();
+    // Two triangles per pixel are enough; percentages are those of the whole mesh, however much is read.
+    let triangles = |line: &str| {
+        let report = bench.json(&format!("render t.striata -o t.png --software --size 200x200 {line}"));
+        let shown = report["levels"].as_array().unwrap().iter();
+        shown.map(|level| level["triangle_count"].as_u64().unwrap()).collect::<Vec<_>>()
+    };
+    assert!((79_990..=80_000).contains(&triangles("")[0]));
+    let shares = triangles("--levels 100%,10%,1%");
+    assert!((79_990..=80_000).contains(&shares[0]), "{shares:?}");
+    assert!((13_410..=13_416).contains(&shares[1]) && (1_335..=1_341).contains(&shares[2]), "{shares:?}");
+    assert!((66_000..70_000).contains(&triangles("--detail 0.5")[0]));
     bench
         .run(&format!("render t.striata -o v.png --software --size 200x200 {}", "--eye 20,20,60 --up 0,0,1"))
         .success();

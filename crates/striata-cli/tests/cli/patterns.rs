@@ -21,6 +21,8 @@ fn patterns_have_the_same_levels_as_other_models() {
     let bench = Workbench::with_ball();
     let report = bench.json("build sphere.obj -o all.striata --models patterns,fans,lodstrips");
     assert_keys(&report, &["models.patterns.bytes", "models.patterns.bytes_per_vertex", "models.fans.bytes"]);
+    let of_models = ["patterns", "fans"].map(|name| report["models"][name]["bytes"].as_u64().unwrap());
+    assert!(of_models.iter().sum::<u64>() <= report["output_bytes"].as_u64().unwrap(), "{report}");
     let alone = bench.json("build sphere.obj -o alone.striata --models patterns");
     assert!(alone["strips"].is_null() && alone["models"].get("fans").is_none(), "{alone}");
     assert_eq!((&alone["order"], &alone["error_is_guaranteed"]), (&"quadric".into(), &false.into()));

@@ -43,7 +43,8 @@ fn attributes<'a>(node: &JsonNode<'a>) -> Option<JsonNode<'a>> {
 }
 
 impl GpuInstances {
-    /// Allows an instance for so many bytes of the document and its buffers, besides a fixed number.
+    /// Allows one instance for each `bytes_per_instance` bytes of the document and its buffers, besides a fixed
+    /// number.
     pub(super) fn new(bytes_per_instance: u64) -> Self {
         Self { count: 0, bytes_per_instance }
     }

@@ -99,7 +99,7 @@ fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
 
 /// Visits the meshes of the default scene in tree order, or all meshes if there are no nodes.
 ///
-/// Instances of `EXT_mesh_gpu_instancing` are limited to one for so many bytes of the document and its
+/// Instances of `EXT_mesh_gpu_instancing` are limited to one for `bytes_per_instance` bytes of the document and its
 /// buffers, unless there are few.
 pub(crate) fn visit_instances<'a>(
     document: &Document<'a>,

@@ -101,7 +101,7 @@ impl Plan {
     }
 }
 
-/// Number of threads that fit into so many bytes of memory: at least 1, at most the number of cores.
+/// Number of threads that fit into a size of memory in bytes: at least 1, at most the number of cores.
 pub fn threads_for_memory(memory: u64, cell: usize) -> usize {
     let per_thread = (THREAD_BYTES * cell as u64 / 65_536).max(64 << 20);
     let cores = std::thread::available_parallelism().map_or(1, usize::from) as u64;

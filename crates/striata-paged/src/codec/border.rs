@@ -41,7 +41,7 @@ pub(super) struct Border {
 }
 
 impl Border {
-    /// Nothing is open; there will be so many nodes and about so many triangles.
+    /// Nothing is open; the arguments are the number of nodes and about the number of triangles.
     pub(super) fn new(node_count: usize, triangle_count: usize) -> Self {
         let gates = Vec::with_capacity(triangle_count + triangle_count / 2);
         Self { gates, passed: 0, nodes: vec![NEW_NODE; node_count] }

@@ -106,6 +106,11 @@ impl Models {
         let lod_strips = self.lod_strips.iter().map(|model| (ModelKind::LodStrips, model.bytes()));
         let mts = self.mts.iter().map(|model| (ModelKind::Mts, model.bytes()));
         let fans = self.fans.iter().map(|model| (ModelKind::Fans, model.bytes()));
+        // Files do not have the records that views make in memory.
+        let fans = fans.map(|(kind, mut parts)| {
+            parts.retain(|part| part.name != Fans::MADE_RECORDS);
+            (kind, parts)
+        });
         let patterns = self.patterns.iter().map(|model| (ModelKind::Patterns, model.bytes()));
         let parts_of_stream = |s: &EncodedStream| vec![PartBytes { name: "stream", bytes: s.bytes.len() }];
         let streams = self.stream.iter().map(|stream| (ModelKind::Progressive, parts_of_stream(stream)));

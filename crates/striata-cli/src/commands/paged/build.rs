@@ -129,7 +129,7 @@ fn check_space(plan: &Plan) -> Result<(), Failure> {
     check_disk(&output, estimate.result_bytes)
 }
 
-/// Checks that so many bytes are free.
+/// Checks that a number of bytes is free.
 fn check_disk(folder: &Path, needed: u64) -> Result<(), Failure> {
     match fs4::available_space(folder) {
         Ok(available) if available < needed => {

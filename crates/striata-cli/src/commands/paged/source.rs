@@ -23,7 +23,7 @@ pub(crate) fn is_paged_file(path: &Path) -> bool {
     File::open(path).is_ok_and(|mut file| file.read_exact(&mut magic).is_ok()) && &magic == PAGED_MAGIC
 }
 
-/// Opens an input. Of a paged file, reads all levels of up to so many triangles; the result is the same as a
+/// Opens an input. Of a paged file, reads all levels with up to `triangle_count` triangles; the result is the same as a
 /// .striata file with fans.
 ///
 /// # Errors

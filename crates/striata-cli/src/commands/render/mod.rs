@@ -16,12 +16,12 @@ use crate::commands::paged::{camera_of, failure_of, is_paged_file, open_input};
 use figure::Figure;
 use layout::Layout;
 use report::{Drawing, Report};
-use source::Source;
+use source::{PageLimits, Source};
 use striata::model::ModelKind;
 use striata_command::args::Point;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::check_strict;
+use striata_command::level::{FullMesh, check_strict};
 use striata_command::output::{Bar, Output};
 use striata_command::save::{is_stdout, write_bytes};
 use striata_paged::PagedFile;
@@ -43,8 +43,11 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
         let figures = vec![source.target(None)?];
         return draw(args, (&source, figures), (output, bar, started));
     }
-    let input = open_input(&args.input, PAGED_TRIANGLES)?;
-    let source = Source::read(args, &input, output, &mut bar)?;
+    let input = open_input(&args.input, paged_triangle_limit(args))?;
+    let mut source = Source::read(args, &input, output, &mut bar)?;
+    if is_paged_file(&args.input) {
+        source = source.of_pages(page_limits(args)?);
+    }
     let figures = figures(args, &source, &input)?;
     draw(args, (&source, figures), (output, bar, started))
 }
@@ -77,6 +80,19 @@ fn draw(
     output.summary(&report, &report.to_text())
 }
 
+/// Returns the size of a paged file, to which percentages refer, and the limit of its pictures.
+///
+/// # Errors
+/// If the file is damaged.
+fn page_limits(args: &RenderArgs) -> Result<PageLimits, Failure> {
+    let file = PagedFile::open(&args.input.to_string_lossy()).map_err(failure_of)?;
+    let metadata = file.metadata();
+    let [vertex_count, triangle_count] =
+        [metadata.vertex_count, metadata.triangle_count].map(|count| count as usize);
+    let full = FullMesh { diagonal: 0.0, vertex_count, triangle_count };
+    Ok(PageLimits { full, triangle_count: paged_triangle_limit(args) })
+}
+
 /// Returns the level of a paged file for a view.
 ///
 /// # Errors
@@ -92,8 +108,14 @@ fn paged_view(args: &RenderArgs, eye: Point) -> Result<Figure, Failure> {
     Ok(Figure::of_view(ModelKind::Fans, ViewLevel::of_pages(found, view.pixels()), limit))
 }
 
-/// A picture shows no more triangles of a paged file than this: more than it has pixels.
-const PAGED_TRIANGLES: usize = 2_000_000;
+/// A picture shows no more triangles of a paged file than this for each of its pixels.
+const TRIANGLES_PER_PIXEL: usize = 2;
+
+/// Returns the most triangles of a paged file that a picture shows.
+fn paged_triangle_limit(args: &RenderArgs) -> usize {
+    let [width, height] = args.size.0.map(|pixels| pixels as usize);
+    TRIANGLES_PER_PIXEL * width * height
+}
 
 /// Checks combinations of flags that the parser cannot check.
 ///

@@ -41,6 +41,15 @@ pub(super) struct Levels<'a> {
     model: Model<'a>,
     error_is_guaranteed: bool,
     file: Option<StriataFile<'a>>,
+    /// The limits of a picture of pages, which are read only as far as it needs them.
+    pages: Option<PageLimits>,
+}
+
+/// How large the mesh of a paged file is, and how much of it a picture shows.
+#[derive(Clone, Copy)]
+pub(super) struct PageLimits {
+    pub(super) full: FullMesh,
+    pub(super) triangle_count: usize,
 }
 
 /// The model that provides the triangles of a level.
@@ -87,8 +96,16 @@ impl<'a> Source<'a> {
         let sequenced = SequencePlan::default().run(welded, &mut |progress| bar.show(progress));
         let steps = with_level_normals(sequenced.map_err(|error| in_file(error.into()))?.steps);
         let model = Model::built(args.model.unwrap_or(default_model(args)), &steps)?;
-        let levels = Levels { steps, model, error_is_guaranteed: false, file: None };
+        let levels = Levels { steps, model, error_is_guaranteed: false, file: None, pages: None };
         Ok(Self::Levels(Box::new(levels), look))
+    }
+
+    /// Keeps pictures of a paged file within its limits.
+    pub(super) fn of_pages(mut self, pages: PageLimits) -> Self {
+        if let Self::Levels(levels, _) = &mut self {
+            levels.pages = Some(pages);
+        }
+        self
     }
 
     /// Wraps the level for a view, made of pages.
@@ -137,7 +154,10 @@ impl<'a> Source<'a> {
                 vertex_count: mesh.vertex_count(),
                 triangle_count: mesh.triangle_count(),
             },
-            Self::Levels(levels, _) => FullMesh::of_levels(levels.steps.levels(), diagonal),
+            Self::Levels(levels, _) => match levels.pages {
+                Some(pages) => FullMesh { diagonal, ..pages.full },
+                None => FullMesh::of_levels(levels.steps.levels(), diagonal),
+            },
             Self::Scene(scene) => scene.full(),
             Self::View(figure, _) => FullMesh {
                 diagonal,
@@ -159,8 +179,11 @@ impl<'a> Source<'a> {
             Self::Levels(levels, _) => levels,
         };
         let known = levels.steps.levels();
-        let Some(target) = target else { return levels.figure(known.step_count()) };
+        let finest = levels.finest();
+        let Some(target) = target else { return levels.figure(finest) };
+        let target = levels.of_file_read(target);
         let (split_count, stop_reason) = target.resolve_in(known);
+        let split_count = split_count.min(finest);
         let figure = levels.figure(split_count)?;
         let (vertex_count, triangle_count) = (figure.vertex_count, figure.mesh.triangle_count());
         let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
@@ -212,6 +235,24 @@ impl<'a> Source<'a> {
 }
 
 impl<'a> Levels<'a> {
+    /// Number of splits of the finest level that a picture shows.
+    fn finest(&self) -> usize {
+        let known = self.steps.levels();
+        self.pages.map_or(known.step_count(), |pages| known.split_count_for_triangles(pages.triangle_count))
+    }
+
+    /// Expresses a share of the splits of a paged file by vertices, since only some of the splits were read.
+    fn of_file_read(&self, target: Target) -> Target {
+        match (self.pages, target) {
+            (Some(pages), Target::Detail(share)) => {
+                let base = self.steps.levels().base_vertex_count();
+                let splits = pages.full.vertex_count.saturating_sub(base);
+                Target::Vertices(base + (share * splits as f64).round() as usize)
+            }
+            _ => target,
+        }
+    }
+
     /// Returns why no coarser level exists.
     fn coarsening_limit(&self) -> CoarseningLimit {
         match self.file {
@@ -246,7 +287,7 @@ impl<'a> Levels<'a> {
         } else {
             Model::built(args.model.unwrap_or(default_model(args)), &steps)?
         };
-        Ok(Self { steps, model, error_is_guaranteed, file: Some(file) })
+        Ok(Self { steps, model, error_is_guaranteed, file: Some(file), pages: None })
     }
 
     /// Whether patterns are the only model that views can use.

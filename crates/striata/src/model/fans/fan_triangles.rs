@@ -25,7 +25,7 @@ const BLOCK: u32 = 8;
 /// If more than one of so many blocks changes, all are written again.
 const MIN_BLOCKS_PER_CHANGE: usize = 2;
 
-/// Scratch memory of more than one in so many bytes of the indices is not kept.
+/// Scratch memory is kept only if it takes at most the size of the indices divided by this.
 const MAX_SCRATCH_SHARE: usize = 4;
 
 /// All triangles that an instance shows, sorted by group.

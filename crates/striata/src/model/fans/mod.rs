@@ -98,6 +98,10 @@ pub struct Fans {
 }
 
 impl Fans {
+    /// Name of the part of [`bytes`](LodModel::bytes) that is made in memory when it is first needed. Files do not
+    /// have it.
+    pub const MADE_RECORDS: &str = "quick records";
+
     /// Number of vertices of the full mesh.
     pub fn vertex_count(&self) -> usize {
         self.vertices.vertex_count
@@ -226,7 +230,7 @@ impl LodModel for Fans {
         ];
         parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));
         let quick = self.quick.bytes();
-        parts.extend((quick > 0).then(|| part("quick records", quick)));
+        parts.extend((quick > 0).then(|| part(Self::MADE_RECORDS, quick)));
         parts
     }
 
