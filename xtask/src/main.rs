@@ -87,7 +87,9 @@ fn main() -> ExitCode {
 
 /// Returns the folder of the workspace.
 fn workspace() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+    // Clones may share a target folder, so that the one that this was compiled in may be another, or gone.
+    let package = std::env::var_os("CARGO_MANIFEST_DIR");
+    PathBuf::from(package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into())).join("..")
 }
 
 /// Returns the target folder of cargo, which contains this program.
