@@ -10,9 +10,13 @@
 //! converting 8-bit colors to linear ones and back changes nothing. Alpha has the same meaning in both
 //! spaces. Powers come from `libm`, because those of the platform differ between machines.
 
+use std::borrow::Cow;
+
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::Format;
+use crate::error::Place;
+use crate::report::Warnings;
 
 /// Meaning of the numbers of colors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +95,47 @@ fn converted<T: Copy>(layer: &AttributeLayer, convert: impl Fn(f32, bool) -> T) 
     }
     let component = |index: usize| convert(layer.get(index / width, index % width), index % width == 3);
     (0..layer.data.len()).map(component).collect()
+}
+
+/// Returns the first color set as normalized bytes, which all readers of PLY and OFF understand; most take
+/// floats and 16-bit integers for black or refuse them. Other layers are returned as they are.
+///
+/// Values outside 0 to 1 are clamped, and 16-bit integers are rounded, with a warning.
+#[cfg(any(feature = "ply", feature = "off"))]
+pub(crate) fn byte_colors<'l>(layer: &'l AttributeLayer, warnings: &mut Warnings) -> Cow<'l, AttributeLayer> {
+    let is_fraction = match &layer.data {
+        LayerData::F32(_) => true,
+        LayerData::U16(_) => layer.normalized,
+        LayerData::U8(_) | LayerData::U32(_) => false,
+    };
+    let is_color = layer.semantic == Semantic::Color(0) && matches!(layer.component_count, 3 | 4);
+    if !is_fraction || !is_color {
+        return Cow::Borrowed(layer);
+    }
+    let data = match &layer.data {
+        LayerData::F32(values) => {
+            let outside_count = values.iter().filter(|value| !(0.0..=1.0).contains(*value)).count();
+            if outside_count > 0 {
+                let reason =
+                    format!("colors are stored as bytes: {outside_count} values outside 0 to 1 are clamped");
+                warnings.push(Place::File, reason);
+            }
+            values.iter().map(|&value| quantized(value, 255.0) as u8).collect()
+        }
+        _ => {
+            let bytes = converted(layer, |value, _| quantized(value, 255.0) as u8);
+            let is_exact = (0..bytes.len()).all(|i| match &layer.data {
+                LayerData::U16(words) => words[i] == u16::from(bytes[i]) * 257,
+                _ => true,
+            });
+            if !is_exact {
+                warnings.push(Place::File, "colors are stored as bytes: 16-bit values are rounded");
+            }
+            bytes
+        }
+    };
+    let (semantic, component_count) = (layer.semantic.clone(), layer.component_count);
+    Cow::Owned(AttributeLayer { semantic, component_count, normalized: true, data: LayerData::U8(data) })
 }
 
 /// Scales a value in 0..=1 to an integer; conversion from floats maps NaN to 0 and saturates.

@@ -212,6 +212,13 @@ pub(crate) enum Refusal {
 }
 
 impl Refusal {
+    /// Returns the reason alone.
+    #[cfg(feature = "blocks")]
+    pub(crate) fn into_reason(self) -> String {
+        let (Self::Unsupported(reason) | Self::BadMesh(reason)) = self;
+        reason
+    }
+
     pub(crate) fn in_file(self, file: &str, format: Format) -> WriteError {
         let file = file.to_owned();
         match self {

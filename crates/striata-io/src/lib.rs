@@ -40,11 +40,14 @@
 //! * **Counts are never trusted.** Before allocating, they are checked against the remaining bytes (PLY,
 //!   STL, OFF), against views and buffers (glTF accessors), or against the file's size (glTF instances,
 //!   zero-filled accessors, images).
-//! * **Texture coordinates of a mesh are glTF's** (`v` grows downward). OBJ is flipped when read and
-//!   written, PLY is flipped when read if it names texture files; otherwise PLY and OFF define no origin and
-//!   are kept as they are.
+//! * **Texture coordinates of a mesh are glTF's** (`v` grows downward from the top of the image). In OBJ, PLY
+//!   and OFF `v` grows upward from the bottom, as Blender, MeshLab and trimesh write and read it, so it is
+//!   flipped when read and when written: in decimal in text, within 2^-25 in binary PLY (exactly for pixels
+//!   and short decimals).
 //! * **Vertex colors are never converted** by reading and writing, so that round trips are exact. They are
-//!   linear in glTF and sRGB in PLY, OBJ and OFF: call [`convert_colors`] between these.
+//!   linear in glTF and sRGB in PLY, OBJ and OFF: call [`convert_colors`] between these. The exception: PLY
+//!   and OFF store the first color set as bytes, because other programs take anything else for black; values
+//!   outside 0 to 1 are clamped, and 16-bit values rounded, with a warning.
 //! * **Files next to the source** are read only inside its folder, unless the source allows others. What is
 //!   missing is a [`Warning`], except for buffers of glTF.
 //! * **Data that a format cannot store** are left out (layers in OBJ, STL and OFF; groups in PLY and STL),

@@ -2,12 +2,15 @@
 //!
 //! The parser is our own and uses the cursor that OBJ needs anyway: the available crates read plain OFF only,
 //! and their errors give no line numbers. Polygons are triangulated as fans; colors of polygons are ignored.
-//! Texture coordinates are kept unchanged, because the format defines no origin. Cost: one pass.
+//! Texture coordinates count from the bottom of the image, as in OBJ: `v` is flipped, in decimal. Colors are
+//! written as bytes. Cost: one pass.
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
+use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
-use crate::text::{Cursor, push_f32, quoted};
+use crate::report::Warnings;
+use crate::text::{Cursor, push_f32, push_one_minus_f32, quoted};
 
 /// Attributes of each vertex after its position, in this order.
 #[derive(Clone, Copy, Default)]
@@ -132,8 +135,12 @@ fn read_vertex(cursor: &mut Cursor<'_>, layout: &mut Layout, row: &mut Vec<f32>)
     if layout.has_color && layout.color_count == 0 {
         layout.color_count = count_color_words(cursor, layout.has_texcoord);
     }
-    for _ in 0..layout.color_count + if layout.has_texcoord { 2 } else { 0 } {
+    for _ in 0..layout.color_count {
         row.push(cursor.f32()?);
+    }
+    if layout.has_texcoord {
+        row.push(cursor.f32()?);
+        row.push(cursor.number()?.one_minus_f32());
     }
     cursor.next_line();
     Ok(())
@@ -227,12 +234,13 @@ impl Columns {
 
 /// Encodes a mesh; normals, the first colors and the first texture coordinates are kept, other layers and
 /// groups are not.
-pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Vec<u8> {
+pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Vec<u8> {
     let fitting = |semantic: &Semantic, counts: &[u8]| {
         mesh.layer(semantic).filter(|layer| counts.contains(&layer.component_count))
     };
     let normal = fitting(&Semantic::Normal, &[3]);
-    let color = fitting(&Semantic::Color(0), &[3, 4]);
+    let color = fitting(&Semantic::Color(0), &[3, 4]).map(|layer| byte_colors(layer, warnings));
+    let color = color.as_deref();
     let texcoord = fitting(&Semantic::TexCoord(0), &[2]);
     let mut out = Vec::with_capacity(mesh.positions.len() * 32 + mesh.triangles.len() * 24);
     let prefix = |there: bool, name: &'static str| if there { name } else { "" };
@@ -270,6 +278,9 @@ fn push_values(out: &mut Vec<u8>, layer: &AttributeLayer, vertex: usize) {
         match &layer.data {
             LayerData::U8(bytes) if layer.semantic == Semantic::Color(0) && layer.normalized => {
                 out.extend_from_slice(bytes[vertex * count + component].to_string().as_bytes());
+            }
+            _ if component == 1 && layer.semantic == Semantic::TexCoord(0) => {
+                push_one_minus_f32(out, layer.get(vertex, component));
             }
             _ => push_f32(out, layer.get(vertex, component)),
         }

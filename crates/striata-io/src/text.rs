@@ -282,7 +282,7 @@ impl Number<'_> {
     }
 
     /// Returns `1 - self`, subtracted in decimal if possible, so that nothing is lost.
-    #[cfg(feature = "obj")]
+    #[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
     pub(crate) fn one_minus_f32(self) -> f32 {
         let exact = self.decimal.filter(|d| (-15..=0).contains(&d.exponent) && d.mantissa < 1 << 53);
         if let Some(d) = exact {
@@ -369,7 +369,7 @@ pub(crate) fn push_f32(out: &mut Vec<u8>, value: f32) {
 }
 
 /// Appends `1 - value` as text that [`Number::one_minus_f32`] reads back as `value`.
-#[cfg(feature = "obj")]
+#[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
 pub(crate) fn push_one_minus_f32(out: &mut Vec<u8>, value: f32) {
     let text = value.to_string();
     match decimal_one_minus(&text) {
@@ -378,7 +378,7 @@ pub(crate) fn push_one_minus_f32(out: &mut Vec<u8>, value: f32) {
     }
 }
 
-#[cfg(feature = "obj")]
+#[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
 fn decimal_one_minus(text: &str) -> Option<String> {
     let (sign, digits) = match text.strip_prefix('-') {
         Some(digits) => (-1, digits),

@@ -8,6 +8,7 @@ use striata::mesh::IndexedMesh;
 #[cfg(not(target_family = "wasm"))]
 use crate::compressed::Compression;
 use crate::error::Refusal;
+use crate::report::Warnings;
 #[cfg(not(target_family = "wasm"))]
 use crate::write_atomically;
 use crate::write_options::WriteOptions;
@@ -69,16 +70,17 @@ fn named_bytes(
     options: &WriteOptions,
     file: &str,
 ) -> Result<Vec<u8>, WriteError> {
+    let mut warnings = Warnings::of_file(file);
     check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
     let bytes: Result<Vec<u8>, Refusal> = match format {
         #[cfg(feature = "ply")]
-        Format::Ply => crate::ply::to_bytes(mesh, options.ascii),
+        Format::Ply => crate::ply::to_bytes(mesh, options.ascii, &mut warnings),
         #[cfg(feature = "obj")]
         Format::Obj => Ok(crate::obj::to_bytes(mesh)),
         #[cfg(feature = "stl")]
         Format::Stl => crate::stl::to_bytes(mesh),
         #[cfg(feature = "off")]
-        Format::Off => Ok(crate::off::to_bytes(mesh)),
+        Format::Off => Ok(crate::off::to_bytes(mesh, &mut warnings)),
         #[cfg(feature = "gltf")]
         Format::Gltf => crate::gltf::to_json_bytes(mesh, options),
         #[cfg(feature = "gltf")]

@@ -82,8 +82,8 @@ fn coordinates_of_faces_split_vertices() {
         assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3], [3, 4, 5], [0, 1, 5]], "{encoding:?}");
         let ids = LayerData::U8(vec![0, 1, 2, 3, 2, 4]);
         assert_eq!(mesh.layer(&Semantic::Generic("id".to_owned())).unwrap().data, ids);
-        let expected = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.5, 0.5, 0.25, 0.25];
-        assert_eq!(texcoords(&mesh), expected, "without a texture file, `v` is kept");
+        let expected = [0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.25, 0.75];
+        assert_eq!(texcoords(&mesh), expected, "`v` counts from the bottom");
         assert!(mesh.groups.is_empty() && mesh.appearance.is_empty());
     }
 }
@@ -93,7 +93,7 @@ fn vertices_without_seams_keep_their_order() {
     let faces: [Face<'_>; 1] = [(&[3, 1, 0], &[0.5, 0.0, 1.0, 0.25, 0.0, 0.75], 0)];
     let mesh = read("x.ply", &ply(Encoding::Little, "", 4, &faces)).unwrap();
     assert_eq!((mesh.triangles.as_slice(), mesh.vertex_count()), (&[[3, 1, 0]][..], 4));
-    assert_eq!(texcoords(&mesh), [0.0, 0.75, 1.0, 0.25, 0.0, 0.0, 0.5, 0.0]);
+    assert_eq!(texcoords(&mesh), [0.0, 0.25, 1.0, 0.75, 0.0, 0.0, 0.5, 1.0]);
     let empty: [Face<'_>; 1] = [(&[3, 1, 0], &[], 0)];
     let mesh = read("x.ply", &ply(Encoding::Ascii, "", 4, &empty)).unwrap();
     assert!(mesh.layer(&Semantic::TexCoord(0)).is_none());
@@ -134,13 +134,12 @@ fn texture_files_become_materials() {
         let back = read("x.glb", &written(Format::Glb, mesh)).unwrap();
         assert_eq!((soup(&back), texcoords(&back)), (soup(mesh), texcoords(mesh)));
         assert_eq!(back.appearance.materials, appearance.materials);
-        // The writer names no texture files, so that the coordinates are not flipped again.
         assert_eq!(texcoords(&round_trip(Format::Ply, mesh)), texcoords(mesh));
     }
 }
 
 #[test]
-fn coordinates_of_vertices_are_flipped_with_a_texture_file_only() {
+fn coordinates_of_vertices_are_flipped_with_and_without_a_texture_file() {
     let mut mesh = square();
     let own = vec![0.0, 0.25, 1.0, 0.5, 0.0, 0.0, 1.0, 1.0];
     mesh.layers = vec![AttributeLayer::from_f32(Semantic::TexCoord(0), 2, own.clone())];
@@ -150,7 +149,7 @@ fn coordinates_of_vertices_are_flipped_with_a_texture_file_only() {
     let at = plain.windows(8).position(|word| word == b"element ").unwrap();
     let textured = [&plain[..at], comment, &plain[at..]].concat();
     let report = read_bytes_with_report(&textured, &Source::new("x.ply")).unwrap();
-    assert_eq!(texcoords(&report.mesh), [0.0, 0.75, 1.0, 0.5, 0.0, 1.0, 1.0, 0.0]);
+    assert_eq!(texcoords(&report.mesh), own);
     assert_eq!(report.mesh.groups, [group("", Some(0), 0, 2)]);
     let warnings: Vec<String> = report.warnings.iter().map(ToString::to_string).collect();
     let expected = [

@@ -67,7 +67,9 @@ impl BinaryPly {
             }
             _ => input.file,
         };
-        Ok(Self { stream: PlyStream::open(file, input.name)?, warnings: Vec::new() })
+        let mut stream = PlyStream::open(file, input.name)?;
+        stream.header.has_top_origin = header.encoding == Encoding::Ascii;
+        Ok(Self { stream, warnings: Vec::new() })
     }
 
     fn of_obj(pieces: &ObjPieces, scratch: &ScratchFolder) -> Result<Self, ReadError> {
@@ -103,6 +105,8 @@ impl BinaryPly {
         if summary.groups.len() > 1 || summary.groups.iter().any(|group| group.material.is_some()) {
             warnings.push(format!("{}: groups and materials are left out", summary.name));
         }
-        Ok(Self { stream: PlyStream::open(file, summary.name.clone())?, warnings })
+        let mut stream = PlyStream::open(file, summary.name.clone())?;
+        stream.header.has_top_origin = true;
+        Ok(Self { stream, warnings })
     }
 }

@@ -1,11 +1,12 @@
-//! Writes a binary PLY file whose counts are only known at the end.
+//! Writes a temporary binary PLY file, whose counts are only known at the end. Its layers are those of the
+//! input as they are: texture coordinates count from the top of the image.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Seek as _, SeekFrom, Write as _};
 
 use super::scratch::ScratchFolder;
 use crate::ReadError;
-use crate::error::{Place, Refusal};
+use crate::error::Place;
 use crate::pieces::PieceSummary;
 use crate::ply::vertex_header;
 
@@ -31,9 +32,9 @@ impl<'a> PlyWriter<'a> {
         let (mut out, faces) = (buffered()?, buffered()?);
         let layers: Vec<_> = summary.layers.iter().map(|kind| kind.empty_layer()).collect();
         let zeros = format!("{:0DIGITS$}", 0);
-        let mut head = vertex_header(&layers, "binary_little_endian", &zeros).map_err(|refusal| {
-            let (Refusal::Unsupported(what) | Refusal::BadMesh(what)) = refusal;
-            ReadError::Unsupported { file: summary.name.clone(), place: Place::File, what }
+        let mut head = vertex_header(&layers, &[], "binary_little_endian", &zeros).map_err(|refusal| {
+            let (file, what) = (summary.name.clone(), refusal.into_reason());
+            ReadError::Unsupported { file, place: Place::File, what }
         })?;
         let vertices_at = head.rfind(&format!("{zeros}\n")).unwrap_or(0) as u64;
         head += "element face ";

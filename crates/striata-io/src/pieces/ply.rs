@@ -62,6 +62,7 @@ impl PlyPieces {
             header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
             // Lines of the original file, for messages.
             header.texture_files = comments;
+            header.has_top_origin = true;
         }
         let opened = locate(&input.bytes, &header, options).and_then(|located| {
             let vertex = header.vertex()?;
@@ -203,7 +204,7 @@ impl VertexRows {
                 }
             }
         }
-        let vertices = Vertices::of_rows(&self.element, rows);
+        let vertices = Vertices::of_rows(&self.element, rows, header.has_top_origin);
         Ok((vertices.positions(header)?, vertices.layers(header)))
     }
 

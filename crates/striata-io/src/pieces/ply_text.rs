@@ -5,7 +5,7 @@ use super::input::Input;
 use super::spool::Spool;
 use crate::ReadError;
 use crate::error::Fault;
-use crate::ply::body::{index_list, list_length, skip_element, skip_property};
+use crate::ply::body::{flipped_columns_of, index_list, list_length, skip_element, skip_property};
 use crate::ply::header::{Element, Header, Property, Scalar};
 use crate::ply::rows::{AsciiRows, Rows as _};
 use crate::text::Cursor;
@@ -19,7 +19,7 @@ pub(super) fn convert(input: &mut Input, header: &Header, options: &PieceOptions
     Ok(())
 }
 
-/// Converts a text file to a binary one.
+/// Converts a text file to a binary one, whose texture coordinates count from the top of the image.
 pub(crate) fn converted(input: &Input, header: &Header, options: &PieceOptions) -> Result<Spool, ReadError> {
     let mut spool = Spool::new(options)?;
     let written = write_head(header, &mut spool).and_then(|count_at| {
@@ -85,11 +85,16 @@ fn write_body(bytes: &[u8], header: &Header, spool: &mut Spool) -> Result<u32, F
 
 fn write_vertices(element: &Element, rows: &mut AsciiRows<'_>, spool: &mut Spool) -> Result<(), Fault> {
     let mut row = Vec::new();
+    let columns = flipped_columns_of(element);
     for _ in 0..element.count {
         row.clear();
-        for property in &element.properties {
+        for (property, column) in element.properties.iter().zip(&columns) {
             let at = row.len();
-            rows.copy(property.scalar, &mut row)?;
+            if column.is_flipped {
+                rows.copy_flipped(property.scalar, &mut row)?;
+            } else {
+                rows.copy(property.scalar, &mut row)?;
+            }
             if matches!(property.name.as_str(), "x" | "y" | "z") && !is_finite(property.scalar, &row[at..]) {
                 return Err(rows.fault(format!("`{}` is not a usable coordinate", property.name)));
             }

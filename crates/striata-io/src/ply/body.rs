@@ -12,7 +12,7 @@ use super::face_textures::{FaceTextures, TextureProperties};
 use super::header::{Element, Header, Property, Scalar};
 use super::names::{ColumnSet, column_sets};
 use super::rows::Rows;
-use super::textures;
+use super::texcoords::{flip, mark_flipped};
 
 /// Vertex element without its lists: `count` rows of `stride` little-endian bytes.
 pub(crate) struct Vertices<'a> {
@@ -69,14 +69,22 @@ fn columns_of(element: &Element) -> (Vec<Column>, usize) {
     let mut offset = 0;
     let mut columns = Vec::new();
     for property in element.properties.iter().filter(|p| p.list.is_none()) {
-        columns.push(Column { name: property.name.clone(), scalar: property.scalar, offset });
+        let (name, scalar) = (property.name.clone(), property.scalar);
+        columns.push(Column { name, scalar, offset, is_flipped: false });
         offset += property.scalar.bytes();
     }
     (columns, offset)
 }
 
+/// Returns the columns, those with texture coordinates marked.
+pub(crate) fn flipped_columns_of(element: &Element) -> Vec<Column> {
+    let (mut columns, _) = columns_of(element);
+    mark_flipped(&mut columns);
+    columns
+}
+
 fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Vertices<'a>, Fault> {
-    let (columns, stride) = columns_of(element);
+    let (mut columns, stride) = columns_of(element);
     let (count, length) = (element.count, stride * element.count);
     let has_lists = element.properties.iter().any(|p| p.list.is_some());
     if stride == 0 && count > 0 {
@@ -85,16 +93,34 @@ fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Ver
     if !has_lists && let Some(bytes) = rows.little_endian_bytes(length) {
         return Ok(Vertices { rows: Cow::Borrowed(bytes), count, stride, columns });
     }
+    if rows.is_text() {
+        mark_flipped(&mut columns);
+    }
     let mut bytes = Vec::with_capacity(length);
     for _ in 0..count {
-        for property in &element.properties {
-            match property.list {
-                None => rows.copy(property.scalar, &mut bytes)?,
-                Some(_) => skip_property(property, rows)?,
-            }
-        }
+        copy_row(element, &columns, rows, &mut bytes)?;
     }
     Ok(Vertices { rows: Cow::Owned(bytes), count, stride, columns })
+}
+
+/// Appends the numbers of a row, as little-endian bytes; lists are left out.
+fn copy_row<'a>(
+    element: &Element,
+    columns: &[Column],
+    rows: &mut impl Rows<'a>,
+    out: &mut Vec<u8>,
+) -> Result<(), Fault> {
+    let mut columns = columns.iter();
+    for property in &element.properties {
+        if property.list.is_some() {
+            skip_property(property, rows)?;
+        } else if columns.next().is_some_and(|column| column.is_flipped) {
+            rows.copy_flipped(property.scalar, out)?;
+        } else {
+            rows.copy(property.scalar, out)?;
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
@@ -280,10 +306,14 @@ impl Faces {
 }
 
 impl<'a> Vertices<'a> {
-    /// Wraps whole rows of little-endian bytes, of any number.
+    /// Wraps whole rows of little-endian bytes, of any number; their texture coordinates count from the top
+    /// of the image if `has_top_origin` is set.
     #[cfg(all(any(feature = "blocks", feature = "pieces"), not(target_family = "wasm")))]
-    pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>) -> Self {
-        let (columns, stride) = columns_of(element);
+    pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>, has_top_origin: bool) -> Self {
+        let (mut columns, stride) = columns_of(element);
+        if has_top_origin {
+            mark_flipped(&mut columns);
+        }
         Self { count: rows.len() / stride.max(1), rows, stride, columns }
     }
 }
@@ -341,9 +371,8 @@ impl Vertices<'_> {
             (Semantic::Joints(_), _) => (self.typed(set), false),
         };
         let mut layer = AttributeLayer { semantic, component_count, normalized, data };
-        let has_bottom_origin = !header.texture_files.is_empty();
-        if has_bottom_origin && matches!(layer.semantic, Semantic::TexCoord(_)) {
-            textures::flip(&mut layer.data, layer.normalized);
+        if !set.columns.iter().any(|column| column.is_flipped) {
+            flip(&mut layer);
         }
         layer
     }

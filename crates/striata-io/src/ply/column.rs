@@ -8,4 +8,6 @@ pub(crate) struct Column {
     pub name: String,
     pub scalar: Scalar,
     pub offset: usize,
+    /// Whether this is a texture coordinate that counts from the top of the image already.
+    pub is_flipped: bool,
 }

@@ -77,8 +77,12 @@ impl TextureProperties {
                     Some(length) if Some(place) == self.texcoord => {
                         let length = list_length(length, rows)?;
                         mark = rows.mark();
-                        for _ in 0..length {
-                            texcoords.push(rows.float(property.scalar)?);
+                        for index in 0..length {
+                            // `v` counts from the bottom of the image.
+                            let is_v = index % 2 == 1;
+                            let scalar = property.scalar;
+                            let read = if is_v { rows.one_minus(scalar) } else { rows.float(scalar) };
+                            texcoords.push(read?);
                         }
                     }
                     None if Some(place) == self.number => number = rows.integer(property.scalar)?,
@@ -138,16 +142,10 @@ impl FaceTextures {
 
     /// Gives the mesh the coordinates of the corners. All vertex indices must be valid, and there must be
     /// data for all triangles, or for none.
-    ///
-    /// `v` becomes `1 - v` if `is_flipped`; the coordinates that the vertices have already are kept.
-    pub(crate) fn split_vertices(&mut self, mesh: &mut IndexedMesh, is_flipped: bool) {
+    pub(crate) fn split_vertices(&mut self, mesh: &mut IndexedMesh) {
         let mut corners = std::mem::take(&mut self.corners);
         if corners.iter().all(|corner| corner[1] == MISSING) {
             return;
-        }
-        if is_flipped {
-            let known = corners.iter_mut().filter(|corner| corner[1] != MISSING);
-            known.for_each(|corner| corner[2] = bits(1.0 - f32::from_bits(corner[2])));
         }
         let fallback = coordinates_of_vertices(mesh, &corners);
         for corner in corners.iter_mut().filter(|corner| corner[1] == MISSING) {

@@ -108,6 +108,9 @@ pub(crate) struct Header {
     pub normalized: Vec<String>,
     /// Images named by `comment TextureFile NAME`.
     pub texture_files: Vec<TextureComment>,
+    /// Whether texture coordinates count from the top of the image, as in temporary files of our own; set by
+    /// those who know.
+    pub has_top_origin: bool,
     pub body_at: usize,
     pub body_line: u64,
 }
@@ -153,7 +156,7 @@ impl Header {
         cursor.next_line();
         let encoding = encoding.ok_or_else(|| cursor.fault("the header has no `format` line"))?;
         let (body_at, body_line) = (bytes.len() - cursor.bytes_left(), cursor.line());
-        Ok(Self { encoding, elements, normalized, texture_files, body_at, body_line })
+        Ok(Self { encoding, elements, normalized, texture_files, has_top_origin: false, body_at, body_line })
     }
 
     /// Returns the element `vertex`.

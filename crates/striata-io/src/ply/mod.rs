@@ -6,11 +6,10 @@
 //! triangulated as fans while they are read. Cost: one pass, and one copy of the vertices if the file is
 //! ASCII, big-endian or has lists.
 //!
-//! Texture coordinates are kept unchanged, because the format does not define their origin. Files with a
-//! `comment TextureFile` are the exception: the programs that write it (MeshLab, photogrammetry) count `v`
-//! from the bottom of the image, so it becomes `1 - v`. The images become materials (`textures`), and the
-//! coordinates of faces are split into vertices (`face_textures`). Our writer names no images, and a file
-//! that it wrote is read back unchanged.
+//! The format does not define the origin of texture coordinates, but Blender, MeshLab, trimesh and
+//! photogrammetry programs count `v` from the bottom of the image, as OBJ does. So it becomes `1 - v` when it is
+//! read and when it is written (`texcoords`). The images of `comment TextureFile` become materials
+//! (`textures`), and the coordinates of faces are split into vertices (`face_textures`).
 
 pub(crate) mod body;
 mod column;
@@ -20,6 +19,7 @@ mod names;
 pub(crate) mod rows;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod stream;
+pub(crate) mod texcoords;
 pub(crate) mod textures;
 mod write;
 
@@ -64,7 +64,7 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
     }
     let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(positions, faces.triangles) };
     let comments = &header.texture_files;
-    faces.textures.split_vertices(&mut mesh, !comments.is_empty());
+    faces.textures.split_vertices(&mut mesh);
     let set = TextureSet::new(source, bytes.len() as u64);
     textures::attach(&mut mesh, comments, faces.textures.numbers(), set, warnings);
     Ok(mesh)

@@ -11,8 +11,32 @@ pub(crate) trait Rows<'a> {
     fn integer(&mut self, scalar: Scalar) -> Result<i64, Fault>;
     /// Reads a number of any type.
     fn float(&mut self, scalar: Scalar) -> Result<f32, Fault>;
+    /// Reads a number of any type, and returns 1 minus it.
+    fn one_minus(&mut self, scalar: Scalar) -> Result<f32, Fault> {
+        Ok(1.0 - self.float(scalar)?)
+    }
+    /// Whether the numbers are text, which [`one_minus`](Self::one_minus) subtracts in decimal.
+    fn is_text(&self) -> bool {
+        false
+    }
     /// Appends a number of any type to `out`, as the little-endian bytes of that type.
     fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault>;
+    /// Appends a number like [`copy`](Self::copy), as a texture coordinate with the other origin.
+    fn copy_flipped(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
+        match scalar {
+            Scalar::F32 => out.extend_from_slice(&self.one_minus(scalar)?.to_le_bytes()),
+            Scalar::F64 => out.extend_from_slice(&f64::from(self.one_minus(scalar)?).to_le_bytes()),
+            Scalar::U8 | Scalar::U16 => {
+                let start = out.len();
+                self.copy(scalar, out)?;
+                // The largest number minus this one.
+                out[start..].iter_mut().for_each(|byte| *byte = !*byte);
+            }
+            // Plain integers are pixels or something else.
+            _ => self.copy(scalar, out)?,
+        }
+        Ok(())
+    }
     /// Skips `count` numbers.
     fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Fault>;
     /// Returns the smallest number of bytes that one row of the element takes in this source.
@@ -47,6 +71,15 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
     fn float(&mut self, _scalar: Scalar) -> Result<f32, Fault> {
         self.0.skip_lines(None);
         self.0.f32()
+    }
+
+    fn one_minus(&mut self, _scalar: Scalar) -> Result<f32, Fault> {
+        self.0.skip_lines(None);
+        Ok(self.0.number()?.one_minus_f32())
+    }
+
+    fn is_text(&self) -> bool {
+        true
     }
 
     fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {

@@ -10,19 +10,26 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::sync::Arc;
 
-use striata::mesh::IndexedMesh;
+use striata::mesh::{AttributeLayer, IndexedMesh};
 
 use super::body::{Vertices, index_list};
 use super::header::{Element, Encoding, Header, Property, Scalar};
 use super::rows::integer_from_bytes;
+use super::texcoords::{has_origin, with_bottom_origin};
+use super::write::{push_row, vertex_header};
 use crate::ReadError;
+use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
 use crate::file_view::FileView;
+use crate::report::Warnings;
 
 /// Largest supported size of a header, in bytes.
 const MAX_HEADER_BYTES: u64 = 1 << 20;
 /// Approximate size of the pieces in which rows are read, in bytes.
 const PIECE_BYTES: usize = 1 << 18;
+
+/// End of a header whose triangles are strips.
+const STRIPS: &str = "element tristrips 1\nproperty list uint int vertex_indices\nend_header\n";
 
 /// PLY file whose header has been read and whose elements have been located.
 #[derive(Clone, Debug)]
@@ -122,16 +129,19 @@ impl PlyStream {
                 }
             }
         }
-        let vertices = Vertices::of_rows(vertex, rows);
+        let vertices = Vertices::of_rows(vertex, rows, self.header.has_top_origin);
         let positions = vertices.positions(&self.header).map_err(in_file)?;
         Ok(IndexedMesh { layers: vertices.layers(&self.header), ..IndexedMesh::new(positions, Vec::new()) })
     }
 
-    /// Writes the header of a file whose triangles are strips, and copies the vertex rows unchanged. All
-    /// indices form one list, with strips separated by -1.
+    /// Writes the header of a file whose triangles are strips, and copies the vertex rows: unchanged, unless
+    /// this is a temporary file. All indices form one list, with strips separated by -1.
     ///
     /// The caller writes the list itself, in this file's byte order.
     pub(crate) fn write_strip_header(&self, index_count: u32, out: &mut dyn Write) -> io::Result<()> {
+        if let Some(layers) = self.changed_layers().map_err(CopyError::Read)? {
+            return self.write_changed(&layers, index_count, out);
+        }
         let encoding = if self.is_big_endian() { "binary_big_endian" } else { "binary_little_endian" };
         let mut head = format!("ply\nformat {encoding} 1.0\n");
         for name in &self.header.normalized {
@@ -145,10 +155,58 @@ impl PlyStream {
         for property in vertex.into_iter().flat_map(|vertex| &vertex.properties) {
             head += &format!("property {} {}\n", property.scalar.name(), property.name);
         }
-        head += "element tristrips 1\nproperty list uint int vertex_indices\nend_header\n";
+        head += STRIPS;
         out.write_all(head.as_bytes())?;
         self.for_each_row_batch(|_, rows| out.write_all(rows).map_err(CopyError::Write))?;
         out.write_all(&self.u32_bytes(index_count))
+    }
+
+    /// Returns the layers of a temporary file without values, if they differ in the file that is written: in
+    /// the origin of texture coordinates, or in the type of colors.
+    fn changed_layers(&self) -> Result<Option<Vec<AttributeLayer>>, ReadError> {
+        if !self.header.has_top_origin {
+            return Ok(None);
+        }
+        let layers = self.vertices(&[])?.layers;
+        let written: Vec<AttributeLayer> = self.written(&layers).map(Cow::into_owned).collect();
+        let is_changed = layers.iter().any(has_origin) || written != layers;
+        Ok(is_changed.then_some(written))
+    }
+
+    /// Returns layers as they are written.
+    fn written<'l>(
+        &self,
+        layers: &'l [AttributeLayer],
+    ) -> impl Iterator<Item = Cow<'l, AttributeLayer>> + use<'l> {
+        let mut warnings = Warnings::of_file(&self.name);
+        layers.iter().map(move |layer| match with_bottom_origin(layer) {
+            Cow::Borrowed(layer) => byte_colors(layer, &mut warnings),
+            flipped => flipped,
+        })
+    }
+
+    /// Writes vertices whose layers change, like [`write_strip_header`](Self::write_strip_header).
+    fn write_changed(
+        &self,
+        layers: &[AttributeLayer],
+        index_count: u32,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        let names: Vec<&str> = self.header.texture_files.iter().map(|file| file.name.as_str()).collect();
+        let vertex_count = self.vertex_count.to_string();
+        let head = vertex_header(layers, &names, "binary_little_endian", &vertex_count);
+        let head = head.map_err(|refusal| io::Error::other(refusal.into_reason()))?;
+        out.write_all((head + STRIPS).as_bytes())?;
+        let mut written = Vec::new();
+        self.for_each_row_batch(|_, rows| {
+            let mesh = self.vertices(rows)?;
+            let layers: Vec<_> = self.written(&mesh.layers).collect();
+            written.clear();
+            (0..mesh.positions.len())
+                .for_each(|vertex| push_row(&mesh.positions, &layers, vertex, &mut written));
+            out.write_all(&written).map_err(CopyError::Write)
+        })?;
+        out.write_all(&index_count.to_le_bytes())
     }
 
     /// Returns a four-byte integer in this file's byte order.

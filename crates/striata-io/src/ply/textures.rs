@@ -1,7 +1,7 @@
 //! Materials of a PLY file: one for each `comment TextureFile`.
 
 use serde_json::{Value, json};
-use striata::mesh::{IndexedMesh, LayerData, Material, Semantic, TriangleGroup};
+use striata::mesh::{IndexedMesh, Material, Semantic, TriangleGroup};
 
 use super::header::TextureComment;
 use crate::error::Place;
@@ -90,20 +90,5 @@ fn group_by_texture(
             mesh.groups.push(TriangleGroup { name: String::new(), material, first, count: count_of_texture });
         }
         first += count_of_texture;
-    }
-}
-
-/// Flips texture coordinates whose origin is at the bottom of the image, as it is if there are texture files.
-pub(super) fn flip(data: &mut LayerData, normalized: bool) {
-    match data {
-        LayerData::F32(values) => values.iter_mut().skip(1).step_by(2).for_each(|v| *v = 1.0 - *v),
-        LayerData::U8(values) if normalized => {
-            values.iter_mut().skip(1).step_by(2).for_each(|v| *v = u8::MAX - *v);
-        }
-        LayerData::U16(values) if normalized => {
-            values.iter_mut().skip(1).step_by(2).for_each(|v| *v = u16::MAX - *v);
-        }
-        // Plain integers are pixels or something else.
-        _ => {}
     }
 }
