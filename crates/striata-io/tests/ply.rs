@@ -251,7 +251,7 @@ fn colors_are_written_as_bytes() {
     let text = String::from_utf8_lossy(&written(Format::Ply, &mesh)).into_owned();
     assert!(text.contains("\nproperty uchar red\n"), "{text}");
     // Integers of 16 bits become bytes, too; other color sets are ours alone and stay as they are.
-    let words = LayerData::U16(vec![0, 257, 65535, 128].repeat(4));
+    let words = LayerData::U16([0, 257, 65535, 128].repeat(4));
     let mut mesh = square();
     for set in [0, 1] {
         let (semantic, data) = (Semantic::Color(set), words.clone());
