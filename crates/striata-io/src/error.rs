@@ -15,6 +15,12 @@ pub enum Place {
     Byte(u64),
     /// Path of a value in a JSON document, such as `accessors[3].count`.
     Json(String),
+    /// Vertex, in the order of the file, counted from 0.
+    Vertex(u64),
+    /// Triangle, in the order of the file after polygons are divided, counted from 0.
+    Triangle(u64),
+    /// Piece of a file that is read in pieces, counted from 0.
+    Piece(u64),
     /// The file as a whole.
     File,
 }
@@ -25,6 +31,9 @@ impl fmt::Display for Place {
             Self::Line(line) => write!(f, "line {line}"),
             Self::Byte(byte) => write!(f, "byte {byte}"),
             Self::Json(path) => f.write_str(path),
+            Self::Vertex(vertex) => write!(f, "vertex {vertex}"),
+            Self::Triangle(triangle) => write!(f, "triangle {triangle}"),
+            Self::Piece(piece) => write!(f, "piece {piece}"),
             Self::File => f.write_str("whole file"),
         }
     }
@@ -92,6 +101,28 @@ pub enum ReadError {
         file: String,
         /// Description of the file or of what it contains.
         found: String,
+    },
+    /// The file has no bytes.
+    #[error("{file}: the file is empty")]
+    Empty {
+        /// Name of the file.
+        file: String,
+    },
+    /// The file has points, lines or curves, but no triangles.
+    #[error("{file}: the file has {found} and no triangles; striata simplifies triangle meshes")]
+    NoTriangles {
+        /// Name of the file.
+        file: String,
+        /// What it has, such as `1,000 points`.
+        found: String,
+    },
+    /// Every triangle had to be left out.
+    #[error("{file}: none of the triangles can be used: {reason}")]
+    NothingLeft {
+        /// Name of the file.
+        file: String,
+        /// What was left out, and why.
+        reason: String,
     },
     /// The file violates the rules of its format.
     #[error("{file}: {place}: {reason}")]

@@ -98,12 +98,14 @@ impl Format {
         let head = &bytes[..bytes.len().min(EXAMINED_BYTES)];
         let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
         let first_line = text
-            .split(|&b| b == b'\n')
+            .split(|&b| b == b'\n' || b == b'\r')
             .map(<[u8]>::trim_ascii)
             .find(|line| !line.is_empty() && !line.starts_with(b"#"))?;
         let first_word = first_line.split(u8::is_ascii_whitespace).next()?;
         match first_word {
-            b"solid" => Some(Self::Stl),
+            word if word.eq_ignore_ascii_case(b"solid") || word.eq_ignore_ascii_case(b"facet") => {
+                Some(Self::Stl)
+            }
             word if is_off_keyword(word) => Some(Self::Off),
             word if word.starts_with(b"{") => Some(Self::Gltf),
             b"v" | b"vt" | b"vn" | b"f" | b"o" | b"g" | b"usemtl" | b"mtllib" => Some(Self::Obj),
@@ -112,13 +114,19 @@ impl Format {
     }
 }
 
-/// Whether a word is `OFF` with any of its prefixes, such as `STCNOFF` or `4OFF`.
+/// Whether a word is `OFF` with any of its prefixes and perhaps a count, such as `STCNOFF`, `4OFF` or `off8`.
 fn is_off_keyword(word: &[u8]) -> bool {
-    let Some(mut prefix) = word.strip_suffix(b"OFF") else { return false };
-    for part in [&b"ST"[..], b"C", b"N", b"4", b"n"] {
-        prefix = prefix.strip_prefix(part).unwrap_or(prefix);
+    let digits = word.iter().rev().take_while(|b| b.is_ascii_digit()).count();
+    let lower = word[..word.len() - digits].to_ascii_lowercase();
+    let Some(mut prefix) = lower.strip_suffix(b"off") else { return false };
+    while let Some((part, rest)) = prefix.split_first() {
+        prefix = match part {
+            b's' => rest.strip_prefix(b"t").unwrap_or(b"?"),
+            b'c' | b'n' | b'4' => rest,
+            _ => return false,
+        };
     }
-    prefix.is_empty()
+    true
 }
 
 /// Whether the length is exactly that of a binary STL with the triangle count in its header.
@@ -161,13 +169,20 @@ mod tests {
 
     #[test]
     fn content_wins_over_the_name() {
-        let cases: [(&[u8], &str, Option<Format>); 15] = [
+        let cases: [(&[u8], &str, Option<Format>); 22] = [
             (b"ply\nformat ascii 1.0\n", "x.obj", Some(Format::Ply)),
             (b"plywood", "x.txt", None),
             (b"glTF\x02\0\0\0", "x", Some(Format::Glb)),
             (b" \n{ \"asset\": {} }", "x", Some(Format::Gltf)),
             (b"# made by hand\n\nv 0 0 0\n", "x.stl", Some(Format::Obj)),
             (b"solid thing\n", "x", Some(Format::Stl)),
+            (b"SOLID thing\n", "x", Some(Format::Stl)),
+            (b"\xef\xbb\xbf# by a tool\rSolid thing\r", "x", Some(Format::Stl)),
+            (b"facet normal 0 0 1\n", "x", Some(Format::Stl)),
+            (b"OFF8 6 12\n", "x", Some(Format::Off)),
+            (b"coff\n", "x", Some(Format::Off)),
+            (b"Soff\n", "x", None),
+            (b"coffee\n", "x", None),
             (b"STCOFF\n", "x", Some(Format::Off)),
             (b"OFF 8 6 12\n", "x", Some(Format::Off)),
             (b"STRIATA\0....", "x.ply", Some(Format::Striata)),

@@ -99,6 +99,7 @@ pub mod pieces;
 #[cfg(feature = "ply")]
 mod ply;
 mod read;
+mod repair;
 mod report;
 #[cfg(feature = "gltf")]
 mod scene;

@@ -9,8 +9,11 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
-use crate::report::Warnings;
-use crate::text::{Cursor, push_f32, push_one_minus_f32, quoted};
+use crate::report::{Kind, Warnings};
+use crate::text::{Cursor, plain, push_f32, push_one_minus_f32, quoted};
+
+/// Longest keyword with all its prefixes.
+const MAX_KEYWORD: usize = 16;
 
 /// Attributes of each vertex after its position, in this order.
 #[derive(Clone, Copy, Default)]
@@ -33,42 +36,38 @@ pub(crate) struct Columns {
 }
 
 /// Reads a mesh from the bytes of an OFF file.
-pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+pub(crate) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let (mut columns, mut triangles) = (Columns::default(), Vec::new());
-    let vertex = |layout: &Layout, row: &[f32]| {
-        columns.push(layout, row);
-        Ok(())
-    };
-    let layout = read_rows(bytes, vertex, |triangle| triangles.push(triangle))?;
+    let vertex = |layout: &Layout, row: &[f32]| columns.push(layout, row);
+    let layout = read_rows(&plain(bytes), warnings, vertex, |triangle| triangles.push(triangle))?;
     let (positions, layers) = columns.into_mesh(&layout);
     Ok(IndexedMesh { positions, layers, triangles, ..IndexedMesh::default() })
 }
 
-/// Reads a file row by row: `vertex` gets the numbers of each vertex and may refuse them, `triangle` the
-/// triangles of each polygon. Whether colors are bytes is only known at the end.
+/// Reads a plain text row by row: `vertex` gets the numbers of each vertex, `triangle` the triangles of each
+/// polygon. Whether colors are bytes is only known at the end.
 pub(crate) fn read_rows(
-    bytes: &[u8],
-    mut vertex: impl FnMut(&Layout, &[f32]) -> Result<(), String>,
+    text: &[u8],
+    warnings: &mut Warnings,
+    mut vertex: impl FnMut(&Layout, &[f32]),
     mut triangle: impl FnMut([u32; 3]),
 ) -> Result<Layout, Fault> {
-    let mut cursor = Cursor::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
+    let mut cursor = Cursor::new(text);
     cursor.skip_lines(Some(b'#'));
     let mut layout = read_keyword(&mut cursor)?;
-    cursor.skip_lines(Some(b'#'));
     let vertex_count = read_count(&mut cursor, "vertices")?;
     let polygon_count = read_count(&mut cursor, "polygons")?;
-    // The edge count is not used; some writers omit it.
-    cursor.next_line();
+    skip_edge_count(&mut cursor);
     check_room(&cursor, vertex_count, 6)?;
     let (mut row, mut has_large_color) = (Vec::new(), false);
     for number in 0..vertex_count {
         cursor.skip_lines(Some(b'#'));
-        let line = cursor.line();
-        let read = read_vertex(&mut cursor, &mut layout, &mut row);
-        let read = read.and_then(|()| vertex(&layout, &row).map_err(|reason| Fault::at_line(line, reason)));
+        let read = read_vertex(&mut cursor, &mut layout, &mut row, warnings);
         read.map_err(|fault| in_row(fault, "vertex", number))?;
+        vertex(&layout, &row);
         let color = layout.color_in(&row);
-        layout.colors_are_bytes &= color.iter().all(|c| c.fract() == 0.0 && (0.0..=255.0).contains(c));
+        layout.colors_are_bytes &=
+            color.iter().all(|c| c.is_nan() || c.fract() == 0.0 && (0.0..=255.0).contains(c));
         has_large_color |= color.iter().any(|&c| c > 1.0);
     }
     // If there are only zeros and ones, they are fractions, as in a white mesh.
@@ -76,7 +75,7 @@ pub(crate) fn read_rows(
     check_room(&cursor, polygon_count, 2)?;
     for polygon in 0..polygon_count {
         cursor.skip_lines(Some(b'#'));
-        read_polygon(&mut cursor, vertex_count, &mut triangle)
+        read_polygon(&mut cursor, vertex_count, warnings, &mut triangle)
             .map_err(|fault| in_row(fault, "polygon", polygon))?;
     }
     Ok(layout)
@@ -89,32 +88,71 @@ fn in_row(fault: Fault, what: &str, row: usize) -> Fault {
     }
 }
 
+/// Reads the keyword, which may be in any case, have its counts attached (`OFF8 12 0`), or be missing.
 fn read_keyword(cursor: &mut Cursor<'_>) -> Result<Layout, Fault> {
-    let word = cursor.word();
-    let Some(mut prefix) = word.strip_suffix(b"OFF") else {
+    let mut layout = Layout { colors_are_bytes: true, ..Layout::default() };
+    let mut ahead = cursor.clone();
+    let word = ahead.word();
+    if word.strip_prefix(b"-").unwrap_or(word).iter().all(u8::is_ascii_digit) {
+        return Ok(layout);
+    }
+    let Some((prefix, length)) = split_keyword(word) else {
         return Err(cursor.fault(format!("expected the word OFF, found {}", quoted(word))));
     };
-    let mut take = |part: &[u8]| match prefix.strip_prefix(part) {
-        Some(rest) => {
-            prefix = rest;
-            true
-        }
-        None => false,
-    };
-    let (has_texcoord, has_color, has_normal) = (take(b"ST"), take(b"C"), take(b"N"));
-    if !prefix.is_empty() {
-        let what = format!("the OFF variant {}", quoted(word));
-        return Err(Fault::Unsupported(Place::Line(cursor.line()), what));
+    let mut rest = &prefix[..];
+    while !rest.is_empty() {
+        let (part, after) = match rest {
+            [b's', b't', after @ ..] => (&mut layout.has_texcoord, after),
+            [b'c', after @ ..] => (&mut layout.has_color, after),
+            [b'n', after @ ..] => (&mut layout.has_normal, after),
+            _ => {
+                let what = format!("the OFF variant {}", quoted(word));
+                return Err(Fault::Unsupported(Place::Line(cursor.line()), what));
+            }
+        };
+        (*part, rest) = (true, after);
     }
-    if cursor.clone().word() == b"BINARY" {
+    cursor.skip_bytes(length);
+    let mut ahead = cursor.clone();
+    if ahead.word().eq_ignore_ascii_case(b"BINARY") {
         return Err(Fault::Unsupported(Place::Line(cursor.line()), "binary OFF".to_owned()));
     }
-    Ok(Layout { has_normal, has_color, color_count: 0, has_texcoord, colors_are_bytes: true })
+    Ok(layout)
+}
+
+/// Splits a word such as `STCOFF` or `off8`: the lower-case prefix, and the length without attached counts.
+/// [`None`] if it does not contain `OFF` in this way.
+fn split_keyword(word: &[u8]) -> Option<(Vec<u8>, usize)> {
+    let lower = word.get(..word.len().min(MAX_KEYWORD))?.to_ascii_lowercase();
+    let at = lower.windows(3).position(|window| window == b"off")?;
+    let counts = &word[at + 3..];
+    counts.iter().all(u8::is_ascii_digit).then(|| (lower[..at].to_vec(), at + 3))
 }
 
 fn read_count(cursor: &mut Cursor<'_>, what: &str) -> Result<usize, Fault> {
+    cursor.skip_lines(Some(b'#'));
     let count = cursor.integer()?;
     usize::try_from(count).map_err(|_| cursor.fault(format!("{count} is not a valid number of {what}")))
+}
+
+/// Skips the number of edges, which is not used: some writers omit it, others put it in a line of its own.
+fn skip_edge_count(cursor: &mut Cursor<'_>) {
+    let is_in_next_line = ends(cursor);
+    cursor.next_line();
+    if is_in_next_line {
+        let mut ahead = cursor.clone();
+        ahead.skip_lines(Some(b'#'));
+        if ahead.integer().is_ok() && ends(&mut ahead) {
+            ahead.next_line();
+            *cursor = ahead;
+        }
+    }
+}
+
+/// Whether the row has no more numbers.
+#[inline]
+fn ends(cursor: &mut Cursor<'_>) -> bool {
+    cursor.at_line_end() || cursor.peek() == Some(b'#')
 }
 
 /// Refuses counts that the remaining bytes cannot contain, before anything is allocated for them.
@@ -127,40 +165,64 @@ fn check_room(cursor: &Cursor<'_>, count: usize, least_bytes: usize) -> Result<(
 }
 
 /// Reads the numbers of a vertex.
-fn read_vertex(cursor: &mut Cursor<'_>, layout: &mut Layout, row: &mut Vec<f32>) -> Result<(), Fault> {
+fn read_vertex(
+    cursor: &mut Cursor<'_>,
+    layout: &mut Layout,
+    row: &mut Vec<f32>,
+    warnings: &mut Warnings,
+) -> Result<(), Fault> {
     row.clear();
-    for _ in 0..layout.color_start() {
+    for _ in 0..3 {
         row.push(cursor.f32()?);
     }
     if layout.has_color && layout.color_count == 0 {
-        layout.color_count = count_color_words(cursor, layout.has_texcoord);
+        layout.color_count = count_color_words(cursor, layout);
     }
-    for _ in 0..layout.color_count {
-        row.push(cursor.f32()?);
+    let last = layout.row_length() - 1;
+    for place in 3..layout.row_length() {
+        if ends(cursor) {
+            fill_row(cursor, layout, row, warnings);
+            break;
+        }
+        let number = cursor.number()?;
+        row.push(if layout.has_texcoord && place == last { number.one_minus_f32() } else { number.to_f32() });
     }
-    if layout.has_texcoord {
-        row.push(cursor.f32()?);
-        row.push(cursor.number()?.one_minus_f32());
+    if !ends(cursor) {
+        let reason = || format!("{} follows a vertex", quoted(cursor.clone().word()));
+        warnings.count(SURPLUS, || Place::Line(cursor.line()), reason);
     }
     cursor.next_line();
     Ok(())
 }
 
-/// Returns how many numbers the color has that follows: 3 or 4.
-fn count_color_words(cursor: &Cursor<'_>, has_texcoord: bool) -> usize {
+const SURPLUS: Kind = Kind("vertex with surplus numbers", "vertices with surplus numbers");
+
+/// Completes the row of a vertex that lacks attributes with NaN, which is repaired like other values that are
+/// no numbers.
+#[cold]
+fn fill_row(cursor: &Cursor<'_>, layout: &Layout, row: &mut Vec<f32>, warnings: &mut Warnings) {
+    let kind = Kind("vertex without some attributes", "vertices without some attributes");
+    let reason = || format!("{} numbers instead of {}", row.len(), layout.row_length());
+    warnings.count(kind, || Place::Line(cursor.line()), reason);
+    row.resize(layout.row_length(), f32::NAN);
+}
+
+/// Returns how many numbers the color has: 3 or 4. The cursor is after the position.
+fn count_color_words(cursor: &Cursor<'_>, layout: &Layout) -> usize {
     let mut ahead = cursor.clone();
     let mut word_count = 0;
     while !ahead.at_line_end() && ahead.peek() != Some(b'#') {
         ahead.word();
         word_count += 1;
     }
-    let color_words = if has_texcoord { word_count.max(2) - 2 } else { word_count };
-    if color_words >= 4 { 4 } else { 3 }
+    let other_words = if layout.has_normal { 3 } else { 0 } + if layout.has_texcoord { 2 } else { 0 };
+    if word_count >= other_words + 4 { 4 } else { 3 }
 }
 
 fn read_polygon(
     cursor: &mut Cursor<'_>,
     vertex_count: usize,
+    warnings: &mut Warnings,
     triangle: &mut impl FnMut([u32; 3]),
 ) -> Result<(), Fault> {
     let corner_count = cursor.integer()?;
@@ -180,14 +242,17 @@ fn read_polygon(
         }
         last = vertex;
     }
+    if corner_count < 3 {
+        let reason = || format!("a polygon with {corner_count} corners");
+        warnings.count(Kind::POLYGONS, || Place::Line(cursor.line()), reason);
+    }
     cursor.next_line();
     Ok(())
 }
 
 impl Layout {
     /// Returns how many numbers a vertex has.
-    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
-    pub(crate) fn width(&self) -> usize {
+    pub(crate) fn row_length(&self) -> usize {
         self.color_start() + self.color_count + if self.has_texcoord { 2 } else { 0 }
     }
 
@@ -222,7 +287,8 @@ impl Columns {
         if layout.has_color {
             let component_count = layout.color_count.max(3) as u8;
             layers.push(if layout.colors_are_bytes {
-                let data = LayerData::U8(self.colors.iter().map(|&c| c as u8).collect());
+                let byte = |&c: &f32| if c.is_nan() { u8::MAX } else { c as u8 };
+                let data = LayerData::U8(self.colors.iter().map(byte).collect());
                 AttributeLayer { semantic: Semantic::Color(0), component_count, normalized: true, data }
             } else {
                 AttributeLayer::from_f32(Semantic::Color(0), component_count, self.colors)

@@ -9,6 +9,7 @@ use std::path::Path;
 use striata::mesh::IndexedMesh;
 
 use crate::error::Fault;
+use crate::repair::{check_triangles, repair};
 use crate::report::{ReadReport, Warnings};
 use crate::source::Source;
 use crate::{Format, ReadError, decompressed};
@@ -62,6 +63,9 @@ pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, Read
 pub fn read_bytes_with_report(bytes: &[u8], source: &Source<'_>) -> Result<ReadReport, ReadError> {
     let (bytes, name) = decompressed(Cow::Borrowed(bytes), source.name)?;
     let file = || source.name.to_owned();
+    if bytes.is_empty() {
+        return Err(ReadError::Empty { file: file() });
+    }
     let Some(format) = Format::detect(&bytes, &name) else {
         return Err(ReadError::UnknownFormat { file: file() });
     };
@@ -72,9 +76,9 @@ pub fn read_bytes_with_report(bytes: &[u8], source: &Source<'_>) -> Result<ReadR
         #[cfg(feature = "obj")]
         Format::Obj => crate::obj::read(&bytes, source, &mut warnings),
         #[cfg(feature = "stl")]
-        Format::Stl => crate::stl::read(&bytes),
+        Format::Stl => crate::stl::read(&bytes, &mut warnings),
         #[cfg(feature = "off")]
-        Format::Off => crate::off::read(&bytes),
+        Format::Off => crate::off::read(&bytes, &mut warnings),
         #[cfg(feature = "gltf")]
         Format::Gltf | Format::Glb => crate::gltf::read(&bytes, format, source, &mut warnings),
         Format::Striata | Format::Stream => return Err(ReadError::StriataContainer { file: file() }),
@@ -90,6 +94,11 @@ pub fn read_bytes_with_report(bytes: &[u8], source: &Source<'_>) -> Result<ReadR
             return Err(ReadError::FeatureOff { file: file(), what, feature });
         }
     };
-    let mesh = mesh.map_err(|fault| fault.in_file(source.name))?;
+    let mut mesh = mesh.map_err(|fault| fault.in_file(source.name))?;
+    // Primitives of points and lines are counted in warnings; others may be empty.
+    let is_gltf = matches!(format, Format::Gltf | Format::Glb);
+    let found = [if is_gltf { 0 } else { mesh.vertex_count() }, mesh.triangle_count()];
+    repair(&mut mesh, &mut warnings);
+    check_triangles(found, mesh.triangle_count(), &warnings)?;
     Ok(ReadReport { mesh, warnings: warnings.into_list() })
 }

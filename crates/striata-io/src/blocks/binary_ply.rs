@@ -13,16 +13,18 @@ use crate::pieces::input::Input;
 use crate::pieces::obj::ObjPieces;
 use crate::pieces::off::OffPieces;
 use crate::pieces::ply::must_be_read_at_once;
+use crate::pieces::repaired::Repaired;
 use crate::pieces::stl::StlPieces;
 use crate::pieces::{PieceOptions, PieceSource, PieceSummary, ply_text};
 use crate::ply::header::{Encoding, Header};
 use crate::ply::{PlyStream, push_row};
-use crate::{Format, ReadError};
+use crate::report::Warnings;
+use crate::{Format, Place, ReadError, Warning};
 
 /// Binary PLY file, and remarks on what it lacks of the input.
 pub(super) struct BinaryPly {
     pub(super) stream: PlyStream,
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Warning>,
 }
 
 impl BinaryPly {
@@ -44,15 +46,21 @@ impl BinaryPly {
         let input = Input::open(path, &options)?;
         match Format::detect(&input.bytes, &input.inner_name) {
             Some(Format::Ply) => Self::of_ply(input, &options),
-            Some(Format::Stl) => Self::of_pieces(&StlPieces::open(input, &options)?, scratch),
-            Some(Format::Obj) => Self::of_obj(&ObjPieces::open(&input, &options)?, scratch),
-            Some(Format::Off) => Self::of_off(&OffPieces::open(&input, &options)?, scratch),
+            Some(Format::Stl) => Self::of_pieces(&Repaired::new(StlPieces::open(input, &options)?), scratch),
+            Some(Format::Obj) => Self::of_obj(&ObjPieces::open(input, &options)?, scratch),
+            Some(Format::Off) => Self::of_off(&OffPieces::open(input, &options)?, scratch),
             Some(format @ (Format::Gltf | Format::Glb)) => {
-                Self::of_pieces(&GltfPieces::open(input, format, &options)?, scratch)
+                Self::of_pieces(&Repaired::new(GltfPieces::open(input, format, &options)?), scratch)
             }
             Some(format) => Err(refused(&format!("the format {format}"))),
             None => Err(ReadError::UnknownFormat { file: input.name }),
         }
+    }
+
+    /// Reads a file piece by piece, without vertices that are no points.
+    pub(super) fn repaired(path: &Path, scratch: &ScratchFolder) -> Result<Self, ReadError> {
+        let options = PieceOptions::default().with_scratch(scratch.folder.clone());
+        Self::of_pieces(&*crate::pieces::open_pieces(path, &options)?, scratch)
     }
 
     fn of_ply(input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
@@ -97,16 +105,19 @@ impl BinaryPly {
     /// Converts pieces; vertices with equal positions and attributes become one.
     pub(super) fn of_pieces(pieces: &dyn PieceSource, scratch: &ScratchFolder) -> Result<Self, ReadError> {
         let file = write_shared(&PieceTriangles(pieces), scratch)?;
-        Self::converted(file, pieces.summary())
+        let mut ply = Self::converted(file, pieces.summary())?;
+        let known = &pieces.summary().warnings;
+        ply.warnings.extend(pieces.warnings().into_iter().filter(|warning| !known.contains(warning)));
+        Ok(ply)
     }
 
     fn converted(file: File, summary: &PieceSummary) -> Result<Self, ReadError> {
-        let mut warnings = summary.warnings.clone();
+        let mut warnings = Warnings::of_list(&summary.name, summary.warnings.clone());
         if summary.groups.len() > 1 || summary.groups.iter().any(|group| group.material.is_some()) {
-            warnings.push(format!("{}: groups and materials are left out", summary.name));
+            warnings.push(Place::File, "groups and materials are left out");
         }
         let mut stream = PlyStream::open(file, summary.name.clone())?;
         stream.header.has_top_origin = true;
-        Ok(Self { stream, warnings })
+        Ok(Self { stream, warnings: warnings.into_list() })
     }
 }

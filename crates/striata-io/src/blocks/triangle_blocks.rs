@@ -12,17 +12,19 @@ use super::binary_ply::BinaryPly;
 use super::paged::PagedFile;
 use super::scratch::ScratchFolder;
 use super::sorter::{Record, SortedRecords, Sorter};
-use crate::ReadError;
 use crate::error::{Fault, Place};
 use crate::file_view::FileView;
 use crate::pieces::PieceSource;
 use crate::ply::PlyStream;
+use crate::repair::check_triangles;
+use crate::report::Warnings;
+use crate::{ReadError, Warning};
 
 /// Mesh of a file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
 #[derive(Debug)]
 pub struct TriangleBlocks {
     pub(super) stream: PlyStream,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
     scratch: ScratchFolder,
     /// Corners of all triangles, block by block.
     triangles: File,
@@ -46,7 +48,13 @@ impl TriangleBlocks {
     /// written.
     pub fn open(path: &Path, block_triangles: usize, scratch: &Path) -> Result<Self, ReadError> {
         let scratch = ScratchFolder { folder: scratch.to_owned() };
-        Self::cut(BinaryPly::open(path, &scratch)?, block_triangles, scratch)
+        let ply = BinaryPly::open(path, &scratch)?;
+        let (ply, bounds) = match bounds_of(&ply.stream)? {
+            Ok(bounds) => (ply, bounds),
+            // Vertices that are no points: the file cannot be read in place.
+            Err(_) => BinaryPly::repaired(path, &scratch).and_then(bounded)?,
+        };
+        Self::cut((ply, bounds), block_triangles, scratch)
     }
 
     /// Cuts pieces into blocks, as [`open`](Self::open) does with a file.
@@ -61,21 +69,28 @@ impl TriangleBlocks {
         scratch: &Path,
     ) -> Result<Self, ReadError> {
         let scratch = ScratchFolder { folder: scratch.to_owned() };
-        Self::cut(BinaryPly::of_pieces(pieces, &scratch)?, block_triangles, scratch)
+        let bounded = BinaryPly::of_pieces(pieces, &scratch).and_then(bounded)?;
+        Self::cut(bounded, block_triangles, scratch)
     }
 
-    fn cut(ply: BinaryPly, block_triangles: usize, scratch: ScratchFolder) -> Result<Self, ReadError> {
+    fn cut(
+        (ply, bounds): (BinaryPly, Option<Bounds>),
+        block_triangles: usize,
+        scratch: ScratchFolder,
+    ) -> Result<Self, ReadError> {
         let BinaryPly { stream, warnings } = ply;
-        let bounds = bounds_of(&stream)?;
         let sorted = sorted_triangles(&stream, bounds, &scratch)?;
         let cutter = BlockCutter::new(&stream, &scratch)?;
         let Blocks { triangles, starts, last_blocks } =
             cutter.run(sorted, block_triangles.max(1)).map_err(|error| scratch.error(error))?;
+        let triangle_count = starts.last().copied().unwrap_or(0) as usize;
+        let known = Warnings::of_list(stream.name(), warnings.clone());
+        check_triangles([stream.vertex_count as usize, triangle_count], triangle_count, &known)?;
         Ok(Self { stream, warnings, scratch, triangles, starts, last_blocks, bounds })
     }
 
     /// Returns remarks on what was left out, such as materials.
-    pub fn warnings(&self) -> &[String] {
+    pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
 
@@ -130,16 +145,21 @@ fn corners_of(bytes: &[u8; TRIANGLE_BYTES]) -> [u32; 3] {
     [0, 4, 8].map(|at| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]))
 }
 
-/// Computes the bounds of all vertices; fails if a coordinate is not finite.
-fn bounds_of(stream: &PlyStream) -> Result<Option<Bounds>, ReadError> {
+/// Adds the bounds of all vertices; fails if a coordinate is not finite.
+fn bounded(ply: BinaryPly) -> Result<(BinaryPly, Option<Bounds>), ReadError> {
+    let bounds = bounds_of(&ply.stream)?.map_err(|fault| fault.in_file(ply.stream.name()))?;
+    Ok((ply, bounds))
+}
+
+/// Computes the bounds of all vertices; the inner result says which coordinate is not finite.
+fn bounds_of(stream: &PlyStream) -> Result<Result<Option<Bounds>, Fault>, ReadError> {
     let mut bounds: Option<Bounds> = None;
+    let mut strange = None;
     stream.for_each_row_batch(|first, rows| {
         for (vertex, row) in (first..).zip(rows.chunks_exact(stream.stride)) {
             let position = stream.position(row);
             if let Some(axis) = position.iter().position(|x| !x.is_finite()) {
-                let place = Place::Byte(stream.vertices_offset + u64::from(vertex) * stream.stride as u64);
-                let reason = format!("vertex {vertex} has the coordinate {} on axis {axis}", position[axis]);
-                return Err(Fault::Malformed(place, reason).in_file(stream.name()));
+                strange.get_or_insert((vertex, axis, position[axis]));
             }
             let all = bounds.get_or_insert(Bounds { min: position, max: position });
             for (axis, x) in position.into_iter().enumerate() {
@@ -149,7 +169,10 @@ fn bounds_of(stream: &PlyStream) -> Result<Option<Bounds>, ReadError> {
         }
         Ok(())
     })?;
-    Ok(bounds)
+    let Some((vertex, axis, value)) = strange else { return Ok(Ok(bounds)) };
+    let place = Place::Byte(stream.vertices_offset + u64::from(vertex) * stream.stride as u64);
+    let reason = format!("vertex {vertex} has the coordinate {value} on axis {axis}");
+    Ok(Err(Fault::Malformed(place, reason)))
 }
 
 /// Sorts all triangles in the order in which a space-filling curve visits their centers.

@@ -7,7 +7,7 @@ use super::{Reader, libraries};
 use crate::Source;
 use crate::error::Fault;
 use crate::report::Warnings;
-use crate::text::Cursor;
+use crate::text::{Cursor, trimmed};
 
 /// Number of statements after which the tables are handed on.
 const STATEMENTS: usize = 1 << 16;
@@ -33,29 +33,27 @@ struct Seen {
 
 /// What is known at the end of the file.
 pub(crate) struct Outline {
+    /// Numbers of positions, texture coordinates and normals.
+    pub counts: [usize; 3],
+    /// First line with a texture coordinate or normal that does not exist, and a description; corners may
+    /// mention those.
+    pub missing: [Option<(u64, String)>; 3],
     /// Runs of triangles; none if nothing distinguishes them.
     pub groups: Vec<TriangleGroup>,
     pub appearance: Appearance,
 }
 
-/// Passes the content of a file to `visit`, batch by batch. Coordinates that are not finite are faults.
+/// Passes the content of a file to `visit`, batch by batch.
 pub(crate) fn read_batches(
     bytes: &[u8],
     source: &Source<'_>,
     warnings: &mut Warnings,
     mut visit: impl FnMut(Batch),
 ) -> Result<Outline, Fault> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut cursor = Cursor::new(bytes).with_continuation();
-    let (mut reader, mut seen, mut count) = (Reader::default(), Seen::default(), 0);
+    let mut cursor = Cursor::new(trimmed(bytes)).with_continuation();
+    let (mut reader, mut seen, mut count) = (Reader::of_file(source.name), Seen::default(), 0);
     while !cursor.at_end() {
-        let known = reader.tables.positions.len();
         reader.statement(&mut cursor)?;
-        if let Some(position) = reader.tables.positions.get(known)
-            && let Some(value) = position.iter().find(|x| !x.is_finite())
-        {
-            return Err(cursor.fault(format!("{value} is not a usable coordinate")));
-        }
         count += 1;
         if count % STATEMENTS == 0 {
             visit(reader.take(&mut seen));
@@ -65,8 +63,9 @@ pub(crate) fn read_batches(
         }
         cursor.next_line();
     }
-    reader.check_forward()?;
+    reader.check_end()?;
     visit(reader.take(&mut seen));
+    warnings.append(std::mem::take(&mut reader.warnings));
     Ok(reader.outline(bytes.len() as u64, seen.texcoords, source, warnings))
 }
 
@@ -90,6 +89,7 @@ impl Reader {
         source: &Source<'_>,
         warnings: &mut Warnings,
     ) -> Outline {
+        let (counts, missing) = (self.counts(), [0, 1, 2].map(|kind| self.missing(kind)));
         let Self { taken_triangles, libraries, mut groups, materials, .. } = self;
         let mut end = taken_triangles as u32;
         for group in groups.iter_mut().rev() {
@@ -107,6 +107,6 @@ impl Reader {
         mesh.appearance.materials = materials;
         mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
         libraries::attach(&mut mesh, &libraries, input_bytes, source, warnings);
-        Outline { groups, appearance: mesh.appearance }
+        Outline { groups, appearance: mesh.appearance, counts, missing }
     }
 }

@@ -10,6 +10,9 @@
 //! OBJ's texture coordinates grow upward, those of a mesh downward: `v` becomes `1 - v`, subtracted in
 //! decimal (`0.1` becomes `0.9`), so that a round trip changes no digit.
 //!
+//! Lines that mean nothing are skipped, and normals and texture coordinates that do not exist are absent;
+//! `remarks` counts both. A position that does not exist is an error.
+//!
 //! If the folder of the file is known, `libraries` reads the material libraries in it; `mtl` parses them, and
 //! `materials` converts them to glTF materials. Whatever goes wrong there is a warning, never an error.
 
@@ -19,11 +22,14 @@ mod corners;
 mod libraries;
 mod materials;
 mod mtl;
+mod remarks;
 mod texture_statement;
 mod write;
 
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
 pub(crate) use batches::{Batch, Outline, read_batches};
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+pub(crate) use remarks::{is_missing, warn_of_missing};
 pub(crate) use write::to_bytes;
 
 use std::collections::BTreeMap;
@@ -33,7 +39,7 @@ use striata::mesh::{Appearance, IndexedMesh, Material, TriangleGroup};
 use crate::Source;
 use crate::error::Fault;
 use crate::report::Warnings;
-use crate::text::{Cursor, quoted};
+use crate::text::{Cursor, plain};
 use corners::{Corner, NONE, Tables, assemble};
 use libraries::LibraryStatement;
 
@@ -57,20 +63,26 @@ struct Reader {
     taken: [usize; 3],
     /// Number of triangles that were taken out of the corners.
     taken_triangles: usize,
-    /// Largest index of each kind that was used before it was defined, and its line.
-    forward: [Option<(u32, u64)>; 3],
+    /// Indices of each kind that were used before they were defined, and their lines: each is larger than
+    /// those before it, so that the first one that is never defined is among them.
+    forward: [Vec<(u32, u64)>; 3],
+    warnings: Warnings,
+    /// Number of statements of the format.
+    known_count: u64,
 }
 
 /// Reads a mesh from the bytes of an OBJ file, and its materials from the libraries next to it.
 pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = &*plain(bytes);
     let mut cursor = Cursor::new(bytes).with_continuation();
-    let mut reader = Reader::default();
+    let mut reader = Reader::of_file(source.name);
     while !cursor.at_end() {
         reader.statement(&mut cursor)?;
         cursor.next_line();
     }
-    reader.check_forward()?;
+    reader.check_end()?;
+    reader.drop_missing();
+    warnings.append(std::mem::take(&mut reader.warnings));
     let libraries = std::mem::take(&mut reader.libraries);
     let mut mesh = reader.into_mesh();
     mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
@@ -78,49 +90,11 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
     Ok(mesh)
 }
 
-/// Whether a keyword is a statement of the format that does not affect triangles.
-fn is_ignored(keyword: &[u8]) -> bool {
-    const KEYWORDS: [&[u8]; 35] = [
-        b"s",
-        b"l",
-        b"p",
-        b"vp",
-        b"deg",
-        b"bmat",
-        b"step",
-        b"cstype",
-        b"curv",
-        b"curv2",
-        b"surf",
-        b"parm",
-        b"trim",
-        b"hole",
-        b"scrv",
-        b"sp",
-        b"end",
-        b"con",
-        b"mg",
-        b"bevel",
-        b"c_interp",
-        b"d_interp",
-        b"lod",
-        b"maplib",
-        b"usemap",
-        b"shadow_obj",
-        b"trace_obj",
-        b"ctech",
-        b"stech",
-        b"bzp",
-        b"bsp",
-        b"cdc",
-        b"cdp",
-        b"res",
-        b"call",
-    ];
-    KEYWORDS.contains(&keyword)
-}
-
 impl Reader {
+    fn of_file(name: &str) -> Self {
+        Self { warnings: Warnings::of_file(name), ..Self::default() }
+    }
+
     /// Number of positions, texture coordinates and normals so far.
     #[inline]
     fn counts(&self) -> [usize; 3] {
@@ -136,6 +110,7 @@ impl Reader {
         }
         // Single-byte patterns are compared in registers, string patterns by calls; the difference is
         // measurable.
+        self.known_count += 1;
         match cursor.word() {
             [b'v'] => self.position(cursor),
             [b'v', b't'] => self.texcoord(cursor),
@@ -159,27 +134,30 @@ impl Reader {
                 self.libraries.push(LibraryStatement { names: name_at(cursor), line });
                 Ok(())
             }
-            word if is_ignored(&word.to_ascii_lowercase()) => Ok(()),
-            word => Err(cursor.fault(format!("no OBJ statement begins with {}", quoted(word)))),
+            word => {
+                self.other_statement(word, cursor);
+                Ok(())
+            }
         }
     }
 
     /// Reads `v x y z`, optionally followed by a weight, a color, or a color and alpha.
     fn position(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        let tables = &mut self.tables;
-        tables.positions.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
+        self.tables.positions.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
         if ends(cursor) {
             return Ok(());
         }
         let (mut extra, mut count) = ([0.0f32; 5], 0);
         while !ends(cursor) {
             if count == extra.len() {
-                return Err(cursor.fault("a vertex has at most 8 numbers"));
+                self.surplus(cursor);
+                break;
             }
             extra[count] = cursor.f32()?;
             count += 1;
         }
         if count >= 3 {
+            let tables = &mut self.tables;
             // Vertices without a color are white, before the first color and after it.
             tables.colors.resize((tables.positions.len() - 1) * 3, 1.0);
             tables.colors.extend_from_slice(&extra[..3]);
@@ -205,6 +183,8 @@ impl Reader {
             for pair in polygon[1..].windows(2) {
                 self.corners.extend_from_slice(&[polygon[0], pair[0], pair[1]]);
             }
+        } else {
+            self.no_polygon(polygon.len(), cursor);
         }
         self.polygon = polygon;
         Ok(())
@@ -237,14 +217,10 @@ impl Reader {
             1.. => u32::try_from(index - 1).ok().filter(|&i| i != NONE),
             _ => count.checked_add_signed(index as isize).map(|i| i as u32),
         };
-        let Some(found) = found else {
-            let what = KINDS[kind];
-            return Err(cursor.fault(format!("{what} {index} does not exist: there are {count} so far")));
-        };
-        if found as usize >= count && self.forward[kind].is_none_or(|(largest, _)| found > largest) {
-            self.forward[kind] = Some((found, cursor.line()));
+        match found {
+            Some(found) if (found as usize) < count => Ok(found),
+            found => self.unusual_index(cursor, (kind, index, found)),
         }
-        Ok(found)
     }
 
     /// Selects the material of the following triangles.
@@ -276,21 +252,6 @@ impl Reader {
         }
     }
 
-    /// Checks that indices used before their definition are defined by the end of the file.
-    fn check_forward(&self) -> Result<(), Fault> {
-        let counts = self.counts();
-        for (kind, forward) in self.forward.iter().enumerate() {
-            if let &Some((index, line)) = forward
-                && index as usize >= counts[kind]
-            {
-                let (what, count) = (KINDS[kind], counts[kind]);
-                let reason = format!("{what} {} does not exist: there are {count}", u64::from(index) + 1);
-                return Err(Fault::at_line(line, reason));
-            }
-        }
-        Ok(())
-    }
-
     fn into_mesh(mut self) -> IndexedMesh {
         let triangle_count = (self.corners.len() / 3) as u32;
         let mut end = triangle_count;
@@ -305,8 +266,6 @@ impl Reader {
         IndexedMesh { groups: self.groups, appearance, ..assemble(self.tables, &self.corners) }
     }
 }
-
-const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
 /// Whether the statement has no more words.
 #[inline]

@@ -38,6 +38,10 @@ pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Vec<u8> {
         }
     }
     push_groups(&mut out, mesh, texcoord.is_some(), normal.is_some());
+    if out.is_empty() {
+        // A file without bytes is taken for one that was not written to its end.
+        out.extend_from_slice(b"# no vertices\n");
+    }
     out
 }
 

@@ -8,8 +8,13 @@ use std::path::{Path, PathBuf};
 use memmap2::Mmap;
 
 use super::PieceOptions;
+use super::spool::Spool;
 use crate::compressed::Compression;
+use crate::text::{has_lone_returns, trimmed, with_line_feeds};
 use crate::{ReadError, Source};
+
+/// Number of bytes of a text that are copied at once.
+const BYTES_AT_ONCE: usize = 1 << 20;
 
 /// Bytes of a file.
 #[derive(Debug)]
@@ -91,6 +96,9 @@ impl Input {
             input.unpack(compression, options)?;
         }
         input.unpacked_bytes = input.bytes.len() as u64;
+        if input.bytes.is_empty() {
+            return Err(ReadError::Empty { file: input.name });
+        }
         Ok(input)
     }
 
@@ -115,6 +123,25 @@ impl Input {
     fn unpack(&mut self, compression: Compression, _options: &PieceOptions) -> Result<(), ReadError> {
         let (file, what) = (self.name.clone(), compression.as_str());
         Err(ReadError::FeatureOff { file, what, feature: "compressed" })
+    }
+
+    /// Replaces a text whose lines end in carriage returns alone by a temporary file with line feeds.
+    pub(super) fn make_plain_text(&mut self, options: &PieceOptions) -> Result<(), ReadError> {
+        let text = trimmed(&self.bytes);
+        if !has_lone_returns(text) {
+            return Ok(());
+        }
+        let mut spool = Spool::new(options)?;
+        let mut copy = Vec::new();
+        for (number, part) in text.chunks(BYTES_AT_ONCE).enumerate() {
+            copy.clear();
+            copy.extend_from_slice(part);
+            let next = text.get((number + 1) * BYTES_AT_ONCE);
+            with_line_feeds(&mut copy, next == Some(&b'\n'));
+            spool.write(&copy);
+        }
+        self.bytes = spool.finish(options)?;
+        Ok(())
     }
 
     /// The input for readers of whole files.

@@ -32,12 +32,6 @@ fn localize_by_search(triangles: &mut [[u32; 3]]) -> Vec<u32> {
     numbers
 }
 
-/// The first vertex with a coordinate that is no number or infinite, and the axis.
-pub(super) fn not_finite(positions: &[[f32; 3]]) -> Option<(usize, usize)> {
-    let bad_axis = |p: &[f32; 3]| p.iter().position(|x| !x.is_finite());
-    positions.iter().enumerate().find_map(|(vertex, p)| bad_axis(p).map(|axis| (vertex, axis)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

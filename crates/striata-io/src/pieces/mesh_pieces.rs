@@ -6,8 +6,8 @@ use striata::mesh::IndexedMesh;
 
 use super::local::localize;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
-use crate::ReadError;
 use crate::error::Place;
+use crate::{ReadError, Warning};
 
 /// A mesh in memory that is served piece by piece.
 #[derive(Clone, Debug)]
@@ -51,7 +51,7 @@ impl MeshPieces {
     }
 
     /// Sets the size of the file and the remarks on it.
-    pub(super) fn with_file(mut self, byte_count: u64, warnings: Vec<String>) -> Self {
+    pub(super) fn with_file(mut self, byte_count: u64, warnings: Vec<Warning>) -> Self {
         (self.summary.byte_count, self.summary.warnings) = (byte_count, warnings);
         self
     }

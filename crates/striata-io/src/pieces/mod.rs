@@ -17,6 +17,7 @@ mod options;
 pub(crate) mod ply;
 mod ply_faces;
 pub(crate) mod ply_text;
+pub(crate) mod repaired;
 mod several;
 pub(crate) mod spool;
 pub(crate) mod stl;
@@ -39,7 +40,7 @@ pub use tiles::Tiles;
 use serde::{Deserialize, Serialize};
 use striata::mesh::{Appearance, AttributeLayer, Semantic};
 
-use crate::ReadError;
+use crate::{ReadError, Warning};
 
 /// Type of the values of an attribute layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -95,7 +96,7 @@ pub struct PieceSummary {
     /// Georeference of a terrain: a JSON object, stored as it is.
     pub georeference: Option<serde_json::Value>,
     /// Remarks on what was left out, such as missing textures.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Part of an input.
@@ -118,6 +119,11 @@ pub trait PieceSource: Send + Sync {
 
     /// Number of pieces, of about 100,000 triangles each.
     fn piece_count(&self) -> u64;
+
+    /// Remarks on what was left out so far: those of the summary, and those on the pieces that have been read.
+    fn warnings(&self) -> Vec<Warning> {
+        self.summary().warnings.clone()
+    }
 
     /// Reads one piece. The same piece has the same content, whenever and wherever it is read.
     ///

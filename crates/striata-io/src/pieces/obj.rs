@@ -10,7 +10,8 @@ use super::spool::Spool;
 use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
-use crate::obj::{Batch, Outline, read_batches};
+use crate::obj::{Batch, Outline, is_missing, read_batches, warn_of_missing};
+use crate::repair::check_triangles;
 use crate::report::Warnings;
 
 /// Marks a missing texture coordinate or normal.
@@ -24,6 +25,7 @@ pub(crate) struct ObjPieces {
     /// First triangle and group of each run of triangles; no runs if there is one group.
     runs: Vec<(usize, u32)>,
     piece_size: usize,
+    used: Used,
 }
 
 /// Tables of a file.
@@ -40,41 +42,71 @@ struct Tables<T> {
 struct Writer {
     tables: Tables<Spool>,
     position_count: usize,
-    has_colors: bool,
-    /// Whether some corner has a texture coordinate, and whether some have a normal and some have none.
-    has_texcoord: bool,
-    has_normal: bool,
-    lacks_normal: bool,
+    used: Used,
+}
+
+/// What the corners have.
+#[derive(Clone, Copy, Default)]
+struct Used {
+    colors: bool,
+    texcoords: Usage,
+    normals: Usage,
+}
+
+/// Whether some corners have an index of a kind, and whether some have none.
+#[derive(Clone, Copy)]
+struct Usage {
+    some: bool,
+    lacking: bool,
+    /// Indices from here on do not exist.
+    count: usize,
+}
+
+impl Default for Usage {
+    fn default() -> Self {
+        Self { some: false, lacking: false, count: usize::MAX }
+    }
+}
+
+impl Usage {
+    /// The index of a corner, if the layer is kept and the index exists.
+    fn index(&self, index: u32) -> u32 {
+        if self.some && !is_missing(index, self.count) { index } else { NONE }
+    }
 }
 
 impl ObjPieces {
     /// Reads a file once.
-    pub(crate) fn open(input: &Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+        input.make_plain_text(options)?;
         let mut writer = Writer::new(options)?;
         let mut warnings = Warnings::of_file(&input.name);
-        let outline = read_batches(&input.bytes, &input.source(), &mut warnings, |batch| writer.add(&batch))
-            .map_err(|fault| fault.in_file(&input.name))?;
-        if writer.has_normal && writer.lacks_normal {
-            warnings.push(Place::File, "not all faces have normals: the normals are left out");
+        let mut outline =
+            read_batches(&input.bytes, &input.source(), &mut warnings, |batch| writer.add(&batch))
+                .map_err(|fault| fault.in_file(&input.name))?;
+        let (tables, mut used) = (writer.tables.finish(options)?, writer.used);
+        for (kind, used) in [(1, &mut used.texcoords), (2, &mut used.normals)] {
+            let Some(first) = outline.missing[kind].take() else { continue };
+            used.count = used.count.min(outline.counts[kind]);
+            let missing = count_missing(&tables.corners, kind, used);
+            warn_of_missing(kind, missing, first, &mut warnings);
         }
-        let layers = writer.layers();
-        let tables = writer.tables.finish(options)?;
+        if used.normals.some && used.normals.lacking {
+            warnings.push(Place::File, "not all faces have normals: the normals are left out");
+            used.normals.some = false;
+        }
+        let count = tables.corners.len() / (3 * CORNER_BYTES);
+        check_triangles([tables.positions.len() / 12, count], count, &warnings)?;
         let mut summary = PieceSummary {
             name: input.name.clone(),
-            layers,
-            triangle_count: (tables.corners.len() / (3 * CORNER_BYTES)) as u64,
+            layers: used.layers(),
+            triangle_count: count as u64,
             byte_count: input.file_bytes,
-            warnings: warnings.into_list().iter().map(ToString::to_string).collect(),
+            warnings: warnings.into_list(),
             ..PieceSummary::default()
         };
         let runs = runs_of(outline, &mut summary);
-        Ok(Self { tables, summary, runs, piece_size: options.piece_size() })
-    }
-
-    /// Whether vertices have texture coordinates and normals.
-    fn used(&self) -> (bool, bool) {
-        let keeps = |semantic| self.summary.layers.iter().any(|kind| kind.semantic == semantic);
-        (keeps(Semantic::TexCoord(0)), keeps(Semantic::Normal))
+        Ok(Self { tables, summary, runs, piece_size: options.piece_size(), used })
     }
 
     fn triangle_count(&self) -> usize {
@@ -84,8 +116,7 @@ impl ObjPieces {
     fn piece(&self, first: usize) -> Piece {
         let end = self.triangle_count().min(first + self.piece_size);
         let bytes = &self.tables.corners[first * 3 * CORNER_BYTES..end * 3 * CORNER_BYTES];
-        let (has_texcoord, has_normal) = self.used();
-        let corners = bytes.chunks_exact(CORNER_BYTES).map(|at| corner_at(at, has_texcoord, has_normal));
+        let corners = bytes.chunks_exact(CORNER_BYTES).map(|at| self.used.corner_at(at));
         let corners: Vec<[u32; 3]> = corners.collect();
         let mut vertices = corners.clone();
         vertices.sort_unstable();
@@ -141,9 +172,8 @@ impl ObjPieces {
         &self,
         mut visit: impl FnMut([[u32; 3]; 3]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let (has_texcoord, has_normal) = self.used();
         for bytes in self.tables.corners.chunks_exact(3 * CORNER_BYTES) {
-            visit([0, 1, 2].map(|k| corner_at(&bytes[k * CORNER_BYTES..], has_texcoord, has_normal)))?;
+            visit([0, 1, 2].map(|k| self.used.corner_at(&bytes[k * CORNER_BYTES..])))?;
         }
         Ok(())
     }
@@ -176,10 +206,18 @@ fn runs_of(outline: Outline, summary: &mut PieceSummary) -> Vec<(usize, u32)> {
     runs
 }
 
-/// Indices of a corner; those of tables that are not used are left out.
-fn corner_at(bytes: &[u8], has_texcoord: bool, has_normal: bool) -> [u32; 3] {
-    let [position, texcoord, normal] = words(bytes);
-    [position, if has_texcoord { texcoord } else { NONE }, if has_normal { normal } else { NONE }]
+/// Counts indices that do not exist, and finds out anew whether some corners have one that does.
+fn count_missing(corners: &[u8], kind: usize, used: &mut Usage) -> u64 {
+    let mut missing = 0;
+    used.some = false;
+    for corner in corners.chunks_exact(CORNER_BYTES) {
+        let index = words(corner)[kind];
+        let is_missing = is_missing(index, used.count);
+        missing += u64::from(is_missing);
+        used.some |= index != NONE && !is_missing;
+        used.lacking |= is_missing;
+    }
+    missing
 }
 
 /// Numbers of one row of a table; zeros for a row that does not exist.
@@ -207,17 +245,16 @@ impl Writer {
             normals: spool()?,
             corners: spool()?,
         };
-        let [has_colors, has_texcoord, has_normal, lacks_normal] = [false; 4];
-        Ok(Self { tables, position_count: 0, has_colors, has_texcoord, has_normal, lacks_normal })
+        Ok(Self { tables, position_count: 0, used: Used::default() })
     }
 
     fn add(&mut self, batch: &Batch) {
         let tables = &mut self.tables;
         if let Some(colors) = &batch.colors {
-            if !self.has_colors {
+            if !self.used.colors {
                 // Vertices before the first color are white.
                 (0..3 * self.position_count).for_each(|_| tables.colors.write(&1f32.to_le_bytes()));
-                self.has_colors = true;
+                self.used.colors = true;
             }
             tables.colors.write(bytemuck::cast_slice(colors));
         }
@@ -227,10 +264,18 @@ impl Writer {
         tables.corners.write(bytemuck::cast_slice(&batch.corners));
         self.position_count += batch.positions.len();
         for corner in &batch.corners {
-            self.has_texcoord |= corner[1] != NONE;
-            self.has_normal |= corner[2] != NONE;
-            self.lacks_normal |= corner[2] == NONE;
+            self.used.texcoords.some |= corner[1] != NONE;
+            self.used.normals.some |= corner[2] != NONE;
+            self.used.normals.lacking |= corner[2] == NONE;
         }
+    }
+}
+
+impl Used {
+    /// Indices of a corner; those of layers that are left out, or that do not exist, are missing.
+    fn corner_at(&self, bytes: &[u8]) -> [u32; 3] {
+        let [position, texcoord, normal] = words(bytes);
+        [position, self.texcoords.index(texcoord), self.normals.index(normal)]
     }
 
     fn layers(&self) -> Vec<LayerKind> {
@@ -241,13 +286,13 @@ impl Writer {
             component_type: ComponentType::F32,
         };
         let mut layers = Vec::new();
-        if self.has_normal && !self.lacks_normal {
+        if self.normals.some {
             layers.push(kind(Semantic::Normal, 3));
         }
-        if self.has_texcoord {
+        if self.texcoords.some {
             layers.push(kind(Semantic::TexCoord(0), 2));
         }
-        if self.has_colors {
+        if self.colors {
             layers.push(kind(Semantic::Color(0), 3));
         }
         layers

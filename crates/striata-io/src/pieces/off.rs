@@ -9,6 +9,9 @@ use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummar
 use crate::ReadError;
 use crate::error::{Fault, Place};
 use crate::off::{Columns, Layout, read_rows};
+use crate::repair::check_triangles;
+use crate::report::Warnings;
+use crate::text::trimmed;
 
 const TRIANGLE_BYTES: usize = 12;
 
@@ -24,27 +27,26 @@ pub(crate) struct OffPieces {
 
 impl OffPieces {
     /// Reads a file once.
-    pub(crate) fn open(input: &Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+        input.make_plain_text(options)?;
+        let mut warnings = Warnings::of_file(&input.name);
         let (mut rows, mut triangles) = (Spool::new(options)?, Spool::new(options)?);
-        let vertex = |_: &Layout, row: &[f32]| {
-            if let Some(x) = row[..3].iter().find(|x| !x.is_finite()) {
-                return Err(format!("{x} is not a usable coordinate"));
-            }
-            rows.write(bytemuck::cast_slice(row));
-            Ok(())
-        };
-        let layout = read_rows(&input.bytes, vertex, |triangle| {
+        let vertex = |_: &Layout, row: &[f32]| rows.write(bytemuck::cast_slice(row));
+        let layout = read_rows(trimmed(&input.bytes), &mut warnings, vertex, |triangle| {
             triangles.write(bytemuck::cast_slice(&triangle));
         })
         .map_err(|fault| fault.in_file(&input.name))?;
         let (rows, triangles) = (rows.finish(options)?, triangles.finish(options)?);
+        let count = triangles.len() / TRIANGLE_BYTES;
+        check_triangles([rows.len() / (4 * layout.row_length()), count], count, &warnings)?;
         let (_, layers) = Columns::default().into_mesh(&layout);
         let summary = PieceSummary {
             name: input.name.clone(),
             layers: layers.iter().map(LayerKind::of).collect(),
             groups: vec![PieceGroup::default()],
-            triangle_count: (triangles.len() / TRIANGLE_BYTES) as u64,
+            triangle_count: count as u64,
             byte_count: input.file_bytes,
+            warnings: warnings.into_list(),
             ..PieceSummary::default()
         };
         Ok(Self { layout, rows, triangles, summary, piece_size: options.piece_size() })
@@ -63,7 +65,7 @@ impl OffPieces {
     }
 
     fn row_bytes(&self) -> usize {
-        4 * self.layout.width()
+        4 * self.layout.row_length()
     }
 
     /// Positions and layers of some vertices.

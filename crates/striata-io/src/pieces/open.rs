@@ -7,6 +7,7 @@ use super::input::Input;
 use super::obj::ObjPieces;
 use super::off::OffPieces;
 use super::ply::PlyPieces;
+use super::repaired::Repaired;
 use super::stl::StlPieces;
 use super::{MeshPieces, PieceOptions, PieceSource};
 use crate::{Format, ReadError, read_bytes_with_report};
@@ -31,28 +32,31 @@ pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceS
     let mut input = Input::open(path, options)?;
     match Format::detect(&input.bytes, &input.inner_name) {
         Some(Format::Ply) => match PlyPieces::open(input, options)? {
-            Ok(pieces) => return Ok(Box::new(pieces)),
+            Ok(pieces) => return repaired(pieces),
             Err(unsuited) => input = unsuited,
         },
-        Some(Format::Stl) => return Ok(Box::new(StlPieces::open(input, options)?)),
-        Some(Format::Obj) => return Ok(Box::new(ObjPieces::open(&input, options)?)),
-        Some(Format::Off) => return Ok(Box::new(OffPieces::open(&input, options)?)),
+        Some(Format::Stl) => return repaired(StlPieces::open(input, options)?),
+        Some(Format::Obj) => return repaired(ObjPieces::open(input, options)?),
+        Some(Format::Off) => return repaired(OffPieces::open(input, options)?),
         Some(format @ (Format::Gltf | Format::Glb)) => {
-            return Ok(Box::new(GltfPieces::open(input, format, options)?));
+            return repaired(GltfPieces::open(input, format, options)?);
         }
         _ => {}
     }
     in_memory(&input, options)
 }
 
+fn repaired(source: impl PieceSource + 'static) -> Result<Box<dyn PieceSource>, ReadError> {
+    Ok(Box::new(Repaired::new(source)))
+}
+
 /// Reads a whole file with the reader for meshes in memory.
 fn in_memory(input: &Input, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
     let report = read_bytes_with_report(&input.bytes, &input.source())?;
-    let warnings = report.warnings.iter().map(ToString::to_string).collect();
     let pieces = MeshPieces::new(report.mesh)
         .with_name(&input.name)
         .with_piece_triangle_count(options.piece_triangle_count)
-        .with_file(input.file_bytes, warnings);
+        .with_file(input.file_bytes, report.warnings);
     pieces.check()?;
     Ok(Box::new(pieces))
 }

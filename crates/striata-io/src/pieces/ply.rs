@@ -6,7 +6,6 @@ use striata::mesh::{AttributeLayer, IndexedMesh};
 
 use super::input::Input;
 use super::kinds::conform;
-use super::local::not_finite;
 use super::ply_faces::{FaceOptions, FaceRuns};
 use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
 use crate::ReadError;
@@ -16,6 +15,7 @@ use crate::ply::face_textures::TextureProperties;
 use crate::ply::header::{Element, Encoding, Header, Scalar};
 use crate::ply::rows::BinaryRows;
 use crate::ply::textures;
+use crate::repair::check_triangles;
 use crate::report::Warnings;
 use crate::texture_set::TextureSet;
 
@@ -84,6 +84,9 @@ impl PlyPieces {
             ..PieceSummary::default()
         };
         attach_textures(&mut summary, &input, &header, &vertices);
+        let count = summary.triangle_count as usize;
+        let warnings = Warnings::of_list(&input.name, summary.warnings.clone());
+        check_triangles([vertices.element.count, count], count, &warnings)?;
         Ok(Ok(Self { input, header, vertices, faces, summary }))
     }
 
@@ -95,10 +98,6 @@ impl PlyPieces {
         let rows = self.vertices.rows(&self.input.bytes, &numbers);
         let (positions, mut layers) = self.vertices.values(&rows, &self.header)?;
         conform(&mut layers, &self.summary.layers);
-        if let Some((vertex, axis)) = not_finite(&positions) {
-            let reason = format!("the vertex has the coordinate {}", positions[vertex][axis]);
-            return Err(Fault::at_byte(self.vertices.byte_of(numbers[vertex]), reason));
-        }
         Ok(Piece { positions, layers, triangles, groups: Vec::new() })
     }
 }
@@ -175,7 +174,7 @@ fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, v
     let group = |group| PieceGroup { material: group, ..PieceGroup::default() };
     summary.groups = mesh.groups_or_whole().iter().map(|g| group(g.material)).collect();
     summary.appearance = mesh.appearance;
-    summary.warnings = warnings.into_list().iter().map(ToString::to_string).collect();
+    summary.warnings = warnings.into_list();
 }
 
 impl VertexRows {

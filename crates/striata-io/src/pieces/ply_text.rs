@@ -89,27 +89,15 @@ fn write_vertices(element: &Element, rows: &mut AsciiRows<'_>, spool: &mut Spool
     for _ in 0..element.count {
         row.clear();
         for (property, column) in element.properties.iter().zip(&columns) {
-            let at = row.len();
             if column.is_flipped {
                 rows.copy_flipped(property.scalar, &mut row)?;
             } else {
                 rows.copy(property.scalar, &mut row)?;
             }
-            if matches!(property.name.as_str(), "x" | "y" | "z") && !is_finite(property.scalar, &row[at..]) {
-                return Err(rows.fault(format!("`{}` is not a usable coordinate", property.name)));
-            }
         }
         spool.write(&row);
     }
     Ok(())
-}
-
-fn is_finite(scalar: Scalar, bytes: &[u8]) -> bool {
-    match (scalar, bytes) {
-        (Scalar::F32, &[a, b, c, d]) => f32::from_le_bytes([a, b, c, d]).is_finite(),
-        (Scalar::F64, &[a, b, c, d, e, f, g, h]) => f64::from_le_bytes([a, b, c, d, e, f, g, h]).is_finite(),
-        _ => true,
-    }
 }
 
 /// Writes the triangles of a face; returns their number.

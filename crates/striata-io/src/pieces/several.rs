@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use striata::mesh::AttributeLayer;
 
 use super::{LayerKind, Piece, PieceOptions, PieceSource, PieceSummary, appearances, open_pieces};
-use crate::ReadError;
 use crate::error::Place;
+use crate::report::Warnings;
+use crate::{ReadError, Warning};
 
 /// Several inputs whose pieces follow each other.
 ///
@@ -88,8 +89,10 @@ fn add(to: &mut PieceSummary, from: &PieceSummary, name: &str) -> Vec<usize> {
     to.byte_count += from.byte_count;
     to.warnings.extend(from.warnings.iter().cloned());
     for kind in from.layers.iter().filter(|kind| !to.layers.contains(kind)) {
-        let file = &from.name;
-        to.warnings.push(format!("{file}: the layer {} is left out: not all files have it", kind.semantic));
+        let reason = format!("the layer {} is left out: not all files have it", kind.semantic);
+        let mut warnings = Warnings::of_list(&from.name, std::mem::take(&mut to.warnings));
+        warnings.push(Place::File, reason);
+        to.warnings = warnings.into_list();
     }
     let place = |kind: &LayerKind| from.layers.iter().position(|own| own == kind);
     to.layers.iter().filter_map(place).collect()
@@ -102,6 +105,16 @@ impl PieceSource for Several {
 
     fn piece_count(&self) -> u64 {
         self.inputs.last().map_or(0, |last| last.first_piece + last.source.piece_count())
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        let mut all = Warnings::of_list(&self.summary.name, self.summary.warnings.clone());
+        for input in &self.inputs {
+            let known = &input.source.summary().warnings;
+            let found = input.source.warnings().into_iter().filter(|warning| !known.contains(warning));
+            all.append(Warnings::of_list(&self.summary.name, found.collect()));
+        }
+        all.into_list()
     }
 
     fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {

@@ -5,6 +5,7 @@ use super::stl_text::{self, Solids};
 use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
+use crate::report::Warnings;
 use crate::stl::{FACET_BYTES, HEADER_BYTES, VertexTable, facet_count, is_ascii, position_at};
 
 /// Binary STL file.
@@ -21,18 +22,21 @@ impl StlPieces {
     /// Opens a file; text is converted to a temporary file.
     pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
         let mut solids = Solids { groups: Vec::new(), starts: Vec::new() };
+        let mut warnings = Warnings::of_file(&input.name);
         if is_ascii(&input.bytes) {
-            solids = stl_text::convert(&mut input, options)?;
+            solids = stl_text::convert(&mut input, options, &mut warnings)?;
         }
         if solids.groups.is_empty() {
             solids.groups.push(PieceGroup::default());
         }
-        let facet_count = facet_count(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
+        let facet_count = facet_count(&input.bytes, &mut warnings);
+        let facet_count = facet_count.map_err(|fault| fault.in_file(&input.name))?;
         let summary = PieceSummary {
             name: input.name.clone(),
             groups: std::mem::take(&mut solids.groups),
             triangle_count: facet_count as u64,
             byte_count: input.file_bytes,
+            warnings: warnings.into_list(),
             ..PieceSummary::default()
         };
         Ok(Self {
@@ -49,29 +53,20 @@ impl StlPieces {
         self.solid_starts.partition_point(|&start| start <= facet).saturating_sub(1) as u32
     }
 
-    fn facets(&self, first: usize) -> Result<Piece, Fault> {
+    fn facets(&self, first: usize) -> Piece {
         let count = self.piece_size.min(self.facet_count - first);
         let start = HEADER_BYTES + first * FACET_BYTES;
         let bytes = &self.input.bytes[start..start + count * FACET_BYTES];
         let mut vertices = VertexTable::with_capacity(count / 2 + 2);
         let mut triangles = Vec::with_capacity(count);
-        for (facet, bytes) in bytes.chunks_exact(FACET_BYTES).enumerate() {
-            let mut triangle = [0; 3];
-            for (corner, at) in triangle.iter_mut().zip([12, 24, 36]) {
-                let position = position_at(bytes, at);
-                if let Some(value) = position.iter().find(|x| !x.is_finite()) {
-                    let reason = format!("{value} is not a usable coordinate");
-                    return Err(Fault::at_byte(start + facet * FACET_BYTES + at, reason));
-                }
-                *corner = vertices.vertex(position);
-            }
-            triangles.push(triangle);
+        for bytes in bytes.chunks_exact(FACET_BYTES) {
+            triangles.push([12, 24, 36].map(|at| vertices.vertex(position_at(bytes, at))));
         }
         let groups = match self.summary.groups.len() {
             1 => Vec::new(),
             _ => (first..first + count).map(|facet| self.solid_of(facet)).collect(),
         };
-        Ok(Piece { positions: vertices.positions, layers: Vec::new(), triangles, groups })
+        Piece { positions: vertices.positions, layers: Vec::new(), triangles, groups }
     }
 }
 
@@ -85,11 +80,10 @@ impl PieceSource for StlPieces {
     }
 
     fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {
-        let piece = if index < self.piece_count() {
-            self.facets(index as usize * self.piece_size)
-        } else {
-            Err(Fault::Malformed(Place::File, format!("piece {index} does not exist")))
-        };
-        piece.map_err(|fault| fault.in_file(&self.input.name))
+        if index >= self.piece_count() {
+            let fault = Fault::Malformed(Place::File, format!("piece {index} does not exist"));
+            return Err(fault.in_file(&self.input.name));
+        }
+        Ok(self.facets(index as usize * self.piece_size))
     }
 }

@@ -4,7 +4,9 @@ use super::input::Input;
 use super::spool::Spool;
 use super::{PieceGroup, PieceOptions};
 use crate::ReadError;
+use crate::report::Warnings;
 use crate::stl::{HEADER_BYTES, Statement, visit_ascii};
+use crate::text::trimmed;
 
 /// Solids of a file: their names and first facets.
 pub(super) struct Solids {
@@ -13,12 +15,17 @@ pub(super) struct Solids {
 }
 
 /// Replaces the bytes of a text file by those of a binary one.
-pub(super) fn convert(input: &mut Input, options: &PieceOptions) -> Result<Solids, ReadError> {
+pub(super) fn convert(
+    input: &mut Input,
+    options: &PieceOptions,
+    warnings: &mut Warnings,
+) -> Result<Solids, ReadError> {
+    input.make_plain_text(options)?;
     let mut spool = Spool::new(options)?;
     spool.write(&[b' '; HEADER_BYTES]);
     let mut solids = Solids { groups: Vec::new(), starts: Vec::new() };
     let mut count = 0u32;
-    let visited = visit_ascii(&input.bytes, |statement, cursor| {
+    let visited = visit_ascii(trimmed(&input.bytes), warnings, |statement, cursor| {
         match statement {
             Statement::Solid(name) => {
                 solids.groups.push(PieceGroup { name, material: None });
@@ -26,9 +33,6 @@ pub(super) fn convert(input: &mut Input, options: &PieceOptions) -> Result<Solid
             }
             Statement::Facet(corners) => {
                 let coordinates = corners.as_flattened();
-                if let Some(value) = coordinates.iter().find(|x| !x.is_finite()) {
-                    return Err(cursor.fault(format!("{value} is not a usable coordinate")));
-                }
                 let mut facet = [0; 50];
                 for (bytes, value) in facet[12..48].chunks_exact_mut(4).zip(coordinates) {
                     bytes.copy_from_slice(&value.to_le_bytes());

@@ -1,8 +1,8 @@
 //! Copies of an input side by side, for measurements with large inputs.
 
 use super::{Piece, PieceSource, PieceSummary};
-use crate::ReadError;
 use crate::error::Place;
+use crate::{ReadError, Warning};
 
 /// Distance of two copies, in extents of the input.
 const SPACING: f64 = 1.02;
@@ -50,6 +50,10 @@ impl PieceSource for Tiles {
     fn piece_count(&self) -> u64 {
         let copies = u64::from(self.columns) * u64::from(self.rows);
         self.source.piece_count().saturating_mul(copies)
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        self.source.warnings()
     }
 
     fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {

@@ -19,10 +19,7 @@ fn damaged_ply_files_are_refused() {
     let message = folder.error("index.ply", &bad);
     assert!(message.contains("vertex 9999 does not exist: there are 150"), "{message}");
     assert!(message.contains(&format!("byte {last}")), "{message}");
-    let mut bad = bytes.clone();
     let body = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
-    bad[body + 4..body + 8].copy_from_slice(&f32::NAN.to_le_bytes());
-    assert!(folder.error("nan.ply", &bad).contains(&format!("byte {body}: the vertex has")));
     let text = String::from_utf8_lossy(&bytes[..body]).replace("vertex 150", "vertex 4000000000");
     let giant = [text.as_bytes(), &bytes[body..]].concat();
     assert!(folder.error("giant.ply", &giant).contains("4000000000 rows of `vertex` are declared"));
@@ -37,8 +34,5 @@ fn damaged_stl_files_are_refused() {
     let folder = Folder::new();
     let bytes = bytes_of(Format::Stl, &shapes::torus(15, 10, 2.0, 0.5), false);
     assert!(folder.error("cut.stl", &bytes[..bytes.len() - 1]).contains("the header declares 300 triangles"));
-    let mut bad = bytes.clone();
-    bad[84 + 50 * 100 + 12..][..4].copy_from_slice(&f32::INFINITY.to_le_bytes());
-    assert!(folder.error("infinite.stl", &bad).contains(&format!("byte {}", 84 + 50 * 100 + 12)));
     assert!(folder.error("unknown.xyz", b"hello").contains("neither the content nor the extension"));
 }

@@ -209,7 +209,7 @@ fn several_files_are_one() {
     assert_eq!(summary.groups[0].name, "first");
     assert_eq!(summary.groups.len(), 1 + second.groups.len());
     assert_eq!(summary.appearance.materials.len(), second.appearance.materials.len());
-    assert!(summary.warnings.iter().all(|warning| warning.contains("is left out")));
+    assert!(summary.warnings.iter().all(|warning| warning.reason.contains("is left out")));
     let found = of_source(&source);
     assert_eq!(found.len(), first.triangle_count() + second.triangle_count());
     assert!(open_several(&[], &folder.options()).is_err());

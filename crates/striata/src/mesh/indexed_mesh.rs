@@ -266,6 +266,26 @@ impl IndexedMesh {
         }
     }
 
+    /// A copy of the mesh without some vertices and the triangles that use them; the others keep their order,
+    /// and groups may become empty. `is_left_out` has an entry for each vertex.
+    pub fn without_vertices(&self, is_left_out: &[bool]) -> Self {
+        let is_kept = |t: &[u32; 3]| t.iter().all(|&v| !is_left_out[v as usize]);
+        let (mut groups, mut next) = (self.groups.clone(), 0);
+        for group in &mut groups {
+            group.count = self.triangles[group.range()].iter().filter(|t| is_kept(t)).count() as u32;
+            group.first = next;
+            next += group.count;
+        }
+        let (mut order, mut new_index) = (Vec::new(), vec![u32::MAX; self.positions.len()]);
+        for (vertex, _) in is_left_out.iter().enumerate().filter(|(_, is_left_out)| !**is_left_out) {
+            new_index[vertex] = order.len() as u32;
+            order.push(vertex as u32);
+        }
+        let triangles = self.triangles.iter().copied().filter(is_kept).collect();
+        let kept = Self { triangles, groups, ..self.clone() };
+        kept.gather(&order, &new_index)
+    }
+
     /// A copy of the mesh without the vertices that no triangle uses; the other vertices keep their order.
     pub fn without_unused_vertices(&self) -> Self {
         let mut new_index = vec![u32::MAX; self.positions.len()];

@@ -11,7 +11,7 @@ use crate::error::Fault;
 use crate::gltf::parts::{
     Accessor, Document, Primitive, Transform, TriangleRuns, append, document_fault, fill,
 };
-use crate::pieces::local::{localize, not_finite};
+use crate::pieces::local::localize;
 
 /// Memory that a piece may take regardless of the size of the scene, in bytes.
 const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
@@ -61,7 +61,6 @@ impl<'s> Assembly<'s> {
         let batch = Batch { shown, numbers, vertices };
         self.add_vertices(&batch, transform.as_ref())?;
         placement.pose.apply(&mut self.mesh, batch.vertices.clone());
-        self.check_positions(&batch)?;
         Ok(batch)
     }
 
@@ -151,14 +150,6 @@ impl<'s> Assembly<'s> {
                 *normal = normals[number as usize];
             }
         }
-    }
-
-    fn check_positions(&self, batch: &Batch) -> Result<(), Fault> {
-        let positions = &self.mesh.positions[batch.vertices.clone()];
-        let Some((vertex, axis)) = not_finite(positions) else { return Ok(()) };
-        let (primitive, _) = self.primitive_of(batch.shown)?;
-        let (number, value) = (batch.numbers[vertex], positions[vertex][axis]);
-        Err(primitive.positions(self.document)?.fault(format!("vertex {number} has the coordinate {value}")))
     }
 }
 

@@ -66,7 +66,7 @@ impl GltfPieces {
             triangle_count: outline.triangle_count,
             byte_count: opened.byte_count(),
             georeference: None,
-            warnings: warnings.into_list().iter().map(ToString::to_string).collect(),
+            warnings: warnings.into_list(),
         };
         let cuts = Cuts::new(counts, piece_size);
         Ok(Self { opened, outline, cuts, summary, piece_size, normals: SharedCache::default() })

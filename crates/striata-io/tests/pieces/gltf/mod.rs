@@ -68,7 +68,7 @@ fn check_file(path: &Path, sizes: &[u32]) -> IndexedMesh {
     let report = read_with_report(path).unwrap();
     let mesh = report.mesh;
     mesh.check().unwrap();
-    let warnings: Vec<String> = report.warnings.iter().map(ToString::to_string).collect();
+    let warnings = report.warnings.clone();
     let groups = mesh.groups_or_whole().into_iter();
     let groups: Vec<PieceGroup> =
         groups.map(|group| PieceGroup { name: group.name, material: group.material }).collect();

@@ -5,28 +5,38 @@
 //! 50 n bytes, and welding, the main work, is done in the same pass. Cost: O(n) expected time, 4 to 8 bytes
 //! of hash table per vertex besides the mesh.
 
-use striata::mesh::{IndexedMesh, TriangleGroup};
+use striata::mesh::IndexedMesh;
 
-use crate::error::{Fault, Refusal};
+use crate::error::{Fault, Place, Refusal};
 use crate::format::is_binary_stl;
 use crate::normals;
-use crate::text::{Cursor, quoted};
+use crate::report::Warnings;
+use crate::text::{plain, trimmed};
+use text_form::read_ascii;
+
+mod text_form;
+
+pub(crate) use text_form::{Statement, visit_ascii};
 
 pub(crate) const HEADER_BYTES: usize = 84;
 pub(crate) const FACET_BYTES: usize = 50;
 
 /// Reads a mesh from the bytes of an STL file.
-pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
-    if is_ascii(bytes) { read_ascii(bytes) } else { read_binary(bytes) }
+pub(crate) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
+    if is_ascii(bytes) { read_ascii(&plain(bytes), warnings) } else { read_binary(bytes, warnings) }
 }
 
-/// Whether a file is ASCII. A binary file may begin with "solid" too; its length decides, or what follows.
+/// Whether a file is ASCII. Its first word says nothing: binary files begin with "solid" too, and texts with
+/// remarks. The length decides, then the bytes: text has no control characters.
 pub(crate) fn is_ascii(bytes: &[u8]) -> bool {
-    if is_binary_stl(bytes) || !bytes.trim_ascii_start().starts_with(b"solid") {
+    if is_binary_stl(bytes) {
         return false;
     }
     let head = &bytes[..bytes.len().min(1024)];
-    !head.contains(&0)
+    let head = if head.len() == bytes.len() { trimmed(head) } else { head };
+    let is_text = |&b: &u8| b >= b' ' || b.is_ascii_whitespace() || matches!(b, 0x0b | 0x1a);
+    let has = |word: &[u8]| head.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word));
+    head.iter().all(is_text) && (has(b"solid") || has(b"facet") || has(b"vertex"))
 }
 
 /// Hash table that finds the vertex of a position, by open addressing over the vertices themselves.
@@ -92,7 +102,7 @@ fn hash([x, y, z]: [u32; 3]) -> u64 {
 }
 
 /// Returns the number of facets of a binary file, which are all there.
-pub(crate) fn facet_count(bytes: &[u8]) -> Result<usize, Fault> {
+pub(crate) fn facet_count(bytes: &[u8], warnings: &mut Warnings) -> Result<usize, Fault> {
     let Some(count) = bytes.get(80..HEADER_BYTES).and_then(|b| b.first_chunk::<4>()) else {
         let reason = format!("a binary STL begins with {HEADER_BYTES} bytes, found {}", bytes.len());
         return Err(Fault::at_byte(bytes.len(), reason));
@@ -107,11 +117,23 @@ pub(crate) fn facet_count(bytes: &[u8]) -> Result<usize, Fault> {
         );
         return Err(Fault::at_byte(80, reason));
     }
+    let found = body.len() / FACET_BYTES;
+    if count == 0 && found > 0 && body.len().is_multiple_of(FACET_BYTES) && u32::try_from(found).is_ok() {
+        // Writers that cannot go back to the header leave zero in it.
+        let reason = format!("the header declares no triangles, but {found} follow, which are read");
+        warnings.push(Place::Byte(80), reason);
+        return Ok(found);
+    }
+    let used = HEADER_BYTES + count * FACET_BYTES;
+    if used < bytes.len() {
+        let reason = format!("{} bytes follow the last triangle; they are left out", bytes.len() - used);
+        warnings.push(Place::Byte(used as u64), reason);
+    }
     Ok(count)
 }
 
-fn read_binary(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
-    let count = facet_count(bytes)?;
+fn read_binary(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
+    let count = facet_count(bytes, warnings)?;
     let body = &bytes[HEADER_BYTES..];
     let mut vertices = VertexTable::with_capacity(count / 2 + 2);
     let mut triangles = Vec::with_capacity(count);
@@ -124,103 +146,6 @@ fn read_binary(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
 #[inline]
 pub(crate) fn position_at(facet: &[u8], at: usize) -> [f32; 3] {
     [at, at + 4, at + 8].map(|i| f32::from_le_bytes([facet[i], facet[i + 1], facet[i + 2], facet[i + 3]]))
-}
-
-/// Part of an ASCII file.
-pub(crate) enum Statement {
-    /// Beginning of a solid, with its name.
-    Solid(String),
-    /// Corners of a facet.
-    Facet([[f32; 3]; 3]),
-}
-
-/// Passes the solids and facets of an ASCII file to `visit`, which may create faults at the current line.
-pub(crate) fn visit_ascii(
-    bytes: &[u8],
-    mut visit: impl FnMut(Statement, &Cursor<'_>) -> Result<(), Fault>,
-) -> Result<(), Fault> {
-    let mut cursor = Cursor::new(bytes);
-    let mut in_solid = false;
-    loop {
-        cursor.skip_lines(None);
-        if cursor.at_end() {
-            break;
-        }
-        match cursor.word() {
-            b"solid" => {
-                let name = String::from_utf8_lossy(cursor.rest_of_line()).into_owned();
-                visit(Statement::Solid(name), &cursor)?;
-                in_solid = true;
-            }
-            b"facet" => {
-                let facet = Statement::Facet(read_facet(&mut cursor)?);
-                visit(facet, &cursor)?;
-            }
-            b"endsolid" => {
-                cursor.rest_of_line();
-                in_solid = false;
-            }
-            word => {
-                let reason = format!("expected `facet` or `endsolid`, found {}", quoted(word));
-                return Err(cursor.fault(reason));
-            }
-        }
-    }
-    if in_solid {
-        return Err(cursor.fault("the file ends before `endsolid`"));
-    }
-    Ok(())
-}
-
-fn read_ascii(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
-    let mut vertices = VertexTable::with_capacity(bytes.len() / 500);
-    let mut triangles = Vec::new();
-    let mut groups: Vec<TriangleGroup> = Vec::new();
-    visit_ascii(bytes, |statement, _| {
-        match statement {
-            Statement::Solid(name) => {
-                groups.push(TriangleGroup { name, first: triangles.len() as u32, ..Default::default() });
-            }
-            Statement::Facet(corners) => triangles.push(corners.map(|corner| vertices.vertex(corner))),
-        }
-        Ok(())
-    })?;
-    let ends: Vec<u32> = groups.iter().skip(1).map(|g| g.first).chain([triangles.len() as u32]).collect();
-    for (group, end) in groups.iter_mut().zip(ends) {
-        group.count = end - group.first;
-    }
-    if groups.iter().all(|g| g.name.is_empty()) && groups.len() <= 1 {
-        groups.clear();
-    }
-    Ok(IndexedMesh { groups, ..IndexedMesh::new(vertices.positions, triangles) })
-}
-
-/// Reads a facet after the word `facet`.
-fn read_facet(cursor: &mut Cursor<'_>) -> Result<[[f32; 3]; 3], Fault> {
-    expect(cursor, b"normal")?;
-    for _ in 0..3 {
-        // The normal is not used, and some writers put invalid numbers here.
-        cursor.word();
-    }
-    expect(cursor, b"outer")?;
-    expect(cursor, b"loop")?;
-    let mut corners = [[0.0; 3]; 3];
-    for corner in &mut corners {
-        expect(cursor, b"vertex")?;
-        *corner = [cursor.f32()?, cursor.f32()?, cursor.f32()?];
-    }
-    expect(cursor, b"endloop")?;
-    expect(cursor, b"endfacet")?;
-    Ok(corners)
-}
-
-fn expect(cursor: &mut Cursor<'_>, expected: &[u8]) -> Result<(), Fault> {
-    cursor.skip_lines(None);
-    let word = cursor.word();
-    if word.eq_ignore_ascii_case(expected) {
-        return Ok(());
-    }
-    Err(cursor.fault(format!("expected {}, found {}", quoted(expected), quoted(word))))
 }
 
 /// Encodes a mesh as a binary STL file; only positions and triangles are kept.

@@ -1,0 +1,469 @@
+//! The rule of all readers, as one table: what is kept, what is left out with a warning, what is an error.
+
+use std::fs;
+
+use striata::mesh::IndexedMesh;
+use striata_io::{Source, read_bytes_with_report};
+
+/// What a file must give: numbers of triangles and vertices, and warnings without the name of the file; or a
+/// part of the error.
+enum Outcome {
+    Read(usize, usize, &'static [&'static str]),
+    Refused(&'static str),
+}
+use Outcome::{Read, Refused};
+
+/// A cube in one of the text formats, with 8 vertices and 12 triangles.
+const CORNERS: [[u8; 3]; 8] =
+    [[0, 0, 0], [0, 0, 1], [0, 1, 0], [0, 1, 1], [1, 0, 0], [1, 0, 1], [1, 1, 0], [1, 1, 1]];
+const TRIANGLES: [[usize; 3]; 12] = [
+    [0, 1, 3],
+    [0, 3, 2],
+    [4, 6, 7],
+    [4, 7, 5],
+    [0, 4, 5],
+    [0, 5, 1],
+    [2, 3, 7],
+    [2, 7, 6],
+    [0, 2, 6],
+    [0, 6, 4],
+    [1, 5, 7],
+    [1, 7, 3],
+];
+
+fn rows(prefix: &str) -> String {
+    CORNERS.iter().map(|[x, y, z]| format!("{prefix}{x} {y} {z}\n")).collect()
+}
+
+/// Faces of an OBJ file; `corner` is what follows the number of a vertex, in which `#` is that number.
+fn faces(corner: &str) -> String {
+    let corner = |v: usize| format!(" {}{}", v + 1, corner.replace('#', &(v + 1).to_string()));
+    TRIANGLES.iter().map(|t| format!("f{}\n", t.map(corner).concat())).collect()
+}
+
+fn obj() -> String {
+    rows("v ") + &faces("")
+}
+
+fn off() -> String {
+    let faces: String = TRIANGLES.iter().map(|[a, b, c]| format!("3 {a} {b} {c}\n")).collect();
+    format!("OFF\n8 12 0\n{}{faces}", rows(""))
+}
+
+fn stl() -> String {
+    let facet = |t: &[usize; 3]| {
+        let corners = t.map(|v| CORNERS[v]).map(|[x, y, z]| format!("   vertex {x} {y} {z}\n")).concat();
+        format!(" facet normal 0 0 1\n  outer loop\n{corners}  endloop\n endfacet\n")
+    };
+    format!("solid part\n{}endsolid part\n", TRIANGLES.iter().map(facet).collect::<String>())
+}
+
+fn binary_stl(head: &[u8], count: u32, tail: &[u8]) -> Vec<u8> {
+    let mut bytes = head.to_vec();
+    bytes.resize(80, b' ');
+    bytes.extend(count.to_le_bytes());
+    for triangle in TRIANGLES {
+        bytes.extend([0; 12]);
+        let corners = triangle.map(|v| CORNERS[v].map(f32::from));
+        bytes.extend(corners.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+        bytes.extend([0; 2]);
+    }
+    bytes.extend_from_slice(tail);
+    bytes
+}
+
+fn ply() -> String {
+    let faces: String = TRIANGLES.iter().map(|[a, b, c]| format!("3 {a} {b} {c}\n")).collect();
+    let properties = "property float x\nproperty float y\nproperty float z\n";
+    format!(
+        "ply\nformat ascii 1.0\nelement vertex 8\n{properties}element face 12\n\
+         property list uchar int vertex_indices\nend_header\n{}{faces}",
+        rows("")
+    )
+}
+
+fn binary_ply(lost: &[usize], more: usize) -> Vec<u8> {
+    let mut bytes = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\n\
+         property float z\nelement face 12\nproperty list uchar int vertex_indices\nend_header\n",
+        8 + more
+    )
+    .into_bytes();
+    for (vertex, corner) in CORNERS.iter().enumerate() {
+        let corner = if lost.contains(&vertex) { [f32::NAN; 3] } else { corner.map(f32::from) };
+        bytes.extend(corner.iter().flat_map(|x| x.to_le_bytes()));
+    }
+    (0..3 * more).for_each(|_| bytes.extend(f32::INFINITY.to_le_bytes()));
+    for triangle in TRIANGLES {
+        bytes.push(3);
+        bytes.extend(triangle.iter().flat_map(|&v| (v as u32).to_le_bytes()));
+    }
+    bytes
+}
+
+type Case = (&'static str, Vec<u8>, Outcome);
+
+fn case(name: &'static str, bytes: impl Into<Vec<u8>>, outcome: Outcome) -> Case {
+    (name, bytes.into(), outcome)
+}
+
+const LOST_4: &[&str] =
+    &["4 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN"];
+
+fn obj_cases() -> Vec<Case> {
+    let strange = |word: &str| obj().replacen("v 0 0 1", &format!("v {word} 0 {word}"), 1);
+    vec![
+        case(
+            "dollar.obj",
+            "$ by an old exporter\n".to_owned() + &obj(),
+            Read(12, 8, &["1 line skipped, line 1: unknown statement \"$\""]),
+        ),
+        case(
+            "slashes.obj",
+            "// by a script\n".to_owned() + &obj(),
+            Read(12, 8, &["1 line skipped, line 1: unknown statement \"//\""]),
+        ),
+        case(
+            "tags.obj",
+            obj() + "t crease 2/1/0 1 5 4.7\nvw 0 0 1.0\nvw\n",
+            Read(12, 8, &["3 lines skipped, the first is line 21: unknown statement \"t\""]),
+        ),
+        case("control.obj", obj() + "\x1a", Read(12, 8, &[])),
+        case("zeros.obj", obj() + "\0\0\0", Read(12, 8, &[])),
+        case("mark.obj", "\u{feff}".to_owned() + &obj(), Read(12, 8, &[])),
+        case("returns.obj", obj().replace('\n', "\r"), Read(12, 8, &[])),
+        case("both.obj", obj().replace('\n', "\r\n"), Read(12, 8, &[])),
+        case("double.obj", obj().replace('\n', "\r\r\n"), Read(12, 8, &[])),
+        case("mixed.obj", rows("v ").replace('\n', "\r") + &faces(""), Read(12, 8, &[])),
+        case(
+            "no-normals.obj",
+            rows("v ") + &faces("//#"),
+            Read(
+                12,
+                8,
+                &[
+                    "36 normals of corners left out, the first is line 9: normal 1 does not exist: there are 0",
+                ],
+            ),
+        ),
+        case(
+            "no-texcoords.obj",
+            rows("v ") + &faces("/#"),
+            Read(
+                12,
+                8,
+                &[
+                    "36 texture coordinates of corners left out, the first is line 9: texture coordinate 1 does not \
+             exist: there are 0",
+                ],
+            ),
+        ),
+        case(
+            "zero-normals.obj",
+            rows("v ") + &faces("//0"),
+            Read(
+                12,
+                8,
+                &[
+                    "36 normals of corners left out, the first is line 9: normal 0 does not exist: there are 0 so far",
+                ],
+            ),
+        ),
+        case("nan.obj", strange("nan"), Read(8, 7, LOST_4)),
+        case("ind.obj", strange("-nan(ind)"), Read(8, 7, LOST_4)),
+        case("qnan.obj", strange("1.#QNAN"), Read(8, 7, LOST_4)),
+        case("unused.obj", obj() + "v nan nan nan\nv inf 0 0\n", Read(12, 8, &[])),
+    ]
+}
+
+fn many_faults_in_obj() -> Vec<Case> {
+    vec![
+        case(
+            "few-normals.obj",
+            rows("v ") + "vn 0 0 1\n" + &faces("//1").replacen("//1", "//7", 2),
+            Read(
+                12,
+                10,
+                &[
+                    "2 normals of corners left out, the first is line 10: normal 7 does not exist: there are 1",
+                ],
+            ),
+        ),
+        case(
+            "strange-normals.obj",
+            rows("v ") + &rows("vn ").replacen("0 0 1", "1.#INF 0 1", 1) + &faces("//#"),
+            Read(
+                12,
+                8,
+                &["1 normal computed anew, vertex 1: the layer normal has a value that is not finite"],
+            ),
+        ),
+        case(
+            "everything.obj",
+            "\u{feff}$\r".to_owned()
+                + &(rows("v ").replace("0 0 1", "0 -1.#IND 1")
+                    + &rows("vt ")
+                    + &faces("/#").replace("/8\n", "/99\n")
+                    + "v 1 2 3 4 5 6 7 8 9\nf 1 2\n")
+                    .replace('\n', "\r")
+                + "\x1a",
+            Read(
+                8,
+                8,
+                &[
+                    "1 line skipped, line 1: unknown statement \"$\"",
+                    "1 vertex with surplus numbers, line 30: a vertex has at most 8",
+                    "1 polygon left out, line 31: a face with 2 corners",
+                    "3 texture coordinates of corners left out, the first is line 20: texture coordinate 99 does not exist: there are 8",
+                    "4 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN",
+                ],
+            ),
+        ),
+    ]
+}
+
+fn refused_obj_cases() -> Vec<Case> {
+    vec![
+        case("no-position.obj", obj().replace("f 1", "f 9"), Refused("line 9: vertex 9 does not exist")),
+        case("points.obj", rows("v "), Refused("the file has 8 points and no triangles")),
+        case(
+            "edges.obj",
+            rows("v ") + "l 1 2\nf 3 4\n",
+            Refused("8 points, 1 line or curve and no triangles"),
+        ),
+        case("other.obj", "%PDF-1.4\nhello\n", Refused("line 1: no line of the file is an OBJ statement")),
+        case("nothing.obj", "", Refused("the file is empty")),
+        case("remarks.obj", "# nothing\n", Read(0, 0, &[])),
+    ]
+}
+
+fn stl_cases() -> Vec<Case> {
+    let half = stl().len() / 2;
+    let ended = &["line 86: the file ends before `endsolid`"];
+    vec![
+        case("capitals.stl", stl().to_uppercase(), Read(12, 8, &[])),
+        case("later.stl", stl()[..half].to_owned() + &stl()[half..].to_uppercase(), Read(12, 8, &[])),
+        case("title.stl", stl().replace("facet", "Facet").replace("solid", "Solid"), Read(12, 8, &[])),
+        case("end-loop.stl", stl().replace("endloop", "end loop"), Read(12, 8, &[])),
+        case("end-facet.stl", stl().replace("endfacet", "End Facet"), Read(12, 8, &[])),
+        case("end-solid.stl", stl().replace("endsolid", "end solid"), Read(12, 8, &[])),
+        case(
+            "hash.stl",
+            "# by a tool\n".to_owned() + &stl().replace(" facet", "# next\n facet"),
+            Read(12, 8, &[]),
+        ),
+        case("mark.stl", "\u{feff}".to_owned() + &stl(), Read(12, 8, &[])),
+        case("returns.stl", stl().replace('\n', "\r"), Read(12, 8, &[])),
+        case("control.stl", stl() + "\x1a", Read(12, 8, &[])),
+        case(
+            "words.stl",
+            "by a tool\n".to_owned() + &stl().replace(" facet", " color 1 0 0\n facet"),
+            Read(12, 8, &["13 lines skipped, the first is line 1: unknown statement `by`"]),
+        ),
+        case("no-solid.stl", stl().replacen("solid part\n", "", 1), Read(12, 8, &[])),
+        case("no-end.stl", stl().replace("endsolid part\n", ""), Read(12, 8, ended)),
+        case(
+            "no-edge.stl",
+            stl().replacen("   vertex 0 0 1\n", "", 1),
+            Read(11, 8, &["1 polygon left out, line 2: a facet with 2 vertices"]),
+        ),
+        case(
+            "nan.stl",
+            stl().replace("vertex 0 0 1", "vertex nan 0 -1.#IND"),
+            Read(
+                8,
+                7,
+                &["4 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN"],
+            ),
+        ),
+        case("cut.stl", stl()[..half + 10].to_owned(), Refused("the file ends within a facet")),
+        case("solid.stl", binary_stl(b"solid box", 12, b""), Read(12, 8, &[])),
+        case(
+            "solid-more.stl",
+            binary_stl(b"solid facet", 12, b"more"),
+            Read(12, 8, &["byte 684: 4 bytes follow the last triangle; they are left out"]),
+        ),
+        case(
+            "hash-more.stl",
+            binary_stl(b"# v 0 0 0", 12, b"\0"),
+            Read(12, 8, &["byte 684: 1 bytes follow the last triangle; they are left out"]),
+        ),
+        case(
+            "zero.stl",
+            binary_stl(b"x", 0, b""),
+            Read(12, 8, &["byte 80: the header declares no triangles, but 12 follow, which are read"]),
+        ),
+        case("many.stl", binary_stl(b"solid", 13, b""), Refused("byte 80: the header declares 13 triangles")),
+        case("nothing.stl", "", Refused("the file is empty")),
+        case("empty.stl", "solid\nendsolid\n", Read(0, 0, &[])),
+    ]
+}
+
+fn off_cases() -> Vec<Case> {
+    let with = |head: &str| off().replacen("OFF\n8 12 0\n", head, 1);
+    let colors = off().replace("OFF\n", "COFF\n").replacen("1 1 1\n", "1 1 1 255 0 0 255\n", 1);
+    let colored = |keyword: &str, more: &str| {
+        let rows: String = CORNERS.iter().map(|[x, y, z]| format!("{x} {y} {z} {more} # remark\n")).collect();
+        off().replace(&rows_of(), &rows).replace("OFF", keyword)
+    };
+    fn rows_of() -> String {
+        rows("")
+    }
+    vec![
+        case("attached.off", with("OFF8 12 0\n"), Read(12, 8, &[])),
+        case("lower.off", with("off\n8 12 0\n"), Read(12, 8, &[])),
+        case("lower-attached.off", with("off8 12 0\n"), Read(12, 8, &[])),
+        case("one-line.off", with("OFF 8 12 0\n"), Read(12, 8, &[])),
+        case("no-edges.off", with("OFF\n8 12\n"), Read(12, 8, &[])),
+        case("lines.off", with("OFF\n8\n12\n18\n"), Read(12, 8, &[])),
+        case("no-word.off", with("8 12 0\n"), Read(12, 8, &[])),
+        case("mark.off", "\u{feff}".to_owned() + &off(), Read(12, 8, &[])),
+        case("returns.off", off().replace('\n', "\r"), Read(12, 8, &[])),
+        case("control.off", off() + "\x1a", Read(12, 8, &[])),
+        case("remarks.off", off().replace('\n', " # remark\n\n# another\n"), Read(12, 8, &[])),
+        case("colors.off", colored("COFF", "255 0 7 255"), Read(12, 8, &[])),
+        case("normals.off", colored("NOFF", "0 0 1"), Read(12, 8, &[])),
+        case("texcoords.off", colored("stoff", "0.5 1"), Read(12, 8, &[])),
+        case("all.off", colored("STCNOFF", "0 0 1 0.5 0.5 0.5 1 0.25 0.75"), Read(12, 8, &[])),
+        case("order.off", colored("CNSTOFF", "0 0 1 0.5 0.5 0.5 0.25 0.75"), Read(12, 8, &[])),
+        case(
+            "surplus.off",
+            colored("OFF", "255 0 0"),
+            Read(12, 8, &["8 vertices with surplus numbers, the first is line 3: `255` follows a vertex"]),
+        ),
+        case(
+            "few.off",
+            colors.replacen("0 0 0\n", "0 0 0 0 0 0 255\n", 1),
+            Read(12, 8, &["6 vertices without some attributes, the first is line 4: 3 numbers instead of 7"]),
+        ),
+        case(
+            "edge.off",
+            off().replacen("3 0 1 3", "2 0 1", 1),
+            Read(11, 8, &["1 polygon left out, line 11: a polygon with 2 corners"]),
+        ),
+        case("nan.off", off().replacen("0 0 1\n", "0 nan 1\n", 1), Read(8, 7, LOST_4)),
+        case(
+            "index.off",
+            off().replacen("3 0 1 3", "3 0 1 8", 1),
+            Refused("line 11: polygon 0: vertex 8 of 8"),
+        ),
+        case("four.off", with("4OFF\n8 12 0\n"), Refused("cannot be read")),
+        case(
+            "points.off",
+            format!("OFF\n8 0 0\n{}", rows("")),
+            Refused("the file has 8 points and no triangles"),
+        ),
+        case("nothing.off", "", Refused("the file is empty")),
+        case("empty.off", "OFF\n0 0 0\n", Read(0, 0, &[])),
+    ]
+}
+
+fn ply_cases() -> Vec<Case> {
+    vec![
+        case("plain.ply", ply(), Read(12, 8, &[])),
+        case("nan.ply", ply().replacen("0 0 1\n", "0 -nan(ind) 1\n", 1), Read(8, 7, LOST_4)),
+        case("unused.ply", binary_ply(&[], 1), Read(12, 8, &[])),
+        case("used.ply", binary_ply(&[1], 3), Read(8, 7, LOST_4)),
+        case(
+            "lost.ply",
+            binary_ply(&[0, 1, 2, 3, 4, 5, 6, 7], 0),
+            Refused("none of the triangles can be used"),
+        ),
+        case(
+            "points.ply",
+            ply().split("3 0 1").next().unwrap().replace("face 12", "face 0"),
+            Refused("the file has 8 points and no triangles; striata simplifies triangle meshes"),
+        ),
+        case("nothing.ply", "", Refused("the file is empty")),
+        case(
+            "empty.ply",
+            "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n\
+            property float z\nend_header\n",
+            Read(0, 0, &[]),
+        ),
+    ]
+}
+
+fn cases() -> Vec<Case> {
+    [obj_cases(), many_faults_in_obj(), refused_obj_cases(), stl_cases(), off_cases(), ply_cases()]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// Warnings without the name of the file.
+fn texts<'a>(warnings: impl IntoIterator<Item = &'a striata_io::Warning>, file: &str) -> Vec<String> {
+    let prefix = format!("{file}: ");
+    warnings.into_iter().map(|warning| warning.to_string().replace(&prefix, "")).collect()
+}
+
+fn check_numbers(name: &str, mesh: &IndexedMesh, expected: (usize, usize)) {
+    assert_eq!((mesh.triangle_count(), mesh.vertex_count()), expected, "{name}");
+    mesh.check().unwrap_or_else(|error| panic!("{name}: {error}"));
+}
+
+#[test]
+fn files_in_memory_follow_the_rule() {
+    for (name, bytes, outcome) in cases() {
+        let found = read_bytes_with_report(&bytes, &Source::new(name));
+        match (found, outcome) {
+            (Ok(report), Read(triangles, vertices, warnings)) => {
+                assert_eq!(texts(&report.warnings, name), warnings, "{name}");
+                check_numbers(name, &report.mesh, (triangles, vertices));
+            }
+            (Err(error), Refused(part)) => {
+                let message = error.to_string();
+                assert!(message.starts_with(name) && message.contains(part), "{message}");
+            }
+            (Ok(report), Refused(_)) => panic!("{name} was read with {:?}", report.warnings),
+            (Err(error), Read(..)) => panic!("{error}"),
+        }
+    }
+}
+
+#[cfg(feature = "pieces")]
+#[test]
+fn files_in_pieces_follow_the_rule() {
+    use striata_io::pieces::{PieceOptions, open_pieces};
+    let folder = tempfile::tempdir().unwrap();
+    // Pieces cannot compute normals that some faces lack: they leave out all of them.
+    for (name, bytes, outcome) in cases().into_iter().filter(|case| case.0 != "few-normals.obj") {
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        let file = path.display().to_string();
+        let found = open_pieces(&path, &PieceOptions::default()).and_then(|source| {
+            let mut counts = (0, 0);
+            for index in 0..source.piece_count() {
+                let piece = source.read_piece(index)?;
+                assert_eq!(source.read_piece(index)?, piece, "{name}");
+                assert!(piece.positions.iter().flatten().all(|x| x.is_finite()), "{name}");
+                counts = (counts.0 + piece.triangles.len(), counts.1 + piece.positions.len());
+            }
+            Ok((counts, texts(&source.warnings(), &file)))
+        });
+        match (found, outcome) {
+            (Ok((counts, found)), Read(triangles, vertices, warnings)) => {
+                assert_eq!(counts, (triangles, vertices), "{name}");
+                assert_eq!(found.len(), warnings.len(), "{name}: {found:?}");
+                for (found, expected) in found.iter().zip(warnings) {
+                    // Pieces know the piece instead of the triangle.
+                    let head = expected.split(':').next().unwrap();
+                    let head = head
+                        .split(", vertex")
+                        .next()
+                        .unwrap()
+                        .split(", the first is triangle")
+                        .next()
+                        .unwrap();
+                    assert!(found.starts_with(head), "{name}: {found}");
+                }
+            }
+            (Err(error), Refused(part)) => {
+                let message = error.to_string();
+                assert!(message.contains(name) && message.contains(part), "{message}");
+            }
+            (Ok(found), Refused(_)) => panic!("{name} was read: {found:?}"),
+            (Err(error), Read(..)) => panic!("{error}"),
+        }
+    }
+}
