@@ -104,9 +104,9 @@ fn converted<T: Copy>(layer: &AttributeLayer, convert: impl Fn(f32, bool) -> T) 
 #[cfg(any(feature = "ply", feature = "off"))]
 pub(crate) fn byte_colors<'l>(layer: &'l AttributeLayer, warnings: &mut Warnings) -> Cow<'l, AttributeLayer> {
     let is_fraction = match &layer.data {
-        LayerData::F32(_) => true,
+        LayerData::F32(_) | LayerData::F64(_) => true,
         LayerData::U16(_) => layer.normalized,
-        LayerData::U8(_) | LayerData::U32(_) => false,
+        _ => false,
     };
     let is_color = layer.semantic == Semantic::Color(0) && matches!(layer.component_count, 3 | 4);
     if !is_fraction || !is_color {

@@ -349,6 +349,11 @@ impl Number<'_> {
         }
     }
 
+    /// Returns the nearest double.
+    pub(crate) fn to_f64(self) -> f64 {
+        std::str::from_utf8(self.text).ok().and_then(|text| text.parse().ok()).unwrap_or(f64::NAN)
+    }
+
     fn parsed(self) -> Option<f32> {
         std::str::from_utf8(self.text).ok()?.parse().ok()
     }
@@ -433,6 +438,16 @@ pub(crate) fn quoted(word: &[u8]) -> String {
 /// Appends a number as text that reads back as the same `f32`.
 #[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
 pub(crate) fn push_f32(out: &mut Vec<u8>, value: f32) {
+    use std::io::Write as _;
+    let magnitude = value.abs();
+    let plain = magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) || !value.is_finite();
+    let written = if plain { write!(out, "{value}") } else { write!(out, "{value:e}") };
+    debug_assert!(written.is_ok(), "writing to memory does not fail");
+}
+
+/// Appends a number as text that reads back as the same `f64`.
+#[cfg(feature = "ply")]
+pub(crate) fn push_f64(out: &mut Vec<u8>, value: f64) {
     use std::io::Write as _;
     let magnitude = value.abs();
     let plain = magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) || !value.is_finite();

@@ -373,17 +373,31 @@ fn invalid_gltf_is_not_written() {
     let mut nan = square();
     nan.positions[1][2] = f32::NAN;
     assert!(refusal(&nan).contains("vertex 1 has the value NaN in POSITION"));
-    let mut large = square();
-    large.layers = vec![AttributeLayer {
-        semantic: Semantic::Generic("id".to_owned()),
-        component_count: 1,
-        normalized: false,
-        data: LayerData::U32(vec![0, 1, 2, u32::MAX]),
-    }];
-    assert!(refusal(&large).contains("4294967295, too large for a float"));
     let mut broken = square();
     broken.triangles[1][0] = 17;
     assert!(refusal(&broken).contains("triangle 1 uses vertex 17"));
+}
+
+#[test]
+fn integers_keep_their_type_or_are_left_out() {
+    let mut mesh = square();
+    let layer = |name: &str, data| AttributeLayer {
+        semantic: Semantic::Generic(name.to_owned()),
+        component_count: 1,
+        normalized: false,
+        data,
+    };
+    let kept = vec![
+        layer("char", LayerData::I8(vec![-128, 0, 1, 127])),
+        layer("short", LayerData::I16(vec![-32768, 0, 1, 32767])),
+    ];
+    mesh.layers = kept.clone();
+    mesh.layers.push(layer("small", LayerData::I32(vec![-5, 0, 1, 1 << 24])));
+    mesh.layers.push(layer("id", LayerData::U32(vec![0, 1, 2, u32::MAX])));
+    let back = round_trip(Format::Glb, &mesh);
+    assert_eq!(back.layers[..2], kept);
+    assert_eq!(back.layers[2].data, LayerData::F32(vec![-5.0, 0.0, 1.0, 16_777_216.0]));
+    assert_eq!(back.layers.len(), 3, "no float represents all values of the last layer");
 }
 
 #[test]

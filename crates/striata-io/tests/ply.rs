@@ -83,8 +83,8 @@ fn foreign_properties_and_elements_are_tolerated() {
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [5, 6, 7]]);
     assert_eq!((mesh.positions[3], mesh.positions[5]), ([0.5, 2.0, 0.0], [0.5, 2.0, 0.0]));
     let layer = |name: &str| mesh.layer(&Semantic::Generic(name.to_owned())).unwrap();
-    assert_eq!(layer("flags").data, LayerData::U32(vec![7, 7, 7, 12, 7, 12, 7, 7]));
-    assert_eq!(layer("depth").data, LayerData::F32(vec![-3.0; 8]));
+    assert_eq!(layer("flags").data, LayerData::I32(vec![7, 7, 7, 12, 7, 12, 7, 7]));
+    assert_eq!(layer("depth").data, LayerData::I16(vec![-3; 8]));
     let color = mesh.layer(&Semantic::Color(0)).unwrap();
     assert!(color.normalized && color.data == LayerData::U8([255, 0, 0].repeat(8)));
     let texcoords = [[0.5, 0.75].repeat(5), [0.0, 1.0].repeat(3)].concat();

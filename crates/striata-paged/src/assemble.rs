@@ -40,6 +40,7 @@ pub fn assemble(pages: &[(u32, &Page)], metadata: &Metadata) -> Result<Assembled
     let (groups, triangles) = grouped(full_triangles(&loaded, &order), metadata);
     let sequence = sequence(&order, order.targets(&loaded), &triangles)?;
     let mesh = IndexedMesh {
+        triangle_layers: Vec::new(),
         positions: order
             .vertices
             .iter()

@@ -1,7 +1,7 @@
 //! Parts of a mesh that is made of pages: groups, attribute layers, materials.
 
 use serde_json::Value;
-use striata::mesh::{Appearance, AttributeLayer, Image, LayerData, Material, TriangleGroup};
+use striata::mesh::{Appearance, AttributeLayer, Image, Material, TriangleGroup};
 
 use crate::Metadata;
 use crate::loaded::{LoadedPages, Place};
@@ -45,22 +45,11 @@ fn gathered(
     (index, mut layer): (usize, AttributeLayer),
 ) -> AttributeLayer {
     let width = layer.component_count as usize;
-    macro_rules! gather {
-        ($values:ident, $kind:path) => {{
-            $values.reserve(vertices.len() * width);
-            for at in vertices {
-                // Pages have the layers of the metadata.
-                if let $kind(own) = &loaded.page(at.slot).layers[index].data {
-                    $values.extend_from_slice(&own[at.vertex as usize * width..][..width]);
-                }
-            }
-        }};
-    }
-    match &mut layer.data {
-        LayerData::F32(values) => gather!(values, LayerData::F32),
-        LayerData::U8(values) => gather!(values, LayerData::U8),
-        LayerData::U16(values) => gather!(values, LayerData::U16),
-        LayerData::U32(values) => gather!(values, LayerData::U32),
+    for at in vertices {
+        let own = &loaded.page(at.slot).layers[index].data;
+        let first = at.vertex as usize * width;
+        // Pages have the layers of the metadata.
+        layer.data.extend_from_range(own, first..first + width);
     }
     layer
 }

@@ -111,12 +111,7 @@ impl Grid {
 impl PagedLayer {
     /// Describes a layer; floats of known meaning are rounded unless `exact`.
     pub fn of(layer: &AttributeLayer, exact: bool) -> Self {
-        let component_type = match layer.data {
-            LayerData::F32(_) => "f32",
-            LayerData::U8(_) => "u8",
-            LayerData::U16(_) => "u16",
-            LayerData::U32(_) => "u32",
-        };
+        let component_type = layer.data.type_name();
         let step = match layer.semantic {
             _ if exact || component_type != "f32" => None,
             Semantic::Normal | Semantic::Tangent | Semantic::Color(_) | Semantic::Weights(_) => {
@@ -136,12 +131,7 @@ impl PagedLayer {
 
     /// A layer of this kind without values. An unknown type counts as floats.
     pub fn empty_layer(&self) -> AttributeLayer {
-        let data = match self.component_type.as_str() {
-            "u8" => LayerData::U8(Vec::new()),
-            "u16" => LayerData::U16(Vec::new()),
-            "u32" => LayerData::U32(Vec::new()),
-            _ => LayerData::F32(Vec::new()),
-        };
+        let data = LayerData::empty_named(&self.component_type).unwrap_or(LayerData::F32(Vec::new()));
         AttributeLayer {
             semantic: semantic_of(&self.semantic),
             component_count: self.component_count,

@@ -24,6 +24,10 @@ enum LayerArray<'py> {
     U8(PyReadonlyArray2<'py, u8>),
     U16(PyReadonlyArray2<'py, u16>),
     U32(PyReadonlyArray2<'py, u32>),
+    I8(PyReadonlyArray2<'py, i8>),
+    I16(PyReadonlyArray2<'py, i16>),
+    I32(PyReadonlyArray2<'py, i32>),
+    F64(PyReadonlyArray2<'py, f64>),
 }
 
 /// A layer: kind, number of the set, name, whether integers stand for fractions, values.
@@ -164,6 +168,10 @@ fn layer_of((kind, set, name, normalized, values): LayerArguments<'_>) -> Outcom
         LayerArray::U8(array) => flat(&array).map(|(n, values)| (n, LayerData::U8(values)))?,
         LayerArray::U16(array) => flat(&array).map(|(n, values)| (n, LayerData::U16(values)))?,
         LayerArray::U32(array) => flat(&array).map(|(n, values)| (n, LayerData::U32(values)))?,
+        LayerArray::I8(array) => flat(&array).map(|(n, values)| (n, LayerData::I8(values)))?,
+        LayerArray::I16(array) => flat(&array).map(|(n, values)| (n, LayerData::I16(values)))?,
+        LayerArray::I32(array) => flat(&array).map(|(n, values)| (n, LayerData::I32(values)))?,
+        LayerArray::F64(array) => flat(&array).map(|(n, values)| (n, LayerData::F64(values)))?,
     };
     let component_count = u8::try_from(columns).ok().filter(|&n| n > 0).ok_or_else(|| {
         value_error(format!("attribute {name:?} has {columns} columns, but a layer has 1 to 255"))
@@ -184,6 +192,10 @@ fn values_of<'py>(py: Python<'py>, layer: &AttributeLayer) -> Bound<'py, PyAny> 
         LayerData::U8(values) => flat_to_array(py, values.clone(), columns).into_any(),
         LayerData::U16(values) => flat_to_array(py, values.clone(), columns).into_any(),
         LayerData::U32(values) => flat_to_array(py, values.clone(), columns).into_any(),
+        LayerData::I8(values) => flat_to_array(py, values.clone(), columns).into_any(),
+        LayerData::I16(values) => flat_to_array(py, values.clone(), columns).into_any(),
+        LayerData::I32(values) => flat_to_array(py, values.clone(), columns).into_any(),
+        LayerData::F64(values) => flat_to_array(py, values.clone(), columns).into_any(),
     }
 }
 

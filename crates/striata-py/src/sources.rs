@@ -69,6 +69,12 @@ fn are_equal(layer: &AttributeLayer, a: usize, b: usize) -> bool {
         LayerData::U8(values) => same(values, [a, b], count),
         LayerData::U16(values) => same(values, [a, b], count),
         LayerData::U32(values) => same(values, [a, b], count),
+        LayerData::I8(values) => same(values, [a, b], count),
+        LayerData::I16(values) => same(values, [a, b], count),
+        LayerData::I32(values) => same(values, [a, b], count),
+        LayerData::F64(values) => {
+            (0..count).all(|i| values[a * count + i].to_bits() == values[b * count + i].to_bits())
+        }
     }
 }
 

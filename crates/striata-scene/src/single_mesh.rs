@@ -41,6 +41,7 @@ fn sample_of(mesh: &IndexedMesh) -> IndexedMesh {
         positions: corners.iter().map(|&vertex| mesh.positions[vertex as usize]).collect(),
         triangles: mesh.triangles.first().map(|_| [0, 1, 2]).into_iter().collect(),
         layers: mesh.layers.iter().map(|layer| layer.gather(corners)).collect(),
+        triangle_layers: Vec::new(),
         groups: Vec::new(),
         appearance: mesh.appearance.clone(),
     }

@@ -100,16 +100,10 @@ impl VertexLayer {
         self.0.normalized
     }
 
-    /// Type of the values: `f32`, `u8`, `u16` or `u32`.
+    /// Type of the values: `f32`, `u8`, `u16`, `u32`, `i8`, `i16`, `i32` or `f64`.
     #[wasm_bindgen(getter)]
     pub fn component_type(&self) -> String {
-        let name = match self.0.data {
-            LayerData::F32(_) => "f32",
-            LayerData::U8(_) => "u8",
-            LayerData::U16(_) => "u16",
-            LayerData::U32(_) => "u32",
-        };
-        name.to_owned()
+        self.0.data.type_name().to_owned()
     }
 
     /// Values of all vertices, little-endian.
@@ -142,12 +136,7 @@ fn find(layers: &[AttributeLayer], drawn: DrawnLayer) -> Option<usize> {
 /// The values of a layer from vertex `first` on.
 fn from_vertex(layer: &AttributeLayer, first: usize) -> AttributeLayer {
     let first = (first * usize::from(layer.component_count)).min(layer.data.len());
-    let data = match &layer.data {
-        LayerData::F32(values) => LayerData::F32(values[first..].to_vec()),
-        LayerData::U8(values) => LayerData::U8(values[first..].to_vec()),
-        LayerData::U16(values) => LayerData::U16(values[first..].to_vec()),
-        LayerData::U32(values) => LayerData::U32(values[first..].to_vec()),
-    };
+    let data = layer.data.slice(first..layer.data.len());
     AttributeLayer { semantic: layer.semantic.clone(), data, ..*layer }
 }
 

@@ -135,7 +135,7 @@ fn check_random_states(refinable: &RefinableMesh, fans: &Fans) {
                 "vertex {vertex} is not active"
             );
         }
-        let level = front.instance().level(fans, &refinable.mesh);
+        let level = front.instance().level(fans, refinable);
         assert_eq!(level.check(), Ok(()));
     }
 }

@@ -29,7 +29,7 @@ fn check_instance(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance
 /// The mesh of an instance must have the same triangles at the same positions, group by group, and no
 /// unused vertex.
 fn check_level(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance) {
-    let level = instance.level(fans, &refinable.mesh);
+    let level = instance.level(fans, refinable);
     level.check().unwrap();
     let mut is_used = vec![false; level.vertex_count()];
     level.triangles.iter().flatten().for_each(|&v| is_used[v as usize] = true);

@@ -151,7 +151,7 @@ fn joint(layer: &AttributeLayer, vertex: usize, slot: usize) -> u16 {
     match &layer.data {
         LayerData::U8(data) => u16::from(data[at]),
         LayerData::U16(data) => data[at],
-        LayerData::U32(data) => u16::try_from(data[at]).unwrap_or(u16::MAX),
-        LayerData::F32(data) => data[at] as u16,
+        // The conversion saturates.
+        data => data.number(at) as u16,
     }
 }

@@ -16,6 +16,8 @@ enum Kind {
     U8,
     U16,
     U32,
+    I8,
+    I16,
     F32,
 }
 
@@ -48,13 +50,16 @@ impl LayerFormat {
             ComponentType::U8 => Kind::U8,
             ComponentType::U16 => Kind::U16,
             ComponentType::U32 => Kind::U32,
-            ComponentType::F32 | ComponentType::I8 | ComponentType::I16 => Kind::F32,
+            ComponentType::I8 => Kind::I8,
+            ComponentType::I16 => Kind::I16,
+            ComponentType::F32 => Kind::F32,
         };
         let keeps_integers = match semantic {
             Semantic::TexCoord(_) | Semantic::Color(_) | Semantic::Weights(_) => {
-                accessor.normalized && kind != Kind::U32
+                accessor.normalized && matches!(kind, Kind::U8 | Kind::U16)
             }
-            Semantic::Joints(_) | Semantic::Generic(_) => true,
+            Semantic::Joints(_) => !matches!(kind, Kind::I8 | Kind::I16),
+            Semantic::Generic(_) => true,
             _ => false,
         };
         let kind = if keeps_integers { kind } else { Kind::F32 };
@@ -69,7 +74,9 @@ impl LayerFormat {
             return Self { component_count, ..self };
         }
         let has_no_fractions = |f: Self| f.kind != Kind::F32 && !f.normalized;
-        let kind = if has_no_fractions(self) && has_no_fractions(other) {
+        let is_signed = [self, other].iter().any(|f| matches!(f.kind, Kind::I8 | Kind::I16));
+        // Of signed types, floats represent all values that occur together.
+        let kind = if !is_signed && has_no_fractions(self) && has_no_fractions(other) {
             if self.kind == Kind::U32 || other.kind == Kind::U32 { Kind::U32 } else { Kind::U16 }
         } else {
             Kind::F32
@@ -80,8 +87,8 @@ impl LayerFormat {
     /// Returns the size of one vertex's values in bytes.
     pub(crate) fn vertex_bytes(self) -> u64 {
         let size = match self.kind {
-            Kind::U8 => 1,
-            Kind::U16 => 2,
+            Kind::U8 | Kind::I8 => 1,
+            Kind::U16 | Kind::I16 => 2,
             Kind::U32 | Kind::F32 => 4,
         };
         u64::from(self.component_count) * size
@@ -94,6 +101,8 @@ impl LayerFormat {
             Kind::U8 => LayerData::U8(Vec::with_capacity(room)),
             Kind::U16 => LayerData::U16(Vec::with_capacity(room)),
             Kind::U32 => LayerData::U32(Vec::with_capacity(room)),
+            Kind::I8 => LayerData::I8(Vec::with_capacity(room)),
+            Kind::I16 => LayerData::I16(Vec::with_capacity(room)),
             Kind::F32 => LayerData::F32(Vec::with_capacity(room)),
         };
         let Self { component_count, normalized, .. } = self;
@@ -138,6 +147,12 @@ pub(crate) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transf
         (LayerData::U16(data), ComponentType::U16) if is_full_width => {
             data.extend(accessor.read::<2, _>(u16::from_le_bytes));
         }
+        (LayerData::I8(data), ComponentType::I8) if is_full_width => {
+            data.extend(accessor.read::<1, _>(i8::from_le_bytes));
+        }
+        (LayerData::I16(data), ComponentType::I16) if is_full_width => {
+            data.extend(accessor.read::<2, _>(i16::from_le_bytes));
+        }
         (LayerData::F32(data), _) => {
             let mut numbers = accessor.floats();
             if let Some(transform) = transform {
@@ -158,7 +173,16 @@ pub(crate) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transf
                     widen(data, &narrow, shape, &layer.semantic, u16::MAX);
                 }
                 LayerData::U32(data) => widen(data, &numbers, shape, &layer.semantic, u32::MAX),
-                LayerData::F32(_) => {}
+                LayerData::I8(data) => {
+                    let narrow: Vec<i8> = accessor.read::<1, _>(i8::from_le_bytes);
+                    widen(data, &narrow, shape, &layer.semantic, i8::MAX);
+                }
+                LayerData::I16(data) => {
+                    let narrow: Vec<i16> = accessor.read::<2, _>(i16::from_le_bytes);
+                    widen(data, &narrow, shape, &layer.semantic, i16::MAX);
+                }
+                // No format of glTF has these types.
+                LayerData::F32(_) | LayerData::I32(_) | LayerData::F64(_) => {}
             }
         }
     }
@@ -225,5 +249,6 @@ pub(crate) fn fill(layer: &mut AttributeLayer, vertex_count: usize) {
             data.extend(std::iter::repeat_n([1.0, 0.0, 0.0, 1.0], vertex_count).flatten());
         }
         LayerData::F32(data) => data.resize(data.len() + count, if is_white { 1.0 } else { 0.0 }),
+        data => data.resize_with_zeros(data.len() + count),
     }
 }

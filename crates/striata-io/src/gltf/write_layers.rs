@@ -1,8 +1,8 @@
 //! Attribute layers as glTF accessors, in the types that glTF allows for each attribute.
 //!
 //! Normals, tangents and weights are normalized and colors clamped to 0 to 1, as glTF demands. Data without
-//! a glTF type (32-bit integers, unusual component counts) are written as floats if that loses nothing,
-//! under their own name with an underscore before it.
+//! a glTF type (32-bit integers, doubles) are written as floats under their own name with an underscore before
+//! it; integers that floats would change are left out.
 
 use std::collections::BTreeMap;
 
@@ -27,6 +27,8 @@ enum Encoded {
     Floats(Vec<f32>),
     Bytes(Vec<u8>),
     Words(Vec<u16>),
+    SignedBytes(Vec<i8>),
+    SignedWords(Vec<i16>),
 }
 
 /// Adds all positions and layers of a mesh, and returns their accessors.
@@ -35,7 +37,7 @@ pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<At
     let positions = mesh.positions.as_flattened();
     check_finite(positions, 3, "POSITION")?;
     out.attributes.insert("POSITION".to_owned(), push_points(builder, positions));
-    for layer in &mesh.layers {
+    for layer in mesh.layers.iter().filter(|layer| !is_unstorable(mesh, layer)) {
         let target = match layer.semantic {
             Semantic::MorphPosition(target) => Some((target, "POSITION")),
             Semantic::MorphNormal(target) => Some((target, "NORMAL")),
@@ -149,8 +151,17 @@ fn is_joints(layer: &AttributeLayer) -> bool {
     match &layer.data {
         LayerData::U8(_) | LayerData::U16(_) => true,
         LayerData::U32(joints) => joints.iter().all(|&joint| joint <= u32::from(u16::MAX)),
-        LayerData::F32(_) => false,
+        _ => false,
     }
+}
+
+/// Whether a layer is one that glTF has no type for: 32-bit integers that no float represents. Such layers are
+/// left out, because rounded identifiers are wrong ones.
+pub(crate) fn is_unstorable(mesh: &IndexedMesh, layer: &AttributeLayer) -> bool {
+    let is_wide = matches!(layer.data, LayerData::U32(_) | LayerData::I32(_));
+    let has_type = standard_name(mesh, layer).is_some();
+    let is_rounded = |i| layer.data.number(i).abs() > f64::from(1 << 24);
+    is_wide && !has_type && (0..layer.data.len()).any(is_rounded)
 }
 
 fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String, Value), Refusal> {
@@ -163,14 +174,9 @@ fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String
     let encoded = match &layer.data {
         LayerData::U8(bytes) => Encoded::Bytes(bytes.clone()),
         LayerData::U16(words) => Encoded::Words(words.clone()),
-        LayerData::F32(_) => Encoded::Floats(floats(layer, width)?),
-        LayerData::U32(words) => match words.iter().find(|&&word| word > 1 << 24) {
-            None => Encoded::Floats(floats(layer, width)?),
-            Some(word) => {
-                let reason = format!("layer {} contains {word}, too large for a float", layer.semantic);
-                return Err(Refusal::Unsupported(reason));
-            }
-        },
+        LayerData::I8(bytes) => Encoded::SignedBytes(bytes.clone()),
+        LayerData::I16(words) => Encoded::SignedWords(words.clone()),
+        _ => Encoded::Floats(floats(layer, width)?),
     };
     let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
     Ok((name, push(builder, &encoded, width, normalized)))
@@ -264,6 +270,8 @@ fn push(builder: &mut Builder, encoded: &Encoded, width: usize, normalized: bool
         Encoded::Floats(numbers) => (bytemuck::cast_slice(numbers), ComponentType::F32),
         Encoded::Bytes(numbers) => (numbers, ComponentType::U8),
         Encoded::Words(numbers) => (bytemuck::cast_slice(numbers), ComponentType::U16),
+        Encoded::SignedBytes(numbers) => (bytemuck::cast_slice(numbers), ComponentType::I8),
+        Encoded::SignedWords(numbers) => (bytemuck::cast_slice(numbers), ComponentType::I16),
     };
     let element_bytes = width * component.bytes();
     // Vertex data must be aligned to 4 bytes.

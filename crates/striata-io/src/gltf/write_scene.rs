@@ -187,7 +187,11 @@ fn layer_of_point(layer: &AttributeLayer) -> AttributeLayer {
         LayerData::F32(_) => LayerData::F32(components.collect()),
         LayerData::U8(_) => LayerData::U8(components.map(|x| if x > 0.0 { u8::MAX } else { 0 }).collect()),
         LayerData::U16(_) => LayerData::U16(components.map(|x| if x > 0.0 { u16::MAX } else { 0 }).collect()),
-        LayerData::U32(_) => LayerData::U32(components.map(|_| 0).collect()),
+        ref data => {
+            let mut zeros = data.empty_like();
+            zeros.resize_with_zeros(usize::from(layer.component_count));
+            zeros
+        }
     };
     AttributeLayer { data, ..layer.clone() }
 }

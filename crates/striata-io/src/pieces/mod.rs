@@ -54,6 +54,14 @@ pub enum ComponentType {
     U16,
     /// 32-bit integers.
     U32,
+    /// Signed bytes.
+    I8,
+    /// Signed 16-bit integers.
+    I16,
+    /// Signed 32-bit integers.
+    I32,
+    /// 64-bit floats.
+    F64,
 }
 
 /// An attribute layer without its values.

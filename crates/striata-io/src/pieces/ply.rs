@@ -5,22 +5,18 @@ use std::borrow::Cow;
 use striata::mesh::{AttributeLayer, IndexedMesh};
 
 use super::input::Input;
-use super::kinds::conform;
 use super::ply_faces::{FaceOptions, FaceRuns};
-use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
+use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
 use crate::ReadError;
 use crate::error::{Fault, Place};
 use crate::ply::body::{Vertices, index_list, skip_element};
 use crate::ply::face_textures::TextureProperties;
-use crate::ply::header::{Element, Encoding, Header, Scalar};
+use crate::ply::header::{Element, Encoding, Header};
 use crate::ply::rows::BinaryRows;
 use crate::ply::textures;
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 use crate::texture_set::TextureSet;
-
-/// Number of vertex rows that are examined at once.
-const ROWS_AT_ONCE: usize = 1 << 16;
 
 /// Binary PLY file.
 pub(super) struct PlyPieces {
@@ -72,7 +68,7 @@ impl PlyPieces {
                 stride: vertex.least_row_bytes(),
                 is_big: header.encoding == Encoding::BigEndian,
             };
-            let kinds = vertices.layer_kinds(&input.bytes, &header)?;
+            let kinds = vertices.values(&[], &header)?.1.iter().map(LayerKind::of).collect();
             Ok((vertices, located.faces, kinds))
         });
         let (vertices, faces, layers) = opened.map_err(|fault| fault.in_file(&input.name))?;
@@ -96,8 +92,7 @@ impl PlyPieces {
         };
         let (triangles, numbers) = faces.read(&self.input.bytes, run)?;
         let rows = self.vertices.rows(&self.input.bytes, &numbers);
-        let (positions, mut layers) = self.vertices.values(&rows, &self.header)?;
-        conform(&mut layers, &self.summary.layers);
+        let (positions, layers) = self.vertices.values(&rows, &self.header)?;
         Ok(Piece { positions, layers, triangles, groups: Vec::new() })
     }
 }
@@ -107,7 +102,7 @@ pub(crate) fn must_be_read_at_once(element: &Element) -> bool {
     match element.name.as_str() {
         "vertex" => element.properties.iter().any(|p| p.list.is_some()),
         "tristrips" => true,
-        "face" => TextureProperties::of(element).is_some(),
+        "face" => TextureProperties::of(element, false).is_some(),
         _ => false,
     }
 }
@@ -205,26 +200,6 @@ impl VertexRows {
         }
         let vertices = Vertices::of_rows(&self.element, rows, header.has_top_origin);
         Ok((vertices.positions(header)?, vertices.layers(header)))
-    }
-
-    /// Layers of all vertices. Signed integers become floats if one of them is negative, so that these
-    /// files are examined.
-    fn layer_kinds(&self, bytes: &[u8], header: &Header) -> Result<Vec<LayerKind>, Fault> {
-        let (_, layers) = self.values(&[], header)?;
-        let mut kinds: Vec<LayerKind> = layers.iter().map(LayerKind::of).collect();
-        if self.element.properties.iter().all(|p| p.scalar != Scalar::I32) {
-            return Ok(kinds);
-        }
-        let rows = &bytes[self.first..][..self.element.count * self.stride];
-        for batch in rows.chunks((ROWS_AT_ONCE * self.stride).max(1)) {
-            let (_, layers) = self.values(batch, header)?;
-            for (kind, layer) in kinds.iter_mut().zip(&layers) {
-                if LayerKind::of(layer).component_type == ComponentType::F32 {
-                    kind.component_type = ComponentType::F32;
-                }
-            }
-        }
-        Ok(kinds)
     }
 }
 

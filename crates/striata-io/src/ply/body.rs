@@ -8,6 +8,7 @@ use striata::mesh::{AttributeLayer, LayerData, Semantic};
 use crate::error::{Fault, Place};
 
 use super::column::Column;
+use super::face_data::FaceData;
 use super::face_textures::{FaceTextures, TextureProperties};
 use super::header::{Element, Header, Property, Scalar};
 use super::names::{ColumnSet, column_sets};
@@ -20,6 +21,8 @@ pub(crate) struct Vertices<'a> {
     count: usize,
     stride: usize,
     columns: Vec<Column>,
+    /// Whether the rows are those of triangles.
+    of_triangles: bool,
 }
 
 /// Triangles read so far, with what an error about a bad index needs.
@@ -28,6 +31,8 @@ pub(crate) struct Faces {
     pub triangles: Vec<[u32; 3]>,
     /// Texture data of the triangles, as far as there are any.
     pub textures: FaceTextures,
+    /// Other numbers of the faces.
+    pub data: FaceData,
     /// The largest index, and a fault at its position that is used if it is out of range.
     largest: Option<(i64, Fault)>,
 }
@@ -65,7 +70,7 @@ fn check_room<'a>(element: &Element, rows: &impl Rows<'a>) -> Result<(), Fault> 
     Ok(())
 }
 
-fn columns_of(element: &Element) -> (Vec<Column>, usize) {
+pub(super) fn columns_of(element: &Element) -> (Vec<Column>, usize) {
     let mut offset = 0;
     let mut columns = Vec::new();
     for property in element.properties.iter().filter(|p| p.list.is_none()) {
@@ -91,7 +96,7 @@ fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Ver
         return Err(rows.fault("the element `vertex` has no coordinates".to_owned()));
     }
     if !has_lists && let Some(bytes) = rows.little_endian_bytes(length) {
-        return Ok(Vertices { rows: Cow::Borrowed(bytes), count, stride, columns });
+        return Ok(Vertices { rows: Cow::Borrowed(bytes), count, stride, columns, of_triangles: false });
     }
     if rows.is_text() {
         mark_flipped(&mut columns);
@@ -100,7 +105,7 @@ fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Ver
     for _ in 0..count {
         copy_row(element, &columns, rows, &mut bytes)?;
     }
-    Ok(Vertices { rows: Cow::Owned(bytes), count, stride, columns })
+    Ok(Vertices { rows: Cow::Owned(bytes), count, stride, columns, of_triangles: false })
 }
 
 /// Appends the numbers of a row, as little-endian bytes; lists are left out.
@@ -167,7 +172,8 @@ pub(crate) fn read_faces<'a, R: Rows<'a>>(
     let Some(list) = index_list(element) else { return skip_element(element, rows) };
     let mut left = element.count;
     faces.triangles.reserve(left.min(rows.bytes_left() / 6));
-    if let Some(textured) = TextureProperties::of(element) {
+    faces.data.begin(element, faces.triangles.len());
+    if let Some(textured) = TextureProperties::of(element, faces.data.keeps_texture_numbers) {
         return textured.read_faces(element, list, rows, faces);
     }
     if let [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }] =
@@ -175,13 +181,18 @@ pub(crate) fn read_faces<'a, R: Rows<'a>>(
     {
         left -= read_plain_triangles(rows, left, faces, vertex_count);
     }
+    let mut row = Vec::new();
     for _ in 0..left {
+        row.clear();
+        let first = faces.triangles.len();
         for (place, property) in element.properties.iter().enumerate() {
-            match property.list.filter(|_| place == list) {
-                Some(length) => read_polygon(property.scalar, length, rows, faces)?,
-                None => skip_property(property, rows)?,
+            match property.list {
+                Some(length) if place == list => read_polygon(property.scalar, length, rows, faces)?,
+                None if faces.data.is_open() => rows.copy(property.scalar, &mut row)?,
+                _ => skip_property(property, rows)?,
             }
         }
+        faces.data.push(&row, faces.triangles.len() - first);
     }
     Ok(())
 }
@@ -314,7 +325,14 @@ impl<'a> Vertices<'a> {
         if has_top_origin {
             mark_flipped(&mut columns);
         }
-        Self { count: rows.len() / stride.max(1), rows, stride, columns }
+        Self { count: rows.len() / stride.max(1), rows, stride, columns, of_triangles: false }
+    }
+}
+
+impl<'a> Vertices<'a> {
+    /// Wraps whole rows of triangles.
+    pub(super) fn of_triangles(rows: Cow<'a, [u8]>, (columns, stride): (Vec<Column>, usize)) -> Self {
+        Self { count: rows.len() / stride.max(1), rows, stride, columns, of_triangles: true }
     }
 }
 
@@ -348,7 +366,7 @@ impl Vertices<'_> {
     /// Returns the attribute layers of all vertices.
     pub(crate) fn layers(&self, header: &Header) -> Vec<AttributeLayer> {
         let mut seen = BTreeSet::new();
-        let sets = column_sets(&self.columns);
+        let sets = column_sets(&self.columns, self.of_triangles);
         let first_of_its_name = |set: &&ColumnSet<'_>| seen.insert(set.semantic.clone());
         sets.iter().filter(first_of_its_name).map(|set| self.layer(set, header)).collect()
     }
@@ -367,40 +385,38 @@ impl Vertices<'_> {
             (Semantic::Color(_) | Semantic::TexCoord(_) | Semantic::Weights(_), scalar) => {
                 (self.typed(set), matches!(scalar, Scalar::U8 | Scalar::U16))
             }
-            (Semantic::Generic(name), _) => (self.typed(set), header.normalized.contains(name)),
+            (Semantic::Generic(name), _) => {
+                let names = if self.of_triangles { &header.normalized_faces } else { &header.normalized };
+                (self.typed(set), names.contains(name))
+            }
             (Semantic::Joints(_), _) => (self.typed(set), false),
         };
         let mut layer = AttributeLayer { semantic, component_count, normalized, data };
-        if !set.columns.iter().any(|column| column.is_flipped) {
+        if !self.of_triangles && !set.columns.iter().any(|column| column.is_flipped) {
             flip(&mut layer);
         }
         layer
     }
 
-    /// Returns the columns in the type that represents them best.
+    /// Returns the columns in their own type.
     fn typed(&self, set: &ColumnSet<'_>) -> LayerData {
         match set.columns[0].scalar {
             Scalar::U8 => self.gathered(set, |row, c| row[c.offset], LayerData::U8),
-            Scalar::U16 => self.gathered(
-                set,
-                |row, c| u16::from_le_bytes([row[c.offset], row[c.offset + 1]]),
-                LayerData::U16,
-            ),
+            Scalar::U16 => self.gathered(set, |row, c| to_f64(row, c) as u16, LayerData::U16),
             Scalar::U32 => self.gathered(set, |row, c| to_f64(row, c) as u32, LayerData::U32),
-            Scalar::I32 if self.is_never_negative(set) => {
-                self.gathered(set, |row, c| to_f64(row, c) as u32, LayerData::U32)
-            }
-            _ => self.floats(set),
+            Scalar::I8 => self.gathered(set, |row, c| row[c.offset] as i8, LayerData::I8),
+            Scalar::I16 => self.gathered(set, |row, c| to_f64(row, c) as i16, LayerData::I16),
+            Scalar::I32 => self.gathered(set, |row, c| to_f64(row, c) as i32, LayerData::I32),
+            Scalar::F32 | Scalar::F64 => self.floats(set),
         }
-    }
-
-    fn is_never_negative(&self, set: &ColumnSet<'_>) -> bool {
-        self.rows().all(|row| set.columns.iter().all(|c| to_f64(row, c) >= 0.0))
     }
 
     fn floats(&self, set: &ColumnSet<'_>) -> LayerData {
         if set.columns.iter().all(|c| c.scalar == Scalar::F32) {
             return self.gathered(set, |row, c| f32_at(row, c.offset), LayerData::F32);
+        }
+        if set.columns.iter().all(|c| c.scalar == Scalar::F64) {
+            return self.gathered(set, to_f64, LayerData::F64);
         }
         self.gathered(set, |row, c| to_f64(row, c) as f32, LayerData::F32)
     }

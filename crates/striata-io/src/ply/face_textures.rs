@@ -43,12 +43,13 @@ pub(crate) struct TextureProperties {
 }
 
 impl TextureProperties {
-    /// Finds the properties; [`None`] if there are none.
-    pub(crate) fn of(element: &Element) -> Option<Self> {
+    /// Finds the properties; [`None`] if there are none. Numbers of no textures are not among them.
+    pub(crate) fn of(element: &Element, has_no_textures: bool) -> Option<Self> {
         let find = |name: &str, is_list: bool| {
             element.properties.iter().position(|p| p.name == name && p.list.is_some() == is_list)
         };
-        let (texcoord, number) = (find("texcoord", true), find("texnumber", false));
+        let texcoord = find("texcoord", true);
+        let number = find("texnumber", false).filter(|_| !has_no_textures);
         (texcoord.is_some() || number.is_some()).then_some(Self { texcoord, number })
     }
 
@@ -63,9 +64,11 @@ impl TextureProperties {
         faces.pad_textures();
         faces.textures.has_numbers |= self.number.is_some();
         let (mut polygon, mut texcoords): (Vec<u32>, Vec<f32>) = (Vec::new(), Vec::new());
+        let mut row = Vec::new();
         for _ in 0..element.count {
             polygon.clear();
             texcoords.clear();
+            row.clear();
             let (mut number, mut mark) = (-1, 0);
             for (place, property) in element.properties.iter().enumerate() {
                 match property.list {
@@ -86,6 +89,7 @@ impl TextureProperties {
                         }
                     }
                     None if Some(place) == self.number => number = rows.integer(property.scalar)?,
+                    None if faces.data.is_open() => rows.copy(property.scalar, &mut row)?,
                     _ => skip_property(property, rows)?,
                 }
             }
@@ -96,6 +100,7 @@ impl TextureProperties {
                 return Err(R::fault_at(mark, reason));
             }
             faces.push_textured(&polygon, &texcoords, number);
+            faces.data.push(&row, polygon.len().saturating_sub(2));
         }
         Ok(())
     }

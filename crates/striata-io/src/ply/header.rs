@@ -106,6 +106,8 @@ pub(crate) struct Header {
     pub elements: Vec<Element>,
     /// Layers marked by `comment normalized NAME`, a note of our own writer.
     pub normalized: Vec<String>,
+    /// Layers of triangles marked by `comment normalized_face NAME`.
+    pub normalized_faces: Vec<String>,
     /// Images named by `comment TextureFile NAME`.
     pub texture_files: Vec<TextureComment>,
     /// Whether texture coordinates count from the top of the image, as in temporary files of our own; set by
@@ -124,13 +126,14 @@ impl Header {
         }
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
-        let (mut normalized, mut texture_files) = (Vec::new(), Vec::new());
+        let (mut normalized, mut normalized_faces, mut texture_files) = (Vec::new(), Vec::new(), Vec::new());
         loop {
             cursor.next_line();
             match cursor.word() {
                 b"format" => encoding = Some(read_format(&mut cursor)?),
                 b"comment" => match cursor.word() {
                     b"normalized" => normalized.push(text(cursor.word())),
+                    b"normalized_face" => normalized_faces.push(text(cursor.word())),
                     word if word.eq_ignore_ascii_case(b"texturefile") => {
                         let (name, line) = (text(cursor.rest_of_line()), cursor.line());
                         texture_files.push(TextureComment { name, line });
@@ -156,7 +159,16 @@ impl Header {
         cursor.next_line();
         let encoding = encoding.ok_or_else(|| cursor.fault("the header has no `format` line"))?;
         let (body_at, body_line) = (bytes.len() - cursor.bytes_left(), cursor.line());
-        Ok(Self { encoding, elements, normalized, texture_files, has_top_origin: false, body_at, body_line })
+        Ok(Self {
+            encoding,
+            elements,
+            normalized,
+            normalized_faces,
+            texture_files,
+            has_top_origin: false,
+            body_at,
+            body_line,
+        })
     }
 
     /// Returns the element `vertex`.

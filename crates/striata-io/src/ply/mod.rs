@@ -13,6 +13,7 @@
 
 pub(crate) mod body;
 mod column;
+pub(crate) mod face_data;
 pub(crate) mod face_textures;
 pub(crate) mod header;
 mod names;
@@ -32,11 +33,12 @@ pub(crate) use write::{push_row, vertex_header};
 use striata::mesh::IndexedMesh;
 
 use crate::Source;
-use crate::error::Fault;
+use crate::error::{Fault, Place};
 use crate::report::Warnings;
 use crate::text::Cursor;
 use crate::texture_set::TextureSet;
 use body::{Faces, read_elements};
+use face_data::{FaceData, left_out};
 use header::{Encoding, Header};
 use rows::{AsciiRows, BinaryRows};
 
@@ -44,6 +46,7 @@ use rows::{AsciiRows, BinaryRows};
 pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let header = Header::read(bytes)?;
     let mut faces = Faces::default();
+    faces.data = FaceData::new(&header, bytes.len());
     let vertices = match header.encoding {
         Encoding::Ascii => {
             let cursor = Cursor::starting_at(bytes, header.body_at, header.body_line);
@@ -62,7 +65,12 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
     if !faces.textures.is_empty() {
         faces.pad_textures();
     }
-    let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(positions, faces.triangles) };
+    let (triangle_layers, remarks) =
+        std::mem::take(&mut faces.data).into_layers(&header, faces.triangles.len());
+    for remark in left_out(&header).into_iter().chain(remarks) {
+        warnings.push(Place::File, remark);
+    }
+    let mut mesh = IndexedMesh { layers, triangle_layers, ..IndexedMesh::new(positions, faces.triangles) };
     let comments = &header.texture_files;
     faces.textures.split_vertices(&mut mesh);
     let set = TextureSet::new(source, bytes.len() as u64);

@@ -10,11 +10,14 @@
 //! | morph targets | `morph_0_position_x` …, `morph_0_normal_x` …, `morph_0_tangent_x` … |
 //! | anything else | its name; with several components `name.0 name.1` … |
 //!
-//! A name that has another meaning gets `generic_` before it.
+//! A name that would be read as something else gets `generic_` before it: `t` stays as it is unless there is an `s`.
+
+use std::borrow::Borrow;
 
 use striata::mesh::{AttributeLayer, Semantic};
 
 use super::column::Column;
+use super::header::Scalar;
 
 const AXES: [&str; 4] = ["x", "y", "z", "w"];
 const COLORS: [&str; 4] = ["red", "green", "blue", "alpha"];
@@ -85,11 +88,12 @@ fn is_complete(semantic: &Semantic, component_count: usize) -> bool {
 }
 
 /// Groups columns into layers, in the order in which the layers begin.
-pub(crate) fn column_sets(columns: &[Column]) -> Vec<ColumnSet<'_>> {
+/// Vertices have their positions elsewhere; columns `x`, `y` and `z` of triangles are like any other.
+pub(crate) fn column_sets(columns: &[Column], of_triangles: bool) -> Vec<ColumnSet<'_>> {
     let mut sets: Vec<ColumnSet<'_>> = Vec::new();
     let mut is_used = vec![false; columns.len()];
     for (index, column) in columns.iter().enumerate() {
-        if is_used[index] || matches!(column.name.as_str(), "x" | "y" | "z") {
+        if is_used[index] || (!of_triangles && matches!(column.name.as_str(), "x" | "y" | "z")) {
             continue;
         }
         let (semantic, members) = members_of(columns, index);
@@ -133,12 +137,56 @@ fn members_of(columns: &[Column], index: usize) -> (Semantic, Vec<usize>) {
     (Semantic::Generic(plain_name(&own.name)), vec![index])
 }
 
-fn plain_name(name: &str) -> String {
-    name.strip_prefix("generic_").unwrap_or(name).to_owned()
+/// The name of a generic layer: without the prefix of our writer, which is there only if it is needed.
+pub(crate) fn plain_name(name: &str) -> String {
+    let plain = name.strip_prefix("generic_").filter(|plain| plain.is_empty() || has_meaning(plain));
+    plain.unwrap_or(name).to_owned()
 }
 
-/// Returns the property names of a layer, for the writer.
-pub(crate) fn property_names(layer: &AttributeLayer) -> Vec<String> {
+/// Whether a name may be read as something else than a generic layer of one component.
+fn has_meaning(word: &str) -> bool {
+    matches!(word, "x" | "y" | "z")
+        || semantic_of(word).is_some()
+        || word.strip_prefix("generic_").is_some_and(|rest| rest.is_empty() || has_meaning(rest))
+        || word.rsplit_once('.').is_some_and(|(_, end)| end.parse::<u32>().is_ok())
+}
+
+/// Returns the property names of some layers, for the writer. A name that could have another meaning keeps it only
+/// if the reader finds the same layers.
+pub(crate) fn names_of_layers(
+    layers: &[impl Borrow<AttributeLayer>],
+    scalar_of: impl Fn(&AttributeLayer) -> Scalar,
+    of_triangles: bool,
+) -> Vec<Vec<String>> {
+    let layers: Vec<&AttributeLayer> = layers.iter().map(Borrow::borrow).collect();
+    let plain: Vec<Vec<String>> = layers.iter().map(|layer| property_names(layer, word_of)).collect();
+    let columns: Vec<Column> = layers
+        .iter()
+        .zip(&plain)
+        .flat_map(|(layer, names)| names.iter().map(|name| (name.clone(), scalar_of(layer))))
+        .map(|(name, scalar)| Column { name, scalar, offset: 0, is_flipped: false })
+        .collect();
+    let found = column_sets(&columns, of_triangles);
+    let is_found = |(layer, set): (&&AttributeLayer, &ColumnSet<'_>)| {
+        let is_same = match (&layer.semantic, &set.semantic) {
+            (Semantic::Generic(own), Semantic::Generic(read)) => word_of(own) == *read,
+            (own, read) => own == read,
+        };
+        is_same && set.columns.len() == usize::from(layer.component_count)
+    };
+    if found.len() == layers.len() && layers.iter().zip(&found).all(is_found) {
+        return plain;
+    }
+    layers.iter().map(|layer| property_names(layer, generic_stem)).collect()
+}
+
+/// A name as one word.
+fn word_of(name: &str) -> String {
+    name.chars().map(|c| if c.is_whitespace() { '_' } else { c }).collect()
+}
+
+/// Returns the property names of a layer; `stem` makes one of the name of a generic layer.
+fn property_names(layer: &AttributeLayer, stem: fn(&str) -> String) -> Vec<String> {
     let count = layer.component_count as usize;
     let numbered = |stem: String| (0..count).map(move |c| format!("{stem}{c}")).collect();
     let named = |stem: String, words: &[&str]| words.iter().map(|w| format!("{stem}{w}")).collect();
@@ -154,27 +202,21 @@ pub(crate) fn property_names(layer: &AttributeLayer) -> Vec<String> {
         Semantic::MorphPosition(target) => named(format!("morph_{target}_position_"), &AXES[..3]),
         Semantic::MorphNormal(target) => named(format!("morph_{target}_normal_"), &AXES[..3]),
         Semantic::MorphTangent(target) => named(format!("morph_{target}_tangent_"), &AXES[..3]),
-        Semantic::Generic(name) => return generic_names(name, count),
+        Semantic::Generic(name) => return generic_names(&stem(name), count),
     };
     // A layer with an unusual number of components is kept as a generic one.
-    if own.len() == count { own } else { generic_names(&layer.semantic.to_string(), count) }
+    if own.len() == count { own } else { generic_names(&generic_stem(&layer.semantic.to_string()), count) }
 }
 
 /// Returns a generic layer's name as one word that has no other meaning.
-pub(crate) fn generic_stem(name: &str) -> String {
-    let word: String = name.chars().map(|c| if c.is_whitespace() { '_' } else { c }).collect();
-    let is_own = word.is_empty()
-        || matches!(word.as_str(), "x" | "y" | "z")
-        || semantic_of(&word).is_some()
-        || word.starts_with("generic_")
-        || word.rsplit_once('.').is_some_and(|(_, end)| end.parse::<u32>().is_ok());
-    if is_own { format!("generic_{word}") } else { word }
+fn generic_stem(name: &str) -> String {
+    let word = word_of(name);
+    if word.is_empty() || has_meaning(&word) { format!("generic_{word}") } else { word }
 }
 
-fn generic_names(name: &str, count: usize) -> Vec<String> {
-    let stem = generic_stem(name);
+fn generic_names(stem: &str, count: usize) -> Vec<String> {
     match count {
-        1 => vec![stem],
+        1 => vec![stem.to_owned()],
         _ => (0..count).map(|c| format!("{stem}.{c}")).collect(),
     }
 }

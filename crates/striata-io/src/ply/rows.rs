@@ -25,7 +25,13 @@ pub(crate) trait Rows<'a> {
     fn copy_flipped(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
         match scalar {
             Scalar::F32 => out.extend_from_slice(&self.one_minus(scalar)?.to_le_bytes()),
-            Scalar::F64 => out.extend_from_slice(&f64::from(self.one_minus(scalar)?).to_le_bytes()),
+            Scalar::F64 => {
+                let start = out.len();
+                self.copy(scalar, out)?;
+                if let Some(bytes) = out[start..].first_chunk_mut::<8>() {
+                    *bytes = (1.0 - f64::from_le_bytes(*bytes)).to_le_bytes();
+                }
+            }
             Scalar::U8 | Scalar::U16 => {
                 let start = out.len();
                 self.copy(scalar, out)?;
@@ -86,7 +92,7 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
         self.0.skip_lines(None);
         match scalar {
             Scalar::F32 => out.extend_from_slice(&self.0.f32()?.to_le_bytes()),
-            Scalar::F64 => out.extend_from_slice(&f64::from(self.0.f32()?).to_le_bytes()),
+            Scalar::F64 => out.extend_from_slice(&self.0.number()?.to_f64().to_le_bytes()),
             _ => {
                 let value = self.0.integer()?;
                 if !fits(scalar, value) {

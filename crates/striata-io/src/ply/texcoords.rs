@@ -24,9 +24,9 @@ const PIXELS: f32 = 65536.0;
 /// Whether a layer has coordinates with an origin; plain integers are pixels or something else.
 pub(super) fn has_origin(layer: &AttributeLayer) -> bool {
     let is_fraction = match layer.data {
-        LayerData::F32(_) => true,
+        LayerData::F32(_) | LayerData::F64(_) => true,
         LayerData::U8(_) | LayerData::U16(_) => layer.normalized,
-        LayerData::U32(_) => false,
+        _ => false,
     };
     matches!(layer.semantic, Semantic::TexCoord(_)) && layer.component_count == 2 && is_fraction
 }
@@ -38,6 +38,7 @@ pub(super) fn flip(layer: &mut AttributeLayer) {
     }
     match &mut layer.data {
         LayerData::F32(values) => values.iter_mut().skip(1).step_by(2).for_each(|v| *v = 1.0 - *v),
+        LayerData::F64(values) => values.iter_mut().skip(1).step_by(2).for_each(|v| *v = 1.0 - *v),
         other => flip_integers(other),
     }
 }
@@ -62,9 +63,16 @@ pub(super) fn with_bottom_origin(layer: &AttributeLayer) -> Cow<'_, AttributeLay
             let unflipped = inverse_of(values.iter().skip(1).step_by(2).copied());
             values.iter_mut().skip(1).step_by(2).for_each(|v| *v = unflipped(*v));
         }
+        LayerData::F64(values) => values.iter_mut().skip(1).step_by(2).for_each(|v| *v = one_minus_f64(*v)),
         other => flip_integers(other),
     }
     Cow::Owned(layer)
+}
+
+/// Returns `1 - value`, as a decimal fraction of 15 digits if reading that gives `value` again.
+pub(super) fn one_minus_f64(value: f64) -> f64 {
+    let decimal = ((1.0 - value) * 1e15).round() / 1e15;
+    if 1.0 - decimal == value { decimal } else { 1.0 - value }
 }
 
 /// Returns the function that undoes `1 - v` for these values; see the header of the module.
@@ -94,7 +102,7 @@ fn decimal_difference(value: f32) -> f32 {
 /// Marks the columns whose numbers count from the top of the image, so that they are not flipped again.
 pub(crate) fn mark_flipped(columns: &mut [Column]) {
     let all = columns.to_vec();
-    for set in column_sets(&all) {
+    for set in column_sets(&all, false) {
         if matches!(set.semantic, Semantic::TexCoord(_)) && set.columns.len() == 2 {
             let offset = set.columns[1].offset;
             columns.iter_mut().filter(|column| column.offset == offset).for_each(|c| c.is_flipped = true);

@@ -79,9 +79,10 @@ fn group_by_texture(
     let mut counts = vec![0u32; count + 1];
     (0..mesh.triangles.len()).for_each(|triangle| counts[texture_of(triangle)] += 1);
     if !(0..mesh.triangles.len()).is_sorted_by_key(texture_of) {
-        let mut order: Vec<usize> = (0..mesh.triangles.len()).collect();
-        order.sort_by_key(|&triangle| texture_of(triangle));
-        mesh.triangles = order.into_iter().map(|triangle| mesh.triangles[triangle]).collect();
+        let mut order: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+        order.sort_by_key(|&triangle| texture_of(triangle as usize));
+        mesh.triangles = order.iter().map(|&triangle| mesh.triangles[triangle as usize]).collect();
+        mesh.triangle_layers = mesh.triangle_layers.iter().map(|layer| layer.gather(&order)).collect();
     }
     let mut first = 0;
     for (texture, &count_of_texture) in counts.iter().enumerate() {

@@ -8,22 +8,24 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use crate::color_space::byte_colors;
 use crate::error::Refusal;
 use crate::report::Warnings;
-use crate::text::{push_f32, push_one_minus_f32};
+use crate::text::{push_f32, push_f64, push_one_minus_f32};
 
 use super::header::Scalar;
-use super::names::{generic_stem, property_names};
-use super::texcoords::{has_origin, with_bottom_origin};
+use super::names::{names_of_layers, plain_name};
+use super::texcoords::{has_origin, one_minus_f64, with_bottom_origin};
 
 /// Encodes a mesh as a PLY file.
 pub(crate) fn to_bytes(mesh: &IndexedMesh, ascii: bool, warnings: &mut Warnings) -> Result<Vec<u8>, Refusal> {
     let layers: Vec<Cow<'_, AttributeLayer>> =
         mesh.layers.iter().map(|layer| byte_colors(layer, warnings)).collect();
-    let mut out = header(mesh, &layers, ascii)?.into_bytes();
+    let face_layers: Vec<Cow<'_, AttributeLayer>> =
+        mesh.triangle_layers.iter().map(|layer| byte_colors(layer, warnings)).collect();
+    let mut out = header(mesh, (&layers, &face_layers), ascii)?.into_bytes();
     if ascii {
-        push_ascii(mesh, &layers, &mut out);
+        push_ascii(mesh, &layers, &face_layers, &mut out);
     } else {
         let layers: Vec<_> = layers.iter().map(|layer| with_bottom_origin(layer)).collect();
-        push_binary(mesh, &layers, &mut out);
+        push_binary(mesh, &layers, &face_layers, &mut out);
     }
     Ok(out)
 }
@@ -34,15 +36,63 @@ fn scalar_of(data: &LayerData) -> Scalar {
         LayerData::U8(_) => Scalar::U8,
         LayerData::U16(_) => Scalar::U16,
         LayerData::U32(_) => Scalar::U32,
+        LayerData::I8(_) => Scalar::I8,
+        LayerData::I16(_) => Scalar::I16,
+        LayerData::I32(_) => Scalar::I32,
+        LayerData::F64(_) => Scalar::F64,
     }
 }
 
-fn header(mesh: &IndexedMesh, layers: &[Cow<'_, AttributeLayer>], ascii: bool) -> Result<String, Refusal> {
+fn header(
+    mesh: &IndexedMesh,
+    (layers, face_layers): (&[Cow<'_, AttributeLayer>], &[Cow<'_, AttributeLayer>]),
+    ascii: bool,
+) -> Result<String, Refusal> {
     let encoding = if ascii { "ascii" } else { "binary_little_endian" };
+    let face_names = names_of(face_layers, true);
+    let comments = normalized_comments("normalized_face", face_layers, &face_names);
     let mut out = vertex_header(layers, &[], encoding, &mesh.positions.len().to_string())?;
+    out.insert_str(out.find("element").unwrap_or(out.len()), &comments);
     out += &format!("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.len());
+    let taken = BTreeSet::from(["vertex_indices", "vertex_index"].map(str::to_owned));
+    push_properties(face_layers, face_names, taken, &mut out)?;
     out += "end_header\n";
     Ok(out)
+}
+
+fn names_of(layers: &[impl Borrow<AttributeLayer>], of_triangles: bool) -> Vec<Vec<String>> {
+    names_of_layers(layers, |layer| scalar_of(&layer.data), of_triangles)
+}
+
+/// Comments that name the generic layers whose integers stand for fractions.
+fn normalized_comments(word: &str, layers: &[impl Borrow<AttributeLayer>], names: &[Vec<String>]) -> String {
+    let mut out = String::new();
+    for (layer, names) in layers.iter().map(Borrow::borrow).zip(names).filter(|(layer, _)| layer.normalized) {
+        if let (Semantic::Generic(_), [first, ..]) = (&layer.semantic, &names[..]) {
+            let stem = first.strip_suffix(".0").filter(|_| names.len() > 1).unwrap_or(first);
+            out += &format!("comment {word} {}\n", plain_name(stem));
+        }
+    }
+    out
+}
+
+/// Adds the properties of layers; `taken` are names that none of them may have.
+fn push_properties(
+    layers: &[impl Borrow<AttributeLayer>],
+    names: Vec<Vec<String>>,
+    mut taken: BTreeSet<String>,
+    out: &mut String,
+) -> Result<(), Refusal> {
+    for (layer, names) in layers.iter().map(Borrow::borrow).zip(names) {
+        let scalar = scalar_of(&layer.data).name();
+        for name in names {
+            *out += &format!("property {scalar} {name}\n");
+            if !taken.insert(name) {
+                return Err(Refusal::Unsupported(format!("two layers are called {}", layer.semantic)));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The header up to the last property of vertices, whose values the layers need not have.
@@ -53,41 +103,38 @@ pub(crate) fn vertex_header(
     vertex_count: &str,
 ) -> Result<String, Refusal> {
     let mut out = format!("ply\nformat {encoding} 1.0\n");
-    for layer in layers.iter().map(Borrow::borrow).filter(|layer| layer.normalized) {
-        if let Semantic::Generic(name) = &layer.semantic {
-            let stem = generic_stem(name);
-            out += &format!("comment normalized {}\n", stem.strip_prefix("generic_").unwrap_or(&stem));
-        }
-    }
+    let names = names_of(layers, false);
+    out += &normalized_comments("normalized", layers, &names);
     for name in texture_files {
         out += &format!("comment TextureFile {name}\n");
     }
     out += &format!("element vertex {vertex_count}\n");
-    let mut names = BTreeSet::from(["x", "y", "z"].map(str::to_owned));
-    for name in &names {
+    let positions = ["x", "y", "z"];
+    for name in positions {
         out += &format!("property float {name}\n");
     }
-    for layer in layers.iter().map(Borrow::borrow) {
-        let scalar = scalar_of(&layer.data).name();
-        for name in property_names(layer) {
-            out += &format!("property {scalar} {name}\n");
-            if !names.insert(name) {
-                return Err(Refusal::Unsupported(format!("two layers are called {}", layer.semantic)));
-            }
-        }
-    }
+    push_properties(layers, names, BTreeSet::from(positions.map(str::to_owned)), &mut out)?;
     Ok(out)
 }
 
-fn push_binary(mesh: &IndexedMesh, layers: &[Cow<'_, AttributeLayer>], out: &mut Vec<u8>) {
-    let row_bytes: usize = 12 + layers.iter().map(|layer| layer.vertex_bytes()).sum::<usize>();
-    out.reserve_exact(row_bytes * mesh.positions.len() + 13 * mesh.triangles.len());
+fn push_binary(
+    mesh: &IndexedMesh,
+    layers: &[Cow<'_, AttributeLayer>],
+    face_layers: &[Cow<'_, AttributeLayer>],
+    out: &mut Vec<u8>,
+) {
+    let bytes_of = |layers: &[Cow<'_, AttributeLayer>]| -> usize {
+        layers.iter().map(|layer| layer.vertex_bytes()).sum()
+    };
+    let (vertex_bytes, face_bytes) = (12 + bytes_of(layers), 13 + bytes_of(face_layers));
+    out.reserve_exact(vertex_bytes * mesh.positions.len() + face_bytes * mesh.triangles.len());
     for vertex in 0..mesh.positions.len() {
         push_row(&mesh.positions, layers, vertex, out);
     }
-    for triangle in &mesh.triangles {
+    for (index, triangle) in mesh.triangles.iter().enumerate() {
         out.push(3);
         out.extend_from_slice(bytemuck::cast_slice(triangle));
+        push_values(face_layers, index, out);
     }
 }
 
@@ -100,44 +147,73 @@ pub(crate) fn push_row(
     out: &mut Vec<u8>,
 ) {
     out.extend_from_slice(bytemuck::cast_slice(&positions[vertex]));
+    push_values(layers, vertex, out);
+}
+
+/// Appends the values of a vertex or triangle in all layers.
+#[inline]
+fn push_values(layers: &[impl Borrow<AttributeLayer>], index: usize, out: &mut Vec<u8>) {
     for layer in layers.iter().map(Borrow::borrow) {
         let length = layer.vertex_bytes();
-        out.extend_from_slice(&layer.data.as_bytes()[vertex * length..][..length]);
+        out.extend_from_slice(&layer.data.as_bytes()[index * length..][..length]);
     }
 }
 
-fn push_ascii(mesh: &IndexedMesh, layers: &[Cow<'_, AttributeLayer>], out: &mut Vec<u8>) {
+fn push_ascii(
+    mesh: &IndexedMesh,
+    layers: &[Cow<'_, AttributeLayer>],
+    face_layers: &[Cow<'_, AttributeLayer>],
+    out: &mut Vec<u8>,
+) {
     let flipped: Vec<bool> = layers.iter().map(|layer| has_origin(layer)).collect();
     for (vertex, position) in mesh.positions.iter().enumerate() {
         for &x in position {
             push_f32(out, x);
             out.push(b' ');
         }
-        for (layer, &is_flipped) in layers.iter().zip(&flipped) {
-            let count = layer.component_count as usize;
-            for index in vertex * count..(vertex + 1) * count {
-                push_number(out, &layer.data, index, is_flipped && index % 2 == 1);
-                out.push(b' ');
-            }
-        }
+        push_ascii_values(layers, vertex, Some(&flipped), out);
         out.pop();
         out.push(b'\n');
     }
-    for [a, b, c] in &mesh.triangles {
-        out.extend_from_slice(format!("3 {a} {b} {c}\n").as_bytes());
+    for (index, [a, b, c]) in mesh.triangles.iter().enumerate() {
+        out.extend_from_slice(format!("3 {a} {b} {c} ").as_bytes());
+        push_ascii_values(face_layers, index, None, out);
+        out.pop();
+        out.push(b'\n');
+    }
+}
+
+/// Appends the values of a vertex or triangle, with a blank after each.
+fn push_ascii_values(
+    layers: &[Cow<'_, AttributeLayer>],
+    index: usize,
+    flipped: Option<&[bool]>,
+    out: &mut Vec<u8>,
+) {
+    for (at, layer) in layers.iter().enumerate() {
+        let is_flipped = flipped.is_some_and(|flipped| flipped[at]);
+        let count = layer.component_count as usize;
+        for value in index * count..(index + 1) * count {
+            push_number(out, &layer.data, value, is_flipped && value % 2 == 1);
+            out.push(b' ');
+        }
     }
 }
 
 /// Appends a number; a texture coordinate with the other origin if `is_flipped` is set.
 fn push_number(out: &mut Vec<u8>, data: &LayerData, index: usize, is_flipped: bool) {
-    let whole = match data {
-        LayerData::F32(v) if is_flipped => return push_one_minus_f32(out, v[index]),
-        LayerData::F32(v) => return push_f32(out, v[index]),
-        LayerData::U8(v) if is_flipped => u32::from(u8::MAX - v[index]),
-        LayerData::U16(v) if is_flipped => u32::from(u16::MAX - v[index]),
-        LayerData::U8(v) => u32::from(v[index]),
-        LayerData::U16(v) => u32::from(v[index]),
-        LayerData::U32(v) => v[index],
-    };
-    out.extend_from_slice(whole.to_string().as_bytes());
+    match data {
+        LayerData::F32(v) if is_flipped => push_one_minus_f32(out, v[index]),
+        LayerData::F32(v) => push_f32(out, v[index]),
+        LayerData::F64(v) if is_flipped => push_f64(out, one_minus_f64(v[index])),
+        LayerData::F64(v) => push_f64(out, v[index]),
+        LayerData::U8(v) if is_flipped => push_integer(out, f64::from(u8::MAX - v[index])),
+        LayerData::U16(v) if is_flipped => push_integer(out, f64::from(u16::MAX - v[index])),
+        data => push_integer(out, data.number(index)),
+    }
+}
+
+/// Appends an integer; a double represents all that layers contain.
+fn push_integer(out: &mut Vec<u8>, value: f64) {
+    out.extend_from_slice((value as i64).to_string().as_bytes());
 }

@@ -2,10 +2,9 @@
 
 use std::sync::Mutex;
 
-use striata::mesh::{AttributeLayer, LayerData};
 use striata::simplify::cells::Partition;
 use striata::{Progress, ProgressFn};
-use striata_io::pieces::{ComponentType, LayerKind, Piece, PieceSource};
+use striata_io::pieces::{Piece, PieceSource};
 
 use super::plan::Scanned;
 use super::runner::in_parallel;
@@ -95,7 +94,11 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
         min: total.min,
         max: total.max,
         grid: (!options.exact).then(|| Grid::of(total.min, total.max, grid_step(options, mean_edge))),
-        layers: summary.layers.iter().map(|kind| PagedLayer::of(&empty_layer(kind), options.exact)).collect(),
+        layers: summary
+            .layers
+            .iter()
+            .map(|kind| PagedLayer::of(&kind.empty_layer(), options.exact))
+            .collect(),
         groups,
         appearance: appearance(source),
         georeference: summary.georeference.clone(),
@@ -119,18 +122,6 @@ fn stored_options(options: &BuildOptions) -> serde_json::Value {
 fn grid_step(options: &BuildOptions, mean_edge: f64) -> f64 {
     let most = options.weld_distance.unwrap_or(mean_edge / 256.0);
     if most > 0.0 { most.log2().floor().exp2() } else { 0.0 }
-}
-
-/// A layer of this kind without values.
-fn empty_layer(kind: &LayerKind) -> AttributeLayer {
-    let data = match kind.component_type {
-        ComponentType::F32 => LayerData::F32(Vec::new()),
-        ComponentType::U8 => LayerData::U8(Vec::new()),
-        ComponentType::U16 => LayerData::U16(Vec::new()),
-        ComponentType::U32 => LayerData::U32(Vec::new()),
-    };
-    let LayerKind { semantic, component_count, normalized, .. } = kind.clone();
-    AttributeLayer { semantic, component_count, normalized, data }
 }
 
 /// Materials as JSON; images by address.

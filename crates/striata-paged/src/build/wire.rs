@@ -1,7 +1,7 @@
 //! Bytes of the parts that tasks pass to each other: plain arrays, written and read once on the same machine or
 //! by machines of one cluster, all little endian.
 
-use striata::mesh::{AttributeLayer, LayerData};
+use striata::mesh::AttributeLayer;
 use striata::simplify::cells::{Cell, CellMesh, History};
 
 use super::BuildError;
@@ -140,12 +140,7 @@ impl<'a> Reader<'a> {
             .iter()
             .map(|layer| {
                 let bytes: Vec<u8> = self.array()?;
-                let data = match &layer.data {
-                    LayerData::F32(_) => LayerData::F32(bytemuck::pod_collect_to_vec(&bytes)),
-                    LayerData::U8(_) => LayerData::U8(bytes),
-                    LayerData::U16(_) => LayerData::U16(bytemuck::pod_collect_to_vec(&bytes)),
-                    LayerData::U32(_) => LayerData::U32(bytemuck::pod_collect_to_vec(&bytes)),
-                };
+                let data = layer.data.from_bytes_like(&bytes);
                 Ok(AttributeLayer { data, semantic: layer.semantic.clone(), ..*layer })
             })
             .collect()

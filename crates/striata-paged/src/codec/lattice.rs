@@ -94,6 +94,19 @@ pub(super) fn from_ordered(place: i64) -> f32 {
     if value.is_finite() { value } else { 0.0 }
 }
 
+/// The bits of a double, in the order of numbers.
+pub(super) fn ordered_double(x: f64) -> i64 {
+    let bits = (x.to_bits() & i64::MAX as u64) as i64;
+    if x.is_sign_negative() { -bits } else { bits }
+}
+
+/// The double with these ordered bits; 0 if it would not be finite.
+pub(super) fn from_ordered_double(place: i64) -> f64 {
+    let magnitude = f64::from_bits(place.unsigned_abs().min(i64::MAX as u64));
+    let value = if place < 0 { -magnitude } else { magnitude };
+    if value.is_finite() { value } else { 0.0 }
+}
+
 fn greatest_common_divisor(mut a: i64, mut b: i64) -> i64 {
     while b != 0 {
         (a, b) = (b, a % b);

@@ -3,7 +3,7 @@
 use striata::mesh::LayerData;
 use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate};
 
-use super::lattice::{from_ordered, ordered};
+use super::lattice::{from_ordered, from_ordered_double, ordered, ordered_double};
 use super::triangles::{Shape, TriangleCoder};
 use crate::metadata::index_of;
 use crate::{Import, Metadata, Page, PagedLayer};
@@ -152,8 +152,18 @@ impl TriangleCoder<'_> {
                 let expected = near.map_or(0, |v| place(data, v));
                 let value = actual.map_or(0, |(page, v)| place(&page.layers[i].data, v));
                 let slot = 2 * context + usize::from(known.is_none());
-                let coded = self.models.layers.signed(coder, slot, value - expected);
-                push_place(kind, &mut self.shape.layers[i].data, expected + coded);
+                let place = match self.shape.layers[i].data {
+                    // The difference of two doubles has up to 64 bits, more than a number of the codec.
+                    LayerData::F64(_) => {
+                        let mut half = |value: i64, expected: i64| {
+                            expected + self.models.layers.signed(coder, slot, value - expected)
+                        };
+                        let high = half(value >> 32, expected >> 32);
+                        high << 32 | half(value & LOW_HALF, expected & LOW_HALF) & LOW_HALF
+                    }
+                    _ => expected + self.models.layers.signed(coder, slot, value - expected),
+                };
+                push_place(kind, &mut self.shape.layers[i].data, place);
                 context += 1;
             }
         }
@@ -187,6 +197,9 @@ impl TriangleCoder<'_> {
     }
 }
 
+/// Lower half of a number.
+const LOW_HALF: i64 = 0xFFFF_FFFF;
+
 /// Class of the largest finite number.
 fn largest_class(bits: u32) -> i32 {
     (f32::MAX.to_bits() >> bits) as i32
@@ -200,6 +213,10 @@ fn place_of(kind: &PagedLayer, data: &LayerData, index: usize) -> i64 {
         (LayerData::U8(values), _) => i64::from(values[index]),
         (LayerData::U16(values), _) => i64::from(values[index]),
         (LayerData::U32(values), _) => i64::from(values[index]),
+        (LayerData::I8(values), _) => i64::from(values[index]),
+        (LayerData::I16(values), _) => i64::from(values[index]),
+        (LayerData::I32(values), _) => i64::from(values[index]),
+        (LayerData::F64(values), _) => ordered_double(values[index]),
     }
 }
 
@@ -210,5 +227,9 @@ fn push_place(kind: &PagedLayer, data: &mut LayerData, place: i64) {
         (LayerData::U8(values), _) => values.push(place as u8),
         (LayerData::U16(values), _) => values.push(place as u16),
         (LayerData::U32(values), _) => values.push(place as u32),
+        (LayerData::I8(values), _) => values.push(place as i8),
+        (LayerData::I16(values), _) => values.push(place as i16),
+        (LayerData::I32(values), _) => values.push(place as i32),
+        (LayerData::F64(values), _) => values.push(from_ordered_double(place)),
     }
 }

@@ -220,6 +220,7 @@ impl<'a> CutPages<'a> {
             positions: used.iter().map(|at| loaded.page(at.slot).positions[at.vertex as usize]).collect(),
             layers: gathered_layers(loaded, &used, self.metadata),
             triangles,
+            triangle_layers: Vec::new(),
             groups,
             appearance: appearance(self.metadata),
         };

@@ -87,7 +87,6 @@ fn joint_of(joints: &AttributeLayer, vertex: usize, slot: usize) -> usize {
     match &joints.data {
         LayerData::U8(data) => usize::from(data[at]),
         LayerData::U16(data) => usize::from(data[at]),
-        LayerData::U32(data) => data[at] as usize,
-        LayerData::F32(data) => data[at] as usize,
+        data => data.number(at) as usize,
     }
 }

@@ -6,6 +6,8 @@
 //! order. Decoded numbers convert to the same integers again, so a stream can be encoded again without
 //! further loss.
 
+use std::borrow::Cow;
+
 use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
 use super::octahedral;
@@ -19,11 +21,16 @@ pub(crate) enum NumberType {
     U8,
     U16,
     U32,
+    I8,
+    I16,
+    I32,
+    F64,
 }
 
 impl NumberType {
     /// All types, in the order of their codes.
-    pub(super) const ALL: [Self; 4] = [Self::F32, Self::U8, Self::U16, Self::U32];
+    pub(super) const ALL: [Self; 8] =
+        [Self::F32, Self::U8, Self::U16, Self::U32, Self::I8, Self::I16, Self::I32, Self::F64];
 
     fn of(data: &LayerData) -> Self {
         match data {
@@ -31,6 +38,10 @@ impl NumberType {
             LayerData::U8(_) => Self::U8,
             LayerData::U16(_) => Self::U16,
             LayerData::U32(_) => Self::U32,
+            LayerData::I8(_) => Self::I8,
+            LayerData::I16(_) => Self::I16,
+            LayerData::I32(_) => Self::I32,
+            LayerData::F64(_) => Self::F64,
         }
     }
 
@@ -40,7 +51,16 @@ impl NumberType {
             Self::U8 => LayerData::U8(Vec::new()),
             Self::U16 => LayerData::U16(Vec::new()),
             Self::U32 => LayerData::U32(Vec::new()),
+            Self::I8 => LayerData::I8(Vec::new()),
+            Self::I16 => LayerData::I16(Vec::new()),
+            Self::I32 => LayerData::I32(Vec::new()),
+            Self::F64 => LayerData::F64(Vec::new()),
         }
+    }
+
+    /// Whether the numbers are floats.
+    pub(super) fn is_float(self) -> bool {
+        matches!(self, Self::F32 | Self::F64)
     }
 }
 
@@ -59,7 +79,7 @@ pub(crate) enum Transform {
         /// Bits of each integer.
         bits: u32,
     },
-    /// Integers are kept; floats are mapped to integers in the same order.
+    /// Integers are kept; floats are mapped to integers in the same order, doubles to two integers each.
     Exact,
 }
 
@@ -80,17 +100,20 @@ pub(crate) struct LayerForm {
 impl LayerForm {
     /// Chooses how to store a layer.
     pub(crate) fn of(layer: &AttributeLayer, options: &LayerOptions) -> Self {
-        let transform = match &layer.data {
-            LayerData::F32(numbers) if !options.lossless => {
-                transform_of(&layer.semantic, layer.component_count as usize, numbers, options)
-            }
-            _ => Transform::Exact,
+        let is_exact = options.lossless || is_kept_double(layer);
+        let transform = match singles(&layer.data).filter(|_| !is_exact) {
+            Some(numbers) => transform_of(&layer.semantic, layer.component_count as usize, &numbers, options),
+            None => Transform::Exact,
+        };
+        let number_type = match NumberType::of(&layer.data) {
+            NumberType::F64 if !is_exact => NumberType::F32,
+            own => own,
         };
         Self {
             semantic: layer.semantic.clone(),
             component_count: layer.component_count,
             normalized: layer.normalized,
-            number_type: NumberType::of(&layer.data),
+            number_type,
             transform,
         }
     }
@@ -99,6 +122,7 @@ impl LayerForm {
     pub(crate) fn integer_count(&self) -> usize {
         match self.transform {
             Transform::Octahedral { .. } => self.component_count as usize - 1,
+            Transform::Exact if self.number_type == NumberType::F64 => 2 * self.component_count as usize,
             _ => self.component_count as usize,
         }
     }
@@ -106,6 +130,12 @@ impl LayerForm {
     /// Converts all numbers of a layer of this form to integers.
     pub(crate) fn integers(&self, layer: &AttributeLayer) -> Vec<i32> {
         let n = self.component_count as usize;
+        if let (LayerData::F64(_), NumberType::F32) = (&layer.data, self.number_type)
+            && let Some(numbers) = singles(&layer.data)
+        {
+            let data = LayerData::F32(numbers.into_owned());
+            return self.integers(&AttributeLayer { data, semantic: layer.semantic.clone(), ..*layer });
+        }
         match (&self.transform, &layer.data) {
             (Transform::Octahedral { bits }, LayerData::F32(numbers)) => {
                 numbers.chunks_exact(n).flat_map(|v| octahedral_integers(v, *bits)).collect()
@@ -121,6 +151,10 @@ impl LayerForm {
             (_, LayerData::U8(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
             (_, LayerData::U16(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
             (_, LayerData::U32(numbers)) => numbers.iter().map(|&x| x as i32).collect(),
+            (_, LayerData::I8(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
+            (_, LayerData::I16(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
+            (_, LayerData::I32(numbers)) => numbers.clone(),
+            (_, LayerData::F64(numbers)) => numbers.iter().flat_map(|&x| double_to_ordered(x)).collect(),
         }
     }
 
@@ -152,8 +186,40 @@ impl LayerForm {
             (_, LayerData::U8(out)) => out.extend(integers.iter().map(|&x| x.clamp(0, 0xFF) as u8)),
             (_, LayerData::U16(out)) => out.extend(integers.iter().map(|&x| x.clamp(0, 0xFFFF) as u16)),
             (_, LayerData::U32(out)) => out.extend(integers.iter().map(|&x| x as u32)),
+            (_, LayerData::I8(out)) => out.extend(integers.iter().map(|&x| x.clamp(-0x80, 0x7F) as i8)),
+            (_, LayerData::I16(out)) => out.extend(integers.iter().map(|&x| clamped_i16(x))),
+            (_, LayerData::I32(out)) => out.extend_from_slice(integers),
+            (_, LayerData::F64(out)) => out.extend(integers.as_chunks().0.iter().map(ordered_to_double)),
         }
     }
+}
+
+/// Whether a layer of doubles is stored as such even if the stream may round: nothing is known about its unit, and
+/// the digits may matter, as in times.
+fn is_kept_double(layer: &AttributeLayer) -> bool {
+    matches!((&layer.semantic, &layer.data), (Semantic::Generic(_), LayerData::F64(_)))
+}
+
+/// The numbers of a layer of floats in single precision; `None` for integers.
+fn singles(data: &LayerData) -> Option<Cow<'_, [f32]>> {
+    match data {
+        LayerData::F32(numbers) => Some(Cow::Borrowed(numbers)),
+        LayerData::F64(numbers) => Some(numbers.iter().map(|&x| x as f32).collect()),
+        _ => None,
+    }
+}
+
+/// Maps a double to its upper and lower half, in the order of the numbers.
+fn double_to_ordered(x: f64) -> [i32; 2] {
+    let bits = x.to_bits() as i64;
+    let ordered = bits ^ (((bits >> 63) as u64) >> 1) as i64;
+    [(ordered >> 32) as i32, (ordered as u32 ^ 1 << 31) as i32]
+}
+
+/// The inverse of [`double_to_ordered`].
+fn ordered_to_double(&[high, low]: &[i32; 2]) -> f64 {
+    let ordered = i64::from(high) << 32 | i64::from(low as u32 ^ 1 << 31);
+    f64::from_bits((ordered ^ (((ordered >> 63) as u64) >> 1) as i64) as u64)
 }
 
 fn clamped_i16(x: i32) -> i16 {
@@ -289,7 +355,20 @@ mod tests {
                 normalized: false,
                 data: LayerData::U32((0..n as u32).map(|x| x.wrapping_mul(0x9E37_79B9)).collect()),
             },
+            generic(LayerData::I8((0..n).map(|x| (x * 37) as i8).collect())),
+            generic(LayerData::I16((0..n).map(|x| (x * 7919) as i16).collect())),
+            generic(LayerData::I32((0..n as i32).map(|x| x.wrapping_mul(-0x1E37_79B9)).collect())),
+            generic(LayerData::F64(
+                (0..n)
+                    .map(|x| [1.6e9 + x as f64 * 1e-3, -1e-300, f64::NAN, f64::NEG_INFINITY, -0.0][x % 5])
+                    .collect(),
+            )),
         ]
+    }
+
+    fn generic(data: LayerData) -> AttributeLayer {
+        let semantic = Semantic::Generic(data.type_name().to_owned());
+        AttributeLayer { semantic, component_count: 1, normalized: false, data }
     }
 
     fn decoded(form: &LayerForm, integers: &[i32]) -> AttributeLayer {

@@ -13,7 +13,7 @@ use striata::mesh::Semantic;
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
 use crate::format::version::{Effort, StreamVersion};
 use crate::layers::direction_model::DirectionModel;
-use crate::layers::form::{LayerForm, NumberType, Transform};
+use crate::layers::form::{LayerForm, Transform};
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
 use crate::layers::number_model::{NumberModel, predict_number, predict_weight};
 use crate::layers::tangents::TangentSources;
@@ -132,7 +132,7 @@ fn part_of(form: &LayerForm) -> Part {
 /// Whether a layer's integers are identifiers, between which no interpolation makes sense.
 fn is_label(form: &LayerForm) -> bool {
     let is_name = matches!(form.semantic, Semantic::Joints(_) | Semantic::Generic(_));
-    is_name && form.number_type != NumberType::F32 && !form.normalized
+    is_name && !form.number_type.is_float() && !form.normalized
 }
 
 /// Returns the layer with the joints that a layer of weights belongs to.

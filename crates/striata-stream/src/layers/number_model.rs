@@ -118,6 +118,8 @@ impl NumberModel {
             (Transform::Uniform { bits, .. }, _) => (0, (1i64 << bits) - 1),
             (_, NumberType::U8) => (0, 0xFF),
             (_, NumberType::U16) => (0, 0xFFFF),
+            (_, NumberType::I8) => (-0x80, 0x7F),
+            (_, NumberType::I16) => (-0x8000, 0x7FFF),
             _ => (i64::from(i32::MIN), i64::from(i32::MAX)),
         };
         let count = form.integer_count();

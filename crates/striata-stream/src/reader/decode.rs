@@ -447,6 +447,7 @@ impl StreamDecoder {
             triangles,
             groups,
             layers: self.layers_of(0..growth.positions.len()),
+            triangle_layers: Vec::new(),
             appearance: header.appearance.clone(),
         };
         let step_count = growth.added.len();

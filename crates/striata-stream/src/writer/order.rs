@@ -27,6 +27,7 @@ impl EncodedStream {
             positions: order.iter().map(|&v| mesh.positions[v as usize]).collect(),
             triangles: mesh.triangles.iter().map(|t| t.map(moved)).collect(),
             layers: mesh.layers.iter().map(|layer| layer.gather(order)).collect(),
+            triangle_layers: mesh.triangle_layers.clone(),
             groups: mesh.groups.clone(),
             appearance: mesh.appearance.clone(),
         };

@@ -205,6 +205,7 @@ pub fn random_refinable(
         positions: order.iter().map(|&v| source.positions[v as usize]).collect(),
         triangles: source.triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
         layers: source.layers.iter().map(|layer| layer.gather(&order)).collect(),
+        triangle_layers: source.triangle_layers,
         groups: source.groups,
         appearance: source.appearance,
     };

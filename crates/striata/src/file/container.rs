@@ -31,6 +31,9 @@ impl SectionKind {
     pub const POSITIONS: Self = Self(*b"POSN");
     /// One attribute layer; a file can have several.
     pub const LAYER: Self = Self(*b"LAYR");
+    /// An attribute layer of triangles, in the order of
+    /// [`sorted_triangle_order`](crate::mesh::sorted_triangle_order).
+    pub const TRIANGLE_LAYER: Self = Self(*b"TLYR");
     /// Groups of triangles.
     pub const GROUPS: Self = Self(*b"GRUP");
     /// Materials, images and textures.
@@ -114,6 +117,7 @@ impl SectionKind {
             Self::METADATA,
             Self::POSITIONS,
             Self::LAYER,
+            Self::TRIANGLE_LAYER,
             Self::GROUPS,
             Self::APPEARANCE,
             Self::TRIANGLES,

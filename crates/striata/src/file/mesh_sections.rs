@@ -1,7 +1,6 @@
 //! Encoding of attribute layers, groups, appearance and metadata.
 
 use super::byte_reader::{ByteReader, put_block, put_texts, put_u32};
-use super::container::numbers;
 use super::{DecodeError, EncodeError, SectionKind};
 use crate::mesh::{Appearance, AttributeLayer, Image, LayerData, Material, Semantic, TriangleGroup};
 
@@ -57,14 +56,10 @@ pub fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
     })
 }
 
+/// Encodes a layer; [`layer_from_bytes`] is the inverse.
 pub(super) fn layer_to_bytes(layer: &AttributeLayer) -> Result<Vec<u8>, EncodeError> {
     let SemanticCode { kind, set, name } = semantic_code(&layer.semantic);
-    let number_type = match layer.data {
-        LayerData::F32(_) => 0,
-        LayerData::U8(_) => 1,
-        LayerData::U16(_) => 2,
-        LayerData::U32(_) => 3,
-    };
+    let number_type = layer.data.type_code() as u8;
     let mut out = vec![kind, number_type, layer.component_count, u8::from(layer.normalized)];
     put_u32(set, &mut out);
     let data_offset = (LAYER_HEADER_BYTES + name.len()).next_multiple_of(64);
@@ -79,13 +74,14 @@ pub(super) fn layer_to_bytes(layer: &AttributeLayer) -> Result<Vec<u8>, EncodeEr
     Ok(out)
 }
 
-/// Reads a layer: its header and the values of the first `vertex_count` of `full_vertex_count` vertices.
+/// Reads a layer: its header and the values of the first `vertex_count` of `full_vertex_count` vertices, or
+/// triangles if `kind` is that of their layers.
 pub(super) fn layer_from_bytes(
+    kind: SectionKind,
     bytes: &[u8],
     vertex_count: usize,
     full_vertex_count: usize,
 ) -> Result<AttributeLayer, DecodeError> {
-    let kind = SectionKind::LAYER;
     let mut reader = ByteReader::new(kind, bytes);
     let [code, number_type, component_count, normalized] =
         [reader.u8()?, reader.u8()?, reader.u8()?, reader.u8()?];
@@ -99,24 +95,17 @@ pub(super) fn layer_from_bytes(
     }
     let data = bytes.get(data_offset..).filter(|_| data_offset >= LAYER_HEADER_BYTES + name.len());
     let data = data.ok_or_else(|| reader.malformed("the values begin outside the section"))?;
-    let number_bytes = match number_type {
-        0 | 3 => 4,
-        1 => 1,
-        2 => 2,
-        _ => return Err(reader.malformed("unknown type of values")),
+    let Some(data_type) = LayerData::empty_of(number_type.into()) else {
+        return Err(reader.malformed("unknown type of values"));
     };
+    let number_bytes = data_type.component_bytes();
     let vertex_bytes = component_count as usize * number_bytes;
     let expected = full_vertex_count as u64 * vertex_bytes as u64;
     if data.len() as u64 != expected {
         return Err(DecodeError::Count { kind, what: "bytes of values", found: data.len() as u64, expected });
     }
     let data = &data[..vertex_count * vertex_bytes];
-    let data = match number_type {
-        0 => LayerData::F32(numbers(kind, data)?.into_owned()),
-        1 => LayerData::U8(data.to_vec()),
-        2 => LayerData::U16(numbers(kind, data)?.into_owned()),
-        _ => LayerData::U32(numbers(kind, data)?.into_owned()),
-    };
+    let data = data_type.from_bytes_like(data);
     Ok(AttributeLayer { semantic, component_count, normalized: normalized == 1, data })
 }
 

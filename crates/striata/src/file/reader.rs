@@ -11,7 +11,7 @@ use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_
 use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
 use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
-    TriangleGroup,
+    TriangleGroup, layers_from_sorted, level_sources,
 };
 use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
@@ -31,6 +31,8 @@ pub struct StriataFile<'a> {
     patterns: OnceLock<Patterns>,
     /// The decoded mesh of a file that contains only a stream.
     decoded: OnceLock<RefinableMesh>,
+    /// The full mesh and its collapses, if levels need them for the data of their triangles.
+    full: OnceLock<(IndexedMesh, Option<CollapseSequence>)>,
     codec: Option<&'static dyn StreamCodec>,
 }
 
@@ -62,7 +64,14 @@ impl<'a> StriataFile<'a> {
     }
 
     fn of_parts(container: Container<'a>, summary: Summary) -> Self {
-        Self { container, summary, patterns: OnceLock::new(), decoded: OnceLock::new(), codec: None }
+        Self {
+            container,
+            summary,
+            patterns: OnceLock::new(),
+            decoded: OnceLock::new(),
+            full: OnceLock::new(),
+            codec: None,
+        }
     }
 
     /// Counts and bounds.
@@ -116,8 +125,44 @@ impl<'a> StriataFile<'a> {
         let full = self.positions()?.len();
         self.container
             .all(SectionKind::LAYER)
-            .map(|bytes| layer_from_bytes(bytes?, vertex_count, full))
+            .map(|bytes| layer_from_bytes(SectionKind::LAYER, bytes?, vertex_count, full))
             .collect()
+    }
+
+    /// Gives the triangles of the full mesh their data, which the file stores in sorted order.
+    fn read_triangle_layers(&self, mesh: &mut IndexedMesh) -> Result<(), DecodeError> {
+        let (kind, count) = (SectionKind::TRIANGLE_LAYER, mesh.triangle_count());
+        if !self.has(kind) {
+            return Ok(());
+        }
+        let read = |bytes: Result<&[u8], DecodeError>| layer_from_bytes(kind, bytes?, count, count);
+        let sorted = self.container.all(kind).map(read).collect::<Result<Vec<_>, _>>()?;
+        mesh.triangle_layers = layers_from_sorted(mesh, &sorted);
+        Ok(())
+    }
+
+    /// Gives the triangles of a level their data: those of the triangles that they stem from, or without
+    /// collapses those of the nearest ones.
+    fn add_triangle_layers(&self, level: &mut IndexedMesh, split_count: usize) -> Result<(), DecodeError> {
+        if !self.has(SectionKind::TRIANGLE_LAYER) {
+            return Ok(());
+        }
+        let full = match self.full.get() {
+            Some(full) => full,
+            None => {
+                let sequence = self.has_collapses().then(|| self.sequence()).transpose()?;
+                let mesh = self.mesh()?;
+                self.full.get_or_init(|| (mesh, sequence))
+            }
+        };
+        match full {
+            (full, Some(sequence)) => {
+                let sources = level_sources(full, level, |v| sequence.target_at(v, split_count));
+                level.take_triangle_layers(full, &sources);
+            }
+            (full, None) => level.take_nearest_triangle_layers(full),
+        }
+        Ok(())
     }
 
     /// Triangle groups of the full mesh.
@@ -429,6 +474,7 @@ impl<'a> StriataFile<'a> {
             positions: self.positions()?.into_owned(),
             triangles: Vec::new(),
             layers: self.layers()?,
+            triangle_layers: Vec::new(),
             groups: self.groups()?,
             appearance: self.appearance()?,
         };
@@ -452,6 +498,7 @@ impl<'a> StriataFile<'a> {
         };
         self.expect(kind, "triangles", mesh.triangle_count(), self.summary.triangle_count)?;
         mesh.check()?;
+        self.read_triangle_layers(&mut mesh)?;
         Ok(mesh)
     }
 
@@ -506,6 +553,7 @@ impl<'a> StriataFile<'a> {
             positions: level_positions.to_vec(),
             triangles: Vec::new(),
             layers: self.layers_of_first(vertex_count)?,
+            triangle_layers: Vec::new(),
             groups: self.groups()?,
             appearance: self.appearance()?,
         };
@@ -519,6 +567,7 @@ impl<'a> StriataFile<'a> {
             }
         }
         level.check()?;
+        self.add_triangle_layers(&mut level, model.split_count(state))?;
         Ok(level)
     }
 

@@ -8,7 +8,10 @@ use super::container::{
 };
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
 use super::{EncodeError, SectionKind, StoredStream, Summary};
-use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
+use crate::mesh::{
+    CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh, gather_layers,
+    sorted_triangle_order,
+};
 use crate::model::{
     Fans, LodModel, LodStrips, ModelKind, Mts, PackedVertices, Patterns, StoredModel, StoredStrips,
 };
@@ -291,6 +294,12 @@ fn lay_out<'m>(
     add(SectionKind::POSITIONS, true, bytemuck::must_cast_slice(&mesh.positions).into());
     for layer in &mesh.layers {
         add(SectionKind::LAYER, true, layer_to_bytes(layer)?.into());
+    }
+    if !mesh.triangle_layers.is_empty() {
+        let order = sorted_triangle_order(mesh);
+        for layer in gather_layers(&mesh.triangle_layers, &order) {
+            add(SectionKind::TRIANGLE_LAYER, false, layer_to_bytes(&layer)?.into());
+        }
     }
     if let Some(strips) = models.iter().find_map(FileModel::strips) {
         add(SectionKind::STRIP_GROUPS, false, bytes_of(&strips.group_offsets));

@@ -1,6 +1,7 @@
 //! Attribute layers: per-vertex data other than the position.
 
 use std::fmt;
+use std::ops::Range;
 
 /// Meaning of a layer; files store layers in the order of these variants.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -45,7 +46,7 @@ impl fmt::Display for Semantic {
     }
 }
 
-/// Values of a layer, vertex by vertex, with `component_count` values each.
+/// Values of a layer, vertex by vertex (or triangle by triangle), with `component_count` values each.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LayerData {
     /// 32-bit floats.
@@ -56,17 +57,127 @@ pub enum LayerData {
     U16(Vec<u16>),
     /// 32-bit integers.
     U32(Vec<u32>),
+    /// Signed bytes.
+    I8(Vec<i8>),
+    /// Signed 16-bit integers.
+    I16(Vec<i16>),
+    /// Signed 32-bit integers.
+    I32(Vec<i32>),
+    /// 64-bit floats.
+    F64(Vec<f64>),
+}
+
+/// Evaluates an expression for the vector of values, whatever their type.
+macro_rules! with_values {
+    ($data:expr, $values:ident => $result:expr) => {
+        match $data {
+            LayerData::F32($values) => $result,
+            LayerData::U8($values) => $result,
+            LayerData::U16($values) => $result,
+            LayerData::U32($values) => $result,
+            LayerData::I8($values) => $result,
+            LayerData::I16($values) => $result,
+            LayerData::I32($values) => $result,
+            LayerData::F64($values) => $result,
+        }
+    };
+}
+
+/// Evaluates an expression for the vector of values, and makes data of the same type from its result.
+macro_rules! map_values {
+    ($data:expr, $values:ident => $result:expr) => {
+        match $data {
+            LayerData::F32($values) => LayerData::F32($result),
+            LayerData::U8($values) => LayerData::U8($result),
+            LayerData::U16($values) => LayerData::U16($result),
+            LayerData::U32($values) => LayerData::U32($result),
+            LayerData::I8($values) => LayerData::I8($result),
+            LayerData::I16($values) => LayerData::I16($result),
+            LayerData::I32($values) => LayerData::I32($result),
+            LayerData::F64($values) => LayerData::F64($result),
+        }
+    };
+}
+
+/// Evaluates an expression for two vectors of the same type; otherwise evaluates the last one.
+macro_rules! with_both {
+    ($a:expr, $b:expr, ($x:ident, $y:ident) => $result:expr, else $other:expr) => {
+        match ($a, $b) {
+            (LayerData::F32($x), LayerData::F32($y)) => $result,
+            (LayerData::U8($x), LayerData::U8($y)) => $result,
+            (LayerData::U16($x), LayerData::U16($y)) => $result,
+            (LayerData::U32($x), LayerData::U32($y)) => $result,
+            (LayerData::I8($x), LayerData::I8($y)) => $result,
+            (LayerData::I16($x), LayerData::I16($y)) => $result,
+            (LayerData::I32($x), LayerData::I32($y)) => $result,
+            (LayerData::F64($x), LayerData::F64($y)) => $result,
+            _ => $other,
+        }
+    };
+}
+
+fn number_of(value: impl Into<f64>) -> f64 {
+    value.into()
 }
 
 impl LayerData {
+    /// Names of the types, in the order of the variants, which is also that of their codes in files.
+    pub const TYPE_NAMES: [&'static str; 8] = ["f32", "u8", "u16", "u32", "i8", "i16", "i32", "f64"];
+
+    /// Index of the type in [`TYPE_NAMES`](Self::TYPE_NAMES).
+    pub fn type_code(&self) -> usize {
+        match self {
+            Self::F32(_) => 0,
+            Self::U8(_) => 1,
+            Self::U16(_) => 2,
+            Self::U32(_) => 3,
+            Self::I8(_) => 4,
+            Self::I16(_) => 5,
+            Self::I32(_) => 6,
+            Self::F64(_) => 7,
+        }
+    }
+
+    /// Name of the type of the values, such as `u8`.
+    pub fn type_name(&self) -> &'static str {
+        Self::TYPE_NAMES[self.type_code()]
+    }
+
+    /// No values of the type with this code; `None` if there is no such type.
+    pub fn empty_of(type_code: usize) -> Option<Self> {
+        Some(match type_code {
+            0 => Self::F32(Vec::new()),
+            1 => Self::U8(Vec::new()),
+            2 => Self::U16(Vec::new()),
+            3 => Self::U32(Vec::new()),
+            4 => Self::I8(Vec::new()),
+            5 => Self::I16(Vec::new()),
+            6 => Self::I32(Vec::new()),
+            7 => Self::F64(Vec::new()),
+            _ => return None,
+        })
+    }
+
+    /// No values of the type with this name; `None` if there is no such type.
+    pub fn empty_named(type_name: &str) -> Option<Self> {
+        Self::TYPE_NAMES.iter().position(|&name| name == type_name).and_then(Self::empty_of)
+    }
+
+    /// No values, of the same type.
+    pub fn empty_like(&self) -> Self {
+        map_values!(self, _values => Vec::new())
+    }
+
+    /// Values of the same type from little-endian bytes, the inverse of [`as_bytes`](Self::as_bytes); bytes
+    /// that are not a whole value are dropped.
+    pub fn from_bytes_like(&self, bytes: &[u8]) -> Self {
+        let bytes = &bytes[..bytes.len() / self.component_bytes() * self.component_bytes()];
+        map_values!(self, _values => bytemuck::pod_collect_to_vec(bytes))
+    }
+
     /// Number of values: vertices times components.
     pub fn len(&self) -> usize {
-        match self {
-            Self::F32(v) => v.len(),
-            Self::U8(v) => v.len(),
-            Self::U16(v) => v.len(),
-            Self::U32(v) => v.len(),
-        }
+        with_values!(self, v => v.len())
     }
 
     /// Whether the layer has no values.
@@ -74,36 +185,82 @@ impl LayerData {
         self.len() == 0
     }
 
+    /// Whether the values are floats.
+    pub fn is_float(&self) -> bool {
+        matches!(self, Self::F32(_) | Self::F64(_))
+    }
+
     /// Size of one value, in bytes.
     pub fn component_bytes(&self) -> usize {
         match self {
-            Self::F32(_) | Self::U32(_) => 4,
-            Self::U16(_) => 2,
-            Self::U8(_) => 1,
+            Self::F64(_) => 8,
+            Self::F32(_) | Self::U32(_) | Self::I32(_) => 4,
+            Self::U16(_) | Self::I16(_) => 2,
+            Self::U8(_) | Self::I8(_) => 1,
         }
     }
 
     /// The values as little-endian bytes, which is their layout in memory on all supported machines.
     pub fn as_bytes(&self) -> &[u8] {
-        match self {
-            Self::F32(v) => bytemuck::cast_slice(v),
-            Self::U8(v) => v,
-            Self::U16(v) => bytemuck::cast_slice(v),
-            Self::U32(v) => bytemuck::cast_slice(v),
+        with_values!(self, v => bytemuck::cast_slice(v))
+    }
+
+    /// A value as a double, which represents all types exactly.
+    pub fn number(&self, index: usize) -> f64 {
+        with_values!(self, v => number_of(v[index]))
+    }
+
+    /// Appends the values in a range of `other`; returns whether both are of the same type.
+    pub fn extend_from_range(&mut self, other: &Self, range: Range<usize>) -> bool {
+        with_both!(self, other, (to, from) => {
+            to.extend_from_slice(&from[range]);
+            true
+        }, else false)
+    }
+
+    /// Appends all values of `other`; returns whether both are of the same type.
+    pub fn extend_from(&mut self, other: &Self) -> bool {
+        self.extend_from_range(other, 0..other.len())
+    }
+
+    /// Changes the number of values; new ones are 0.
+    pub fn resize_with_zeros(&mut self, len: usize) {
+        with_values!(self, v => v.resize(len, Default::default()));
+    }
+
+    /// Copies the values in a range to another place.
+    pub fn copy_within(&mut self, from: Range<usize>, to: usize) {
+        with_values!(self, v => v.copy_within(from, to));
+    }
+
+    /// The values in a range.
+    pub fn slice(&self, range: Range<usize>) -> Self {
+        map_values!(self, v => v[range].to_vec())
+    }
+
+    /// Selects and reorders rows of `n` values.
+    pub fn gather(&self, order: &[u32], n: usize) -> Self {
+        fn pick<T: Copy>(data: &[T], order: &[u32], n: usize) -> Vec<T> {
+            let mut out = Vec::with_capacity(order.len() * n);
+            for &v in order {
+                out.extend_from_slice(&data[v as usize * n..][..n]);
+            }
+            out
         }
+        map_values!(self, v => pick(v, order, n))
     }
 }
 
-/// One attribute of every vertex.
+/// One attribute of every vertex, or of every triangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AttributeLayer {
     /// Meaning of the values.
     pub semantic: Semantic,
-    /// Number of values per vertex, 1 to 255.
+    /// Number of values per vertex or triangle, 1 to 255.
     pub component_count: u8,
     /// Whether integers stand for fractions (255 means 1.0), as in glTF.
     pub normalized: bool,
-    /// `vertex_count * component_count` values.
+    /// `vertex_count * component_count` values; for a layer of triangles, `triangle_count * component_count`.
     pub data: LayerData,
 }
 
@@ -118,7 +275,8 @@ impl AttributeLayer {
         self.component_count as usize * self.data.component_bytes()
     }
 
-    /// Component `component` of vertex `vertex` as a float; normalized integers are mapped to 0..=1.
+    /// Component `component` of vertex `vertex` as a float; normalized integers are mapped to 0..=1, or
+    /// -1..=1 if they are signed.
     pub fn get(&self, vertex: usize, component: usize) -> f32 {
         let index = vertex * self.component_count as usize + component;
         match &self.data {
@@ -128,25 +286,18 @@ impl AttributeLayer {
             LayerData::U16(v) if self.normalized => f32::from(v[index]) / 65535.0,
             LayerData::U16(v) => f32::from(v[index]),
             LayerData::U32(v) => v[index] as f32,
+            LayerData::I8(v) if self.normalized => (f32::from(v[index]) / 127.0).max(-1.0),
+            LayerData::I8(v) => f32::from(v[index]),
+            LayerData::I16(v) if self.normalized => (f32::from(v[index]) / 32767.0).max(-1.0),
+            LayerData::I16(v) => f32::from(v[index]),
+            LayerData::I32(v) => v[index] as f32,
+            LayerData::F64(v) => v[index] as f32,
         }
     }
 
     /// Selects and reorders vertices: vertex `i` of the result is vertex `order[i]` of this layer.
     pub fn gather(&self, order: &[u32]) -> Self {
-        fn pick<T: Copy>(data: &[T], order: &[u32], n: usize) -> Vec<T> {
-            let mut out = Vec::with_capacity(order.len() * n);
-            for &v in order {
-                out.extend_from_slice(&data[v as usize * n..][..n]);
-            }
-            out
-        }
-        let n = self.component_count as usize;
-        let data = match &self.data {
-            LayerData::F32(v) => LayerData::F32(pick(v, order, n)),
-            LayerData::U8(v) => LayerData::U8(pick(v, order, n)),
-            LayerData::U16(v) => LayerData::U16(pick(v, order, n)),
-            LayerData::U32(v) => LayerData::U32(pick(v, order, n)),
-        };
+        let data = self.data.gather(order, self.component_count as usize);
         Self { semantic: self.semantic.clone(), data, ..*self }
     }
 }

@@ -90,6 +90,20 @@ pub enum MeshError {
         /// Number of vertices in the mesh.
         vertex_count: usize,
     },
+    /// The length of a layer of triangles does not match their number.
+    #[error(
+        "the layer {semantic} of triangles has {found} values, but {triangle_count} triangles need {expected}"
+    )]
+    TriangleLayerLength {
+        /// Meaning of the layer.
+        semantic: Semantic,
+        /// Number of values found, over all triangles.
+        found: usize,
+        /// Number of values needed.
+        expected: usize,
+        /// Number of triangles in the mesh.
+        triangle_count: usize,
+    },
     /// The groups do not cover all triangles in order, without gaps or overlaps.
     #[error(
         "group {group} covers triangles {first}..{end}, but the groups must cover all {triangle_count} \
@@ -141,6 +155,9 @@ pub struct IndexedMesh {
     pub triangles: Vec<[u32; 3]>,
     /// Attribute layers, each with data for every vertex.
     pub layers: Vec<AttributeLayer>,
+    /// Layers with data for every triangle (labels, colors, ids of faces), in the order of `triangles`. At
+    /// every level a triangle has the data of the triangle of the full mesh that it stems from.
+    pub triangle_layers: Vec<AttributeLayer>,
     /// Consecutive runs that cover all triangles in order; if empty, all triangles form one unnamed group.
     pub groups: Vec<TriangleGroup>,
     /// Materials and images that the groups refer to.
@@ -229,6 +246,14 @@ impl IndexedMesh {
                 return Err(MeshError::LayerLength { semantic, found, expected, vertex_count });
             }
         }
+        let triangle_count = self.triangles.len();
+        for layer in &self.triangle_layers {
+            let expected = triangle_count * layer.component_count as usize;
+            if layer.data.len() != expected {
+                let (semantic, found) = (layer.semantic.clone(), layer.data.len());
+                return Err(MeshError::TriangleLayerLength { semantic, found, expected, triangle_count });
+            }
+        }
         Ok(())
     }
 
@@ -261,6 +286,7 @@ impl IndexedMesh {
             positions: order.iter().map(|&v| self.positions[v as usize]).collect(),
             triangles: self.triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
             layers: self.layers.iter().map(|layer| layer.gather(order)).collect(),
+            triangle_layers: self.triangle_layers.clone(),
             groups: self.groups.clone(),
             appearance: self.appearance.clone(),
         }

@@ -3,7 +3,7 @@
 //! Every model must show the same oriented triangles as [`replay`] at every split count. This code is
 //! deliberately simple and slow, so that it is easy to see that it is right.
 
-use super::{IndexedMesh, RefinableMesh, TriangleGroup};
+use super::{AttributeLayer, IndexedMesh, RefinableMesh, TriangleGroup, gather_layers};
 
 /// Extracts the level of `refinable` after `split_count` vertex splits as a separate mesh.
 ///
@@ -20,6 +20,7 @@ pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
         positions: full.positions[..vertex_count].to_vec(),
         triangles: Vec::new(),
         layers: full.layers.iter().map(|layer| layer.gather(&order)).collect(),
+        triangle_layers: replay_triangle_layers(refinable, split_count),
         groups: Vec::new(),
         appearance: full.appearance.clone(),
     };
@@ -37,6 +38,21 @@ pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
         });
     }
     level
+}
+
+/// Data of the triangles that remain at `split_count`, in the order of the full mesh.
+fn replay_triangle_layers(refinable: &RefinableMesh, split_count: usize) -> Vec<AttributeLayer> {
+    let full = &refinable.mesh;
+    if full.triangle_layers.is_empty() {
+        return Vec::new();
+    }
+    let substitute = |v| refinable.sequence.target_at(v, split_count);
+    let remains = |t: &u32| {
+        let [a, b, c] = full.triangles[*t as usize].map(substitute);
+        a != b && b != c && c != a
+    };
+    let kept: Vec<u32> = (0..full.triangle_count() as u32).filter(remains).collect();
+    gather_layers(&full.triangle_layers, &kept)
 }
 
 /// Extracts the level of the given triangles at `split_count`, appending those that remain to `out`.

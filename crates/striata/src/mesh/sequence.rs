@@ -105,6 +105,18 @@ impl CollapseSequence {
         self.levels.vertex_count_at(split_count)
     }
 
+    /// The vertex that a vertex of the full mesh has collapsed to at a level, or the vertex itself.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn target_at(&self, mut vertex: u32, split_count: usize) -> u32 {
+        let vertex_count = self.vertex_count_at(split_count) as u32;
+        while vertex >= vertex_count {
+            vertex = self.target(vertex);
+        }
+        vertex
+    }
+
     /// Number of triangles at a level.
     ///
     /// # Panics

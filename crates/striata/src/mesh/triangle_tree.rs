@@ -58,8 +58,11 @@ impl TriangleTree {
     /// [`MeshError`] if the mesh is inconsistent or a coordinate is not finite.
     pub fn new(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         mesh.check()?;
-        let corners: Vec<[[f32; 3]; 3]> =
-            mesh.triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect();
+        Ok(Self::from_corners(mesh.triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect()))
+    }
+
+    /// Builds the tree of triangles with finite corners.
+    pub(crate) fn from_corners(corners: Vec<[[f32; 3]; 3]>) -> Self {
         let points = || corners.iter().flatten().map(|&p| to_dvec3(p));
         let min = points().fold(DVec3::INFINITY, DVec3::min);
         let max = points().fold(DVec3::NEG_INFINITY, DVec3::max);
@@ -69,7 +72,12 @@ impl TriangleTree {
         let mut tree = Self { boxes: BoxTree::default(), corners, center, scale };
         let boxes: Vec<AxisBox> = tree.corners.iter().map(|corners| tree.box_of(corners)).collect();
         tree.boxes = BoxTree::new(&boxes);
-        Ok(tree)
+        tree
+    }
+
+    /// Corners of a triangle, in mesh units.
+    pub(crate) fn corners(&self, triangle: usize) -> [[f32; 3]; 3] {
+        self.corners[triangle]
     }
 
     /// Distance between a point and the surface, in mesh units; infinite if there are no triangles.

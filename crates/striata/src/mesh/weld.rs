@@ -8,7 +8,7 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-use super::{IndexedMesh, MeshError, PositionIndex, TriangleGroup};
+use super::{AttributeLayer, IndexedMesh, MeshError, PositionIndex, TriangleGroup, gather_layers};
 
 /// Result of [`weld`].
 #[derive(Clone, Debug)]
@@ -79,6 +79,7 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
         positions: source_vertex.iter().map(|&v| mesh.positions[v as usize].map(|x| x + 0.0)).collect(),
         triangles: triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
         layers: mesh.layers.iter().map(|layer| layer.gather(&source_vertex)).collect(),
+        triangle_layers: proper_triangle_layers(&source, degenerate_triangle_count),
         groups,
         appearance: mesh.appearance.clone(),
     };
@@ -148,6 +149,20 @@ fn drop_degenerate(mesh: &IndexedMesh, position_of: &[u32], kept: &mut Vec<[u32;
         groups.push(TriangleGroup { first, count: kept.len() as u32 - first, ..group.clone() });
     }
     groups
+}
+
+/// Layers of the triangles that [`drop_degenerate`] keeps.
+fn proper_triangle_layers(source: &Source<'_>, degenerate_count: usize) -> Vec<AttributeLayer> {
+    let mesh = source.mesh;
+    if mesh.triangle_layers.is_empty() || degenerate_count == 0 {
+        return mesh.triangle_layers.clone();
+    }
+    let is_proper = |t: &u32| {
+        let [a, b, c] = mesh.triangles[*t as usize].map(|v| source.position_of[v as usize]);
+        a != b && b != c && c != a
+    };
+    let kept: Vec<u32> = (0..mesh.triangle_count() as u32).filter(is_proper).collect();
+    gather_layers(&mesh.triangle_layers, &kept)
 }
 
 #[derive(Default)]
@@ -307,7 +322,7 @@ fn spread_bits(x: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{AttributeLayer, Semantic};
+    use crate::mesh::Semantic;
 
     #[test]
     fn soup_of_two_triangles_becomes_four_vertices() {

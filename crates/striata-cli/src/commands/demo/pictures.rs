@@ -141,7 +141,7 @@ impl Studio<'_> {
         let mut instance = FanInstance::full(&fans);
         instance
             .refine(&FanScene::new(&fans, &self.refinable.mesh.positions), &ScreenError::new(camera, 2.0));
-        let level = instance.level(&fans, &self.refinable.mesh);
+        let level = instance.level(&fans, &self.refinable);
         let seen = Camera { eye, look_at, up, fov: FOV };
         let frustum = Frustum::new(&seen, 16.0 / 9.0, &self.refinable.mesh.positions);
         let mut shot = Shot::of(&level, Paint::Surface, Style::FACETED);

@@ -367,16 +367,10 @@ fn or_none(names: String) -> String {
 }
 
 fn described(layer: &AttributeLayer) -> Value {
-    let number = match layer.data {
-        LayerData::F32(_) => "f32",
-        LayerData::U8(_) => "u8",
-        LayerData::U16(_) => "u16",
-        LayerData::U32(_) => "u32",
-    };
     json!({
         "name": layer.semantic.to_string(),
         "component_count": layer.component_count,
-        "type": number,
+        "type": layer.data.type_name(),
         "normalized": layer.normalized,
     })
 }

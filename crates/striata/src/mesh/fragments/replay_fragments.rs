@@ -32,7 +32,8 @@ pub fn fragment_faces(fragments: &FragmentSequence, mut is_refined: impl FnMut(u
 
 /// Extracts the level of `mesh` after `split_count` steps as a separate mesh.
 ///
-/// Its vertices are a prefix of those of the full mesh; its triangles are sorted by group.
+/// Its vertices are a prefix of those of the full mesh; its triangles are sorted by group, and have the data of
+/// the triangles of the full mesh at their centroids.
 ///
 /// # Panics
 /// If `split_count` exceeds the step count.
@@ -48,11 +49,14 @@ pub fn replay_fragments(mesh: &FragmentedMesh, split_count: usize) -> IndexedMes
         let end = faces.partition_point(|face| face.group as usize <= group_index);
         TriangleGroup { first: first as u32, count: (end - first) as u32, ..group.clone() }
     });
-    IndexedMesh {
+    let mut level = IndexedMesh {
         positions: full.positions[..vertex_count].to_vec(),
         groups: groups.collect(),
         triangles: faces.iter().map(|face| face.corners).collect(),
         layers: full.layers.iter().map(|layer| layer.gather(&order)).collect(),
         appearance: full.appearance.clone(),
-    }
+        triangle_layers: Vec::new(),
+    };
+    level.take_nearest_triangle_layers(full);
+    level
 }

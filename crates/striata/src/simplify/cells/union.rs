@@ -39,6 +39,7 @@ impl CellUnion {
             positions: [cell.inside.positions.as_slice(), &cell.border.positions].concat(),
             layers: joined_layers(&cell.inside, &cell.border),
             triangles: order.iter().map(triangle).collect(),
+            triangle_layers: Vec::new(),
             groups,
             appearance: Appearance {
                 materials: vec![
@@ -150,12 +151,7 @@ fn joined_layers(inside: &CellMesh, border: &CellMesh) -> Vec<AttributeLayer> {
 
 /// Appends values of the same type.
 pub(super) fn append(data: &mut LayerData, more: &LayerData) {
-    match (data, more) {
-        (LayerData::F32(a), LayerData::F32(b)) => a.extend_from_slice(b),
-        (LayerData::U8(a), LayerData::U8(b)) => a.extend_from_slice(b),
-        (LayerData::U16(a), LayerData::U16(b)) => a.extend_from_slice(b),
-        (LayerData::U32(a), LayerData::U32(b)) => a.extend_from_slice(b),
-        // Parts of one mesh have the same layers.
-        _ => {}
-    }
+    // Parts of one mesh have the same layers.
+    let is_one_type = data.extend_from(more);
+    debug_assert!(is_one_type, "parts of one mesh have the same layers");
 }

@@ -14,10 +14,10 @@ enum Rule {
 }
 
 fn rule_of(layer: &AttributeLayer) -> Rule {
-    let is_float = matches!(layer.data, LayerData::F32(_));
+    let (is_float, is_single) = (layer.data.is_float(), matches!(layer.data, LayerData::F32(_)));
     match layer.semantic {
         Semantic::Joints(_) | Semantic::Weights(_) => Rule::Nearer,
-        Semantic::Normal | Semantic::Tangent if is_float && layer.component_count >= 3 => Rule::Direction,
+        Semantic::Normal | Semantic::Tangent if is_single && layer.component_count >= 3 => Rule::Direction,
         Semantic::Normal | Semantic::Tangent => Rule::Nearer,
         Semantic::Generic(_) if !is_float && !layer.normalized => Rule::Nearer,
         _ => Rule::Linear,
@@ -56,11 +56,23 @@ pub(super) fn blend(layers: &mut [AttributeLayer], removed: u32, kept: u32, shar
                     data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u32;
                 }
             }
+            LayerData::F64(data) if rule == Rule::Linear => {
+                for i in 0..n {
+                    data[to + i] += (data[from + i] - data[to + i]) * share;
+                }
+            }
+            LayerData::I8(data) if rule == Rule::Linear => {
+                for i in 0..n {
+                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i8;
+                }
+            }
+            LayerData::I16(data) if rule == Rule::Linear => {
+                for i in 0..n {
+                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i16;
+                }
+            }
             _ if share <= 0.5 => {}
-            LayerData::F32(data) => data.copy_within(from..from + n, to),
-            LayerData::U8(data) => data.copy_within(from..from + n, to),
-            LayerData::U16(data) => data.copy_within(from..from + n, to),
-            LayerData::U32(data) => data.copy_within(from..from + n, to),
+            data => data.copy_within(from..from + n, to),
         }
     }
 }

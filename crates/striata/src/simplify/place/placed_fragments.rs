@@ -73,6 +73,7 @@ pub(super) fn build_placed(
         positions: order.iter().map(|&v| builder.vertices[v as usize].position).collect(),
         triangles: welded.mesh.triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
         layers: log.rows.iter().map(|layer| layer.gather(&rows)).collect(),
+        triangle_layers: welded.mesh.triangle_layers.clone(),
         groups: welded.mesh.groups.clone(),
         appearance: welded.mesh.appearance.clone(),
     };

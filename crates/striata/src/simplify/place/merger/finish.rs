@@ -1,7 +1,7 @@
 //! Builds the resulting mesh when the loop ends.
 
 use super::Merger;
-use crate::mesh::IndexedMesh;
+use crate::mesh::{IndexedMesh, gather_layers};
 
 impl Merger<'_> {
     /// Returns the simplified mesh.
@@ -22,6 +22,7 @@ impl Merger<'_> {
             positions: source.positions.clone(),
             triangles: Vec::with_capacity(self.triangle_count),
             layers: self.layers,
+            triangle_layers: Vec::new(),
             groups: source.groups.clone(),
             appearance: source.appearance.clone(),
         };
@@ -37,6 +38,11 @@ impl Merger<'_> {
             let [a, b, c] = corners.map(|v| positions.position_of(v));
             (a != b && b != c && c != a).then_some(corners)
         };
+        if !source.triangle_layers.is_empty() {
+            let triangles = (0..).zip(&source.triangles);
+            let kept: Vec<u32> = triangles.filter_map(|(i, t)| remaining(t).map(|_| i)).collect();
+            mesh.triangle_layers = gather_layers(&source.triangle_layers, &kept);
+        }
         if source.groups.is_empty() {
             mesh.triangles.extend(source.triangles.iter().filter_map(remaining));
         }

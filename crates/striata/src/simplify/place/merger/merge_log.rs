@@ -1,6 +1,6 @@
 //! Records merges, so that a sequence of fragments can be built from them.
 
-use crate::mesh::{AttributeLayer, LayerData};
+use crate::mesh::AttributeLayer;
 
 /// One merge, in the numbering of the welded mesh.
 #[derive(Clone, Debug)]
@@ -38,13 +38,8 @@ impl MergeLog {
         for (rows, layer) in self.rows.iter_mut().zip(layers) {
             let n = layer.component_count as usize;
             let values = wedges.start as usize * n..wedges.end as usize * n;
-            match (&mut rows.data, &layer.data) {
-                (LayerData::F32(rows), LayerData::F32(data)) => rows.extend_from_slice(&data[values]),
-                (LayerData::U8(rows), LayerData::U8(data)) => rows.extend_from_slice(&data[values]),
-                (LayerData::U16(rows), LayerData::U16(data)) => rows.extend_from_slice(&data[values]),
-                (LayerData::U32(rows), LayerData::U32(data)) => rows.extend_from_slice(&data[values]),
-                _ => debug_assert!(false, "rows were copied from the layers"),
-            }
+            let is_one_type = rows.data.extend_from_range(&layer.data, values);
+            debug_assert!(is_one_type, "rows were copied from the layers");
         }
         first
     }
