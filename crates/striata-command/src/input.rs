@@ -35,6 +35,8 @@ struct FileContent {
     /// Size on disk, before decompression.
     file_bytes: usize,
     folder: Option<PathBuf>,
+    /// Whether the file may refer to others outside that folder.
+    outside_allowed: bool,
     bytes: Bytes,
 }
 
@@ -77,7 +79,17 @@ impl Input {
             return Err(ReadError::UnknownFormat { file: name }.into());
         };
         let folder = (!is_stdin).then(|| folder_of(path));
-        Ok(Self { name, content: Content::File(FileContent { format, file_bytes, folder, bytes }) })
+        let content = FileContent { format, file_bytes, folder, outside_allowed: true, bytes };
+        Ok(Self { name, content: Content::File(content) })
+    }
+
+    /// Reads no files outside the folder of this one: for models that others have put there.
+    #[must_use]
+    pub fn within_folder(mut self) -> Self {
+        if let Content::File(file) = &mut self.content {
+            file.outside_allowed = false;
+        }
+        self
     }
 
     /// Wraps the bytes of a file that has been made in memory.
@@ -89,7 +101,8 @@ impl Input {
             return Err(ReadError::UnknownFormat { file: name.to_owned() }.into());
         };
         let file_bytes = bytes.len();
-        let content = FileContent { format, file_bytes, folder: None, bytes: Bytes::Owned(bytes) };
+        let bytes = Bytes::Owned(bytes);
+        let content = FileContent { format, file_bytes, folder: None, outside_allowed: false, bytes };
         Ok(Self { name: name.to_owned(), content: Content::File(content) })
     }
 
@@ -133,7 +146,9 @@ impl Input {
     pub(crate) fn source(&self) -> Source<'_> {
         let source = Source::new(&self.name);
         match &self.content {
-            Content::File(FileContent { folder: Some(folder), .. }) => source.with_folder(folder),
+            Content::File(FileContent { folder: Some(folder), outside_allowed, .. }) => {
+                source.with_folder(folder).with_outside_allowed(*outside_allowed)
+            }
             _ => source,
         }
     }

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
 
 /// Memory that images may take regardless of the size of the file that refers to them, in bytes.
 const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
@@ -20,8 +19,6 @@ pub(crate) struct ImageBudget {
 /// Reason why the bytes of an image are not there.
 #[derive(Debug)]
 pub(crate) enum ImageError {
-    NotFound,
-    NotRegular,
     TooLarge { image_bytes: u64, input_bytes: u64 },
     Io(io::Error),
 }
@@ -29,8 +26,6 @@ pub(crate) enum ImageError {
 impl fmt::Display for ImageError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFound => f.write_str("not found"),
-            Self::NotRegular => f.write_str("not a regular file"),
             Self::TooLarge { image_bytes, input_bytes } => {
                 write!(f, "{image_bytes} bytes of images in a file of {input_bytes} bytes")
             }
@@ -56,23 +51,23 @@ impl ImageBudget {
         Ok(())
     }
 
-    /// Reads a file and counts its bytes. The size is checked before anything is read.
-    pub(crate) fn read(&mut self, path: &Path) -> Result<Vec<u8>, ImageError> {
-        let not_found = |error: io::Error| match error.kind() {
-            io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => ImageError::NotFound,
-            _ => ImageError::Io(error),
-        };
-        let metadata = path.metadata().map_err(not_found)?;
-        if !metadata.is_file() {
-            // Reading a pipe could block forever.
-            return Err(ImageError::NotRegular);
-        }
-        self.take(metadata.len())?;
+    /// Reads a regular file and counts its bytes. The size is checked before anything is read.
+    pub(crate) fn read(&mut self, file: File) -> Result<Vec<u8>, ImageError> {
+        let size = file.metadata().map_err(ImageError::Io)?.len();
+        self.take(size)?;
         let mut bytes = Vec::new();
         // The file may grow while it is read.
-        let file = File::open(path).map_err(not_found)?;
-        file.take(metadata.len()).read_to_end(&mut bytes).map_err(ImageError::Io)?;
+        file.take(size).read_to_end(&mut bytes).map_err(ImageError::Io)?;
         Ok(bytes)
+    }
+}
+
+/// Refuses a file outside the folder of the source that is no image: a name must not include any file of the
+/// machine in what is made of the source.
+pub(crate) fn image_from_afar(bytes: Vec<u8>, is_outside: bool) -> Result<Vec<u8>, String> {
+    match is_outside && media_type(&bytes).is_empty() {
+        true => Err("not an image, and outside the folder of the file".to_owned()),
+        false => Ok(bytes),
     }
 }
 
@@ -157,7 +152,8 @@ mod tests {
         budget.take(ALWAYS_ALLOWED_BYTES).unwrap();
         let message = budget.take(1).unwrap_err().to_string();
         assert_eq!(message, "1073741825 bytes of images in a file of 1 bytes");
-        assert!(matches!(budget.read(Path::new("/no/such/file")), Err(ImageError::NotFound)));
-        assert!(matches!(budget.read(Path::new("/")), Err(ImageError::NotRegular)));
+        let mut file = tempfile::tempfile().unwrap();
+        io::Write::write_all(&mut file, b"x").unwrap();
+        assert!(matches!(budget.read(file), Err(ImageError::TooLarge { .. })));
     }
 }

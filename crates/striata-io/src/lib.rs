@@ -48,8 +48,11 @@
 //!   linear in glTF and sRGB in PLY, OBJ and OFF: call [`convert_colors`] between these. The exception: PLY
 //!   and OFF store the first color set as bytes, because other programs take anything else for black; values
 //!   outside 0 to 1 are clamped, and 16-bit values rounded, with a warning.
-//! * **Files next to the source** are read only inside its folder, unless the source allows others. What is
-//!   missing is a [`Warning`], except for buffers of glTF.
+//! * **Files that the source refers to** are found under their names, with `\` as `/`, without a query, in
+//!   another case, or percent-decoded, in this order. They are read inside its folder; also in folders above
+//!   it if the source is a path, or [`Source::outside_allowed`] is set. A link that leads out of the folder is
+//!   never followed, and nothing absolute is read. What is missing is a [`Warning`] that says why, except for
+//!   buffers of glTF, without which there is no mesh.
 //! * **Data that a format cannot store** are left out (layers in OBJ, STL and OFF; groups in PLY and STL),
 //!   or refused with a reason if the file would be wrong (NaN or 32-bit identifiers above 2^24 in glTF).
 //!
@@ -74,7 +77,7 @@ mod atomic;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod blocks;
 mod color_space;
-#[cfg(any(feature = "ply", feature = "obj"))]
+#[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod companions;
 mod compressed;
 mod error;

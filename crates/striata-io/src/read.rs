@@ -17,7 +17,7 @@ use crate::{Format, ReadError, decompressed};
 /// Reads a mesh file of any known format.
 ///
 /// The content decides the format; the extension is only used if the content is inconclusive. Buffers, images
-/// and material libraries are read from the folder of the file.
+/// and material libraries are read from the folders that the file names, next to it or above it.
 ///
 /// # Errors
 /// Returns [`ReadError`] with the file, the place and the reason.
@@ -43,9 +43,7 @@ pub(crate) fn with_file<T>(
 ) -> Result<T, ReadError> {
     let name = path.display().to_string();
     let bytes = fs::read(path).map_err(|source| ReadError::Io { file: name.clone(), source })?;
-    let mut source = Source::new(&name);
-    source.folder = path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p });
-    read(&bytes, &source)
+    read(&bytes, &Source::of_path(&name, path))
 }
 
 /// Reads a mesh from the bytes of a file.

@@ -9,8 +9,8 @@ pub struct Source<'a> {
     pub name: &'a str,
     /// Folder to which references (buffers, images) are relative; without it, none are followed.
     pub folder: Option<&'a Path>,
-    /// Whether references may leave `folder` (`../textures/wood.png`). Off by default, because an untrusted
-    /// file could otherwise include any file of the machine.
+    /// Whether references may lead to folders above `folder` (`../textures/wood.png`). Off by default, because
+    /// an untrusted file could otherwise include any file of the machine; readers that get a path set it.
     pub outside_allowed: bool,
 }
 
@@ -20,9 +20,21 @@ impl<'a> Source<'a> {
         Self { name, ..Self::default() }
     }
 
+    /// Creates the source of a file at a path: references start at its folder and may lead to others.
+    pub fn of_path(name: &'a str, path: &'a Path) -> Self {
+        let folder = path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p });
+        Self { name, folder, outside_allowed: true }
+    }
+
     /// Sets the folder of the files that the source refers to.
     #[must_use]
     pub fn with_folder(self, folder: &'a Path) -> Self {
         Self { folder: Some(folder), ..self }
+    }
+
+    /// Sets [`outside_allowed`](Self::outside_allowed).
+    #[must_use]
+    pub fn with_outside_allowed(self, outside_allowed: bool) -> Self {
+        Self { outside_allowed, ..self }
     }
 }

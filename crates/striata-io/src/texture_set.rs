@@ -5,14 +5,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::{Value, json};
 use striata::mesh::{Appearance, Image, Material};
 
 use crate::Source;
-use crate::companions::Companions;
+use crate::companions::{Companions, NameKind};
 use crate::error::Place;
 use crate::gltf_json::extensions_in;
-use crate::images::{ImageBudget, media_type};
+use crate::images::{ImageBudget, image_from_afar, media_type};
 use crate::report::Warnings;
 
 /// Wrap mode of samplers.
@@ -81,23 +82,25 @@ impl<'a> TextureSet<'a> {
             let reason = format!("texture `{}`: {reason}", shortened(texture.name));
             warnings.push_for(texture.file, texture.place.clone(), reason);
         };
-        let companion = self.companions.find(texture.folder, texture.name);
+        let companion = self.companions.find(texture.folder, texture.name, NameKind::Plain);
         if companion.file_name().is_empty() || companion.file_name() == ".." {
             warn("not the name of a file".to_owned());
             return None;
         }
         // Names that differ in case or in `./` lead to the same file.
-        let key = match &companion.path {
-            Ok(path) => path.to_string_lossy().into_owned(),
+        let key = match &companion.file {
+            Ok(found) => found.path.to_string_lossy().into_owned(),
             Err(_) => companion.relative.clone(),
         };
         if let Some(&known) = self.file_of_path.get(&key) {
             return Some(known);
         }
-        let read = match &companion.path {
-            Ok(path) => self.budget.read(path).map_err(|error| error.to_string()),
-            Err(reason) => Err(reason.clone()),
-        };
+        let (name, uri) = (companion.file_name().to_owned(), to_uri(&companion.relative));
+        let is_outside = companion.is_outside();
+        let read = companion
+            .file
+            .and_then(|found| self.budget.read(found.file).map_err(|error| error.to_string()))
+            .and_then(|bytes| image_from_afar(bytes, is_outside));
         let bytes = read.unwrap_or_else(|reason| {
             warn(reason);
             Vec::new()
@@ -106,7 +109,6 @@ impl<'a> TextureSet<'a> {
         if !bytes.is_empty() && mime_type.is_empty() {
             warn("not PNG or JPEG, which glTF requires; it stays a reference to the file".to_owned());
         }
-        let (name, uri) = (companion.file_name().to_owned(), to_uri(&companion.relative));
         self.files.push(TextureFile { image: Image { name, uri, mime_type, bytes }, index: None });
         self.file_of_path.insert(key, self.files.len() - 1);
         Some(self.files.len() - 1)
@@ -173,15 +175,9 @@ fn source_of(mime_type: &str, image: usize) -> Value {
 
 /// Returns a relative path as a URI: bytes that URIs reserve become percent escapes.
 fn to_uri(path: &str) -> String {
-    let mut out = String::with_capacity(path.len());
-    for byte in path.bytes() {
-        if byte.is_ascii_alphanumeric() || b"/-._~".contains(&byte) {
-            out.push(char::from(byte));
-        } else {
-            out += &format!("%{byte:02X}");
-        }
-    }
-    out
+    const RESERVED: AsciiSet =
+        NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'.').remove(b'_').remove(b'~');
+    utf8_percent_encode(path, &RESERVED).to_string()
 }
 
 /// Shortens a name for a message.

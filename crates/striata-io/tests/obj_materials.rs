@@ -218,7 +218,11 @@ fn missing_and_outside_files_are_warnings() {
         ("secret.png", &png(png::ColorType::Rgb)),
         ("secret.mtl", b"newmtl unknown\nKd 1 0 0\n"),
     ]);
-    let report = report(&folder, "model/a.obj");
+    let bytes = fs::read(folder.path().join("model/a.obj")).unwrap();
+    let inner = folder.path().join("model");
+    let name = inner.join("a.obj").display().to_string();
+    let strict = Source::new(&name).with_folder(&inner);
+    let report = read_bytes_with_report(&bytes, &strict).unwrap();
     let expected = [
         "model/a.obj: line 1: material library `lost.mtl`: not found",
         "model/a.obj: line 2: material library `../secret.mtl`: it leaves the folder of the file",
@@ -237,13 +241,30 @@ fn missing_and_outside_files_are_warnings() {
     let uris: Vec<&str> = mesh.appearance.images.iter().map(|image| image.uri.as_str()).collect();
     assert_eq!(uris, ["lost.png", "folder", "image.tga", "../secret.png"]);
     assert!(mesh.appearance.images.iter().all(|image| image.bytes.is_empty() || image.uri == "image.tga"));
-    // With permission, files outside are read.
-    let bytes = fs::read(folder.path().join("model/a.obj")).unwrap();
-    let inner = folder.path().join("model");
-    let source = Source { outside_allowed: true, ..Source::new("a.obj").with_folder(&inner) };
-    let mesh = read_bytes_with_report(&bytes, &source).unwrap().mesh;
+    // A path is read with the files outside.
+    let mesh = read_with_report(inner.join("a.obj")).unwrap().mesh;
     assert_eq!(mesh.appearance.images[3].mime_type, "image/png");
     assert_eq!(materials(&mesh)[1]["pbrMetallicRoughness"]["baseColorFactor"], json!([1.0, 0.0, 0.0, 1.0]));
+}
+
+#[test]
+fn libraries_and_images_may_lie_anywhere() {
+    let (image, text) = (png(png::ColorType::Rgb), obj("mtllib ..\\Mtl\\a.mtl", &["m"]));
+    let mtl =
+        "newmtl m\nmap_Kd ../maps/../Maps/My%20Wood.png\nnorm gr\u{fc}n.png?v=3\nmap_Ke ../passwd.png\n";
+    let folder = folder(&[
+        ("model/deep/a.obj", text.as_bytes()),
+        ("model/mtl/A.mtl", mtl.as_bytes()),
+        ("model/maps/my wood.png", &image),
+        ("model/mtl/gr\u{fc}n.png", &image),
+        ("model/passwd.png", b"root:x:0:0:root:/root:/bin/sh\n"),
+    ]);
+    let report = report(&folder, "model/deep/a.obj");
+    let warnings = warnings(&folder, &report);
+    let expected = "texture `../passwd.png`: not an image, and outside the folder of the file";
+    assert!(warnings.len() == 1 && warnings[0].ends_with(expected), "{warnings:?}");
+    let sizes: Vec<usize> = report.mesh.appearance.images.iter().map(|image| image.bytes.len()).collect();
+    assert_eq!(sizes, [image.len(), image.len(), 0]);
 }
 
 #[test]

@@ -34,8 +34,7 @@ fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(Content, Vec<S
     }
     let bytes = fs::read(path).map_err(|error| os_error(&error, name.clone()))?;
     let (bytes, inner_name) = striata_io::decompressed(bytes.into(), &name).map_err(read_error)?;
-    let folder = path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p });
-    let source = Source { name: &name, folder, ..Source::default() };
+    let source = Source::of_path(&name, path);
     match Format::detect(&bytes, &inner_name) {
         Some(Format::Striata | Format::Stream) => {
             let content = decoded(&bytes, false, progress).map_err(|fault| fault.into_error(Some(&name)))?;

@@ -8,9 +8,10 @@ use super::document::Document;
 use super::json::JsonNode;
 use super::primitive::document_fault;
 use super::uri;
+use crate::companions::{Companions, NameKind};
 use crate::error::{Fault, Place};
 use crate::gltf_json::extensions_in;
-use crate::images::{ImageBudget, ImageError, media_type};
+use crate::images::{ImageBudget, ImageError, image_from_afar, media_type};
 use crate::report::Warnings;
 
 /// Reads the materials, textures, samplers and images of a document.
@@ -43,56 +44,75 @@ pub(crate) fn appearance(document: &Document<'_>, warnings: &mut Warnings) -> Re
 
 /// Reads all images, with a warning for each file that is not available.
 pub(super) fn images(document: &Document<'_>, warnings: &mut Warnings) -> Result<Vec<Image>, Fault> {
-    let mut budget = ImageBudget::new(document.input_bytes);
-    let images = document.root.entries("images")?;
-    images.iter().map(|at| image(document, at, &mut budget, warnings)).collect()
+    let mut reader = ImageReader {
+        document,
+        companions: Companions::new(&document.source),
+        budget: ImageBudget::new(document.input_bytes),
+        warnings,
+    };
+    document.root.entries("images")?.iter().map(|at| reader.image(at)).collect()
 }
 
-/// Reads an image with its bytes if they are available, otherwise with its URI and a warning.
-fn image(
-    document: &Document<'_>,
-    at: &JsonNode<'_>,
-    budget: &mut ImageBudget,
-    warnings: &mut Warnings,
-) -> Result<Image, Fault> {
-    let mut image = Image {
-        name: at.text("name").to_owned(),
-        mime_type: at.text("mimeType").to_owned(),
-        ..Image::default()
-    };
-    let uri = at.text("uri");
-    let too_large = |error: ImageError| document_fault(error.to_string());
-    if let Some(view) = at.unsigned("bufferView")? {
-        let bytes = document.view(view, at)?.0;
-        budget.take(bytes.len() as u64).map_err(too_large)?;
-        image.bytes = bytes.to_vec();
-    } else if let Some(data) = uri::data(uri) {
-        let (bytes, mime_type) = data.map_err(|reason| at.fault(reason))?;
-        budget.take(bytes.len() as u64).map_err(too_large)?;
-        image.bytes = bytes;
-        if image.mime_type.is_empty() {
-            image.mime_type = mime_type;
-        }
-    } else if uri.is_empty() {
-        warnings.push(Place::Json(at.path.clone()), "the image has no data and names no file");
-    } else {
-        image.uri = uri.to_owned();
-        let read = uri::path(uri, &document.source).map(|path| budget.read(&path));
-        let reason = match read {
-            Ok(Err(error @ ImageError::TooLarge { .. })) => return Err(too_large(error)),
-            Ok(Err(error)) => Some(format!("texture `{}`: {error}", uri::shortened(uri))),
-            Ok(Ok(bytes)) => {
-                image.bytes = bytes;
-                None
-            }
-            Err(reason) => Some(reason),
+/// Reads images one after another.
+struct ImageReader<'r, 'd> {
+    document: &'r Document<'d>,
+    companions: Companions<'d>,
+    budget: ImageBudget,
+    warnings: &'r mut Warnings,
+}
+
+impl ImageReader<'_, '_> {
+    /// Reads an image with its bytes if they are available, otherwise with its URI and a warning.
+    fn image(&mut self, at: &JsonNode<'_>) -> Result<Image, Fault> {
+        let mut image = Image {
+            name: at.text("name").to_owned(),
+            mime_type: at.text("mimeType").to_owned(),
+            ..Image::default()
         };
-        if let Some(reason) = reason {
-            warnings.push(Place::Json(at.path.clone()), reason);
+        let uri = at.text("uri");
+        if let Some(view) = at.unsigned("bufferView")? {
+            let bytes = self.document.view(view, at)?.0;
+            self.take(bytes.len())?;
+            image.bytes = bytes.to_vec();
+        } else if let Some(data) = uri::data(uri) {
+            let (bytes, mime_type) = data.map_err(|reason| at.fault(reason))?;
+            self.take(bytes.len())?;
+            image.bytes = bytes;
+            if image.mime_type.is_empty() {
+                image.mime_type = mime_type;
+            }
+        } else if uri.is_empty() {
+            self.warn(at, "the image has no data and names no file".to_owned());
+        } else {
+            image.uri = uri.to_owned();
+            image.bytes = self.file(at, uri)?;
         }
+        if image.mime_type.is_empty() {
+            image.mime_type = media_type(&image.bytes).to_owned();
+        }
+        Ok(image)
     }
-    if image.mime_type.is_empty() {
-        image.mime_type = media_type(&image.bytes).to_owned();
+
+    /// Returns the bytes of the file that a URI names; empty with a warning if it is not available.
+    fn file(&mut self, at: &JsonNode<'_>, uri: &str) -> Result<Vec<u8>, Fault> {
+        let companion = self.companions.find("", uri, NameKind::Uri);
+        let is_outside = companion.is_outside();
+        let read = match companion.file.map(|found| self.budget.read(found.file)) {
+            Ok(Err(error @ ImageError::TooLarge { .. })) => return Err(document_fault(error.to_string())),
+            Ok(read) => read.map_err(|error| error.to_string()),
+            Err(reason) => Err(reason),
+        };
+        Ok(read.and_then(|bytes| image_from_afar(bytes, is_outside)).unwrap_or_else(|reason| {
+            self.warn(at, format!("texture `{}`: {reason}", uri::shortened(uri)));
+            Vec::new()
+        }))
     }
-    Ok(image)
+
+    fn take(&mut self, length: usize) -> Result<(), Fault> {
+        self.budget.take(length as u64).map_err(|error| document_fault(error.to_string()))
+    }
+
+    fn warn(&mut self, at: &JsonNode<'_>, reason: String) {
+        self.warnings.push(Place::Json(at.path.clone()), reason);
+    }
 }

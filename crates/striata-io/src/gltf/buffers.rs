@@ -1,14 +1,15 @@
 //! Buffers of a document: in the binary chunk of a GLB, embedded as data URIs, or in files next to it.
 
 use std::collections::BTreeMap;
+use std::fs::File;
 use std::io;
 use std::ops::Deref;
-use std::path::Path;
 
 use super::compression::{self, Compression};
 use super::json::JsonNode;
 use super::uri;
 use crate::Source;
+use crate::companions::{Companions, NameKind};
 use crate::error::Fault;
 
 /// Bytes of all buffers; each URI is loaded once, however many buffers name it.
@@ -31,14 +32,15 @@ enum Place {
 }
 
 impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
-    /// Loads all buffers; `open` opens the files.
+    /// Loads all buffers; `read` reads the files.
     pub(crate) fn load(
         root: &JsonNode<'_>,
         source: &Source<'_>,
-        open: impl Fn(&Path) -> io::Result<B>,
+        read: impl Fn(File) -> io::Result<B>,
     ) -> Result<Self, Fault> {
         let mut buffers = Self { loaded: Vec::new(), entries: Vec::new(), file_bytes: 0 };
         let mut known: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut companions = Companions::new(source);
         for (index, at) in root.entries("buffers")?.iter().enumerate() {
             let length = at.required_unsigned("byteLength")?;
             // Nothing is read from buffers for readers that cannot decompress.
@@ -51,7 +53,7 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
             let place = match known.get(uri) {
                 Some(&place) => place,
                 None => {
-                    let bytes = buffers.bytes_of(at, uri, (source, &open))?;
+                    let bytes = buffers.bytes_of(at, uri, (&mut companions, &read))?;
                     buffers.loaded.push(bytes);
                     known.insert(uri, buffers.loaded.len() - 1);
                     buffers.loaded.len() - 1
@@ -70,17 +72,14 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
         &mut self,
         at: &JsonNode<'_>,
         uri: &str,
-        (source, open): (&Source<'_>, impl Fn(&Path) -> io::Result<B>),
+        (companions, read): (&mut Companions<'_>, impl Fn(File) -> io::Result<B>),
     ) -> Result<B, Fault> {
         if let Some(data) = uri::data(uri) {
             return data.map(|(bytes, _)| bytes.into()).map_err(|reason| at.fault(reason));
         }
-        let path = uri::path(uri, source).map_err(|reason| at.fault(reason))?;
-        if path.exists() && !path.is_file() {
-            // Reading a pipe could block forever.
-            return Err(at.fault(format!("`{}` is not a regular file", uri::shortened(uri))));
-        }
-        let bytes = open(&path).map_err(|error| at.fault(format!("`{}`: {error}", uri::shortened(uri))))?;
+        let found = companions.find("", uri, NameKind::Uri).file;
+        let bytes = found.and_then(|found| read(found.file).map_err(|error| error.to_string()));
+        let bytes = bytes.map_err(|reason| at.fault(format!("`{}`: {reason}", uri::shortened(uri))))?;
         self.file_bytes += bytes.len() as u64;
         Ok(bytes)
     }

@@ -156,7 +156,14 @@ fn with_document<T>(
     let root = json::parse(json)?;
     let at = json::JsonNode { value: &root, path: String::new() };
     check_requirements(&at)?;
-    let buffers = Buffers::load(&at, source, |path| std::fs::read(path))?;
+    let buffers = Buffers::load(&at, source, read_whole)?;
     let document = Document::new((&root, json.len()), (&buffers, chunk), *source)?;
     read(&document)
+}
+
+/// Reads a file from its beginning to its end.
+fn read_whole(mut file: std::fs::File) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::io::Read::read_to_end(&mut file, &mut bytes)?;
+    Ok(bytes)
 }

@@ -8,6 +8,7 @@ use striata::mesh::{IndexedMesh, Material, Semantic};
 use super::materials::{Converter, Origin};
 use super::mtl::{self, Definition, Library};
 use crate::Source;
+use crate::companions::NameKind;
 use crate::error::Place;
 use crate::report::Warnings;
 use crate::texture_set::{TextureSet, shortened};
@@ -89,7 +90,7 @@ impl Loader<'_, '_> {
     /// Splits the names of a statement. A name may contain blanks, so the whole text is tried first, then
     /// the parts that end in `.mtl`, then single words.
     fn file_names(&mut self, names: &str) -> Vec<String> {
-        let exists = self.textures.companions().find("", names).path.is_ok_and(|path| path.is_file());
+        let exists = self.textures.companions().find("", names, NameKind::Plain).file.is_ok();
         let words: Vec<&str> = names.split_whitespace().collect();
         let is_library = |word: &&str| word.to_ascii_lowercase().ends_with(".mtl");
         let library_count = words.iter().filter(|word| is_library(word)).count();
@@ -104,25 +105,25 @@ impl Loader<'_, '_> {
 
     /// Reads and parses a library; warns if that is not possible.
     fn load(&mut self, name: &str, line: u64) -> Option<LoadedLibrary> {
-        let companion = self.textures.companions().find("", name);
+        let companion = self.textures.companions().find("", name, NameKind::Plain);
         if !self.seen.insert(companion.relative.clone()) {
             return None;
         }
-        let read = match &companion.path {
-            Ok(path) => self.textures.budget().read(path).map_err(|error| error.to_string()),
-            Err(reason) => Err(reason.clone()),
-        };
-        let bytes = match read {
-            Ok(bytes) => bytes,
+        let folder = companion.folder().to_owned();
+        let read = companion.file.and_then(|found| {
+            let read = self.textures.budget().read(found.file).map_err(|error| error.to_string());
+            Ok((read?, found.path.display().to_string()))
+        });
+        let (bytes, file) = match read {
+            Ok(read) => read,
             Err(reason) => {
                 let reason = format!("material library `{}`: {reason}", shortened(name));
                 self.warnings.push(Place::Line(line), reason);
                 return None;
             }
         };
-        let file = companion.path.as_deref().map_or(name.to_owned(), |path| path.display().to_string());
         let library = mtl::parse(&bytes, self.wanted, &file, self.warnings);
-        Some(LoadedLibrary { file, folder: companion.folder().to_owned(), library })
+        Some(LoadedLibrary { file, folder, library })
     }
 }
 

@@ -146,7 +146,7 @@ impl Input {
 
     /// The input for readers of whole files.
     pub(crate) fn source(&self) -> Source<'_> {
-        Source::new(&self.name).with_folder(&self.folder)
+        Source::new(&self.name).with_folder(&self.folder).with_outside_allowed(true)
     }
 }
 

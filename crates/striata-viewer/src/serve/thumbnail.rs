@@ -37,7 +37,7 @@ const MAX_CPU_SECS: u64 = 20;
 /// If the file cannot be read.
 pub fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
     limit_this_process();
-    let input = Input::open(&args.input)?;
+    let input = Input::open(&args.input)?.within_folder();
     let (mesh, look) = match input.scene_kind() {
         Some(kind) => posed_scene(&input, kind, output)?,
         None => {

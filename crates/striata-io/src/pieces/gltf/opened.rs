@@ -1,8 +1,6 @@
 //! Document whose buffers are mapped into memory.
 
-use std::fs::File;
 use std::ops::Range;
-use std::path::Path;
 
 use serde_json::Value;
 
@@ -39,8 +37,8 @@ impl OpenedDocument {
         let json_bytes = json.len();
         let root = parse(&input.bytes[json]).map_err(in_file)?;
         let at = JsonNode { value: &root, path: String::new() };
-        let open = |path: &Path| File::open(path).and_then(Mapped::new);
-        let buffers = check_requirements(&at).and_then(|()| Buffers::load(&at, &input.source(), open));
+        let source = input.source();
+        let buffers = check_requirements(&at).and_then(|()| Buffers::load(&at, &source, Mapped::new));
         let buffers = buffers.map_err(in_file)?;
         Ok(Self { root, json_bytes, input, chunk, buffers, cache: UnpackedCache::default() })
     }
