@@ -82,6 +82,7 @@ pub(super) fn columns_of(element: &Element) -> (Vec<Column>, usize) {
 }
 
 /// Returns the columns, those with texture coordinates marked.
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
 pub(crate) fn flipped_columns_of(element: &Element) -> Vec<Column> {
     let (mut columns, _) = columns_of(element);
     mark_flipped(&mut columns);

@@ -112,6 +112,10 @@ pub(crate) struct Header {
     pub texture_files: Vec<TextureComment>,
     /// Whether texture coordinates count from the top of the image, as in temporary files of our own; set by
     /// those who know.
+    #[cfg_attr(
+        not(all(feature = "pieces", not(target_family = "wasm"))),
+        allow(dead_code, reason = "only these have temporary files")
+    )]
     pub has_top_origin: bool,
     pub body_at: usize,
     pub body_line: u64,
