@@ -1,6 +1,6 @@
 //! Converts positions and attribute layers to vertex buffers.
 
-use striata::mesh::{AttributeLayer, LayerData, Semantic};
+use striata::mesh::{AttributeLayer, Semantic};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Vertex attributes of a range of vertices. Each `take_` method returns its buffer once.
@@ -160,6 +160,8 @@ fn colors(layer: &AttributeLayer) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::LayerData;
+
     use super::*;
 
     #[test]

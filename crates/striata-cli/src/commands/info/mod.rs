@@ -8,9 +8,7 @@ mod step_statistics;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::file::{DecodeError, FORMAT_VERSION, StriataFile};
-use striata::mesh::{
-    AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, TriangleGroup, validate, weld,
-};
+use striata::mesh::{AttributeLayer, IndexedMesh, Levels, Statistics, TriangleGroup, validate, weld};
 use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
 use striata_io::Scene;
 use striata_stream::{StreamDefect, StreamInfo};
