@@ -74,6 +74,9 @@ pub fn decompressed<'a>(bytes: Cow<'a, [u8]>, name: &str) -> Result<(Cow<'a, [u8
             inner_name = stem.to_owned();
         }
     }
+    if bytes.is_empty() {
+        return Err(ReadError::Empty { file: name.to_owned() });
+    }
     Ok((bytes, inner_name))
 }
 

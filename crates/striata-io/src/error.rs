@@ -143,6 +143,8 @@ pub(crate) enum Fault {
     Unsupported(Place, String),
     #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only glTF has extensions"))]
     Extension(String),
+    /// What the file has instead of triangles.
+    NoTriangles(String),
     #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only glTF has parts behind features"))]
     FeatureOff {
         what: &'static str,
@@ -166,6 +168,7 @@ impl Fault {
         match self {
             Self::Malformed(place, reason) => ReadError::Malformed { file, place, reason },
             Self::Unsupported(place, what) => ReadError::Unsupported { file, place, what },
+            Self::NoTriangles(found) => ReadError::NoTriangles { file, found },
             Self::Extension(extension) => ReadError::UnsupportedExtension { file, extension },
             Self::FeatureOff { what, feature } => ReadError::FeatureOff { file, what, feature },
         }

@@ -61,9 +61,6 @@ pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, Read
 pub fn read_bytes_with_report(bytes: &[u8], source: &Source<'_>) -> Result<ReadReport, ReadError> {
     let (bytes, name) = decompressed(Cow::Borrowed(bytes), source.name)?;
     let file = || source.name.to_owned();
-    if bytes.is_empty() {
-        return Err(ReadError::Empty { file: file() });
-    }
     let Some(format) = Format::detect(&bytes, &name) else {
         return Err(ReadError::UnknownFormat { file: file() });
     };

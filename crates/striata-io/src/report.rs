@@ -164,7 +164,6 @@ impl Warnings {
     }
 
     /// Replaces the places, which were those in a part of the file.
-    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
     pub(crate) fn set_place(&mut self, place: &Place) {
         self.kept.iter_mut().for_each(|warning| warning.place = place.clone());
     }

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use serde_json::{Value, json};
 use striata::mesh::IndexedMesh;
 use striata_io::{Source, read_bytes_with_report};
 
@@ -384,11 +385,128 @@ fn ply_cases() -> Vec<Case> {
     ]
 }
 
+/// A cube as glTF, with normals; `change` may change the document, and the floats of the buffer.
+fn gltf(change: impl Fn(&mut Value, &mut [f32])) -> (Value, Vec<u8>) {
+    let mut floats: Vec<f32> = CORNERS.as_flattened().iter().map(|&x| f32::from(x)).collect();
+    floats.extend([0.6, 0.0, 0.8].repeat(8));
+    let view =
+        |offset: usize, length: usize| json!({ "buffer": 0, "byteOffset": offset, "byteLength": length });
+    let mut document = json!({
+        "asset": { "version": "2.0" },
+        "buffers": [{ "byteLength": 264 }],
+        "bufferViews": [view(0, 96), view(96, 96), view(192, 72)],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3" },
+            { "bufferView": 1, "componentType": 5126, "count": 8, "type": "VEC3" },
+            { "bufferView": 2, "componentType": 5123, "count": 36, "type": "SCALAR" },
+        ],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "NORMAL": 1 }, "indices": 2 }] }],
+        "nodes": [{ "mesh": 0 }],
+        "scenes": [{ "nodes": [0] }],
+    });
+    change(&mut document, &mut floats);
+    let mut buffer: Vec<u8> = floats.iter().flat_map(|x| x.to_le_bytes()).collect();
+    buffer.extend(TRIANGLES.as_flattened().iter().flat_map(|&v| (v as u16).to_le_bytes()));
+    (document, buffer)
+}
+
+/// A binary file whose JSON has `more` blanks at its end.
+fn glb((document, buffer): (Value, Vec<u8>), more: usize) -> Vec<u8> {
+    let mut json = document.to_string().into_bytes();
+    json.resize(json.len().next_multiple_of(4) + more, b' ');
+    let mut bytes = b"glTF\x02\0\0\0".to_vec();
+    bytes.extend((28 + json.len() as u32 + buffer.len() as u32).to_le_bytes());
+    for (kind, data) in [(b"JSON", json), (b"BIN\0", buffer)] {
+        bytes.extend((data.len() as u32).to_le_bytes());
+        bytes.extend_from_slice(kind);
+        bytes.extend(data);
+    }
+    bytes
+}
+
+/// A text file whose buffer is base64, broken into lines.
+fn embedded((mut document, buffer): (Value, Vec<u8>), line_end: &str) -> Vec<u8> {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let bits = |index: usize| buffer[index / 8] >> (7 - index % 8) & 1;
+    let digit = |at: usize| (0..6).fold(0, |all, bit| all << 1 | bits(6 * at + bit));
+    let digits: Vec<u8> = (0..buffer.len() * 8 / 6).map(|at| DIGITS[digit(at) as usize]).collect();
+    let lines: Vec<&str> = digits.chunks(76).map(|line| std::str::from_utf8(line).unwrap()).collect();
+    document["buffers"][0]["uri"] =
+        json!("data:application/octet-stream;base64,".to_owned() + &lines.join(line_end));
+    document.to_string().into_bytes()
+}
+
+fn gltf_cases() -> Vec<Case> {
+    let plain = || gltf(|_, _| {});
+    let mode =
+        |mode: u64| glb(gltf(|document, _| document["meshes"][0]["primitives"][0]["mode"] = json!(mode)), 0);
+    let primitive = "/meshes/0/primitives/0";
+    let nulls = gltf(move |document, _| {
+        let primitive = document.pointer_mut(primitive).unwrap();
+        (primitive["material"], primitive["extensions"], primitive["targets"]) = Default::default();
+        (document["nodes"][0]["matrix"], document["nodes"][0]["skin"]) = Default::default();
+        (document["materials"], document["scene"], document["bufferViews"][0]["byteStride"]) =
+            Default::default();
+    });
+    let strange = |at: usize| glb(gltf(|_, floats| floats[at] = f32::NAN), 0);
+    vec![
+        case("plain.glb", glb(plain(), 0), Read(12, 8, &[])),
+        case(
+            "unaligned.glb",
+            glb(plain(), 1),
+            Read(12, 8, &["byte 12: chunks are not aligned: one has 541 bytes, which is no multiple of 4"]),
+        ),
+        case("nulls.glb", glb(nulls.clone(), 0), Read(12, 8, &[])),
+        case("nulls.gltf", embedded(nulls, ""), Read(12, 8, &[])),
+        case("lines.gltf", embedded(plain(), "\r\n"), Read(12, 8, &[])),
+        case("escaped.gltf", embedded(plain(), "%0A"), Read(12, 8, &[])),
+        case("nan.glb", strange(3), Read(8, 7, LOST_4)),
+        case(
+            "normal.glb",
+            strange(24 + 5),
+            Read(
+                12,
+                8,
+                &["1 normal computed anew, vertex 1: the layer normal has a value that is not finite"],
+            ),
+        ),
+        case("points.glb", mode(0), Refused("the file has 8 points and no triangles")),
+        case("edges.glb", mode(1), Refused("the file has 1 set of lines and no triangles")),
+        case(
+            "more.glb",
+            glb(
+                gltf(|document, _| {
+                    let more = json!({ "attributes": { "POSITION": 0 }, "mode": 0 });
+                    document["meshes"][0]["primitives"].as_array_mut().unwrap().push(more);
+                }),
+                0,
+            ),
+            Read(
+                12,
+                8,
+                &[
+                    "1 primitive left out, meshes[0].primitives[1]: it draws points; a mesh has only triangles",
+                ],
+            ),
+        ),
+        case("nothing.glb", "", Refused("the file is empty")),
+        case("empty.gltf", r#"{ "asset": { "version": "2.0" } }"#, Read(0, 0, &[])),
+    ]
+}
+
 fn cases() -> Vec<Case> {
-    [obj_cases(), many_faults_in_obj(), refused_obj_cases(), stl_cases(), off_cases(), ply_cases()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        obj_cases(),
+        many_faults_in_obj(),
+        refused_obj_cases(),
+        stl_cases(),
+        off_cases(),
+        ply_cases(),
+        gltf_cases(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// Warnings without the name of the file.
@@ -463,6 +581,27 @@ fn files_in_pieces_follow_the_rule() {
                 assert!(message.contains(name) && message.contains(part), "{message}");
             }
             (Ok(found), Refused(_)) => panic!("{name} was read: {found:?}"),
+            (Err(error), Read(..)) => panic!("{error}"),
+        }
+    }
+}
+
+/// Scenes read the same files: they carry points and lines, and repair the triangles of each mesh.
+#[test]
+fn scenes_follow_the_rule() {
+    for (name, bytes, outcome) in cases() {
+        let found = striata_io::read_scene_bytes(&bytes, &Source::new(name));
+        match (found, outcome) {
+            (Ok(scene), Read(triangles, _, warnings)) => {
+                assert_eq!(scene.triangle_count(), triangles, "{name}");
+                let carried = usize::from(name == "more.glb");
+                assert_eq!(scene.warnings().len() + carried, warnings.len(), "{name}");
+            }
+            (Err(error), Refused(part)) => {
+                let message = error.to_string();
+                assert!(message.starts_with(name) && message.contains(part), "{message}");
+            }
+            (Ok(scene), Refused(_)) => panic!("{name} was read with {:?}", scene.warnings()),
             (Err(error), Read(..)) => panic!("{error}"),
         }
     }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::error::{Fault, Place};
+use crate::report::Warnings;
 
 const HEADER_BYTES: usize = 12;
 const JSON_CHUNK: &[u8; 4] = b"JSON";
@@ -13,14 +14,22 @@ fn word_at(bytes: &[u8], at: usize) -> Option<u32> {
 }
 
 /// Returns the JSON and the binary data.
-pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
-    let (json, binary) = chunk_ranges(bytes)?;
+pub(super) fn chunks<'b>(
+    bytes: &'b [u8],
+    warnings: &mut Warnings,
+) -> Result<(&'b [u8], Option<&'b [u8]>), Fault> {
+    let (json, binary) = chunk_ranges(bytes, warnings)?;
     Ok((&bytes[json], binary.map(|range| &bytes[range])))
 }
 
 /// Returns where the JSON and the binary data are; chunks of other kinds are skipped, as the specification
 /// demands.
-pub(crate) fn chunk_ranges(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Fault> {
+///
+/// Lengths should be multiples of 4, but some writers do not pad, and others do not count what they pad.
+pub(crate) fn chunk_ranges(
+    bytes: &[u8],
+    warnings: &mut Warnings,
+) -> Result<(Range<usize>, Option<Range<usize>>), Fault> {
     let cut = || Fault::at_byte(bytes.len(), format!("a GLB header takes {HEADER_BYTES} bytes"));
     let (version, length) = (word_at(bytes, 4).ok_or_else(cut)?, word_at(bytes, 8).ok_or_else(cut)?);
     if version != 2 {
@@ -49,12 +58,31 @@ pub(crate) fn chunk_ranges(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<u
         } else if kind == BINARY_CHUNK && binary.is_none() {
             binary = Some(start..end);
         }
-        at = start + (size as usize).next_multiple_of(4);
+        if !size.is_multiple_of(4) {
+            let reason = format!("chunks are not aligned: one has {size} bytes, which is no multiple of 4");
+            warnings.push(Place::Byte(at as u64), reason);
+        }
+        at = next_chunk(bytes, end);
     }
     match json {
         Some(json) => Ok((json, binary)),
         None => Err(Fault::at_byte(HEADER_BYTES, "the first chunk must be JSON, but there is none")),
     }
+}
+
+/// Returns where the chunk after one that ends at `end` begins: there, or at the next multiple of 4.
+fn next_chunk(bytes: &[u8], end: usize) -> usize {
+    let aligned = end.next_multiple_of(4);
+    let is_chunk = |at: usize| {
+        let size = word_at(bytes, at).zip(bytes.get(at + 4..at + 8));
+        size.is_some_and(|(size, kind)| {
+            let is_known = kind == JSON_CHUNK || kind == BINARY_CHUNK;
+            is_known && size as usize <= bytes.len() - (at + 8)
+        })
+    };
+    let is_padding = bytes.get(end..aligned).is_none_or(|rest| rest.iter().all(|b| matches!(b, 0 | b' ')));
+    let begins_at_once = end != aligned && (is_chunk(end) || (!is_padding && !is_chunk(aligned)));
+    if begins_at_once { end } else { aligned }
 }
 
 /// Joins JSON and binary data into a file; [`None`] if the file would exceed 4 GiB.
@@ -76,4 +104,53 @@ pub(super) fn joined(mut json: Vec<u8>, mut binary: Vec<u8>) -> Option<Vec<u8>> 
         }
     }
     Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file of some chunks: their kinds, their data, and bytes after each that it does not count.
+    fn file(chunks: &[(&[u8; 4], &[u8], usize)]) -> Vec<u8> {
+        let mut out = b"glTF\x02\0\0\0\0\0\0\0".to_vec();
+        for (kind, data, padding) in chunks {
+            out.extend_from_slice(&(data.len() as u32).to_le_bytes());
+            out.extend_from_slice(*kind);
+            out.extend_from_slice(data);
+            out.extend_from_slice(&[b' '; 3][..*padding]);
+        }
+        let length = out.len() as u32;
+        out[8..12].copy_from_slice(&length.to_le_bytes());
+        out
+    }
+
+    #[test]
+    fn chunks_may_lack_padding_or_not_count_it() {
+        let json = b"{\"a\":1}   ";
+        for length in 7..=10 {
+            let missing = (4 - length % 4) % 4;
+            for padding in [0, missing] {
+                for more in [&b"\x01\x02\x03\x04"[..], b"\x01\x02\x03"] {
+                    let bytes = file(&[
+                        (JSON_CHUNK, &json[..length], padding),
+                        (b"MORE", &[0; 4], 0),
+                        (BINARY_CHUNK, more, 0),
+                    ]);
+                    // A chunk of an unknown kind is only found at a multiple of 4.
+                    if padding != missing {
+                        continue;
+                    }
+                    let mut warnings = Warnings::default();
+                    let (found, binary) = chunks(&bytes, &mut warnings).unwrap();
+                    assert_eq!((found, binary), (&json[..length], Some(more)), "{length} {padding}");
+                }
+                let bytes = file(&[(JSON_CHUNK, &json[..length], padding), (BINARY_CHUNK, &[7; 5], 0)]);
+                let mut warnings = Warnings::default();
+                let (found, binary) = chunks(&bytes, &mut warnings).unwrap();
+                assert_eq!((found, binary), (&json[..length], Some(&[7; 5][..])), "{length} {padding}");
+                let count = 1 + usize::from(missing > 0);
+                assert_eq!(warnings.into_list().len(), count, "{length} {padding}");
+            }
+        }
+    }
 }

@@ -14,10 +14,27 @@ pub(crate) struct JsonNode<'a> {
 /// Parses the document.
 pub(crate) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    serde_json::from_slice(bytes).map_err(|error| {
+    let mut root = serde_json::from_slice(bytes).map_err(|error| {
         let line = error.line() as u64;
         Fault::at_line(line, format!("the JSON is not well-formed: {error}"))
-    })
+    })?;
+    drop_nulls(&mut root);
+    Ok(root)
+}
+
+/// Removes members that are null, as some writers say that there is none, but not from `extras`, which belong
+/// to the user. The parser limits the depth.
+fn drop_nulls(value: &mut Value) {
+    match value {
+        Value::Array(entries) => entries.iter_mut().for_each(drop_nulls),
+        Value::Object(members) => {
+            if members.values().any(Value::is_null) {
+                members.retain(|_, value| !value.is_null());
+            }
+            members.iter_mut().filter(|(key, _)| *key != "extras").for_each(|(_, value)| drop_nulls(value));
+        }
+        _ => {}
+    }
 }
 
 impl<'a> JsonNode<'a> {

@@ -45,6 +45,7 @@ mod primitive;
 mod read_scene;
 mod references;
 mod rest_pose;
+mod shapes;
 #[cfg_attr(
     not(all(feature = "pieces", not(target_family = "wasm"))),
     expect(dead_code, reason = "only files in pieces are read by several threads")
@@ -76,6 +77,7 @@ pub(crate) mod parts {
     pub(crate) use super::partial::{TriangleCount, TriangleRuns};
     pub(crate) use super::primitive::{Primitive, document_fault};
     pub(crate) use super::rest_pose::RestPose;
+    pub(crate) use super::shapes::{check_triangles, left_out};
     pub(crate) use super::shared_cache::{SharedCache, UnpackedCache};
 }
 
@@ -92,6 +94,7 @@ use crate::report::Warnings;
 use crate::{Format, MeshData, Scene, Source};
 use buffers::Buffers;
 use document::{Document, check_requirements};
+use shapes::{check_triangles, left_out};
 
 /// Reads a mesh from the bytes of a glTF or GLB file.
 pub(crate) fn read(
@@ -100,7 +103,12 @@ pub(crate) fn read(
     source: &Source<'_>,
     warnings: &mut Warnings,
 ) -> Result<IndexedMesh, Fault> {
-    with_document(bytes, format, source, |document| assemble::mesh_of(document, warnings))
+    with_document(bytes, format, source, warnings, |document, warnings| {
+        let mesh = assemble::mesh_of(document, warnings)?;
+        check_triangles(document, mesh.triangles.is_empty())?;
+        left_out(document, warnings)?;
+        Ok(mesh)
+    })
 }
 
 /// Reads a scene from the bytes of a glTF or GLB file.
@@ -110,7 +118,11 @@ pub(crate) fn read_scene(
     source: &Source<'_>,
     warnings: &mut Warnings,
 ) -> Result<Scene, Fault> {
-    with_document(bytes, format, source, |document| read_scene::scene_of(document, warnings))
+    with_document(bytes, format, source, warnings, |document, warnings| {
+        let scene = read_scene::scene_of(document, warnings)?;
+        check_triangles(document, scene.meshes().iter().flatten().next().is_none())?;
+        Ok(scene)
+    })
 }
 
 /// Reads an accessor of a scene's document: the numbers, and how many of them each element has.
@@ -131,7 +143,7 @@ pub(crate) fn mesh_data(
     source: &Source<'_>,
     extension: &str,
 ) -> Result<Vec<Option<MeshData>>, Fault> {
-    with_document(bytes, format, source, |document| {
+    with_document(bytes, format, source, &mut Warnings::default(), |document, _| {
         let mesh_data = |mesh: &json::JsonNode<'_>| {
             let Some(at) = mesh.get("extensions").and_then(|at| at.get(extension)) else { return Ok(None) };
             let view = at.required_unsigned("bufferView")?;
@@ -147,10 +159,11 @@ fn with_document<T>(
     bytes: &[u8],
     format: Format,
     source: &Source<'_>,
-    read: impl FnOnce(&Document<'_>) -> Result<T, Fault>,
+    warnings: &mut Warnings,
+    read: impl FnOnce(&Document<'_>, &mut Warnings) -> Result<T, Fault>,
 ) -> Result<T, Fault> {
     let (json, chunk) = match format {
-        Format::Glb => container::chunks(bytes)?,
+        Format::Glb => container::chunks(bytes, warnings)?,
         _ => (bytes, None),
     };
     let root = json::parse(json)?;
@@ -158,7 +171,7 @@ fn with_document<T>(
     check_requirements(&at)?;
     let buffers = Buffers::load(&at, source, read_whole)?;
     let document = Document::new((&root, json.len()), (&buffers, chunk), *source)?;
-    read(&document)
+    read(&document, warnings)
 }
 
 /// Reads a file from its beginning to its end.

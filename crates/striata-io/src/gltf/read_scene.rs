@@ -12,7 +12,8 @@ use super::extensions::are_all_carried;
 use super::json::JsonNode;
 use super::primitive::Primitive;
 use super::references::{entries, has_triangles};
-use crate::error::Fault;
+use crate::error::{Fault, Place};
+use crate::repair::repair;
 use crate::report::Warnings;
 use crate::scene::{Scene, SceneParts, number_materials};
 
@@ -35,8 +36,10 @@ pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Resu
     };
     let mut used_bytes = 0;
     let meshes = document.root.entries("meshes")?;
-    let meshes: Vec<Option<IndexedMesh>> =
-        meshes.iter().map(|mesh| triangles_of(document, mesh, &mut used_bytes)).collect::<Result<_, _>>()?;
+    let meshes: Vec<Option<IndexedMesh>> = meshes
+        .iter()
+        .map(|mesh| triangles_of(document, mesh, &mut used_bytes, warnings))
+        .collect::<Result<_, _>>()?;
     let is_geometry: Vec<bool> = meshes.iter().map(Option::is_some).collect();
     // An unknown extension may refer to accessors or buffer views by their numbers.
     let keeps_numbers = !are_all_carried(document.root.value);
@@ -63,6 +66,7 @@ fn triangles_of(
     document: &Document<'_>,
     mesh: &JsonNode<'_>,
     used_bytes: &mut u64,
+    warnings: &mut Warnings,
 ) -> Result<Option<IndexedMesh>, Fault> {
     let mut primitives = Vec::new();
     for at in mesh.entries("primitives")? {
@@ -74,7 +78,12 @@ fn triangles_of(
         return Ok(None);
     }
     // Files may store the vertices of all meshes together, so that each mesh uses a part of them.
-    let mut mesh = mesh_of_primitives(document, primitives, used_bytes)?.without_unused_vertices();
+    let mut whole = mesh_of_primitives(document, primitives, used_bytes)?;
+    let mut found = Warnings::of_file(warnings.file());
+    repair(&mut whole, &mut found);
+    found.set_place(&Place::Json(mesh.path.clone()));
+    warnings.append(found);
+    let mut mesh = whole.without_unused_vertices();
     let shows_something = mesh.triangles.iter().any(|triangle| {
         let [a, b, c] = triangle.map(|vertex| mesh.positions[vertex as usize]);
         a != b && b != c && c != a

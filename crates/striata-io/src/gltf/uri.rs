@@ -35,10 +35,10 @@ fn media_type(kind: &str) -> String {
 
 /// Decodes base64 of either alphabet, in one line or in several.
 fn from_base64(text: &str) -> Result<Vec<u8>, String> {
-    let is_unusual = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b'-' | b'_');
+    let is_unusual = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b'-' | b'_' | b'%');
     let content = match text.bytes().any(|byte| is_unusual(&byte)) {
         false => Cow::Borrowed(text.as_bytes()),
-        true => text.bytes().filter(|byte| !byte.is_ascii_whitespace()).map(usual_digit).collect(),
+        true => percent_decode_str(text).filter(|byte| !byte.is_ascii_whitespace()).map(usual_digit).collect(),
     };
     TOLERANT.decode(&content).map_err(|error| format!("the base64 data are malformed: {error}"))
 }
@@ -78,6 +78,8 @@ mod tests {
         }
         assert_eq!(data("data:;base64,-_-_").unwrap(), data("data:;base64,+/+/").unwrap());
         assert_eq!(data("data:text/plain;charset=x,a%20b").unwrap().unwrap().0, b"a b");
+        let escaped = data("data:;base64,YW55IGNh%0Acm5hbCBwbGVhcw%3D%3D").unwrap().unwrap();
+        assert_eq!(escaped.0, b"any carnal pleas");
         for broken in ["data:;base64,A", "data:;base64,AB*D", "data:nothing"] {
             assert!(data(broken).unwrap().is_err(), "{broken}");
         }

@@ -38,6 +38,9 @@ impl From<Fault> for SceneError {
         match fault {
             Fault::Malformed(place, reason) => Self { place, reason },
             Fault::Unsupported(place, what) => Self { place, reason: format!("{what} cannot be read") },
+            Fault::NoTriangles(found) => {
+                Self { place: Place::File, reason: format!("{found} and no triangles") }
+            }
             Fault::Extension(name) => Self { place: Place::File, reason: format!("requires {name}") },
             Fault::FeatureOff { what, .. } => Self { place: Place::File, reason: what.to_owned() },
         }

@@ -22,7 +22,7 @@ use self::outline::Outline;
 use super::input::Input;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::error::{Fault, Place};
-use crate::gltf::parts::{SharedCache, appearance};
+use crate::gltf::parts::{SharedCache, appearance, check_triangles, left_out};
 use crate::report::Warnings;
 use crate::{Format, ReadError};
 
@@ -45,10 +45,13 @@ impl GltfPieces {
     pub(crate) fn open(input: Input, format: Format, options: &PieceOptions) -> Result<Self, ReadError> {
         let piece_size = options.piece_size().min(MAX_PIECE_SIZE);
         let mut warnings = Warnings::of_file(&input.name);
-        let opened = OpenedDocument::open(input, format)?;
+        let opened = OpenedDocument::open(input, format, &mut warnings)?;
         let outline = Outline::of(&opened, piece_size);
         let read = outline.and_then(|outline| {
-            let appearance = appearance(&opened.document()?, &mut warnings)?;
+            let document = opened.document()?;
+            let appearance = appearance(&document, &mut warnings)?;
+            check_triangles(&document, outline.triangle_count == 0)?;
+            left_out(&document, &mut warnings)?;
             Ok((outline, appearance))
         });
         let (mut outline, appearance) = read.map_err(|fault| fault.in_file(opened.name()))?;

@@ -9,6 +9,7 @@ use crate::gltf::parts::{
     Buffers, Document, JsonNode, UnpackedCache, check_requirements, chunk_ranges, parse,
 };
 use crate::pieces::input::{Input, Mapped};
+use crate::report::Warnings;
 use crate::{Format, ReadError};
 
 /// Largest number of elements of an accessor; what they take is compared with the buffers anyway.
@@ -28,10 +29,10 @@ pub(super) struct OpenedDocument {
 
 impl OpenedDocument {
     /// Parses the document and maps its buffers.
-    pub(super) fn open(input: Input, format: Format) -> Result<Self, ReadError> {
+    pub(super) fn open(input: Input, format: Format, warnings: &mut Warnings) -> Result<Self, ReadError> {
         let in_file = |fault: Fault| fault.in_file(&input.name);
         let (json, chunk) = match format {
-            Format::Glb => chunk_ranges(&input.bytes).map_err(in_file)?,
+            Format::Glb => chunk_ranges(&input.bytes, warnings).map_err(in_file)?,
             _ => (0..input.bytes.len(), None),
         };
         let json_bytes = json.len();
