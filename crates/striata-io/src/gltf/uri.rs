@@ -38,7 +38,9 @@ fn from_base64(text: &str) -> Result<Vec<u8>, String> {
     let is_unusual = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b'-' | b'_' | b'%');
     let content = match text.bytes().any(|byte| is_unusual(&byte)) {
         false => Cow::Borrowed(text.as_bytes()),
-        true => percent_decode_str(text).filter(|byte| !byte.is_ascii_whitespace()).map(usual_digit).collect(),
+        true => {
+            percent_decode_str(text).filter(|byte| !byte.is_ascii_whitespace()).map(usual_digit).collect()
+        }
     };
     TOLERANT.decode(&content).map_err(|error| format!("the base64 data are malformed: {error}"))
 }

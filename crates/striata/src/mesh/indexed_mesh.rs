@@ -307,8 +307,11 @@ impl IndexedMesh {
             new_index[vertex] = order.len() as u32;
             order.push(vertex as u32);
         }
-        let triangles = self.triangles.iter().copied().filter(is_kept).collect();
-        let kept = Self { triangles, groups, ..self.clone() };
+        let kept = (0..self.triangles.len() as u32).filter(|&t| is_kept(&self.triangles[t as usize]));
+        let kept: Vec<u32> = kept.collect();
+        let triangles = kept.iter().map(|&t| self.triangles[t as usize]).collect();
+        let triangle_layers = self.triangle_layers.iter().map(|layer| layer.gather(&kept)).collect();
+        let kept = Self { triangles, triangle_layers, groups, ..self.clone() };
         kept.gather(&order, &new_index)
     }
 
