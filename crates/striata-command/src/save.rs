@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use striata::mesh::IndexedMesh;
 use striata_io::{
-    FileBatch, Format, Scene, WriteOptions, scene_to_file_bytes, to_file_bytes, write_atomically,
+    EncodedMesh, FileBatch, Format, Scene, WriteOptions, encode_mesh, encode_scene, write_atomically,
 };
 
 use crate::args::{FormatArg, FormatArgs};
 use crate::failure::Failure;
-use crate::output::to_stdout;
+use crate::output::{Output, to_stdout};
 use crate::shapes::Shape;
 
 /// Whether the path is `-`, which stands for stdout (or stdin).
@@ -73,16 +73,16 @@ pub enum Primitives {
     Fans(Vec<Vec<Vec<u32>>>),
 }
 
-/// Returns the contents of the file that a mesh is written to.
+/// Returns the contents of the files that a mesh is written to, and warns of what the format cannot store.
 ///
 /// # Errors
 /// If the format cannot represent the mesh.
-fn bytes_of(
+fn encoded(
     mesh: &IndexedMesh,
     primitives: Primitives,
     path: &Path,
-    args: &FormatArgs,
-) -> Result<Vec<u8>, Failure> {
+    (args, output): (&FormatArgs, &Output),
+) -> Result<EncodedMesh, Failure> {
     let format = format_of(path, args)?;
     let mut options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
     match primitives {
@@ -90,18 +90,40 @@ fn bytes_of(
         Primitives::Strips(strips) => options = options.with_strips(strips),
         Primitives::Fans(fans) => options = options.with_fans(fans),
     }
-    Ok(to_file_bytes(path, format, mesh, &options)?)
+    with_warnings(encode_mesh(format, mesh, &options, folder_path(path))?, output)
 }
 
-/// Returns the contents of the file that a scene is written to: glTF keeps it as it is; other formats get one
-/// mesh.
+/// Returns the path whose folder gets images and material libraries; those of stdout get none.
+fn folder_path(path: &Path) -> Option<&Path> {
+    (!is_stdout(path)).then_some(path)
+}
+
+fn with_warnings(encoded: EncodedMesh, output: &Output) -> Result<EncodedMesh, Failure> {
+    encoded.warnings.iter().for_each(|warning| output.say(&format!("warning: {warning}")));
+    Ok(encoded)
+}
+
+/// Returns the contents of the files that a scene is written to: glTF keeps it as it is; other formats get one
+/// mesh. Warns of what the format cannot store.
 ///
 /// # Errors
 /// If the format cannot represent the scene.
-pub fn bytes_of_scene(scene: &Scene, path: &Path, args: &FormatArgs) -> Result<Vec<u8>, Failure> {
+fn encoded_scene(
+    scene: &Scene,
+    path: &Path,
+    (args, output): (&FormatArgs, &Output),
+) -> Result<EncodedMesh, Failure> {
     let format = format_of(path, args)?;
     let options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
-    Ok(scene_to_file_bytes(path, format, scene, &options)?)
+    with_warnings(encode_scene(format, scene, &options, folder_path(path))?, output)
+}
+
+/// Writes a scene to a file or to stdout.
+///
+/// # Errors
+/// If the format cannot represent the scene or writing fails; existing files are then left unchanged.
+pub fn write_scene(scene: &Scene, path: &Path, args: &FormatArgs, output: &Output) -> Result<(), Failure> {
+    write_encoded(&encoded_scene(scene, path, (args, output))?, path)
 }
 
 /// Writes a mesh to a file or to stdout.
@@ -112,9 +134,17 @@ pub fn write_mesh(
     mesh: &IndexedMesh,
     primitives: Primitives,
     path: &Path,
-    args: &FormatArgs,
+    (args, output): (&FormatArgs, &Output),
 ) -> Result<(), Failure> {
-    write_bytes(&bytes_of(mesh, primitives, path, args)?, path)
+    write_encoded(&encoded(mesh, primitives, path, (args, output))?, path)
+}
+
+/// Writes a file with its companions, or the file alone to stdout.
+fn write_encoded(encoded: &EncodedMesh, path: &Path) -> Result<(), Failure> {
+    if is_stdout(path) {
+        return to_stdout(&encoded.bytes);
+    }
+    Ok(encoded.write(path)?)
 }
 
 /// Writes bytes to a file, atomically, or to stdout.
@@ -133,14 +163,15 @@ pub fn write_bytes(bytes: &[u8], path: &Path) -> Result<(), Failure> {
 #[derive(Debug)]
 pub struct LevelFiles<'a> {
     format: &'a FormatArgs,
+    output: &'a Output,
     /// The files written so far, if there are several levels.
     batch: Option<FileBatch>,
 }
 
 impl<'a> LevelFiles<'a> {
     /// Starts without any files.
-    pub fn new(format: &'a FormatArgs, has_several: bool) -> Self {
-        Self { format, batch: has_several.then(FileBatch::default) }
+    pub fn new(format: &'a FormatArgs, has_several: bool, output: &'a Output) -> Self {
+        Self { format, output, batch: has_several.then(FileBatch::default) }
     }
 
     /// Writes a level; one of several is visible under its name only after [`commit`](Self::commit).
@@ -148,7 +179,7 @@ impl<'a> LevelFiles<'a> {
     /// # Errors
     /// If the format cannot represent the mesh or writing fails.
     pub fn write(&mut self, mesh: &IndexedMesh, primitives: Primitives, path: &Path) -> Result<(), Failure> {
-        self.write_contents(&bytes_of(mesh, primitives, path, self.format)?, path)
+        self.write_contents(&encoded(mesh, primitives, path, (self.format, self.output))?, path)
     }
 
     /// Writes a level of a scene, like [`write`](Self::write).
@@ -156,13 +187,13 @@ impl<'a> LevelFiles<'a> {
     /// # Errors
     /// If the format cannot represent the scene or writing fails.
     pub fn write_scene(&mut self, scene: &Scene, path: &Path) -> Result<(), Failure> {
-        self.write_contents(&bytes_of_scene(scene, path, self.format)?, path)
+        self.write_contents(&encoded_scene(scene, path, (self.format, self.output))?, path)
     }
 
-    fn write_contents(&mut self, bytes: &[u8], path: &Path) -> Result<(), Failure> {
+    fn write_contents(&mut self, encoded: &EncodedMesh, path: &Path) -> Result<(), Failure> {
         match &mut self.batch {
-            Some(batch) => Ok(batch.write(path, |out| out.write_all(bytes))?),
-            None => write_bytes(bytes, path),
+            Some(batch) => Ok(encoded.stage(path, batch)?),
+            None => write_encoded(encoded, path),
         }
     }
 

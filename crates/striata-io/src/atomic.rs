@@ -83,6 +83,23 @@ impl FileBatch {
         Ok(())
     }
 
+    /// Writes a file that several others may share: it is written once.
+    ///
+    /// # Errors
+    /// Returns the errors of [`write`](Self::write), or [`WriteError::Io`] if a file with other contents was
+    /// written to the same path.
+    pub fn write_shared(&mut self, path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+        let Some(known) = self.staged.iter().find(|staged| staged.path == path) else {
+            return self.write(path, |out| out.write_all(bytes));
+        };
+        let error = match fs::read(&known.file) {
+            Ok(found) if found == bytes => return Ok(()),
+            Ok(_) => io::Error::other("two outputs need different files of this name"),
+            Err(error) => error,
+        };
+        Err(WriteError::Io { file: path.display().to_string(), source: error })
+    }
+
     /// Renames all files to their targets.
     ///
     /// # Errors

@@ -225,7 +225,7 @@ pub enum WriteError {
 
 impl WriteError {
     /// Replaces the name of the file.
-    #[cfg(all(feature = "gltf", not(target_family = "wasm")))]
+    #[cfg(feature = "gltf")]
     pub(crate) fn in_file(self, name: &str) -> Self {
         let file = name.to_owned();
         match self {

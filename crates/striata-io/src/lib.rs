@@ -53,8 +53,12 @@
 //!   it if the source is a path, or [`Source::outside_allowed`] is set. A link that leads out of the folder is
 //!   never followed, and nothing absolute is read. What is missing is a [`Warning`] that says why, except for
 //!   buffers of glTF, without which there is no mesh.
-//! * **Data that a format cannot store** are left out (layers in OBJ, STL and OFF; groups in PLY and STL),
-//!   or refused with a reason if the file would be wrong (NaN or 32-bit identifiers above 2^24 in glTF).
+//! * **Materials and images are written next to OBJ and PLY** ([`encode_mesh`]): an OBJ gets a library of its
+//!   own name, a PLY `comment TextureFile`. Images are referred to if they lie there already, otherwise
+//!   written; no different file is replaced.
+//! * **Data that a format cannot store** are left out with a warning each (layers, materials, names of
+//!   groups), or refused with a reason if the file would be wrong (NaN or 32-bit identifiers above 2^24 in
+//!   glTF).
 //!
 //! On wasm there are no files: functions that take a path are left out; [`read_bytes`] and [`to_bytes`]
 //! remain.
@@ -80,6 +84,7 @@ mod color_space;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod companions;
 mod compressed;
+mod encoded;
 mod error;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod file_view;
@@ -88,10 +93,14 @@ mod format;
 mod gltf;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod gltf_json;
+#[cfg(any(feature = "ply", feature = "obj"))]
+mod image_files;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod images;
 #[cfg(not(target_family = "wasm"))]
 mod lod;
+#[cfg(any(feature = "ply", feature = "obj", feature = "off", feature = "stl"))]
+mod losses;
 mod normals;
 #[cfg(feature = "obj")]
 mod obj;
@@ -123,6 +132,7 @@ pub use atomic::{FileBatch, write_atomically};
 pub use blocks::{StripSpool, TriangleBlocks};
 pub use color_space::{convert_colors, linear_to_srgb_colors, srgb_to_linear_colors};
 pub use compressed::decompressed;
+pub use encoded::{CompanionFile, EncodedMesh, encode_mesh};
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
 #[cfg(not(target_family = "wasm"))]
@@ -133,15 +143,15 @@ pub use read::{read_bytes, read_bytes_with_report};
 pub use report::{ReadReport, Warning};
 #[cfg(feature = "gltf")]
 pub use scene::{
-    MeshData, Scene, SceneError, SceneInstance, SceneParts, SceneWriter, SharedMesh, mesh_data,
+    MeshData, Scene, SceneError, SceneInstance, SceneParts, SceneWriter, SharedMesh, encode_scene, mesh_data,
     read_scene_bytes, scene_to_bytes,
 };
 #[cfg(all(feature = "gltf", not(target_family = "wasm")))]
-pub use scene::{read_scene, scene_to_file_bytes, write_scene};
+pub use scene::{read_scene, write_scene, write_scene_with_report};
 pub use source::Source;
 pub use write::to_bytes;
 #[cfg(not(target_family = "wasm"))]
-pub use write::{to_file_bytes, write};
+pub use write::{write, write_with_report};
 pub use write_options::{QuantizeOptions, WriteOptions};
 
 /// The README's example, compiled with the documentation tests.

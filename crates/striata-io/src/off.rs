@@ -11,6 +11,7 @@ use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
 use crate::report::{Kind, Warnings};
 use crate::text::{Cursor, plain, push_f32, push_one_minus_f32, quoted};
+use crate::{Format, losses};
 
 /// Longest keyword with all its prefixes.
 const MAX_KEYWORD: usize = 16;
@@ -308,6 +309,11 @@ pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Vec<u8> {
     let color = fitting(&Semantic::Color(0), &[3, 4]).map(|layer| byte_colors(layer, warnings));
     let color = color.as_deref();
     let texcoord = fitting(&Semantic::TexCoord(0), &[2]);
+    let kept: Vec<Semantic> =
+        [normal, color, texcoord].into_iter().flatten().map(|layer| layer.semantic.clone()).collect();
+    losses::of_layers(mesh, Format::Off, |layer| kept.contains(&layer.semantic), warnings);
+    losses::of_materials(mesh, Format::Off, warnings);
+    losses::of_group_names(mesh, Format::Off, warnings);
     let mut out = Vec::with_capacity(mesh.positions.len() * 32 + mesh.triangles.len() * 24);
     let prefix = |there: bool, name: &'static str| if there { name } else { "" };
     let counts = format!(

@@ -1,4 +1,5 @@
-//! Warnings of reading: parts of a file that were left out of a mesh, or repaired.
+//! Warnings: parts of a file that were left out of a mesh, or repaired, and parts of a mesh that were left out
+//! of a file.
 
 use std::fmt;
 
@@ -9,7 +10,7 @@ use crate::error::Place;
 /// Largest number of warnings that are kept, so that a hostile file cannot fill the memory with them.
 const MAX_WARNINGS: usize = 100;
 
-/// Remark on what was left out or repaired while a file was read, such as lines that mean nothing.
+/// Remark on what was left out or repaired while a file was read or written, such as lines that mean nothing.
 ///
 /// There is one for each kind, which counts the cases and says where the first is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -209,6 +210,11 @@ impl Warnings {
         }
         kept
     }
+}
+
+/// Shortens a name for a message.
+pub(crate) fn shortened(name: &str) -> String {
+    name.chars().filter(|c| !c.is_control()).take(80).collect()
 }
 
 #[cfg(test)]

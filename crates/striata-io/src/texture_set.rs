@@ -15,6 +15,7 @@ use crate::error::Place;
 use crate::gltf_json::extensions_in;
 use crate::images::{ImageBudget, image_from_afar, media_type};
 use crate::report::Warnings;
+pub(crate) use crate::report::shortened;
 
 /// Wrap mode of samplers.
 const CLAMP_TO_EDGE: u32 = 33071;
@@ -178,9 +179,4 @@ fn to_uri(path: &str) -> String {
     const RESERVED: AsciiSet =
         NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'.').remove(b'_').remove(b'~');
     utf8_percent_encode(path, &RESERVED).to_string()
-}
-
-/// Shortens a name for a message.
-pub(crate) fn shortened(name: &str) -> String {
-    name.chars().filter(|c| !c.is_control()).take(80).collect()
 }

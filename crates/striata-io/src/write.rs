@@ -1,53 +1,50 @@
 //! Writing to a path or to bytes, in any format.
 
-#[cfg(not(target_family = "wasm"))]
 use std::path::Path;
 
 use striata::mesh::IndexedMesh;
 
-#[cfg(not(target_family = "wasm"))]
 use crate::compressed::Compression;
+use crate::encoded::{CompanionFile, encode_mesh};
 use crate::error::Refusal;
-use crate::report::Warnings;
 #[cfg(not(target_family = "wasm"))]
-use crate::write_atomically;
+use crate::report::Warning;
+use crate::report::Warnings;
 use crate::write_options::WriteOptions;
 use crate::{Format, WriteError};
 
 /// Writes a mesh to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.
 ///
-/// The file is written completely or not at all.
+/// OBJ gets a material library next to it, and OBJ and PLY the images of their materials, unless they are
+/// there already. All files are written completely, or none.
 ///
 /// # Errors
 /// Returns [`WriteError`] with the file and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions) -> Result<(), WriteError> {
+    write_with_report(path, mesh, options).map(drop)
+}
+
+/// Writes a mesh like [`write()`], and returns remarks on what the format could not store.
+///
+/// # Errors
+/// Returns [`WriteError`] with the file and the reason.
+#[cfg(not(target_family = "wasm"))]
+pub fn write_with_report(
+    path: impl AsRef<Path>,
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+) -> Result<Vec<Warning>, WriteError> {
     let path = path.as_ref();
     let Some(format) = Format::from_extension(path) else {
         return Err(WriteError::UnknownFormat { file: path.display().to_string() });
     };
-    let bytes = to_file_bytes(path, format, mesh, options)?;
-    write_atomically(path, |out| out.write_all(&bytes))
-}
-
-/// Returns the bytes that [`write()`] puts into a file, in any format: compressed if the name ends in `.gz`
-/// or `.zst`.
-///
-/// # Errors
-/// Returns the errors of [`to_bytes`], with the name of the file.
-#[cfg(not(target_family = "wasm"))]
-pub fn to_file_bytes(
-    path: &Path,
-    format: Format,
-    mesh: &IndexedMesh,
-    options: &WriteOptions,
-) -> Result<Vec<u8>, WriteError> {
-    let file = path.display().to_string();
-    packed_for_name(named_bytes(format, mesh, options, &file)?, &file)
+    let encoded = encode_mesh(format, mesh, options, Some(path))?;
+    encoded.write(path)?;
+    Ok(encoded.warnings)
 }
 
 /// Compresses the bytes of a file if its name ends in `.gz` or `.zst`.
-#[cfg(not(target_family = "wasm"))]
 pub(crate) fn packed_for_name(bytes: Vec<u8>, file: &str) -> Result<Vec<u8>, WriteError> {
     match Compression::from_extension(file) {
         Some(compression) => compress(&bytes, compression, file),
@@ -58,29 +55,35 @@ pub(crate) fn packed_for_name(bytes: Vec<u8>, file: &str) -> Result<Vec<u8>, Wri
 /// Encodes a mesh as the bytes of a file: binary little-endian PLY (or ASCII), OBJ, binary STL, OFF, GLB,
 /// or glTF with everything embedded.
 ///
+/// OBJ and PLY name libraries and images, which are not written; [`encode_mesh`] returns them.
+///
 /// # Errors
 /// Returns [`WriteError`] if the mesh is inconsistent or the format cannot store it.
 pub fn to_bytes(format: Format, mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
-    named_bytes(format, mesh, options, &format.to_string())
+    encode_mesh(format, mesh, options, None).map(|encoded| encoded.bytes)
 }
 
-fn named_bytes(
-    format: Format,
+/// Returns the bytes of a file before compression, and the files that belong next to `path`.
+pub(crate) fn named_bytes(
+    (format, file): (Format, &str),
     mesh: &IndexedMesh,
     options: &WriteOptions,
-    file: &str,
-) -> Result<Vec<u8>, WriteError> {
-    let mut warnings = Warnings::of_file(file);
+    path: Option<&Path>,
+    warnings: &mut Warnings,
+) -> Result<(Vec<u8>, Vec<CompanionFile>), WriteError> {
     check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
+    let mut companions = Vec::new();
+    #[cfg(any(feature = "ply", feature = "obj"))]
+    let mut images = crate::image_files::ImageFiles::new(&mesh.appearance, path);
     let bytes: Result<Vec<u8>, Refusal> = match format {
         #[cfg(feature = "ply")]
-        Format::Ply => crate::ply::to_bytes(mesh, options.ascii, &mut warnings),
+        Format::Ply => crate::ply::to_bytes(mesh, options.ascii, &mut images, warnings),
         #[cfg(feature = "obj")]
-        Format::Obj => Ok(crate::obj::to_bytes(mesh)),
+        Format::Obj => Ok(crate::obj::to_bytes(mesh, path, &mut images, warnings)),
         #[cfg(feature = "stl")]
-        Format::Stl => crate::stl::to_bytes(mesh),
+        Format::Stl => crate::stl::to_bytes(mesh, warnings),
         #[cfg(feature = "off")]
-        Format::Off => Ok(crate::off::to_bytes(mesh, &mut warnings)),
+        Format::Off => Ok(crate::off::to_bytes(mesh, warnings)),
         #[cfg(feature = "gltf")]
         Format::Gltf => crate::gltf::to_json_bytes(mesh, options),
         #[cfg(feature = "gltf")]
@@ -100,7 +103,9 @@ fn named_bytes(
             return Err(WriteError::FeatureOff { file: file.to_owned(), what, feature });
         }
     };
-    bytes.map_err(|refusal| refusal.in_file(file, format))
+    #[cfg(any(feature = "ply", feature = "obj"))]
+    companions.extend(images.into_files());
+    bytes.map(|bytes| (bytes, companions)).map_err(|refusal| refusal.in_file(file, format))
 }
 
 /// Checks what the writers rely on; coordinates may have any value, as in [`IndexedMesh`] itself.
@@ -123,7 +128,7 @@ fn compress(bytes: &[u8], compression: Compression, file: &str) -> Result<Vec<u8
         .map_err(|source| WriteError::Io { file: file.to_owned(), source })
 }
 
-#[cfg(all(not(feature = "compressed"), not(target_family = "wasm")))]
+#[cfg(any(not(feature = "compressed"), target_family = "wasm"))]
 fn compress(_bytes: &[u8], compression: Compression, file: &str) -> Result<Vec<u8>, WriteError> {
     let (file, what) = (file.to_owned(), compression.as_str());
     Err(WriteError::FeatureOff { file, what, feature: "compressed" })

@@ -32,7 +32,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     }
     let mut mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     input.convert_colors(&mut mesh, format);
-    write_mesh(&mesh, Primitives::Triangles, path, &args.format)?;
+    write_mesh(&mesh, Primitives::Triangles, path, (&args.format, output))?;
     let report = Report {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),

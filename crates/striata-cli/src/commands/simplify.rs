@@ -99,7 +99,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
         PlacementArg::Optimal => StepKind::Optimal,
     };
     let coarsening_limit = CoarseningLimit::Simplification(args.sequence.describe_limit(kind));
-    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
     let mut levels = Vec::new();
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
     for request in &requests {

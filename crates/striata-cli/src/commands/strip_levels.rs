@@ -78,7 +78,7 @@ pub(crate) fn run(args: &StripArgs, levels: &[Level], output: &Output) -> Result
     let input = Input::open(&args.input)?;
     let refinable = refinable(&input, &mut bar, output)?;
     let mut follower = Follower::new(args, &refinable, levels, &mut bar)?;
-    let mut files = LevelFiles::new(&format, true);
+    let mut files = LevelFiles::new(&format, true, output);
     let mut reports = Vec::with_capacity(levels.len());
     for (index, level) in levels.iter().enumerate() {
         bar.share("levels", index as f64 / levels.len() as f64);

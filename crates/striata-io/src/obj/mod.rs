@@ -22,6 +22,7 @@ mod corners;
 mod libraries;
 mod materials;
 mod mtl;
+mod mtl_write;
 mod remarks;
 mod texture_statement;
 mod write;

@@ -23,6 +23,7 @@ mod stream;
 pub(crate) mod texcoords;
 pub(crate) mod textures;
 mod write;
+mod write_textures;
 
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use stream::{CopyError, PlyStream};

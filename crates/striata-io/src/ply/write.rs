@@ -1,4 +1,5 @@
-//! PLY writer: all layers, binary little-endian or ASCII. PLY cannot store groups and materials.
+//! PLY writer: all layers, binary little-endian or ASCII, and the images of materials (`write_textures`). PLY
+//! cannot store names of groups, nor anything else of materials.
 
 use std::borrow::{Borrow, Cow};
 use std::collections::BTreeSet;
@@ -7,25 +8,34 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::color_space::byte_colors;
 use crate::error::Refusal;
+use crate::image_files::ImageFiles;
 use crate::report::Warnings;
 use crate::text::{push_f32, push_f64, push_one_minus_f32};
 
 use super::header::Scalar;
 use super::names::{names_of_layers, plain_name};
 use super::texcoords::{has_origin, one_minus_f64, with_bottom_origin};
+use super::write_textures::{FaceTexcoords, WrittenTextures};
 
 /// Encodes a mesh as a PLY file.
-pub(crate) fn to_bytes(mesh: &IndexedMesh, ascii: bool, warnings: &mut Warnings) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn to_bytes(
+    mesh: &IndexedMesh,
+    ascii: bool,
+    images: &mut ImageFiles<'_>,
+    warnings: &mut Warnings,
+) -> Result<Vec<u8>, Refusal> {
+    let textures = WrittenTextures::of(mesh, images, warnings);
+    let texcoords = FaceTexcoords::of(mesh, &textures);
     let layers: Vec<Cow<'_, AttributeLayer>> =
         mesh.layers.iter().map(|layer| byte_colors(layer, warnings)).collect();
     let face_layers: Vec<Cow<'_, AttributeLayer>> =
         mesh.triangle_layers.iter().map(|layer| byte_colors(layer, warnings)).collect();
-    let mut out = header(mesh, (&layers, &face_layers), ascii)?.into_bytes();
+    let mut out = header(mesh, (&layers, &face_layers), &textures, ascii)?.into_bytes();
     if ascii {
-        push_ascii(mesh, &layers, &face_layers, &mut out);
+        push_ascii(mesh, &layers, (&face_layers, texcoords.as_ref()), &mut out);
     } else {
         let layers: Vec<_> = layers.iter().map(|layer| with_bottom_origin(layer)).collect();
-        push_binary(mesh, &layers, &face_layers, &mut out);
+        push_binary(mesh, &layers, (&face_layers, texcoords.as_ref()), &mut out);
     }
     Ok(out)
 }
@@ -46,15 +56,21 @@ fn scalar_of(data: &LayerData) -> Scalar {
 fn header(
     mesh: &IndexedMesh,
     (layers, face_layers): (&[Cow<'_, AttributeLayer>], &[Cow<'_, AttributeLayer>]),
+    textures: &WrittenTextures,
     ascii: bool,
 ) -> Result<String, Refusal> {
     let encoding = if ascii { "ascii" } else { "binary_little_endian" };
     let face_names = names_of(face_layers, true);
     let comments = normalized_comments("normalized_face", face_layers, &face_names);
-    let mut out = vertex_header(layers, &[], encoding, &mesh.positions.len().to_string())?;
+    let names: Vec<&str> = textures.names.iter().map(String::as_str).collect();
+    let mut out = vertex_header(layers, &names, encoding, &mesh.positions.len().to_string())?;
     out.insert_str(out.find("element").unwrap_or(out.len()), &comments);
     out += &format!("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.len());
-    let taken = BTreeSet::from(["vertex_indices", "vertex_index"].map(str::to_owned));
+    if textures.numbers.is_some() {
+        out += "property list uchar float texcoord\nproperty int texnumber\n";
+    }
+    let taken = ["vertex_indices", "vertex_index", "texcoord", "texnumber"];
+    let taken = BTreeSet::from(taken.map(str::to_owned));
     push_properties(face_layers, face_names, taken, &mut out)?;
     out += "end_header\n";
     Ok(out)
@@ -120,7 +136,7 @@ pub(crate) fn vertex_header(
 fn push_binary(
     mesh: &IndexedMesh,
     layers: &[Cow<'_, AttributeLayer>],
-    face_layers: &[Cow<'_, AttributeLayer>],
+    (face_layers, texcoords): (&[Cow<'_, AttributeLayer>], Option<&FaceTexcoords<'_>>),
     out: &mut Vec<u8>,
 ) {
     let bytes_of = |layers: &[Cow<'_, AttributeLayer>]| -> usize {
@@ -134,6 +150,9 @@ fn push_binary(
     for (index, triangle) in mesh.triangles.iter().enumerate() {
         out.push(3);
         out.extend_from_slice(bytemuck::cast_slice(triangle));
+        if let Some(texcoords) = texcoords {
+            texcoords.push_binary(index, triangle, out);
+        }
         push_values(face_layers, index, out);
     }
 }
@@ -162,7 +181,7 @@ fn push_values(layers: &[impl Borrow<AttributeLayer>], index: usize, out: &mut V
 fn push_ascii(
     mesh: &IndexedMesh,
     layers: &[Cow<'_, AttributeLayer>],
-    face_layers: &[Cow<'_, AttributeLayer>],
+    (face_layers, texcoords): (&[Cow<'_, AttributeLayer>], Option<&FaceTexcoords<'_>>),
     out: &mut Vec<u8>,
 ) {
     let flipped: Vec<bool> = layers.iter().map(|layer| has_origin(layer)).collect();
@@ -177,6 +196,9 @@ fn push_ascii(
     }
     for (index, [a, b, c]) in mesh.triangles.iter().enumerate() {
         out.extend_from_slice(format!("3 {a} {b} {c} ").as_bytes());
+        if let Some(texcoords) = texcoords {
+            texcoords.push_ascii(index, [*a, *b, *c], out);
+        }
         push_ascii_values(face_layers, index, None, out);
         out.pop();
         out.push(b'\n');

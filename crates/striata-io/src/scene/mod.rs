@@ -38,9 +38,9 @@ pub use mesh_data::{MeshData, mesh_data};
 #[cfg(not(target_family = "wasm"))]
 pub use read::read_scene;
 pub use read::read_scene_bytes;
-pub use write::scene_to_bytes;
+pub use write::{encode_scene, scene_to_bytes};
 #[cfg(not(target_family = "wasm"))]
-pub use write::{scene_to_file_bytes, write_scene};
+pub use write::{write_scene, write_scene_with_report};
 pub use writer::{SceneWriter, SharedMesh};
 
 use serde_json::Value;

@@ -1,15 +1,15 @@
 //! Writing of scenes: to glTF as a whole, to other formats as one mesh.
 
-#[cfg(not(target_family = "wasm"))]
 use std::path::Path;
 
 use striata::mesh::IndexedMesh;
 
 use super::{Scene, SceneWriter};
 #[cfg(not(target_family = "wasm"))]
+use crate::Warning;
 use crate::write::packed_for_name;
 use crate::write_options::WriteOptions;
-use crate::{Format, ReadError, Source, WriteError, convert_colors, read_bytes, to_bytes};
+use crate::{EncodedMesh, Format, ReadError, Source, WriteError, convert_colors, encode_mesh, read_bytes};
 
 impl Scene {
     /// Returns one mesh of everything that the default scene shows, with all transforms applied, as
@@ -32,14 +32,30 @@ impl Scene {
 /// # Errors
 /// Returns [`WriteError`] if the format cannot store a mesh of the scene.
 pub fn scene_to_bytes(format: Format, scene: &Scene, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
-    match format {
-        Format::Gltf | Format::Glb => SceneWriter::new(scene).to_bytes(format, options),
-        _ => {
-            let mut mesh = scene.flattened()?;
-            convert_colors(&mut mesh, Format::Glb, format);
-            to_bytes(format, &mesh, options)
-        }
+    encode_scene(format, scene, options, None).map(|encoded| encoded.bytes)
+}
+
+/// Encodes a scene as the file at `path`, like [`encode_mesh`].
+///
+/// # Errors
+/// Returns [`WriteError`] if the format cannot store a mesh of the scene.
+pub fn encode_scene(
+    format: Format,
+    scene: &Scene,
+    options: &WriteOptions,
+    path: Option<&Path>,
+) -> Result<EncodedMesh, WriteError> {
+    if !matches!(format, Format::Gltf | Format::Glb) {
+        let mut mesh = scene.flattened()?;
+        convert_colors(&mut mesh, Format::Glb, format);
+        return encode_mesh(format, &mesh, options, path);
     }
+    let bytes = SceneWriter::new(scene).to_bytes(format, options);
+    let bytes = match path.map(|path| path.display().to_string()) {
+        Some(file) => packed_for_name(bytes.map_err(|error| error.in_file(&file))?, &file)?,
+        None => bytes?,
+    };
+    Ok(EncodedMesh { bytes, ..EncodedMesh::default() })
 }
 
 /// Writes a scene to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.
@@ -50,27 +66,24 @@ pub fn scene_to_bytes(format: Format, scene: &Scene, options: &WriteOptions) -> 
 /// Returns [`WriteError`] with the file and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn write_scene(path: impl AsRef<Path>, scene: &Scene, options: &WriteOptions) -> Result<(), WriteError> {
+    write_scene_with_report(path, scene, options).map(drop)
+}
+
+/// Writes a scene like [`write_scene`], and returns remarks on what the format could not store.
+///
+/// # Errors
+/// Returns [`WriteError`] with the file and the reason.
+#[cfg(not(target_family = "wasm"))]
+pub fn write_scene_with_report(
+    path: impl AsRef<Path>,
+    scene: &Scene,
+    options: &WriteOptions,
+) -> Result<Vec<Warning>, WriteError> {
     let path = path.as_ref();
     let Some(format) = Format::from_extension(path) else {
         return Err(WriteError::UnknownFormat { file: path.display().to_string() });
     };
-    let bytes = scene_to_file_bytes(path, format, scene, options)?;
-    crate::write_atomically(path, |out| out.write_all(&bytes))
-}
-
-/// Returns the bytes that [`write_scene`] puts into a file, in any format: compressed if the name ends in
-/// `.gz` or `.zst`.
-///
-/// # Errors
-/// Returns the errors of [`scene_to_bytes`], with the name of the file.
-#[cfg(not(target_family = "wasm"))]
-pub fn scene_to_file_bytes(
-    path: &Path,
-    format: Format,
-    scene: &Scene,
-    options: &WriteOptions,
-) -> Result<Vec<u8>, WriteError> {
-    let file = path.display().to_string();
-    let bytes = scene_to_bytes(format, scene, options).map_err(|error| error.in_file(&file))?;
-    packed_for_name(bytes, &file)
+    let encoded = encode_scene(format, scene, options, Some(path))?;
+    encoded.write(path)?;
+    Ok(encoded.warnings)
 }

@@ -5,13 +5,14 @@
 //! 50 n bytes, and welding, the main work, is done in the same pass. Cost: O(n) expected time, 4 to 8 bytes
 //! of hash table per vertex besides the mesh.
 
-use striata::mesh::IndexedMesh;
+use striata::mesh::{IndexedMesh, Semantic};
 
 use crate::error::{Fault, Place, Refusal};
 use crate::format::is_binary_stl;
 use crate::normals;
 use crate::report::Warnings;
 use crate::text::{plain, trimmed};
+use crate::{Format, losses};
 use text_form::read_ascii;
 
 mod text_form;
@@ -149,7 +150,11 @@ pub(crate) fn position_at(facet: &[u8], at: usize) -> [f32; 3] {
 }
 
 /// Encodes a mesh as a binary STL file; only positions and triangles are kept.
-pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Result<Vec<u8>, Refusal> {
+    // Normals are those of the triangles.
+    losses::of_layers(mesh, Format::Stl, |layer| layer.semantic == Semantic::Normal, warnings);
+    losses::of_materials(mesh, Format::Stl, warnings);
+    losses::of_group_names(mesh, Format::Stl, warnings);
     let count = mesh.triangles.len();
     let mut out = Vec::with_capacity(HEADER_BYTES + FACET_BYTES * count);
     let mut header = [b' '; 80];

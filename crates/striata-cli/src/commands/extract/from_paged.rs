@@ -62,7 +62,7 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
     let targets = targets.collect::<Result<Vec<_>, _>>()?;
     let assembled = file.levels_for(&targets).map_err(failure_of)?;
     let sequence = &assembled.refinable.sequence;
-    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
     let mut reports = Vec::new();
     for (request, target) in requests.iter().zip(targets) {
         let (split_count, stop_reason) = target.resolve(sequence);
@@ -133,7 +133,7 @@ fn finish(
 ) -> Result<(), Failure> {
     let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, triangle_limit), started)?;
     let primitives = primitives_of(args.form, &level.mesh, None)?;
-    write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format)?;
+    write_mesh(&level.mesh, primitives, &view_output_path(args)?, (&args.output.format, output))?;
     let pixels = args.eye.eye.is_some().then_some(level.pixels);
     let report = Report { pages: Some(pages), pixels, ..report };
     output.summary(&report, &report.to_text(pages.step_count))

@@ -82,7 +82,7 @@ pub(super) fn run(
     let are_enough = |decoder: &StreamDecoder| targets.iter().all(|&target| has_level(decoder, target));
     let received = DecodedStream::read(stream, are_enough).map_err(damaged)?;
     let refinable = received.refinable().map_err(damaged)?;
-    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
     let mut reports = Vec::new();
     for (request, &target) in requests.iter().zip(&targets) {
         let (split_count, end) = resolve(target, &received, refinable.sequence.levels());

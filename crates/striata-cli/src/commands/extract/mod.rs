@@ -83,7 +83,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     };
     let resolved = requests.iter().map(resolve).collect::<Result<Vec<_>, _>>()?;
     let split_counts: Vec<usize> = resolved.iter().map(|&(split_count, _)| split_count).collect();
-    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
     let mut reports: Vec<Option<Report>> = requests.iter().map(|_| None).collect();
     let mut sink = |index: usize, extracted: ExtractedLevel| -> Result<(), Failure> {
         let ExtractedLevel { model, mesh, strips, seek_secs } = extracted;

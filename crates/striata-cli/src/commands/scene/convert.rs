@@ -6,7 +6,7 @@ use serde::Serialize;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, format_count, format_noun_count};
-use striata_command::save::{bytes_of_scene, display_name, write_bytes};
+use striata_command::save::{display_name, write_scene};
 use striata_command::scene::with_textures;
 
 use crate::args::ConvertArgs;
@@ -30,7 +30,7 @@ pub(in crate::commands) fn convert(
     output: &Output,
 ) -> Result<(), Failure> {
     let scene = with_textures(input.scene(output)?, args.textures.options().as_ref(), output)?;
-    write_bytes(&bytes_of_scene(&scene, path, &args.format)?, path)?;
+    write_scene(&scene, path, &args.format, output)?;
     let report = Report {
         vertex_count: scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum(),
         triangle_count: scene.triangle_count(),

@@ -210,7 +210,7 @@ fn write_levels(
     if several.lod_chain {
         write_chain(lods, &levels, destination, output)?;
     } else {
-        let mut files = LevelFiles::new(destination.format, several.levels.is_some());
+        let mut files = LevelFiles::new(destination.format, several.levels.is_some(), output);
         // Images are the same in all levels, and re-encoded once.
         let mut scene = with_textures(lods.scene().clone(), destination.textures.as_ref(), output)?;
         for (level, request) in levels.iter().zip(&requests) {

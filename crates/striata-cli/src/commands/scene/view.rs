@@ -8,7 +8,7 @@ use striata_command::args::ViewArgs;
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, check_paths, check_strict, shortfall};
 use striata_command::output::Output;
-use striata_command::save::{bytes_of_scene, display_name, write_bytes};
+use striata_command::save::{display_name, write_scene};
 use striata_command::scene::with_textures;
 use striata_io::Scene;
 use striata_scene::LodScene;
@@ -64,7 +64,7 @@ pub(super) fn extract_view(
         limit.and_then(|limit| shortfall(Target::Triangles(limit), reached, &CoarseningLimit::File));
     check_strict(args.strict, None, shortfall.as_deref())?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
-    write_bytes(&bytes_of_scene(&scene, path, &args.output.format)?, path)?;
+    write_scene(&scene, path, &args.output.format, output)?;
     let level = LevelReport {
         level: None,
         path: display_name(path),

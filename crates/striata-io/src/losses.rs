@@ -1,0 +1,52 @@
+//! Warnings about parts of a mesh that a format cannot store.
+
+use std::collections::BTreeSet;
+
+use striata::mesh::{AttributeLayer, IndexedMesh};
+
+use crate::Format;
+use crate::error::Place;
+use crate::report::{Warnings, shortened};
+
+/// Warns about each layer of vertices that is not kept, and about the data of triangles.
+pub(crate) fn of_layers(
+    mesh: &IndexedMesh,
+    format: Format,
+    is_kept: impl Fn(&AttributeLayer) -> bool,
+    warnings: &mut Warnings,
+) {
+    let layers = mesh.layers.iter().filter(|layer| !is_kept(layer)).map(|layer| (layer, ""));
+    for (layer, whose) in layers.chain(mesh.triangle_layers.iter().map(|layer| (layer, " of triangles"))) {
+        let reason = format!("{format} cannot store the layer {}{whose}; it is left out", layer.semantic);
+        warnings.push(Place::File, reason);
+    }
+}
+
+/// Warns about each material in use that says more than its name.
+pub(crate) fn of_materials(mesh: &IndexedMesh, format: Format, warnings: &mut Warnings) {
+    for material in used_materials(mesh) {
+        let Some(known) = mesh.appearance.materials.get(material) else { continue };
+        let name = shortened(&known.name);
+        warnings.push(Place::File, format!("{format} cannot store the material `{name}`; it is left out"));
+    }
+}
+
+/// Warns about names of groups.
+pub(crate) fn of_group_names(mesh: &IndexedMesh, format: Format, warnings: &mut Warnings) {
+    let names: BTreeSet<&str> =
+        mesh.groups.iter().map(|group| group.name.as_str()).filter(|name| !name.is_empty()).collect();
+    if let Some(first) = names.first() {
+        let (count, first) = (names.len(), shortened(first));
+        let reason = match count {
+            1 => format!("{format} cannot store the group `{first}`; its name is left out"),
+            _ => format!("{format} cannot store {count} groups, such as `{first}`; their names are left out"),
+        };
+        warnings.push(Place::File, reason);
+    }
+}
+
+/// Returns the indices of the materials that groups with triangles have, in order.
+pub(crate) fn used_materials(mesh: &IndexedMesh) -> BTreeSet<usize> {
+    let groups = mesh.groups.iter().filter(|group| group.count > 0);
+    groups.filter_map(|group| group.material).map(|material| material as usize).collect()
+}
