@@ -6,16 +6,17 @@ use libfuzzer_sys::fuzz_target;
 use striata::mesh::IndexedMesh;
 use striata_io::{Format, Source, WriteOptions, read_bytes, to_bytes};
 
-const NAMES: [&str; 9] =
-    ["x.ply", "x.obj", "x.stl", "x.off", "x.gltf", "x.glb", "x.obj.gz", "x.ply.zst", "x"];
-const FORMATS: [Format; 5] = [Format::Ply, Format::Obj, Format::Stl, Format::Off, Format::Glb];
+const NAMES: [&str; 13] = [
+    "x.ply", "x.obj", "x.stl", "x.off", "x.gltf", "x.glb", "x.obj.gz", "x.ply.zst", "x", "x.vtk", "x.vtp",
+    "x.vtu", "x.3mf",
+];
 
 fuzz_target!(|data: &[u8]| {
     let Some((&name, bytes)) = data.split_first() else { return };
     let name = NAMES[usize::from(name) % NAMES.len()];
     let Ok(mesh) = read_bytes(bytes, &Source::new(name)) else { return };
     if mesh.check().is_ok() && mesh.triangle_count() > 0 {
-        FORMATS.into_iter().for_each(|format| write_and_read(format, &mesh));
+        Format::meshes().for_each(|format| write_and_read(format, &mesh));
     }
 });
 

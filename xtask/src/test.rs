@@ -23,6 +23,8 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-io", "stl"),
     ("striata-io", "off"),
     ("striata-io", "gltf"),
+    ("striata-io", "threemf"),
+    ("striata-io", "vtk"),
     ("striata-io", "meshopt"),
     ("striata-io", "draco"),
     ("striata-io", "compressed"),

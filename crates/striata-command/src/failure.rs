@@ -107,6 +107,7 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         let failure = Self::user(error.to_string());
         match error {
+            ReadError::NeedsConversion { hint, .. } => failure.with_hint(hint),
             ReadError::Malformed { place: Place::Byte(_), .. } => {
                 failure.with_hint("the file is damaged or cut off; copy it or export it again")
             }

@@ -76,7 +76,7 @@ impl Input {
         };
         let bytes = unpacked.map_or(raw, Bytes::Owned);
         let Some(format) = Format::detect(bytes.as_slice(), &inner_name) else {
-            return Err(ReadError::UnknownFormat { file: name }.into());
+            return Err(ReadError::unrecognized(&name, bytes.as_slice(), &inner_name).into());
         };
         let folder = (!is_stdin).then(|| folder_of(path));
         let content = FileContent { format, file_bytes, folder, outside_allowed: true, bytes };
@@ -98,7 +98,7 @@ impl Input {
     /// If the format is unknown.
     pub fn of_bytes(name: &str, bytes: Vec<u8>) -> Result<Self, Failure> {
         let Some(format) = Format::detect(&bytes, name) else {
-            return Err(ReadError::UnknownFormat { file: name.to_owned() }.into());
+            return Err(ReadError::unrecognized(name, &bytes, name).into());
         };
         let file_bytes = bytes.len();
         let bytes = Bytes::Owned(bytes);

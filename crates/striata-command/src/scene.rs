@@ -23,7 +23,7 @@ use crate::texture_contrast::texture_contrasts;
 /// How an input stores a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneKind {
-    /// glTF without levels.
+    /// glTF or 3MF without levels.
     Gltf,
     /// glTF with a stream of each mesh, in the extension `STRIATA_lod`.
     GltfWithStreams,
@@ -70,7 +70,7 @@ impl Input {
             (Format::Gltf | Format::Glb, bytes) if self.has_streams(bytes) => {
                 Some(SceneKind::GltfWithStreams)
             }
-            (Format::Gltf | Format::Glb, _) => Some(SceneKind::Gltf),
+            (format, _) if format.has_scenes() => Some(SceneKind::Gltf),
             (Format::Striata, bytes) if is_scene_file(bytes) => Some(SceneKind::File),
             (Format::Stream, bytes) if bytes.starts_with(&SCENE_STREAM_MAGIC) => Some(SceneKind::Stream),
             _ => None,

@@ -1,6 +1,7 @@
 //! Conversion of vertex colors between sRGB and linear light.
 //!
-//! PLY, OBJ and OFF store colors as they are shown (sRGB), by convention. glTF stores them linear. A mesh
+//! PLY, OBJ, OFF and VTK store colors as they are shown (sRGB), by convention. glTF stores them linear, and 3MF is
+//! read and written as glTF. A mesh
 //! does not know where its colors come from, and reading and writing must not change them: a file that is
 //! read and written in its own format keeps every bit. So readers and writers keep the numbers, and whoever
 //! crosses formats converts them: [`convert_colors`] for two formats, [`srgb_to_linear_colors`] and
@@ -28,15 +29,17 @@ enum ColorSpace {
 /// Returns the color space of a format; [`None`] if it has no colors, or keeps those of its source.
 fn color_space(format: Format) -> Option<ColorSpace> {
     match format {
-        Format::Ply | Format::Obj | Format::Off => Some(ColorSpace::Srgb),
-        Format::Gltf | Format::Glb => Some(ColorSpace::Linear),
+        Format::Ply | Format::Obj | Format::Off | Format::Vtk | Format::Vtp | Format::Vtu => {
+            Some(ColorSpace::Srgb)
+        }
+        Format::Gltf | Format::Glb | Format::ThreeMf => Some(ColorSpace::Linear),
         Format::Stl | Format::Striata | Format::Stream => None,
     }
 }
 
 /// Converts the vertex colors of a mesh that was read from one format and will be written to another.
 ///
-/// Colors change only between glTF, whose colors are linear, and PLY, OBJ or OFF, whose colors are sRGB.
+/// Colors change only between glTF, whose colors are linear (and 3MF), and PLY, OBJ, OFF or VTK, whose colors are sRGB.
 /// `.striata` files and streams keep the colors of their source, so nothing changes for them.
 pub fn convert_colors(mesh: &mut IndexedMesh, from: Format, to: Format) {
     match (color_space(from), color_space(to)) {

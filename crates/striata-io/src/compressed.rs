@@ -10,19 +10,25 @@ use crate::ReadError;
 use crate::error::Place;
 
 /// Largest size that a compressed file may unpack to, in bytes.
-#[cfg(feature = "compressed")]
+#[cfg(any(feature = "compressed", feature = "threemf"))]
 const MAX_BYTES: u64 = 4 << 30;
 
 /// Size of the output from which it may be at most [`MAX_RATIO`] times the input, in bytes.
-#[cfg(feature = "compressed")]
+#[cfg(any(feature = "compressed", feature = "threemf"))]
 const RATIO_CHECK_BYTES: u64 = 64 << 20;
 
 /// Largest ratio of output to input; real meshes stay below 200, even flat ones.
-#[cfg(feature = "compressed")]
+#[cfg(any(feature = "compressed", feature = "threemf"))]
 const MAX_RATIO: u64 = 2000;
 
 /// Largest number of nested compressions that are unpacked.
 const MAX_LAYERS: usize = 3;
+
+/// Returns the size to which a compressed file may unpack, in bytes.
+#[cfg(any(feature = "compressed", feature = "threemf"))]
+pub(crate) fn unpacked_limit(input_bytes: u64) -> u64 {
+    MAX_BYTES.min(RATIO_CHECK_BYTES.max(input_bytes.saturating_mul(MAX_RATIO)))
+}
 
 /// Compression of a whole file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +94,7 @@ fn unpack(_bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>
 #[cfg(feature = "compressed")]
 fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>, ReadError> {
     use std::io::Read as _;
-    let limit = MAX_BYTES.min(RATIO_CHECK_BYTES.max(bytes.len() as u64 * MAX_RATIO));
+    let limit = unpacked_limit(bytes.len() as u64);
     let mut out = Vec::new();
     let read = match compression {
         Compression::Gzip => {
@@ -117,7 +123,7 @@ pub(crate) fn unpack_into(
     out: &mut dyn std::io::Write,
 ) -> Result<(), ReadError> {
     use std::io::Read as _;
-    let limit = MAX_BYTES.min(RATIO_CHECK_BYTES.max(bytes.len() as u64 * MAX_RATIO));
+    let limit = unpacked_limit(bytes.len() as u64);
     let mut decoder: Box<dyn std::io::Read + '_> = match compression {
         Compression::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(bytes).take(limit + 1)),
         Compression::Zstd => match zstd::stream::read::Decoder::with_buffer(bytes) {

@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 
 use crate::Format;
+use crate::format::mesh_extensions;
 
 /// Location of an error within a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,6 +14,13 @@ pub enum Place {
     Line(u64),
     /// Byte of a binary file, counted from 0.
     Byte(u64),
+    /// Line of a part of an archive, counted from 1.
+    Part {
+        /// Name of the part.
+        part: String,
+        /// The line.
+        line: u64,
+    },
     /// Path of a value in a JSON document, such as `accessors[3].count`.
     Json(String),
     /// Vertex, in the order of the file, counted from 0.
@@ -30,6 +38,7 @@ impl fmt::Display for Place {
         match self {
             Self::Line(line) => write!(f, "line {line}"),
             Self::Byte(byte) => write!(f, "byte {byte}"),
+            Self::Part { part, line } => write!(f, "{part}, line {line}"),
             Self::Json(path) => f.write_str(path),
             Self::Vertex(vertex) => write!(f, "vertex {vertex}"),
             Self::Triangle(triangle) => write!(f, "triangle {triangle}"),
@@ -52,13 +61,20 @@ pub enum ReadError {
         source: io::Error,
     },
     /// Neither the content nor the extension identifies the file.
-    #[error(
-        "{file}: neither the content nor the extension is that of a mesh file \
-         (.ply .obj .stl .off .gltf .glb)"
-    )]
+    #[error("{file}: neither the content nor the extension is that of a mesh file ({})", mesh_extensions())]
     UnknownFormat {
         /// Name of the file.
         file: String,
+    },
+    /// The file contains no triangles that can be read, but another program can make some of it.
+    #[error("{file}: {found}")]
+    NeedsConversion {
+        /// Name of the file.
+        file: String,
+        /// Description of what the file is.
+        found: String,
+        /// How to convert it.
+        hint: String,
     },
     /// The format is supported, but this build does not include it.
     #[error("{file}: this build cannot read {what}: the feature `{feature}` is off")]
@@ -136,6 +152,28 @@ pub enum ReadError {
     },
 }
 
+impl ReadError {
+    /// Returns the error for a file whose format [`Format::detect`] does not know: [`Self::NeedsConversion`] if it is
+    /// recognized as a file of another program, otherwise [`Self::UnknownFormat`].
+    ///
+    /// `bytes` and `inner_name` are the content and the name without compression.
+    pub fn unrecognized(file: &str, bytes: &[u8], inner_name: &str) -> Self {
+        #[cfg(not(target_family = "wasm"))]
+        if let Some(error) = crate::foreign::error_of(file, bytes, inner_name) {
+            return error;
+        }
+        Self::UnknownFormat { file: file.to_owned() }
+    }
+
+    /// Returns how to make the file readable, if that is known.
+    pub fn hint(&self) -> Option<&str> {
+        match self {
+            Self::NeedsConversion { hint, .. } => Some(hint),
+            _ => None,
+        }
+    }
+}
+
 /// A [`ReadError`] without a file name.
 #[derive(Debug)]
 pub(crate) enum Fault {
@@ -145,6 +183,11 @@ pub(crate) enum Fault {
     Extension(String),
     /// What the file has instead of triangles.
     NoTriangles(String),
+    /// The file has no triangles, but another program can make some of it.
+    NeedsConversion {
+        found: String,
+        hint: &'static str,
+    },
     #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only glTF has parts behind features"))]
     FeatureOff {
         what: &'static str,
@@ -169,6 +212,9 @@ impl Fault {
             Self::Malformed(place, reason) => ReadError::Malformed { file, place, reason },
             Self::Unsupported(place, what) => ReadError::Unsupported { file, place, what },
             Self::NoTriangles(found) => ReadError::NoTriangles { file, found },
+            Self::NeedsConversion { found, hint } => {
+                ReadError::NeedsConversion { file, found, hint: hint.to_owned() }
+            }
             Self::Extension(extension) => ReadError::UnsupportedExtension { file, extension },
             Self::FeatureOff { what, feature } => ReadError::FeatureOff { file, what, feature },
         }
@@ -188,7 +234,7 @@ pub enum WriteError {
         source: io::Error,
     },
     /// The extension belongs to no format that can be written.
-    #[error("{file}: the extension names no mesh format (.ply .obj .stl .off .gltf .glb)")]
+    #[error("{file}: the extension names no mesh format ({})", mesh_extensions())]
     UnknownFormat {
         /// Name of the file.
         file: String,

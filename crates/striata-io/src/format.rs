@@ -21,24 +21,125 @@ pub enum Format {
     Gltf,
     /// glTF 2.0 as one binary file.
     Glb,
+    /// Legacy file of VTK, ASCII or binary.
+    Vtk,
+    /// Poly data of VTK as XML.
+    Vtp,
+    /// Unstructured grid of VTK as XML; only its surface cells are read.
+    Vtu,
+    /// 3D Manufacturing Format, an archive with a scene.
+    ThreeMf,
     /// The striata container: recognized, but not read by this crate.
     Striata,
     /// A bare progressive stream of a mesh or a scene: recognized, but not read by this crate.
     Stream,
 }
 
+/// What is known about a format.
+struct Facts {
+    format: Format,
+    name: &'static str,
+    /// Extensions in lower case; the usual one comes first.
+    extensions: &'static [&'static str],
+    /// Cargo feature with the reader; empty if another crate reads the format.
+    feature: &'static str,
+    media_type: &'static str,
+}
+
+/// All formats, in the order of [`Format`]'s variants.
+const FORMATS: [Facts; 12] = [
+    Facts {
+        format: Format::Ply,
+        name: "PLY",
+        extensions: &["ply"],
+        feature: "ply",
+        media_type: "application/octet-stream",
+    },
+    Facts { format: Format::Obj, name: "OBJ", extensions: &["obj"], feature: "obj", media_type: "model/obj" },
+    Facts { format: Format::Stl, name: "STL", extensions: &["stl"], feature: "stl", media_type: "model/stl" },
+    Facts {
+        format: Format::Off,
+        name: "OFF",
+        extensions: &["off", "coff", "noff", "stoff"],
+        feature: "off",
+        media_type: "application/octet-stream",
+    },
+    Facts {
+        format: Format::Gltf,
+        name: "glTF",
+        extensions: &["gltf"],
+        feature: "gltf",
+        media_type: "model/gltf+json",
+    },
+    Facts {
+        format: Format::Glb,
+        name: "GLB",
+        extensions: &["glb"],
+        feature: "gltf",
+        media_type: "model/gltf-binary",
+    },
+    Facts {
+        format: Format::Vtk,
+        name: "VTK",
+        extensions: &["vtk"],
+        feature: "vtk",
+        media_type: "application/octet-stream",
+    },
+    Facts {
+        format: Format::Vtp,
+        name: "VTP",
+        extensions: &["vtp"],
+        feature: "vtk",
+        media_type: "application/xml",
+    },
+    Facts {
+        format: Format::Vtu,
+        name: "VTU",
+        extensions: &["vtu"],
+        feature: "vtk",
+        media_type: "application/xml",
+    },
+    Facts {
+        format: Format::ThreeMf,
+        name: "3MF",
+        extensions: &["3mf"],
+        feature: "threemf",
+        media_type: "model/3mf",
+    },
+    Facts {
+        format: Format::Striata,
+        name: "striata",
+        extensions: &["striata"],
+        feature: "",
+        media_type: "application/octet-stream",
+    },
+    Facts {
+        format: Format::Stream,
+        name: "striata stream",
+        extensions: &["stri"],
+        feature: "",
+        media_type: "application/octet-stream",
+    },
+];
+
 /// First bytes of a striata container.
 const STRIATA_MAGIC: &[u8] = b"STRIATA\0";
 
 /// Number of bytes of a text file that are examined to recognize it.
-const EXAMINED_BYTES: usize = 4096;
+pub(crate) const EXAMINED_BYTES: usize = 4096;
 
 impl Format {
     /// Detects the format of a file, by its content first and by the extension of its name second.
     ///
     /// Compressed data are not unpacked for this: see [`decompressed`](crate::decompressed).
     pub fn detect(bytes: &[u8], name: &str) -> Option<Self> {
-        Self::from_content(bytes).or_else(|| Self::from_extension(name))
+        Self::from_content(bytes).or_else(|| {
+            #[cfg(not(target_family = "wasm"))]
+            if crate::foreign::is_foreign(bytes) && Self::from_extension(name) != Some(Self::ThreeMf) {
+                return None;
+            }
+            Self::from_extension(name)
+        })
     }
 
     /// Returns the format for a name's extension, ignoring a trailing `.gz` or `.zst`.
@@ -46,36 +147,44 @@ impl Format {
         let mut path = name.as_ref();
         loop {
             let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-            return Some(match extension.as_str() {
-                "ply" => Self::Ply,
-                "obj" => Self::Obj,
-                "stl" => Self::Stl,
-                "off" | "coff" | "noff" | "stoff" => Self::Off,
-                "gltf" => Self::Gltf,
-                "glb" => Self::Glb,
-                "striata" => Self::Striata,
-                "stri" => Self::Stream,
-                "gz" | "zst" => {
-                    path = Path::new(path.file_stem()?);
-                    continue;
-                }
-                _ => return None,
-            });
+            if matches!(extension.as_str(), "gz" | "zst") {
+                path = Path::new(path.file_stem()?);
+                continue;
+            }
+            let known = FORMATS.iter().find(|facts| facts.extensions.contains(&extension.as_str()));
+            return known.map(|facts| facts.format);
         }
+    }
+
+    /// Formats of meshes that this crate reads, if their features are on.
+    pub fn meshes() -> impl Iterator<Item = Self> {
+        FORMATS.iter().filter(|facts| !facts.feature.is_empty()).map(|facts| facts.format)
     }
 
     /// Returns the usual extension, without the dot.
     pub fn extension(self) -> &'static str {
-        match self {
-            Self::Ply => "ply",
-            Self::Obj => "obj",
-            Self::Stl => "stl",
-            Self::Off => "off",
-            Self::Gltf => "gltf",
-            Self::Glb => "glb",
-            Self::Striata => "striata",
-            Self::Stream => "stri",
-        }
+        self.facts().extensions[0]
+    }
+
+    /// Whether files of this format contain scenes: nodes with transforms and materials.
+    pub fn has_scenes(self) -> bool {
+        matches!(self, Self::Gltf | Self::Glb | Self::ThreeMf)
+    }
+
+    /// Returns the media type for HTTP.
+    pub fn media_type(self) -> &'static str {
+        self.facts().media_type
+    }
+
+    /// Returns the name of the format and the cargo feature with its reader and writer.
+    pub(crate) fn name_and_feature(self) -> (&'static str, &'static str) {
+        (self.facts().name, self.facts().feature)
+    }
+
+    fn facts(self) -> &'static Facts {
+        let facts = &FORMATS[self as usize];
+        debug_assert!(facts.format == self, "the table is in the order of the variants");
+        facts
     }
 
     /// Detects the format from the first bytes of a file.
@@ -89,6 +198,9 @@ impl Format {
         if bytes.starts_with(b"glTF") {
             return Some(Self::Glb);
         }
+        if bytes.starts_with(b"PK\x03\x04") && names_model_part(bytes) {
+            return Some(Self::ThreeMf);
+        }
         if bytes.starts_with(b"ply") && bytes.get(3).is_some_and(u8::is_ascii_whitespace) {
             return Some(Self::Ply);
         }
@@ -97,6 +209,17 @@ impl Format {
         }
         let head = &bytes[..bytes.len().min(EXAMINED_BYTES)];
         let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+        if head.starts_with(b"# vtk DataFile Version") {
+            return Some(Self::Vtk);
+        }
+        if text.starts_with(b"<") {
+            let contains = |word: &[u8]| text.windows(word.len()).any(|window| window == word);
+            return match contains(b"<VTKFile") {
+                true if contains(b"\"PolyData\"") => Some(Self::Vtp),
+                true if contains(b"\"UnstructuredGrid\"") => Some(Self::Vtu),
+                _ => None,
+            };
+        }
         let first_line = text
             .split(|&b| b == b'\n' || b == b'\r')
             .map(<[u8]>::trim_ascii)
@@ -112,6 +235,14 @@ impl Format {
             _ => None,
         }
     }
+}
+
+/// Whether an archive has a part like `3D/3dmodel.model`: names are at the end of an archive, and at its start.
+fn names_model_part(bytes: &[u8]) -> bool {
+    const NAME: &[u8] = b".model";
+    const EXAMINED: usize = 64 << 10;
+    let parts = [&bytes[..bytes.len().min(EXAMINED)], &bytes[bytes.len().saturating_sub(EXAMINED)..]];
+    parts.into_iter().any(|part| part.windows(NAME.len()).any(|window| window.eq_ignore_ascii_case(NAME)))
 }
 
 /// Whether a word is `OFF` with any of its prefixes and perhaps a count, such as `STCNOFF`, `4OFF` or `off8`.
@@ -137,30 +268,14 @@ pub(crate) fn is_binary_stl(bytes: &[u8]) -> bool {
 
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Ply => "PLY",
-            Self::Obj => "OBJ",
-            Self::Stl => "STL",
-            Self::Off => "OFF",
-            Self::Gltf => "glTF",
-            Self::Glb => "GLB",
-            Self::Striata => "striata",
-            Self::Stream => "striata stream",
-        })
+        f.write_str(self.facts().name)
     }
 }
 
-/// Returns the names of a format and its cargo feature.
-#[cfg(not(all(feature = "ply", feature = "obj", feature = "stl", feature = "off", feature = "gltf")))]
-pub(crate) fn feature_of(format: Format) -> (&'static str, &'static str) {
-    match format {
-        Format::Ply => ("PLY", "ply"),
-        Format::Obj => ("OBJ", "obj"),
-        Format::Stl => ("STL", "stl"),
-        Format::Off => ("OFF", "off"),
-        Format::Gltf | Format::Glb => ("glTF", "gltf"),
-        Format::Striata | Format::Stream => ("striata container", ""),
-    }
+/// Returns the usual extensions of the formats of meshes, for messages: `.ply .obj`.
+pub(crate) fn mesh_extensions() -> String {
+    let dotted: Vec<String> = Format::meshes().map(|format| format!(".{}", format.extension())).collect();
+    dotted.join(" ")
 }
 
 #[cfg(test)]

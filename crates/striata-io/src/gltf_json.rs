@@ -21,7 +21,7 @@ pub(crate) fn extensions_in(value: &Value, found: &mut BTreeSet<String>) {
 }
 
 /// Returns a number as JSON with the fewest digits that read back as the same `f32`.
-#[cfg(feature = "obj")]
+#[cfg(any(feature = "obj", feature = "threemf"))]
 pub(crate) fn number(value: f32) -> Value {
     let shortest: f64 = value.to_string().parse().unwrap_or(0.0);
     serde_json::Number::from_f64(shortest).map_or(Value::from(0), Value::Number)

@@ -1,4 +1,4 @@
-//! Reads and writes mesh files: PLY, OBJ, STL, OFF and glTF, optionally compressed with gzip or zstd.
+//! Reads and writes mesh files: PLY, OBJ, STL, OFF, glTF, VTK and 3MF, optionally compressed with gzip or zstd.
 //!
 //! ```no_run
 //! let mesh = striata_io::read("bunny.ply")?;
@@ -70,6 +70,8 @@
         feature = "stl",
         feature = "off",
         feature = "gltf",
+        feature = "threemf",
+        feature = "vtk",
         feature = "meshopt",
         feature = "draco"
     )),
@@ -88,6 +90,8 @@ mod encoded;
 mod error;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod file_view;
+#[cfg_attr(target_family = "wasm", allow(dead_code, reason = "left out of web pages, to keep them small"))]
+mod foreign;
 mod format;
 #[cfg(feature = "gltf")]
 mod gltf;
@@ -121,7 +125,11 @@ mod stl;
 mod text;
 #[cfg(any(feature = "ply", feature = "obj"))]
 mod texture_set;
-#[cfg(any(feature = "ply", feature = "obj"))]
+#[cfg(feature = "threemf")]
+mod three_mf;
+#[cfg(feature = "vtk")]
+mod vtk;
+#[cfg(any(feature = "ply", feature = "obj", feature = "threemf"))]
 mod wedges;
 mod write;
 mod write_options;

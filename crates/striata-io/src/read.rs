@@ -62,7 +62,7 @@ pub fn read_bytes_with_report(bytes: &[u8], source: &Source<'_>) -> Result<ReadR
     let (bytes, name) = decompressed(Cow::Borrowed(bytes), source.name)?;
     let file = || source.name.to_owned();
     let Some(format) = Format::detect(&bytes, &name) else {
-        return Err(ReadError::UnknownFormat { file: file() });
+        return Err(ReadError::unrecognized(source.name, &bytes, &name));
     };
     let mut warnings = Warnings::of_file(source.name);
     let mesh: Result<IndexedMesh, Fault> = match format {
@@ -74,18 +74,16 @@ pub fn read_bytes_with_report(bytes: &[u8], source: &Source<'_>) -> Result<ReadR
         Format::Stl => crate::stl::read(&bytes, &mut warnings),
         #[cfg(feature = "off")]
         Format::Off => crate::off::read(&bytes, &mut warnings),
+        #[cfg(feature = "vtk")]
+        Format::Vtk | Format::Vtp | Format::Vtu => crate::vtk::read(&bytes, &mut warnings),
         #[cfg(feature = "gltf")]
         Format::Gltf | Format::Glb => crate::gltf::read(&bytes, format, source, &mut warnings),
+        #[cfg(feature = "threemf")]
+        Format::ThreeMf => crate::three_mf::read(&bytes, &mut warnings),
         Format::Striata | Format::Stream => return Err(ReadError::StriataContainer { file: file() }),
-        #[cfg(not(all(
-            feature = "ply",
-            feature = "obj",
-            feature = "stl",
-            feature = "off",
-            feature = "gltf"
-        )))]
+        #[allow(unreachable_patterns, reason = "in a build with all formats")]
         off => {
-            let (what, feature) = crate::format::feature_of(off);
+            let (what, feature) = off.name_and_feature();
             return Err(ReadError::FeatureOff { file: file(), what, feature });
         }
     };

@@ -102,6 +102,20 @@ impl<'a> Cursor<'a> {
         self.bytes.len() - self.at
     }
 
+    /// Returns the number of bytes read so far.
+    #[cfg(feature = "vtk")]
+    pub(crate) fn offset(&self) -> usize {
+        self.at
+    }
+
+    /// Reads bytes between the texts of a binary file; all that remain if there are fewer.
+    #[cfg(feature = "vtk")]
+    pub(crate) fn take_bytes(&mut self, count: usize) -> &'a [u8] {
+        let start = self.at;
+        self.at = start.saturating_add(count).min(self.bytes.len());
+        &self.bytes[start..self.at]
+    }
+
     /// Creates a fault at the current line.
     #[cold]
     pub(crate) fn fault(&self, reason: impl Into<String>) -> Fault {
@@ -155,7 +169,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Skips blanks, line ends, and comments that begin with `comment` if that is given.
-    #[cfg(any(feature = "ply", feature = "stl", feature = "off"))]
+    #[cfg(any(feature = "ply", feature = "stl", feature = "off", feature = "vtk"))]
     pub(crate) fn skip_lines(&mut self, comment: Option<u8>) {
         loop {
             self.skip_blanks();
@@ -174,7 +188,7 @@ impl<'a> Cursor<'a> {
         matches!(self.peek(), None | Some(b'\n'))
     }
 
-    #[cfg(any(feature = "obj", feature = "stl"))]
+    #[cfg(any(feature = "obj", feature = "stl", feature = "vtk"))]
     pub(crate) fn at_end(&self) -> bool {
         self.at >= self.bytes.len()
     }
@@ -436,7 +450,7 @@ pub(crate) fn quoted(word: &[u8]) -> String {
 }
 
 /// Appends a number as text that reads back as the same `f32`.
-#[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
+#[cfg(any(feature = "ply", feature = "obj", feature = "off", feature = "threemf"))]
 pub(crate) fn push_f32(out: &mut Vec<u8>, value: f32) {
     use std::io::Write as _;
     let magnitude = value.abs();

@@ -53,7 +53,7 @@ pub(crate) fn packed_for_name(bytes: Vec<u8>, file: &str) -> Result<Vec<u8>, Wri
 }
 
 /// Encodes a mesh as the bytes of a file: binary little-endian PLY (or ASCII), OBJ, binary STL, OFF, GLB,
-/// or glTF with everything embedded.
+/// glTF with everything embedded, binary VTK, VTP or VTU, or 3MF in millimeters.
 ///
 /// OBJ and PLY name libraries and images, which are not written; [`encode_mesh`] returns them.
 ///
@@ -88,18 +88,16 @@ pub(crate) fn named_bytes(
         Format::Gltf => crate::gltf::to_json_bytes(mesh, options),
         #[cfg(feature = "gltf")]
         Format::Glb => crate::gltf::to_glb_bytes(mesh, options),
+        #[cfg(feature = "vtk")]
+        Format::Vtk | Format::Vtp | Format::Vtu => crate::vtk::to_bytes(format, mesh),
+        #[cfg(feature = "threemf")]
+        Format::ThreeMf => crate::three_mf::mesh_to_bytes(mesh),
         Format::Striata | Format::Stream => {
             return Err(WriteError::UnknownFormat { file: file.to_owned() });
         }
-        #[cfg(not(all(
-            feature = "ply",
-            feature = "obj",
-            feature = "stl",
-            feature = "off",
-            feature = "gltf"
-        )))]
+        #[allow(unreachable_patterns, reason = "in a build with all formats")]
         off => {
-            let (what, feature) = crate::format::feature_of(off);
+            let (what, feature) = off.name_and_feature();
             return Err(WriteError::FeatureOff { file: file.to_owned(), what, feature });
         }
     };

@@ -50,7 +50,10 @@ pub(crate) fn simplify_error(error: SimplifyError) -> PyErr {
 pub(crate) fn read_error(error: ReadError) -> PyErr {
     match error {
         ReadError::Io { file, source } => os_error(&source, file),
-        other => decode_error(other),
+        other => match other.hint() {
+            Some(hint) => decode_error(format!("{other}\nhint: {hint}")),
+            None => decode_error(other),
+        },
     }
 }
 

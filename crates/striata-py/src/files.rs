@@ -49,16 +49,21 @@ fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(Content, Vec<S
             if let Some(lods) = lods {
                 return Ok((Content::LodScene(LodSceneData { lods }), Vec::new()));
             }
-            let scene = striata_io::read_scene_bytes(&bytes, &source).map_err(read_error)?;
-            let warnings = warning_texts(scene.warnings());
-            Ok((Content::Scene(SceneData::from(scene)), warnings))
+            opened_scene(&bytes, &source)
         }
+        Some(format) if format.has_scenes() => opened_scene(&bytes, &source),
         _ => {
             let report = striata_io::read_bytes_with_report(&bytes, &source).map_err(read_error)?;
             let warnings = warning_texts(&report.warnings);
             Ok((Content::Mesh(MeshData::from(report.mesh)), warnings))
         }
     }
+}
+
+fn opened_scene(bytes: &[u8], source: &Source<'_>) -> Outcome<(Content, Vec<String>)> {
+    let scene = striata_io::read_scene_bytes(bytes, source).map_err(read_error)?;
+    let warnings = warning_texts(scene.warnings());
+    Ok((Content::Scene(SceneData::from(scene)), warnings))
 }
 
 /// Warnings as texts with file and place.

@@ -88,13 +88,17 @@ fn patterns(mesh: &IndexedMesh) -> Result<Option<Vec<u8>>, Box<dyn Error>> {
 }
 
 /// The index of each format's extension in the list of `read_bytes`.
-const FORMATS: [(u8, Format); 6] = [
+const FORMATS: [(u8, Format); 10] = [
     (0, Format::Ply),
     (1, Format::Obj),
     (2, Format::Stl),
     (3, Format::Off),
     (4, Format::Gltf),
     (5, Format::Glb),
+    (9, Format::Vtk),
+    (10, Format::Vtp),
+    (11, Format::Vtu),
+    (12, Format::ThreeMf),
 ];
 
 fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<dyn Error>> {

@@ -26,8 +26,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.format)?;
     let input = paged::open_input(&args.input, usize::MAX)?;
-    let is_gltf = matches!(format, Format::Gltf | Format::Glb);
-    if is_gltf && input.scene_kind().is_some() && !args.scene.flat {
+    if format.has_scenes() && input.scene_kind().is_some() && !args.scene.flat {
         return scene::convert(args, &input, (path, format.extension()), output);
     }
     let mut mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;

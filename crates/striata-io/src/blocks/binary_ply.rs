@@ -53,7 +53,7 @@ impl BinaryPly {
                 Self::of_pieces(&Repaired::new(GltfPieces::open(input, format, &options)?), scratch)
             }
             Some(format) => Err(refused(&format!("the format {format}"))),
-            None => Err(ReadError::UnknownFormat { file: input.name }),
+            None => Err(ReadError::unrecognized(&input.name, &input.bytes, &input.inner_name)),
         }
     }
 

@@ -42,6 +42,7 @@ impl From<Fault> for SceneError {
                 Self { place: Place::File, reason: format!("{found} and no triangles") }
             }
             Fault::Extension(name) => Self { place: Place::File, reason: format!("requires {name}") },
+            Fault::NeedsConversion { found, .. } => Self { place: Place::File, reason: found },
             Fault::FeatureOff { what, .. } => Self { place: Place::File, reason: what.to_owned() },
         }
     }

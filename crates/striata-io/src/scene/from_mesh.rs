@@ -61,7 +61,7 @@ fn group_by_material(mesh: &mut IndexedMesh) {
 }
 
 /// Returns the entry of a group, whose attributes have no accessors yet.
-fn primitive(mesh: &IndexedMesh, group: &TriangleGroup) -> Value {
+pub(crate) fn primitive(mesh: &IndexedMesh, group: &TriangleGroup) -> Value {
     let mut attributes = Map::from_iter([("POSITION".to_owned(), Value::Null)]);
     let mut targets: Vec<Value> = Vec::new();
     for layer in &mesh.layers {

@@ -32,7 +32,7 @@ mod write;
 mod writer;
 
 pub use error::SceneError;
-pub(crate) use from_mesh::number_materials;
+pub(crate) use from_mesh::{number_materials, primitive};
 pub use instances::SceneInstance;
 pub use mesh_data::{MeshData, mesh_data};
 #[cfg(not(target_family = "wasm"))]

@@ -36,6 +36,13 @@ pub fn read_scene_bytes(bytes: &[u8], source: &Source<'_>) -> Result<Scene, Read
             let scene = scene.map_err(|fault| fault.in_file(source.name))?;
             Ok(scene.with_warnings(warnings.into_list()))
         }
+        #[cfg(feature = "threemf")]
+        Some(Format::ThreeMf) => {
+            let mut warnings = Warnings::of_file(source.name);
+            let scene = crate::three_mf::read_scene(&unpacked, &mut warnings);
+            let scene = scene.map_err(|fault| fault.in_file(source.name))?;
+            Ok(scene.with_warnings(warnings.into_list()))
+        }
         format => {
             let ReadReport { mut mesh, warnings } =
                 read_bytes_with_report(&unpacked, &Source { name: &name, ..*source })?;

@@ -26,7 +26,8 @@ impl Scene {
     }
 }
 
-/// Encodes a scene as the bytes of a file: glTF and GLB keep everything; other formats get one mesh, with
+/// Encodes a scene as the bytes of a file: glTF and GLB keep everything, 3MF the meshes with
+/// their instances and colors; other formats get one mesh, with
 /// vertex colors as the format has them.
 ///
 /// # Errors
@@ -45,12 +46,19 @@ pub fn encode_scene(
     options: &WriteOptions,
     path: Option<&Path>,
 ) -> Result<EncodedMesh, WriteError> {
-    if !matches!(format, Format::Gltf | Format::Glb) {
+    if !format.has_scenes() {
         let mut mesh = scene.flattened()?;
         convert_colors(&mut mesh, Format::Glb, format);
         return encode_mesh(format, &mesh, options, path);
     }
-    let bytes = SceneWriter::new(scene).to_bytes(format, options);
+    let bytes = match format {
+        #[cfg(feature = "threemf")]
+        Format::ThreeMf => {
+            let bytes = crate::three_mf::scene_to_bytes(scene);
+            bytes.map_err(|refusal| refusal.in_file(&format.to_string(), format))
+        }
+        _ => SceneWriter::new(scene).to_bytes(format, options),
+    };
     let bytes = match path.map(|path| path.display().to_string()) {
         Some(file) => packed_for_name(bytes.map_err(|error| error.in_file(&file))?, &file)?,
         None => bytes?,

@@ -33,7 +33,7 @@ def open(path: Path) -> Any:
     Parameters
     ----------
     path : str or path-like
-        PLY, OBJ, STL, OFF, glTF, GLB, ``.striata`` or ``.stri``; all also compressed, as ``.gz`` or ``.zst``.
+        PLY, OBJ, STL, OFF, glTF, GLB, VTK (``.vtk``, ``.vtp``, ``.vtu``), 3MF, ``.striata`` or ``.stri``; all also compressed, as ``.gz`` or ``.zst``.
 
     Returns
     -------

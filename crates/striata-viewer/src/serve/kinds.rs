@@ -53,11 +53,7 @@ pub(super) fn content_type(name: &str) -> &'static str {
         _ => {}
     }
     match Format::from_extension(name) {
-        Some(Format::Obj) => "model/obj",
-        Some(Format::Stl) => "model/stl",
-        Some(Format::Gltf) => "model/gltf+json",
-        Some(Format::Glb) => "model/gltf-binary",
-        Some(_) => "application/octet-stream",
+        Some(format) => format.media_type(),
         None => lookup(COMPANIONS, name).unwrap_or("application/octet-stream"),
     }
 }
@@ -76,6 +72,8 @@ pub(super) fn is_text(name: &str, head: &[u8]) -> bool {
         Some(Format::Obj | Format::Off | Format::Gltf) => !head.contains(&0),
         Some(Format::Ply) => head.windows(12).any(|line| line == b"format ascii"),
         Some(Format::Stl) => head.starts_with(b"solid") && !head.contains(&0),
+        // Compressed arrays are base64, and appended ones are bytes, which zeros reveal.
+        Some(Format::Vtk | Format::Vtp | Format::Vtu) => !head.contains(&0),
         Some(_) => false,
         None => extension(name) == "mtl",
     }
