@@ -18,16 +18,16 @@ const MAX_BYTES: u64 = 4 << 30;
 const RATIO_CHECK_BYTES: u64 = 64 << 20;
 
 /// Largest ratio of output to input; real meshes stay below 200, even flat ones.
-#[cfg(any(feature = "compressed", feature = "threemf"))]
+#[cfg(feature = "compressed")]
 const MAX_RATIO: u64 = 2000;
 
 /// Largest number of nested compressions that are unpacked.
 const MAX_LAYERS: usize = 3;
 
-/// Returns the size to which a compressed file may unpack, in bytes.
+/// Returns the size to which a file may unpack, in bytes, if real ones grow at most by the factor `ratio`.
 #[cfg(any(feature = "compressed", feature = "threemf"))]
-pub(crate) fn unpacked_limit(input_bytes: u64) -> u64 {
-    MAX_BYTES.min(RATIO_CHECK_BYTES.max(input_bytes.saturating_mul(MAX_RATIO)))
+pub(crate) fn unpacked_limit(input_bytes: u64, ratio: u64) -> u64 {
+    MAX_BYTES.min(RATIO_CHECK_BYTES.max(input_bytes.saturating_mul(ratio)))
 }
 
 /// Compression of a whole file.
@@ -94,7 +94,7 @@ fn unpack(_bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>
 #[cfg(feature = "compressed")]
 fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>, ReadError> {
     use std::io::Read as _;
-    let limit = unpacked_limit(bytes.len() as u64);
+    let limit = unpacked_limit(bytes.len() as u64, MAX_RATIO);
     let mut out = Vec::new();
     let read = match compression {
         Compression::Gzip => {
@@ -123,7 +123,7 @@ pub(crate) fn unpack_into(
     out: &mut dyn std::io::Write,
 ) -> Result<(), ReadError> {
     use std::io::Read as _;
-    let limit = unpacked_limit(bytes.len() as u64);
+    let limit = unpacked_limit(bytes.len() as u64, MAX_RATIO);
     let mut decoder: Box<dyn std::io::Read + '_> = match compression {
         Compression::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(bytes).take(limit + 1)),
         Compression::Zstd => match zstd::stream::read::Decoder::with_buffer(bytes) {

@@ -13,6 +13,9 @@ use crate::error::{Fault, Place};
 /// Usual name of the part with the build items.
 const USUAL_MODEL: &str = "3D/3dmodel.model";
 
+/// Largest ratio of output to input: models are text, which shrinks to a tenth or a twentieth.
+const MAX_RATIO: u64 = 300;
+
 /// An open archive.
 pub(super) struct Package<'a> {
     archive: ZipArchive<Cursor<&'a [u8]>>,
@@ -28,7 +31,7 @@ impl<'a> Package<'a> {
         let archive =
             archive.map_err(|error| fault(format!("the zip archive is damaged or cut off: {error}")))?;
         let input_bytes = bytes.len() as u64;
-        let limit = unpacked_limit(input_bytes);
+        let limit = unpacked_limit(input_bytes, MAX_RATIO);
         Ok(Self { archive, bytes_left: limit, limit, input_bytes })
     }
 
