@@ -170,11 +170,13 @@ impl Values {
         with_vector!(self, v => v.len())
     }
 
+    #[expect(clippy::unnecessary_cast, reason = "one expression for all types")]
     pub(super) fn floats(&self) -> Vec<f32> {
         with_vector!(self, v => v.iter().map(|&x| x as f32).collect())
     }
 
     /// Returns whole numbers; floats are truncated.
+    #[expect(clippy::unnecessary_cast, reason = "one expression for all types")]
     pub(super) fn integers(&self) -> Vec<i64> {
         with_vector!(self, v => v.iter().map(|&x| x as i64).collect())
     }

@@ -262,7 +262,7 @@ impl<'a> LegacyReader<'a, '_> {
             ahead.next_line();
             self.cursor = ahead;
         }
-        self.array(name, Role::Other, scalar, component_count, None)
+        self.array((name, Role::Other), scalar, component_count, None)
     }
 
     fn color_scalars(&mut self) -> Result<(), Fault> {
@@ -271,7 +271,7 @@ impl<'a> LegacyReader<'a, '_> {
         let count = self.tuple_count(None);
         if self.is_binary {
             self.cursor.next_line();
-            return self.array(name, Role::Other, Ok(Scalar::U8), component_count, None);
+            return self.array((name, Role::Other), Ok(Scalar::U8), component_count, None);
         }
         let fractions = self.values(Scalar::F32, count, component_count)?.floats();
         let values = Values::U8(fractions.into_iter().map(|x| (x * 255.0).round() as u8).collect());
@@ -298,7 +298,7 @@ impl<'a> LegacyReader<'a, '_> {
         };
         let scalar = self.scalar_or_other()?;
         self.cursor.next_line();
-        self.array(name, role, scalar, component_count, None)
+        self.array((name, role), scalar, component_count, None)
     }
 
     fn field(&mut self) -> Result<(), Fault> {
@@ -318,7 +318,7 @@ impl<'a> LegacyReader<'a, '_> {
             let tuple_count = self.count("tuples")?;
             let scalar = self.scalar_or_other()?;
             self.cursor.next_line();
-            self.array(name, Role::Other, scalar, component_count, Some(tuple_count))?;
+            self.array((name, Role::Other), scalar, component_count, Some(tuple_count))?;
         }
         Ok(())
     }
@@ -334,8 +334,7 @@ impl<'a> LegacyReader<'a, '_> {
     /// Reads the values of an array, and keeps them if they belong to points or cells.
     fn array(
         &mut self,
-        name: String,
-        role: Role,
+        (name, role): (String, Role),
         scalar: Result<Scalar, Other>,
         component_count: usize,
         tuple_count: Option<usize>,
