@@ -50,6 +50,8 @@ pub fn assemble(pages: &[(u32, &Page)], metadata: &Metadata) -> Result<Assembled
         triangles,
         groups,
         appearance: appearance(metadata),
+        origin: metadata.origin,
+        exact_positions: Vec::new(),
     };
     Ok(Assembled {
         keys: order.keys(&loaded),

@@ -51,9 +51,11 @@ pub struct Metadata {
     pub position_count: u64,
     /// Number of vertices at full detail.
     pub vertex_count: u64,
-    /// Smallest coordinates, in mesh units.
+    /// Origin of all positions in the coordinates of the input, in mesh units.
+    pub origin: [f64; 3],
+    /// Smallest coordinates relative to the origin, in mesh units.
     pub min: [f32; 3],
-    /// Largest coordinates, in mesh units.
+    /// Largest coordinates relative to the origin, in mesh units.
     pub max: [f32; 3],
     /// Where positions are; `None` if they are stored exactly.
     pub grid: Option<Grid>,

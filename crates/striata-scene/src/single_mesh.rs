@@ -39,6 +39,8 @@ fn sample_of(mesh: &IndexedMesh) -> IndexedMesh {
     let corners = mesh.triangles.first().map_or(&[][..], |triangle| &triangle[..]);
     IndexedMesh {
         positions: corners.iter().map(|&vertex| mesh.positions[vertex as usize]).collect(),
+        origin: mesh.origin,
+        exact_positions: Vec::new(),
         triangles: mesh.triangles.first().map(|_| [0, 1, 2]).into_iter().collect(),
         layers: mesh.layers.iter().map(|layer| layer.gather(corners)).collect(),
         triangle_layers: Vec::new(),

@@ -23,6 +23,7 @@ pub(crate) fn read(file: &StriataFile<'_>) -> Result<BuiltModel, Failure> {
     let fans = file.fans().transpose()?;
     let mut mesh = IndexedMesh {
         positions: file.positions()?.into_owned(),
+        origin: file.origin()?,
         layers: file.layers()?,
         groups: file.groups()?,
         ..IndexedMesh::default()

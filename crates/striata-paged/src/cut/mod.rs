@@ -223,6 +223,8 @@ impl<'a> CutPages<'a> {
             triangle_layers: Vec::new(),
             groups,
             appearance: appearance(self.metadata),
+            origin: self.metadata.origin,
+            exact_positions: Vec::new(),
         };
         let page_of_vertex = used.iter().map(|at| loaded.index_of(at.slot)).collect();
         let step_count = loaded.pages().map(|page| page.keys.len()).sum();

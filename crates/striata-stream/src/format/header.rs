@@ -4,7 +4,8 @@
 //! 0   4 bytes  89 53 54 52
 //! 4   u8       version, 1 or 2
 //! 5   u8       effort
-//! 6   u16      flags; bit 0: positions are exact; bit 1, from version 2 on: there are general batches
+//! 6   u16      flags; bit 0: positions are exact; bit 1, from version 2 on: there are general batches;
+//!              bit 2: positions have an origin, three f64 after the grid
 //! 8   u32      length of the header, including these 16 bytes
 //! 12  u32      CRC-32 of the header without this field
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks
@@ -25,6 +26,7 @@ const NEWEST_VERSION: u8 = 2;
 pub(crate) const FIXED_HEADER_BYTES: usize = 16;
 const EXACT_FLAG: u16 = 1;
 const GENERAL_FLAG: u16 = 2;
+const ORIGIN_FLAG: u16 = 4;
 /// A chunk of `n` bytes contains at most `n + 1` times this number of splits. A writer that needs fewer
 /// bytes appends zeros.
 const MAX_SPLITS_PER_BYTE: u64 = 256;
@@ -90,6 +92,8 @@ pub(crate) struct StreamHeader {
     /// Whether the stream may contain general batches.
     pub(crate) has_general: bool,
     pub(crate) grid: PositionGrid,
+    /// Origin of all positions in the coordinates of the mesh's source, mesh units.
+    pub(crate) origin: [f64; 3],
     pub(crate) layers: Vec<LayerForm>,
     pub(crate) groups: Vec<GroupName>,
     pub(crate) appearance: Appearance,
@@ -157,8 +161,10 @@ impl StreamHeader {
             Effort::Small => 2,
         };
         out.extend([self.version.number(), effort]);
+        let has_origin = self.origin != [0.0; 3];
         let flags =
-            if self.is_exact { EXACT_FLAG } else { 0 } | if self.has_general { GENERAL_FLAG } else { 0 };
+            [(self.is_exact, EXACT_FLAG), (self.has_general, GENERAL_FLAG), (has_origin, ORIGIN_FLAG)];
+        let flags = flags.iter().filter(|(is_set, _)| *is_set).fold(0, |all, (_, flag)| all | flag);
         out.extend(flags.to_le_bytes());
         out.extend([0; 8]);
         let counts = [self.position_count, self.vertex_count, self.triangle_count, self.step_count];
@@ -166,6 +172,9 @@ impl StreamHeader {
         out.push(self.grid.bits as u8);
         self.grid.origin.iter().for_each(|x| out.extend(x.to_le_bytes()));
         out.extend(self.grid.step.to_le_bytes());
+        if has_origin {
+            self.origin.iter().for_each(|x| out.extend(x.to_le_bytes()));
+        }
         write_varint(self.layers.len() as u32, &mut out);
         self.layers.iter().for_each(|layer| layer.write(&mut out));
         self.names_to_bytes(&mut out)?;
@@ -228,14 +237,15 @@ impl StreamHeader {
         };
         let flags = reader.bytes(2)?;
         let flags = u16::from_le_bytes([flags[0], flags[1]]);
-        let known = if version == StreamVersion::One { EXACT_FLAG } else { EXACT_FLAG | GENERAL_FLAG };
-        if flags & !known != 0 {
+        let general = if version == StreamVersion::One { 0 } else { GENERAL_FLAG };
+        if flags & !(EXACT_FLAG | ORIGIN_FLAG | general) != 0 {
             return Err(reader.malformed("unknown flags"));
         }
         reader.bytes(8)?;
         let [position_count, vertex_count, triangle_count, step_count, max_patch] =
             [reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?];
         let grid = read_grid(&mut reader)?;
+        let origin = if flags & ORIGIN_FLAG == 0 { [0.0; 3] } else { read_origin(&mut reader)? };
         let layer_count = reader.short_count(5)?;
         let layers: Vec<LayerForm> =
             (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
@@ -280,6 +290,7 @@ impl StreamHeader {
             step_count,
             max_patch,
             grid,
+            origin,
             layers,
             groups,
             appearance,
@@ -295,6 +306,14 @@ fn read_grid(reader: &mut ByteReader<'_>) -> Result<PositionGrid, DecodeError> {
     let step = reader.f64()?;
     let grid = PositionGrid { origin, step, bits };
     grid.check().map_err(|error| DecodeError::Stream(StreamDefect::Grid(error)))
+}
+
+fn read_origin(reader: &mut ByteReader<'_>) -> Result<[f64; 3], DecodeError> {
+    let origin = [reader.f64()?, reader.f64()?, reader.f64()?];
+    if origin.iter().all(|x| x.is_finite()) {
+        return Ok(origin);
+    }
+    Err(reader.malformed("the origin is not finite"))
 }
 
 fn read_groups(reader: &mut ByteReader<'_>) -> Result<Vec<GroupName>, DecodeError> {

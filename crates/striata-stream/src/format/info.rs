@@ -26,6 +26,8 @@ pub struct StreamInfo {
     pub grid_bits: u32,
     /// Spacing of the position grid, mesh units.
     pub grid_step: f64,
+    /// Origin of the positions in the coordinates of the mesh's source, mesh units.
+    pub origin: [f64; 3],
     /// Number of positions of the full mesh.
     pub position_count: usize,
     /// Number of vertices of the full mesh.
@@ -87,6 +89,7 @@ impl StreamInfo {
             is_exact: header.is_exact,
             grid_bits: header.grid.bits,
             grid_step: header.grid.step,
+            origin: header.origin,
             position_count: header.position_count as usize,
             vertex_count: header.vertex_count as usize,
             triangle_count: header.triangle_count as usize,

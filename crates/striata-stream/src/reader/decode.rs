@@ -444,6 +444,8 @@ impl StreamDecoder {
         let (triangles, groups) = self.grouped_triangles();
         let mesh = IndexedMesh {
             positions: growth.positions.clone(),
+            origin: header.origin,
+            exact_positions: Vec::new(),
             triangles,
             groups,
             layers: self.layers_of(0..growth.positions.len()),

@@ -313,6 +313,7 @@ fn header_of(
         max_patch: chunks.max_patch,
         has_general: chunks.has_general,
         grid: parameters.grid,
+        origin: refinable.mesh.origin,
         layers: parameters.layers.clone(),
         groups: mesh.groups.iter().map(group).collect(),
         appearance: mesh.appearance.clone(),

@@ -25,6 +25,8 @@ impl EncodedStream {
         let moved = |v: u32| vertex_of[v as usize];
         let reordered = IndexedMesh {
             positions: order.iter().map(|&v| mesh.positions[v as usize]).collect(),
+            origin: mesh.origin,
+            exact_positions: Vec::new(),
             triangles: mesh.triangles.iter().map(|t| t.map(moved)).collect(),
             layers: mesh.layers.iter().map(|layer| layer.gather(order)).collect(),
             triangle_layers: mesh.triangle_layers.clone(),

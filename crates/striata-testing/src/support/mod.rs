@@ -203,6 +203,11 @@ pub fn random_refinable(
     let source = welded.mesh;
     let mesh = IndexedMesh {
         positions: order.iter().map(|&v| source.positions[v as usize]).collect(),
+        origin: source.origin,
+        exact_positions: order
+            .iter()
+            .filter_map(|&v| source.exact_positions.get(v as usize).copied())
+            .collect(),
         triangles: source.triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
         layers: source.layers.iter().map(|layer| layer.gather(&order)).collect(),
         triangle_layers: source.triangle_layers,

@@ -29,6 +29,8 @@ impl SectionKind {
     pub const METADATA: Self = Self(*b"META");
     /// Positions of all vertices.
     pub const POSITIONS: Self = Self(*b"POSN");
+    /// Origin of the positions; only if it is not zero.
+    pub const ORIGIN: Self = Self(*b"ORGN");
     /// One attribute layer; a file can have several.
     pub const LAYER: Self = Self(*b"LAYR");
     /// An attribute layer of triangles, in the order of
@@ -116,6 +118,7 @@ impl SectionKind {
             Self::SUMMARY,
             Self::METADATA,
             Self::POSITIONS,
+            Self::ORIGIN,
             Self::LAYER,
             Self::TRIANGLE_LAYER,
             Self::GROUPS,

@@ -109,6 +109,28 @@ impl<'a> StriataFile<'a> {
         Ok(positions)
     }
 
+    /// Origin of the positions in the coordinates of the mesh's source, in mesh units.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if the section is invalid.
+    pub fn origin(&self) -> Result<[f64; 3], DecodeError> {
+        let kind = SectionKind::ORIGIN;
+        if !self.has(kind) {
+            return Ok([0.0; 3]);
+        }
+        let numbers = self.container.numbers::<f64>(kind)?;
+        match *numbers {
+            [x, y, z] if [x, y, z].iter().all(|x| x.is_finite()) => Ok([x, y, z]),
+            [_, _, _] => Err(DecodeError::Malformed { kind, offset: 0, reason: "the origin is not finite" }),
+            _ => Err(DecodeError::Count {
+                kind,
+                what: "coordinates",
+                found: numbers.len() as u64,
+                expected: 3,
+            }),
+        }
+    }
+
     /// The attribute layers.
     ///
     /// # Errors
@@ -472,6 +494,8 @@ impl<'a> StriataFile<'a> {
         }
         let mut mesh = IndexedMesh {
             positions: self.positions()?.into_owned(),
+            origin: self.origin()?,
+            exact_positions: Vec::new(),
             triangles: Vec::new(),
             layers: self.layers()?,
             triangle_layers: Vec::new(),
@@ -551,6 +575,8 @@ impl<'a> StriataFile<'a> {
         };
         let mut level = IndexedMesh {
             positions: level_positions.to_vec(),
+            origin: self.origin()?,
+            exact_positions: Vec::new(),
             triangles: Vec::new(),
             layers: self.layers_of_first(vertex_count)?,
             triangle_layers: Vec::new(),

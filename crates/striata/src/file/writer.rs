@@ -274,6 +274,9 @@ fn lay_out<'m>(
     if !options.metadata.is_empty() {
         add(SectionKind::METADATA, false, metadata_to_bytes(&options.metadata)?.into());
     }
+    if mesh.origin != [0.0; 3] {
+        add(SectionKind::ORIGIN, true, bytemuck::must_cast_slice(&mesh.origin).to_vec().into());
+    }
     if let [FileModel::Progressive(stream)] = models {
         add(SectionKind::STREAM, true, stream.bytes.into());
         return Ok(sections);

@@ -149,8 +149,15 @@ pub enum MeshError {
 /// [`IndexedMesh::check`] reports whether they are consistent; every operation of this crate calls it first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IndexedMesh {
-    /// Position of each vertex, in mesh units.
+    /// Position of each vertex relative to [`origin`](Self::origin), in mesh units.
     pub positions: Vec<[f32; 3]>,
+    /// Origin of the positions in the coordinates of the file, in mesh units: zero, unless single precision
+    /// would lose digits there, as in survey coordinates. See [`set_file_positions`](Self::set_file_positions).
+    pub origin: [f64; 3],
+    /// Coordinates of each vertex as its file gives them, for files with more digits than `positions` keep;
+    /// otherwise empty. Operations that keep vertices keep these too; operations that move vertices clear
+    /// them. They play no part in simplification.
+    pub exact_positions: Vec<[f64; 3]>,
     /// Vertex indices of each triangle, counterclockwise when seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// Attribute layers, each with data for every vertex.
@@ -239,6 +246,11 @@ impl IndexedMesh {
             }
         }
         let vertex_count = self.positions.len();
+        if !self.exact_positions.is_empty() && self.exact_positions.len() != vertex_count {
+            let (semantic, found) =
+                (Semantic::Generic("exact position".to_owned()), self.exact_positions.len());
+            return Err(MeshError::LayerLength { semantic, found, expected: vertex_count, vertex_count });
+        }
         for layer in &self.layers {
             let expected = vertex_count * layer.component_count as usize;
             if layer.data.len() != expected {
@@ -284,6 +296,8 @@ impl IndexedMesh {
     pub(crate) fn gather(&self, order: &[u32], new_index: &[u32]) -> Self {
         Self {
             positions: order.iter().map(|&v| self.positions[v as usize]).collect(),
+            origin: self.origin,
+            exact_positions: self.gathered_exact_positions(order),
             triangles: self.triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
             layers: self.layers.iter().map(|layer| layer.gather(order)).collect(),
             triangle_layers: self.triangle_layers.clone(),

@@ -15,6 +15,7 @@ mod dual_graph;
 mod fragments;
 mod indexed_mesh;
 mod levels;
+mod origin;
 mod positions;
 mod random;
 mod replay;
@@ -44,6 +45,7 @@ pub use fragments::{
 };
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
 pub use levels::Levels;
+pub use origin::{origin_of, relative_position};
 pub use positions::PositionIndex;
 pub use random::Random;
 pub(crate) use replay::canonical_triangle;

@@ -18,6 +18,8 @@ pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
     let full = &refinable.mesh;
     let mut level = IndexedMesh {
         positions: full.positions[..vertex_count].to_vec(),
+        origin: full.origin,
+        exact_positions: full.exact_positions.iter().take(vertex_count).copied().collect(),
         triangles: Vec::new(),
         layers: full.layers.iter().map(|layer| layer.gather(&order)).collect(),
         triangle_layers: replay_triangle_layers(refinable, split_count),

@@ -77,6 +77,8 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
     let positions = PositionIndex::from_first(first);
     let welded = IndexedMesh {
         positions: source_vertex.iter().map(|&v| mesh.positions[v as usize].map(|x| x + 0.0)).collect(),
+        origin: mesh.origin,
+        exact_positions: mesh.gathered_exact_positions(&source_vertex),
         triangles: triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
         layers: mesh.layers.iter().map(|layer| layer.gather(&source_vertex)).collect(),
         triangle_layers: proper_triangle_layers(&source, degenerate_triangle_count),

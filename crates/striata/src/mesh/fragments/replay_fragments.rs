@@ -51,6 +51,8 @@ pub fn replay_fragments(mesh: &FragmentedMesh, split_count: usize) -> IndexedMes
     });
     let mut level = IndexedMesh {
         positions: full.positions[..vertex_count].to_vec(),
+        origin: full.origin,
+        exact_positions: full.exact_positions.iter().take(vertex_count).copied().collect(),
         groups: groups.collect(),
         triangles: faces.iter().map(|face| face.corners).collect(),
         layers: full.layers.iter().map(|layer| layer.gather(&order)).collect(),

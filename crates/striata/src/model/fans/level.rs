@@ -26,6 +26,8 @@ impl FanInstance {
         (0..).zip(&order).for_each(|(new, &old)| new_index[old as usize] = new);
         let mut level = IndexedMesh {
             positions: order.iter().map(|&v| full.positions[v as usize]).collect(),
+            origin: full.origin,
+            exact_positions: full.gathered_exact_positions(&order),
             triangles: indices
                 .as_chunks()
                 .0

@@ -40,6 +40,8 @@ impl CellUnion {
             layers: joined_layers(&cell.inside, &cell.border),
             triangles: order.iter().map(triangle).collect(),
             triangle_layers: Vec::new(),
+            origin: [0.0; 3],
+            exact_positions: Vec::new(),
             groups,
             appearance: Appearance {
                 materials: vec![

@@ -71,6 +71,8 @@ pub(super) fn build_placed(
     let rows: Vec<u32> = order.iter().map(|&v| builder.vertices[v as usize].row).collect();
     let mesh = IndexedMesh {
         positions: order.iter().map(|&v| builder.vertices[v as usize].position).collect(),
+        origin: welded.mesh.origin,
+        exact_positions: Vec::new(),
         triangles: welded.mesh.triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
         layers: log.rows.iter().map(|layer| layer.gather(&rows)).collect(),
         triangle_layers: welded.mesh.triangle_layers.clone(),

@@ -20,6 +20,8 @@ impl Merger<'_> {
         let source = &self.welded.mesh;
         let mut mesh = IndexedMesh {
             positions: source.positions.clone(),
+            origin: source.origin,
+            exact_positions: source.exact_positions.clone(),
             triangles: Vec::with_capacity(self.triangle_count),
             layers: self.layers,
             triangle_layers: Vec::new(),
@@ -30,6 +32,9 @@ impl Merger<'_> {
             let p = positions.position_of(v as u32) as usize;
             if self.is_moved[p] {
                 *position = self.space.unscaled(self.positions[p]);
+                if let Some(exact) = mesh.exact_positions.get_mut(v) {
+                    *exact = source.in_file(*position);
+                }
             }
         }
         let targets = &self.targets;
