@@ -72,24 +72,32 @@ pub(crate) struct Cursor<'a> {
     line: u64,
     /// Whether a backslash before the line's end joins the next line (OBJ).
     continues: bool,
+    /// Whether a coordinate so far had more digits than an `f32` keeps.
+    has_long_coordinates: bool,
 }
 
 impl<'a> Cursor<'a> {
     /// Creates a cursor at the start of a file.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0, line: 1, continues: false }
+        Self { bytes, at: 0, line: 1, continues: false, has_long_coordinates: false }
     }
 
     /// Creates a cursor in the middle of a file, at byte `at` in line `line`.
     #[cfg(feature = "ply")]
     pub(crate) fn starting_at(bytes: &'a [u8], at: usize, line: u64) -> Self {
-        Self { bytes, at, line, continues: false }
+        Self { bytes, at, line, ..Self::new(bytes) }
     }
 
     /// Makes a backslash at the end of a line join the next one.
     #[cfg(feature = "obj")]
     pub(crate) fn with_continuation(self) -> Self {
         Self { continues: true, ..self }
+    }
+
+    /// Whether [`coordinate`](Self::coordinate) has met a number with more digits than an `f32` keeps.
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
+    pub(crate) fn has_long_coordinates(&self) -> bool {
+        self.has_long_coordinates
     }
 
     /// Returns the current line, counted from 1.
@@ -266,6 +274,22 @@ impl<'a> Cursor<'a> {
         Ok(self.number()?.to_f32())
     }
 
+    /// Reads a decimal number as the nearest `f64`.
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
+    pub(crate) fn f64(&mut self) -> Result<f64, Fault> {
+        Ok(self.number()?.to_f64())
+    }
+
+    /// Reads a coordinate as the nearest `f32`, and notes whether it has more digits than that.
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
+    #[inline]
+    pub(crate) fn coordinate(&mut self) -> Result<f32, Fault> {
+        let number = self.number()?;
+        let value = number.to_f32();
+        self.has_long_coordinates |= number.has_more_digits_than(value);
+        Ok(value)
+    }
+
     /// Reads an integer; accepts `3.0` as 3, because some writers produce it.
     #[inline]
     pub(crate) fn integer(&mut self) -> Result<i64, Fault> {
@@ -336,15 +360,21 @@ const POWERS: [f64; 23] = [
 ];
 
 impl Decimal {
-    /// Returns the nearest `f32` if one exact `f64` operation finds it.
+    /// Returns the nearest `f64`, apart from the sign, if one exact operation finds it.
     #[inline]
-    fn to_f32(self) -> Option<f32> {
+    fn magnitude(self) -> Option<f64> {
         if self.mantissa >= 1 << 53 {
             return None;
         }
         let power = *POWERS.get(self.exponent.unsigned_abs() as usize)?;
         let mantissa = self.mantissa as f64;
-        let magnitude = if self.exponent < 0 { mantissa / power } else { mantissa * power };
+        Some(if self.exponent < 0 { mantissa / power } else { mantissa * power })
+    }
+
+    /// Returns the nearest `f32` if one exact `f64` operation finds it.
+    #[inline]
+    fn to_f32(self) -> Option<f32> {
+        let magnitude = self.magnitude()?;
         // Half-way between two `f32`: the `f64` may itself have been rounded to this value.
         const HALF: u64 = 1 << 28;
         if magnitude.to_bits() & ((1 << 29) - 1) == HALF {
@@ -363,12 +393,55 @@ impl Number<'_> {
         }
     }
 
-    /// Returns the nearest double.
+    /// Returns the nearest `f64`.
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     pub(crate) fn to_f64(self) -> f64 {
-        std::str::from_utf8(self.text).ok().and_then(|text| text.parse().ok()).unwrap_or(f64::NAN)
+        match self.decimal.and_then(|d| Some((d, d.magnitude()?))) {
+            Some((decimal, magnitude)) => {
+                if decimal.negative {
+                    -magnitude
+                } else {
+                    magnitude
+                }
+            }
+            None => self.parsed().unwrap_or(f64::NAN),
+        }
     }
 
-    fn parsed(self) -> Option<f32> {
+    /// Whether the text has digits that `value`, the nearest `f32`, does not give back: printed with as many
+    /// places, it would be another number. Six-digit texts of single-precision programs have none.
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
+    #[inline]
+    pub(crate) fn has_more_digits_than(self, value: f32) -> bool {
+        // Half a unit in the last place of an f32 is less than half a unit of the last digit here.
+        const SHORT: u64 = 1 << 23;
+        !self.decimal.is_some_and(|d| d.mantissa < SHORT) && self.differs_from(value)
+    }
+
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
+    fn differs_from(self, value: f32) -> bool {
+        let difference = (self.to_f64() - f64::from(value)).abs();
+        let power = self.decimal.filter(|d| d.exponent < 0);
+        let power = power.and_then(|d| POWERS.get(d.exponent.unsigned_abs() as usize).copied());
+        let power = power.or_else(|| self.power_of_last_place()).unwrap_or(POWERS[22]);
+        // A little more than a half, because the difference itself is rounded.
+        difference.is_finite() && difference * power > 0.500_001
+    }
+
+    /// Returns the number that the last digit of a long text must be multiplied by to be an integer.
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
+    #[cold]
+    fn power_of_last_place(self) -> Option<f64> {
+        let text = std::str::from_utf8(self.text).ok()?;
+        let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let places = digits.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+        let places = i64::try_from(places).ok()?.checked_sub(exponent.parse().ok()?)?;
+        // The zeros at the end of a large integer are not digits that its writer knew.
+        let zeros = if places == 0 { digits.len() - digits.trim_end_matches('0').len() } else { 0 };
+        format!("1e{}", places - zeros as i64).parse().ok()
+    }
+
+    fn parsed<T: std::str::FromStr>(self) -> Option<T> {
         std::str::from_utf8(self.text).ok()?.parse().ok()
     }
 
@@ -460,13 +533,29 @@ pub(crate) fn push_f32(out: &mut Vec<u8>, value: f32) {
 }
 
 /// Appends a number as text that reads back as the same `f64`.
-#[cfg(feature = "ply")]
+#[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
 pub(crate) fn push_f64(out: &mut Vec<u8>, value: f64) {
     use std::io::Write as _;
     let magnitude = value.abs();
     let plain = magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) || !value.is_finite();
     let written = if plain { write!(out, "{value}") } else { write!(out, "{value:e}") };
     debug_assert!(written.is_ok(), "writing to memory does not fail");
+}
+
+/// Appends the coordinates of a vertex in the file, separated by blanks, as text that reads back as the same
+/// numbers.
+#[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
+pub(crate) fn push_coordinates(out: &mut Vec<u8>, mesh: &striata::mesh::IndexedMesh, vertex: usize) {
+    for axis in 0..3 {
+        if axis > 0 {
+            out.push(b' ');
+        }
+        if !mesh.needs_doubles() {
+            push_f32(out, mesh.positions[vertex][axis]);
+            continue;
+        }
+        push_f64(out, mesh.file_position(vertex)[axis]);
+    }
 }
 
 /// Appends `1 - value` as text that [`Number::one_minus_f32`] reads back as `value`.
@@ -533,6 +622,37 @@ mod tests {
         for word in words {
             let expected: f32 = word.parse().unwrap();
             assert_eq!(read(&word).to_bits(), expected.to_bits(), "{word}");
+        }
+    }
+
+    #[test]
+    fn digits_that_f32_loses_are_noticed() {
+        let is_long = |text: &str| {
+            let mut cursor = Cursor::new(text.as_bytes());
+            cursor.coordinate().unwrap();
+            (cursor.has_long_coordinates(), Cursor::new(text.as_bytes()).f64().unwrap())
+        };
+        for text in
+            ["0", "-12.345678", "500000", "0.1234567", "1e10", "1234.567", "0.100000001490116119384765625"]
+        {
+            assert!(!is_long(text).0, "{text}");
+        }
+        for text in
+            ["500000.123", "-5000000.05", "0.123456789", "16777217", "0.10000000000000000000000", "1e-30000"]
+        {
+            assert_eq!(is_long(text), (text != "1e-30000", text.parse().unwrap()), "{text}");
+        }
+        // Programs in single precision print any number of places.
+        let mut bits = 4_321u32;
+        for _ in 0..20_000 {
+            bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let x = f32::from_bits(bits);
+            let x = if x.abs() < 1e12 { x } else { x.fract() };
+            for text in
+                [format!("{x:.6}"), format!("{x:.9}"), format!("{x:.17}"), format!("{x}"), format!("{x:.9e}")]
+            {
+                assert!(!is_long(&text).0 || !x.is_finite(), "{text} of {x}");
+            }
         }
     }
 

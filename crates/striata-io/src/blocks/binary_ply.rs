@@ -31,7 +31,7 @@ impl BinaryPly {
     /// Opens a binary PLY file, or converts a text file, a compressed file, an STL, an OBJ, an OFF, a glTF or a
     /// terrain.
     pub(super) fn open(path: &Path, scratch: &ScratchFolder) -> Result<Self, ReadError> {
-        let options = PieceOptions::default().with_scratch(scratch.folder.clone());
+        let options = PieceOptions::default().with_scratch(scratch.folder.clone()).with_origin([0.0; 3]);
         #[cfg(feature = "terrain")]
         if crate::pieces::is_raster(path) {
             return Self::of_pieces(&*crate::pieces::open_pieces(path, &options)?, scratch);

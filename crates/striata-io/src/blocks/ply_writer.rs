@@ -8,6 +8,7 @@ use super::scratch::ScratchFolder;
 use crate::ReadError;
 use crate::error::Place;
 use crate::pieces::PieceSummary;
+use crate::ply::header::Scalar;
 use crate::ply::vertex_header;
 
 /// Number of digits that are left for counts.
@@ -32,10 +33,11 @@ impl<'a> PlyWriter<'a> {
         let (mut out, faces) = (buffered()?, buffered()?);
         let layers: Vec<_> = summary.layers.iter().map(|kind| kind.empty_layer()).collect();
         let zeros = format!("{:0DIGITS$}", 0);
-        let mut head = vertex_header(&layers, &[], "binary_little_endian", &zeros).map_err(|refusal| {
-            let (file, what) = (summary.name.clone(), refusal.into_reason());
-            ReadError::Unsupported { file, place: Place::File, what }
-        })?;
+        let mut head =
+            vertex_header(Scalar::F32, &layers, &[], "binary_little_endian", &zeros).map_err(|refusal| {
+                let (file, what) = (summary.name.clone(), refusal.into_reason());
+                ReadError::Unsupported { file, place: Place::File, what }
+            })?;
         let vertices_at = head.rfind(&format!("{zeros}\n")).unwrap_or(0) as u64;
         head += "element face ";
         let counts_at = [vertices_at, head.len() as u64];

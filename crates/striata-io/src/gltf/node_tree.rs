@@ -33,6 +33,13 @@ pub(crate) struct Transform {
     pub(crate) is_mirrored: bool,
 }
 
+impl Default for Transform {
+    fn default() -> Self {
+        let (matrix, linear) = (DMat4::IDENTITY, DMat3::IDENTITY);
+        Self { matrix, linear, cofactor: linear, scale: 1.0, is_mirrored: false }
+    }
+}
+
 impl Transform {
     /// Returns [`None`] for the identity.
     pub(crate) fn new(matrix: DMat4) -> Option<Self> {
@@ -57,6 +64,16 @@ impl Transform {
 
     pub(crate) fn point(&self, point: [f32; 3]) -> [f32; 3] {
         self.matrix.transform_point3(wide(point)).as_vec3().to_array()
+    }
+
+    /// Where the transform places a point, in doubles.
+    pub(crate) fn exact_point(&self, point: [f32; 3]) -> [f64; 3] {
+        self.matrix.transform_point3(wide(point)).to_array()
+    }
+
+    /// Returns the transform followed by a move of `origin` to zero.
+    pub(crate) fn relative_to(&self, origin: [f64; 3]) -> Self {
+        Self { matrix: DMat4::from_translation(-DVec3::from_array(origin)) * self.matrix, ..*self }
     }
 
     /// Transforms a displacement of a point.

@@ -100,6 +100,11 @@ impl RestPose {
         (self.skin.as_ref().map(|skin| skin.index), Arc::clone(&self.morph_weights))
     }
 
+    /// Whether joints move the vertices.
+    pub(crate) fn has_skin(&self) -> bool {
+        self.skin.is_some()
+    }
+
     /// Moves a range of vertices: first by the morph targets, then by the joints.
     pub(crate) fn apply(&self, mesh: &mut IndexedMesh, range: Range<usize>) {
         self.morph(mesh, range.clone());

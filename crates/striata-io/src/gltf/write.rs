@@ -91,6 +91,9 @@ impl Builder {
             }
             open_name = Some(&group.name);
             let mut node = json!({ "mesh": meshes.len() });
+            if mesh.origin != [0.0; 3] {
+                node["translation"] = json!(mesh.origin);
+            }
             let mut entry = json!({ "primitives": [primitive] });
             if !group.name.is_empty() {
                 node["name"] = json!(group.name);

@@ -41,6 +41,8 @@ pub(crate) struct Outline {
     /// Runs of triangles; none if nothing distinguishes them.
     pub groups: Vec<TriangleGroup>,
     pub appearance: Appearance,
+    /// Whether single precision does not keep all digits of the positions.
+    pub has_long_coordinates: bool,
 }
 
 /// Passes the content of a file to `visit`, batch by batch.
@@ -66,14 +68,15 @@ pub(crate) fn read_batches(
     reader.check_end()?;
     visit(reader.take(&mut seen));
     warnings.append(std::mem::take(&mut reader.warnings));
-    Ok(reader.outline(bytes.len() as u64, seen.texcoords, source, warnings))
+    let outline = reader.outline(bytes.len() as u64, seen.texcoords, source, warnings);
+    Ok(Outline { has_long_coordinates: cursor.has_long_coordinates(), ..outline })
 }
 
 impl Reader {
     /// Takes the content of the tables.
     fn take(&mut self, seen: &mut Seen) -> Batch {
         self.taken = self.counts();
-        let Tables { positions, mut colors, texcoords, normals } = std::mem::take(&mut self.tables);
+        let Tables { positions, mut colors, texcoords, normals, .. } = std::mem::take(&mut self.tables);
         let corners = std::mem::take(&mut self.corners);
         self.taken_triangles += corners.len() / 3;
         seen.texcoords |= corners.iter().any(|corner| corner[1] != NONE);
@@ -107,6 +110,6 @@ impl Reader {
         mesh.appearance.materials = materials;
         mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
         libraries::attach(&mut mesh, &libraries, input_bytes, source, warnings);
-        Outline { groups, appearance: mesh.appearance, counts, missing }
+        Outline { groups, appearance: mesh.appearance, counts, missing, has_long_coordinates: false }
     }
 }

@@ -15,6 +15,8 @@ pub(super) type Corner = [u32; 3];
 #[derive(Default)]
 pub(super) struct Tables {
     pub positions: Vec<[f32; 3]>,
+    /// The positions in doubles, if single precision does not keep all digits; otherwise empty.
+    pub file_positions: Vec<[f64; 3]>,
     /// Three values per position, up to the last position that has a color; empty if none has.
     pub colors: Vec<f32>,
     pub texcoords: Vec<[f32; 2]>,
@@ -33,9 +35,13 @@ pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
     }
     let (vertices, triangles) = number_wedges(tables.positions.len(), corners);
     let positions: Vec<[f32; 3]> = vertices.iter().map(|v| tables.positions[v[0] as usize]).collect();
+    let mut mesh = IndexedMesh::new(positions, triangles);
+    if !tables.file_positions.is_empty() {
+        mesh.set_file_positions(vertices.iter().map(|v| tables.file_positions[v[0] as usize]).collect());
+    }
     let mut layers = Vec::new();
     if has_normal {
-        let normals = normals_of(&tables, &vertices, &positions, &triangles);
+        let normals = normals_of(&tables, &vertices, &mesh.positions, &mesh.triangles);
         layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
     }
     if has_texcoord {
@@ -48,7 +54,7 @@ pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
             vertices.iter().flat_map(|v| &tables.colors[v[0] as usize * 3..][..3]).copied().collect();
         layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
     }
-    IndexedMesh { layers, ..IndexedMesh::new(positions, triangles) }
+    IndexedMesh { layers, ..mesh }
 }
 
 /// Whether all three indices of every corner agree, as far as texture coordinates and normals are used at
@@ -72,7 +78,11 @@ fn in_file_order(tables: Tables, corners: &[Corner], [has_texcoord, has_normal]:
         layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, tables.colors));
     }
     let triangles = corners.chunks_exact(3).map(|t| [t[0][0], t[1][0], t[2][0]]).collect();
-    IndexedMesh { layers, ..IndexedMesh::new(tables.positions, triangles) }
+    let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(tables.positions, triangles) };
+    if !tables.file_positions.is_empty() {
+        mesh.set_file_positions(tables.file_positions);
+    }
+    mesh
 }
 
 /// Returns the normals of the vertices; a corner without one gets the normal of its triangles.

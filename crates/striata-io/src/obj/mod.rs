@@ -82,6 +82,9 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
         cursor.next_line();
     }
     reader.check_end()?;
+    if cursor.has_long_coordinates() {
+        visit_coordinates(bytes, |position| reader.tables.file_positions.push(position));
+    }
     reader.drop_missing();
     warnings.append(std::mem::take(&mut reader.warnings));
     let libraries = std::mem::take(&mut reader.libraries);
@@ -89,6 +92,19 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
     mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
     libraries::attach(&mut mesh, &libraries, bytes.len() as u64, source, warnings);
     Ok(mesh)
+}
+
+/// Passes the coordinates of all vertices to `visit`, in doubles; words that are no numbers are NaN. Only files
+/// that have more digits than single precision keeps are read again for this.
+pub(crate) fn visit_coordinates(bytes: &[u8], mut visit: impl FnMut([f64; 3])) {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut cursor = Cursor::new(bytes).with_continuation();
+    while !cursor.at_end() {
+        if cursor.word() == b"v" {
+            visit([(); 3].map(|()| cursor.f64().unwrap_or(f64::NAN)));
+        }
+        cursor.next_line();
+    }
 }
 
 impl Reader {
@@ -144,7 +160,7 @@ impl Reader {
 
     /// Reads `v x y z`, optionally followed by a weight, a color, or a color and alpha.
     fn position(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        self.tables.positions.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
+        self.tables.positions.push([cursor.coordinate()?, cursor.coordinate()?, cursor.coordinate()?]);
         if ends(cursor) {
             return Ok(());
         }

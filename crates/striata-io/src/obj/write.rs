@@ -11,7 +11,7 @@ use super::mtl_write;
 use crate::error::Place;
 use crate::image_files::ImageFiles;
 use crate::report::{Warnings, shortened};
-use crate::text::{push_f32, push_one_minus_f32};
+use crate::text::{push_coordinates, push_f32, push_one_minus_f32};
 use crate::{Format, losses};
 
 /// Encodes a mesh as an OBJ file, with the library and the images that belong next to it at `path`.
@@ -33,9 +33,9 @@ pub(crate) fn to_bytes(
         push_line(&mut out, "mtllib", &library);
     }
     warn_of_layers(mesh, [color, texcoord, normal], warnings);
-    for (vertex, &[x, y, z]) in mesh.positions.iter().enumerate() {
-        out.push(b'v');
-        push_words(&mut out, [x, y, z]);
+    for vertex in 0..mesh.positions.len() {
+        out.extend_from_slice(b"v ");
+        push_coordinates(&mut out, mesh, vertex);
         if let Some(layer) = color {
             push_words(&mut out, [0, 1, 2].map(|c| layer.get(vertex, c)));
         }

@@ -26,6 +26,7 @@ impl MeshPieces {
         let whole = mesh.groups_or_whole().into_iter();
         let summary = PieceSummary {
             name: "mesh in memory".to_owned(),
+            origin: mesh.origin,
             layers: mesh.layers.iter().map(LayerKind::of).collect(),
             groups: whole.map(|group| PieceGroup { name: group.name, material: group.material }).collect(),
             appearance: mesh.appearance.clone(),

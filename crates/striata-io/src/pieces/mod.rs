@@ -91,6 +91,8 @@ pub struct PieceGroup {
 pub struct PieceSummary {
     /// Name for messages: the file, or the first file and the number of the others.
     pub name: String,
+    /// Origin of the positions of all pieces in the coordinates of the input, in mesh units.
+    pub origin: [f64; 3],
     /// Layers of every piece, in this order.
     pub layers: Vec<LayerKind>,
     /// Groups, which triangles refer to by index; at least one.
@@ -110,7 +112,7 @@ pub struct PieceSummary {
 /// Part of an input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Piece {
-    /// Position of each vertex, in mesh units.
+    /// Position of each vertex relative to the summary's origin, in mesh units.
     pub positions: Vec<[f32; 3]>,
     /// The layers of the summary, with values for every vertex.
     pub layers: Vec<AttributeLayer>,

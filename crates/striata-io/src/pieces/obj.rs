@@ -3,14 +3,14 @@
 
 use std::collections::BTreeMap;
 
-use striata::mesh::{AttributeLayer, Semantic};
+use striata::mesh::{AttributeLayer, Semantic, origin_of, relative_position};
 
 use super::input::{Input, Mapped};
 use super::spool::Spool;
 use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
-use crate::obj::{Batch, Outline, is_missing, read_batches, warn_of_missing};
+use crate::obj::{Batch, Outline, is_missing, read_batches, visit_coordinates, warn_of_missing};
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 
@@ -84,7 +84,7 @@ impl ObjPieces {
         let mut outline =
             read_batches(&input.bytes, &input.source(), &mut warnings, |batch| writer.add(&batch))
                 .map_err(|fault| fault.in_file(&input.name))?;
-        let (tables, mut used) = (writer.tables.finish(options)?, writer.used);
+        let (mut tables, mut used) = (writer.tables.finish(options)?, writer.used);
         for (kind, used) in [(1, &mut used.texcoords), (2, &mut used.normals)] {
             let Some(first) = outline.missing[kind].take() else { continue };
             used.count = used.count.min(outline.counts[kind]);
@@ -97,8 +97,17 @@ impl ObjPieces {
         }
         let count = tables.corners.len() / (3 * CORNER_BYTES);
         check_triangles([tables.positions.len() / 12, count], count, &warnings)?;
+        let origin = match options.origin {
+            Some(origin) => origin,
+            None if outline.has_long_coordinates => origin_near(&tables.positions),
+            None => [0.0; 3],
+        };
+        if origin != [0.0; 3] {
+            tables.positions = relative_positions(&input, origin, options)?;
+        }
         let mut summary = PieceSummary {
             name: input.name.clone(),
+            origin,
             layers: used.layers(),
             triangle_count: count as u64,
             byte_count: input.file_bytes,
@@ -218,6 +227,23 @@ fn count_missing(corners: &[u8], kind: usize, used: &mut Usage) -> u64 {
         used.lacking |= is_missing;
     }
     missing
+}
+
+/// Chooses an origin from positions in single precision: it need not be exact, only near them.
+fn origin_near(positions: &[u8]) -> [f64; 3] {
+    let count = positions.len() / 12;
+    let sample = (0..count).step_by(count.div_ceil(1 << 16).max(1));
+    let sample: Vec<[f64; 3]> = sample.map(|at| floats::<3>(positions, at as u32).map(f64::from)).collect();
+    origin_of(&sample)
+}
+
+/// Reads the coordinates of the vertices again, in doubles, and writes them relative to an origin.
+fn relative_positions(input: &Input, origin: [f64; 3], options: &PieceOptions) -> Result<Mapped, ReadError> {
+    let mut spool = Spool::new(options)?;
+    visit_coordinates(&input.bytes, |position| {
+        spool.write(bytemuck::cast_slice(&relative_position(position, origin)));
+    });
+    spool.finish(options)
 }
 
 /// Numbers of one row of a table; zeros for a row that does not exist.

@@ -52,7 +52,10 @@ fn repaired(source: impl PieceSource + 'static) -> Result<Box<dyn PieceSource>, 
 
 /// Reads a whole file with the reader for meshes in memory.
 fn in_memory(input: &Input, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
-    let report = read_bytes_with_report(&input.bytes, &input.source())?;
+    let mut report = read_bytes_with_report(&input.bytes, &input.source())?;
+    if let Some(origin) = options.origin {
+        report.mesh.set_origin(origin);
+    }
     let pieces = MeshPieces::new(report.mesh)
         .with_name(&input.name)
         .with_piece_triangle_count(options.piece_triangle_count)

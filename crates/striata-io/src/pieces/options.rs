@@ -11,13 +11,16 @@ pub struct PieceOptions {
     /// Folder for temporary copies of inputs that cannot be read in place (text, compressed files). Default:
     /// [`None`], the system's folder for temporary files.
     pub scratch: Option<PathBuf>,
+    /// Origin of all positions, in mesh units. Default: [`None`]: zero, or one near the mesh if single precision
+    /// cannot hold its coordinates.
+    pub origin: Option<[f64; 3]>,
     /// Factor of the heights of a terrain. Default: 1.
     pub z_scale: f64,
 }
 
 impl Default for PieceOptions {
     fn default() -> Self {
-        Self { piece_triangle_count: 100_000, scratch: None, z_scale: 1.0 }
+        Self { piece_triangle_count: 100_000, scratch: None, origin: None, z_scale: 1.0 }
     }
 }
 
@@ -32,6 +35,12 @@ impl PieceOptions {
     #[must_use]
     pub fn with_scratch(self, scratch: PathBuf) -> Self {
         Self { scratch: Some(scratch), ..self }
+    }
+
+    /// Sets [`origin`](Self::origin).
+    #[must_use]
+    pub fn with_origin(self, origin: [f64; 3]) -> Self {
+        Self { origin: Some(origin), ..self }
     }
 
     /// Sets [`z_scale`](Self::z_scale).

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use striata::mesh::{AttributeLayer, IndexedMesh};
+use striata::mesh::{AttributeLayer, IndexedMesh, origin_of};
 
 use super::input::Input;
 use super::ply_faces::{FaceOptions, FaceRuns};
@@ -68,13 +68,18 @@ impl PlyPieces {
                 stride: vertex.least_row_bytes(),
                 is_big: header.encoding == Encoding::BigEndian,
             };
-            let kinds = vertices.values(&[], &header)?.1.iter().map(LayerKind::of).collect();
-            Ok((vertices, located.faces, kinds))
+            let kinds = vertices.values(&[], &header, [0.0; 3])?.1.iter().map(LayerKind::of).collect();
+            let origin = match options.origin {
+                Some(origin) => origin,
+                None => vertices.origin(&input.bytes, &header)?,
+            };
+            Ok((vertices, located.faces, kinds, origin))
         });
-        let (vertices, faces, layers) = opened.map_err(|fault| fault.in_file(&input.name))?;
+        let (vertices, faces, layers, origin) = opened.map_err(|fault| fault.in_file(&input.name))?;
         let mut summary = PieceSummary {
             name: input.name.clone(),
             layers,
+            origin,
             triangle_count: faces.as_ref().map_or(0, |faces| faces.triangle_count),
             byte_count: input.file_bytes,
             ..PieceSummary::default()
@@ -92,7 +97,7 @@ impl PlyPieces {
         };
         let (triangles, numbers) = faces.read(&self.input.bytes, run)?;
         let rows = self.vertices.rows(&self.input.bytes, &numbers);
-        let (positions, layers) = self.vertices.values(&rows, &self.header)?;
+        let (positions, layers) = self.vertices.values(&rows, &self.header, self.summary.origin)?;
         Ok(Piece { positions, layers, triangles, groups: Vec::new() })
     }
 }
@@ -163,7 +168,7 @@ fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, v
     let set = TextureSet::new(&input.source(), input.unpacked_bytes);
     // A stand-in for the whole mesh: its layers decide whether there are textures, its triangle gets the
     // group.
-    let layers = vertices.values(&[], header).map(|(_, layers)| layers).unwrap_or_default();
+    let layers = vertices.values(&[], header, [0.0; 3]).map(|(_, layers)| layers).unwrap_or_default();
     let mut mesh = IndexedMesh { layers, ..IndexedMesh::new(Vec::new(), vec![[0; 3]]) };
     textures::attach(&mut mesh, &header.texture_files, &[], set, &mut warnings);
     let group = |group| PieceGroup { material: group, ..PieceGroup::default() };
@@ -187,7 +192,28 @@ impl VertexRows {
     }
 
     /// Converts whole rows to positions and layers.
-    fn values(&self, rows: &[u8], header: &Header) -> Result<(Vec<[f32; 3]>, Vec<AttributeLayer>), Fault> {
+    fn values(
+        &self,
+        rows: &[u8],
+        header: &Header,
+        origin: [f64; 3],
+    ) -> Result<(Vec<[f32; 3]>, Vec<AttributeLayer>), Fault> {
+        let vertices = self.vertices(rows, header);
+        Ok((vertices.positions(header, origin)?, vertices.layers(header)))
+    }
+
+    /// Chooses the origin from evenly spaced vertices; zero if single precision holds the coordinates.
+    fn origin(&self, bytes: &[u8], header: &Header) -> Result<[f64; 3], Fault> {
+        /// Number of vertices that the origin is chosen from.
+        const SAMPLES: usize = 1 << 16;
+        let stride = self.element.count.div_ceil(SAMPLES).max(1);
+        let numbers: Vec<u32> = (0..self.element.count as u32).step_by(stride).collect();
+        let rows = self.rows(bytes, &numbers);
+        Ok(self.vertices(&rows, header).file_positions(header)?.map_or([0.0; 3], |sample| origin_of(&sample)))
+    }
+
+    /// Wraps whole rows.
+    fn vertices<'r>(&self, rows: &'r [u8], header: &Header) -> Vertices<'r> {
         let mut rows = Cow::Borrowed(rows);
         if self.is_big {
             for row in rows.to_mut().chunks_exact_mut(self.stride.max(1)) {
@@ -198,8 +224,7 @@ impl VertexRows {
                 }
             }
         }
-        let vertices = Vertices::of_rows(&self.element, rows, header.has_top_origin);
-        Ok((vertices.positions(header)?, vertices.layers(header)))
+        Vertices::of_rows(&self.element, rows, header.has_top_origin)
     }
 }
 

@@ -22,12 +22,19 @@ pub(super) fn convert(input: &mut Input, header: &Header, options: &PieceOptions
 /// Converts a text file to a binary one, whose texture coordinates count from the top of the image.
 pub(crate) fn converted(input: &Input, header: &Header, options: &PieceOptions) -> Result<Spool, ReadError> {
     let mut spool = Spool::new(options)?;
+    let mut rows = AsciiRows(Cursor::starting_at(&input.bytes, header.body_at, header.body_line));
     let written = write_head(header, &mut spool).and_then(|count_at| {
-        let count = write_body(&input.bytes, header, &mut spool)?;
+        let count = write_body(&mut rows, header, &mut spool)?;
         spool.replace(count_at, format!("{count:0DIGITS$}").as_bytes());
         Ok(())
     });
     written.map_err(|fault| fault.in_file(&input.name))?;
+    if rows.0.has_long_coordinates() {
+        // Doubles in a text that declares floats.
+        let mut wider = header.clone();
+        wider.widen_coordinates();
+        return converted(input, &wider, options);
+    }
     Ok(spool)
 }
 
@@ -53,8 +60,7 @@ fn write_head(header: &Header, spool: &mut Spool) -> Result<u64, Fault> {
 }
 
 /// Writes vertices and triangles; returns the number of triangles.
-fn write_body(bytes: &[u8], header: &Header, spool: &mut Spool) -> Result<u32, Fault> {
-    let mut rows = AsciiRows(Cursor::starting_at(bytes, header.body_at, header.body_line));
+fn write_body(rows: &mut AsciiRows<'_>, header: &Header, spool: &mut Spool) -> Result<u32, Fault> {
     let vertex_count = header.vertex()?.count;
     let mut triangle_count = 0u32;
     for element in &header.elements {
@@ -68,16 +74,16 @@ fn write_body(bytes: &[u8], header: &Header, spool: &mut Spool) -> Result<u32, F
             return Err(rows.fault(reason));
         }
         match (element.name.as_str(), index_list(element)) {
-            ("vertex", _) => write_vertices(element, &mut rows, spool)?,
+            ("vertex", _) => write_vertices(element, rows, spool)?,
             ("face", Some(list)) => {
                 for _ in 0..element.count {
-                    let count = write_face((element, list), vertex_count, &mut rows, spool)?;
+                    let count = write_face((element, list), vertex_count, rows, spool)?;
                     triangle_count = triangle_count
                         .checked_add(count)
                         .ok_or_else(|| rows.fault("there are too many triangles".to_owned()))?;
                 }
             }
-            _ => skip_element(element, &mut rows)?,
+            _ => skip_element(element, rows)?,
         }
     }
     Ok(triangle_count)
@@ -91,6 +97,8 @@ fn write_vertices(element: &Element, rows: &mut AsciiRows<'_>, spool: &mut Spool
         for (property, column) in element.properties.iter().zip(&columns) {
             if column.is_flipped {
                 rows.copy_flipped(property.scalar, &mut row)?;
+            } else if property.is_coordinate() {
+                rows.copy_coordinate(property.scalar, &mut row)?;
             } else {
                 rows.copy(property.scalar, &mut row)?;
             }

@@ -33,6 +33,20 @@ struct Part {
 /// # Errors
 /// [`ReadError`] of a file, or if there is none.
 pub fn open_several(paths: &[PathBuf], options: &PieceOptions) -> Result<Several, ReadError> {
+    let sources = open_each(paths, options)?;
+    let origins = sources.iter().map(|(source, _)| source.summary().origin);
+    let origin = origins.clone().find(|&origin| origin != [0.0; 3]);
+    match origin.filter(|&common| options.origin.is_none() && origins.clone().any(|own| own != common)) {
+        // Borders of neighboring files must round alike.
+        Some(common) => Several::new(open_each(paths, &options.clone().with_origin(common))?),
+        None => Several::new(sources),
+    }
+}
+
+/// Files with their names.
+type Named = (Box<dyn PieceSource>, String);
+
+fn open_each(paths: &[PathBuf], options: &PieceOptions) -> Result<Vec<Named>, ReadError> {
     let mut sources = Vec::with_capacity(paths.len());
     for path in paths {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -40,7 +54,7 @@ pub fn open_several(paths: &[PathBuf], options: &PieceOptions) -> Result<Several
         let stem = Path::new(stem.as_ref()).file_stem().unwrap_or_default().to_string_lossy().into_owned();
         sources.push((open_pieces(path, options)?, stem));
     }
-    Several::new(sources)
+    Ok(sources)
 }
 
 impl Several {
@@ -48,7 +62,7 @@ impl Several {
     ///
     /// # Errors
     /// [`ReadError::Malformed`] if there are no inputs.
-    pub fn new(sources: Vec<(Box<dyn PieceSource>, String)>) -> Result<Self, ReadError> {
+    pub fn new(sources: Vec<Named>) -> Result<Self, ReadError> {
         let Some((first, _)) = sources.first() else {
             let (file, place) = ("list of files".to_owned(), Place::File);
             return Err(ReadError::Malformed { file, place, reason: "it names no files".to_owned() });
@@ -57,6 +71,7 @@ impl Several {
         if sources.len() > 1 {
             summary.name = format!("{} and {} more", summary.name, sources.len() - 1);
         }
+        summary.origin = first.summary().origin;
         summary.georeference = first.summary().georeference.clone();
         let has = |source: &dyn PieceSource, kind: &LayerKind| source.summary().layers.contains(kind);
         summary.layers = first.summary().layers.clone();

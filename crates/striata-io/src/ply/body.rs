@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use striata::mesh::{AttributeLayer, LayerData, Semantic};
+use striata::mesh::{AttributeLayer, LayerData, Semantic, relative_position};
 
 use crate::error::{Fault, Place};
 
@@ -122,6 +122,8 @@ fn copy_row<'a>(
             skip_property(property, rows)?;
         } else if columns.next().is_some_and(|column| column.is_flipped) {
             rows.copy_flipped(property.scalar, out)?;
+        } else if property.is_coordinate() {
+            rows.copy_coordinate(property.scalar, out)?;
         } else {
             rows.copy(property.scalar, out)?;
         }
@@ -338,25 +340,41 @@ impl<'a> Vertices<'a> {
 }
 
 impl Vertices<'_> {
-    /// Returns the positions of all vertices.
-    pub(crate) fn positions(&self, header: &Header) -> Result<Vec<[f32; 3]>, Fault> {
+    /// Returns the columns of x, y and z; [`None`] if there are no vertices and no such columns.
+    fn axes(&self, header: &Header) -> Result<Option<[&Column; 3]>, Fault> {
         let mut axes = Vec::with_capacity(3);
         for name in ["x", "y", "z"] {
             let Some(column) = self.columns.iter().find(|c| c.name == name) else {
                 if header.vertex()?.count == 0 {
-                    return Ok(Vec::new());
+                    return Ok(None);
                 }
                 let reason = format!("the element `vertex` has no property `{name}`");
                 return Err(Fault::Malformed(Place::File, reason));
             };
             axes.push(column);
         }
-        let [x, y, z] = [axes[0].offset, axes[1].offset, axes[2].offset];
-        if axes.iter().all(|c| c.scalar == Scalar::F32) && y == x + 4 && z == x + 8 {
+        Ok(Some([axes[0], axes[1], axes[2]]))
+    }
+
+    /// Returns the positions of all vertices relative to an origin.
+    pub(crate) fn positions(&self, header: &Header, origin: [f64; 3]) -> Result<Vec<[f32; 3]>, Fault> {
+        let Some(axes) = self.axes(header)? else { return Ok(Vec::new()) };
+        let [x, y, z] = axes.map(|column| column.offset);
+        let are_floats = axes.iter().all(|c| c.scalar == Scalar::F32);
+        if are_floats && y == x + 4 && z == x + 8 && origin == [0.0; 3] {
             let position = |row: &[u8]| [f32_at(row, 0), f32_at(row, 4), f32_at(row, 8)];
             return Ok(self.rows().map(|row| position(&row[x..x + 12])).collect());
         }
-        Ok(self.rows().map(|row| [0, 1, 2].map(|axis| to_f64(row, axes[axis]) as f32)).collect())
+        Ok(self.rows().map(|row| relative_position(axes.map(|column| to_f64(row, column)), origin)).collect())
+    }
+
+    /// Returns the coordinates of all vertices in doubles, if single precision cannot hold their type.
+    pub(crate) fn file_positions(&self, header: &Header) -> Result<Option<Vec<[f64; 3]>>, Fault> {
+        let Some(axes) = self.axes(header)? else { return Ok(None) };
+        if !axes.iter().any(|column| matches!(column.scalar, Scalar::F64 | Scalar::I32 | Scalar::U32)) {
+            return Ok(None);
+        }
+        Ok(Some(self.rows().map(|row| axes.map(|column| to_f64(row, column))).collect()))
     }
 
     fn rows(&self) -> impl ExactSizeIterator<Item = &[u8]> {

@@ -207,6 +207,9 @@ fn split(mesh: &mut IndexedMesh, corners: &[Corner]) -> Vec<[u32; 2]> {
     let (vertices, triangles) = number_wedges(mesh.positions.len(), corners);
     let order: Vec<u32> = vertices.iter().map(|vertex| vertex[0]).collect();
     mesh.positions = order.iter().map(|&vertex| mesh.positions[vertex as usize]).collect();
+    if !mesh.exact_positions.is_empty() {
+        mesh.exact_positions = order.iter().map(|&vertex| mesh.exact_positions[vertex as usize]).collect();
+    }
     mesh.layers.iter_mut().for_each(|layer| *layer = layer.gather(&order));
     mesh.triangles = triangles;
     vertices.into_iter().map(|[_, u, v]| [u, v]).collect()

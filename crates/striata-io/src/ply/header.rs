@@ -85,6 +85,13 @@ pub(crate) struct Element {
     pub properties: Vec<Property>,
 }
 
+impl Property {
+    /// Whether the property is a coordinate of a vertex.
+    pub(crate) fn is_coordinate(&self) -> bool {
+        self.list.is_none() && matches!(self.name.as_str(), "x" | "y" | "z")
+    }
+}
+
 impl Element {
     /// Returns the smallest number of bytes that a row takes in binary.
     pub(crate) fn least_row_bytes(&self) -> usize {
@@ -122,6 +129,13 @@ pub(crate) struct Header {
 }
 
 impl Header {
+    /// Declares coordinates as doubles: texts may have more digits than the type that their header declares.
+    pub(crate) fn widen_coordinates(&mut self) {
+        let vertex = self.elements.iter_mut().find(|element| element.name == "vertex");
+        let properties = vertex.into_iter().flat_map(|vertex| &mut vertex.properties);
+        properties.filter(|p| p.is_coordinate()).for_each(|property| property.scalar = Scalar::F64);
+    }
+
     /// Parses the header at the start of a file.
     pub(crate) fn read(bytes: &[u8]) -> Result<Self, Fault> {
         let mut cursor = Cursor::new(bytes);

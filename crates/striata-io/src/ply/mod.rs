@@ -45,13 +45,24 @@ use rows::{AsciiRows, BinaryRows};
 
 /// Reads a mesh from the bytes of a PLY file, and the images that it names from files next to it.
 pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
-    let header = Header::read(bytes)?;
+    let mut header = Header::read(bytes)?;
     let mut faces = Faces::default();
     faces.data = FaceData::new(&header, bytes.len());
     let vertices = match header.encoding {
         Encoding::Ascii => {
-            let cursor = Cursor::starting_at(bytes, header.body_at, header.body_line);
-            read_elements(&header, &mut AsciiRows(cursor), &mut faces)?
+            let rows =
+                |header: &Header| AsciiRows(Cursor::starting_at(bytes, header.body_at, header.body_line));
+            let mut read = rows(&header);
+            let vertices = read_elements(&header, &mut read, &mut faces)?;
+            if read.0.has_long_coordinates() {
+                // Doubles in a text that declares floats.
+                header.widen_coordinates();
+                faces = Faces::default();
+                faces.data = FaceData::new(&header, bytes.len());
+                read_elements(&header, &mut rows(&header), &mut faces)?
+            } else {
+                vertices
+            }
         }
         Encoding::LittleEndian => {
             read_elements(&header, &mut BinaryRows::<false>::new(bytes, header.body_at), &mut faces)?
@@ -60,7 +71,7 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
             read_elements(&header, &mut BinaryRows::<true>::new(bytes, header.body_at), &mut faces)?
         }
     };
-    let positions = vertices.positions(&header)?;
+    let positions = vertices.positions(&header, [0.0; 3])?;
     faces.check_indices(positions.len())?;
     let layers = vertices.layers(&header);
     if !faces.textures.is_empty() {
@@ -72,6 +83,9 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
         warnings.push(Place::File, remark);
     }
     let mut mesh = IndexedMesh { layers, triangle_layers, ..IndexedMesh::new(positions, faces.triangles) };
+    if let Some(positions) = vertices.file_positions(&header)? {
+        mesh.set_file_positions(positions);
+    }
     let comments = &header.texture_files;
     faces.textures.split_vertices(&mut mesh);
     let set = TextureSet::new(source, bytes.len() as u64);

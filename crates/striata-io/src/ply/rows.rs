@@ -43,6 +43,10 @@ pub(crate) trait Rows<'a> {
         }
         Ok(())
     }
+    /// Appends a coordinate like [`copy`](Self::copy), and notes whether it has more digits than its type.
+    fn copy_coordinate(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
+        self.copy(scalar, out)
+    }
     /// Skips `count` numbers.
     fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Fault>;
     /// Returns the smallest number of bytes that one row of the element takes in this source.
@@ -92,7 +96,7 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
         self.0.skip_lines(None);
         match scalar {
             Scalar::F32 => out.extend_from_slice(&self.0.f32()?.to_le_bytes()),
-            Scalar::F64 => out.extend_from_slice(&self.0.number()?.to_f64().to_le_bytes()),
+            Scalar::F64 => out.extend_from_slice(&self.0.f64()?.to_le_bytes()),
             _ => {
                 let value = self.0.integer()?;
                 if !fits(scalar, value) {
@@ -102,6 +106,15 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
                 out.extend_from_slice(&value.to_le_bytes()[..scalar.bytes()]);
             }
         }
+        Ok(())
+    }
+
+    fn copy_coordinate(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
+        if scalar != Scalar::F32 {
+            return self.copy(scalar, out);
+        }
+        self.0.skip_lines(None);
+        out.extend_from_slice(&self.0.coordinate()?.to_le_bytes());
         Ok(())
     }
 

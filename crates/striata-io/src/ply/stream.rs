@@ -130,7 +130,7 @@ impl PlyStream {
             }
         }
         let vertices = Vertices::of_rows(vertex, rows, self.header.has_top_origin);
-        let positions = vertices.positions(&self.header).map_err(in_file)?;
+        let positions = vertices.positions(&self.header, [0.0; 3]).map_err(in_file)?;
         Ok(IndexedMesh { layers: vertices.layers(&self.header), ..IndexedMesh::new(positions, Vec::new()) })
     }
 
@@ -194,7 +194,7 @@ impl PlyStream {
     ) -> io::Result<()> {
         let names: Vec<&str> = self.header.texture_files.iter().map(|file| file.name.as_str()).collect();
         let vertex_count = self.vertex_count.to_string();
-        let head = vertex_header(layers, &names, "binary_little_endian", &vertex_count);
+        let head = vertex_header(Scalar::F32, layers, &names, "binary_little_endian", &vertex_count);
         let head = head.map_err(|refusal| io::Error::other(refusal.into_reason()))?;
         out.write_all((head + STRIPS).as_bytes())?;
         let mut written = Vec::new();

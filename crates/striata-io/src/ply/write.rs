@@ -10,7 +10,7 @@ use crate::color_space::byte_colors;
 use crate::error::Refusal;
 use crate::image_files::ImageFiles;
 use crate::report::Warnings;
-use crate::text::{push_f32, push_f64, push_one_minus_f32};
+use crate::text::{push_coordinates, push_f32, push_f64, push_one_minus_f32};
 
 use super::header::Scalar;
 use super::names::{names_of_layers, plain_name};
@@ -63,7 +63,9 @@ fn header(
     let face_names = names_of(face_layers, true);
     let comments = normalized_comments("normalized_face", face_layers, &face_names);
     let names: Vec<&str> = textures.names.iter().map(String::as_str).collect();
-    let mut out = vertex_header(layers, &names, encoding, &mesh.positions.len().to_string())?;
+    let coordinate = if mesh.needs_doubles() { Scalar::F64 } else { Scalar::F32 };
+    let vertex_count = mesh.positions.len().to_string();
+    let mut out = vertex_header(coordinate, layers, &names, encoding, &vertex_count)?;
     out.insert_str(out.find("element").unwrap_or(out.len()), &comments);
     out += &format!("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.len());
     if textures.numbers.is_some() {
@@ -113,6 +115,7 @@ fn push_properties(
 
 /// The header up to the last property of vertices, whose values the layers need not have.
 pub(crate) fn vertex_header(
+    coordinate: Scalar,
     layers: &[impl Borrow<AttributeLayer>],
     texture_files: &[&str],
     encoding: &str,
@@ -127,7 +130,7 @@ pub(crate) fn vertex_header(
     out += &format!("element vertex {vertex_count}\n");
     let positions = ["x", "y", "z"];
     for name in positions {
-        out += &format!("property float {name}\n");
+        out += &format!("property {} {name}\n", coordinate.name());
     }
     push_properties(layers, names, BTreeSet::from(positions.map(str::to_owned)), &mut out)?;
     Ok(out)
@@ -142,10 +145,16 @@ fn push_binary(
     let bytes_of = |layers: &[Cow<'_, AttributeLayer>]| -> usize {
         layers.iter().map(|layer| layer.vertex_bytes()).sum()
     };
-    let (vertex_bytes, face_bytes) = (12 + bytes_of(layers), 13 + bytes_of(face_layers));
+    let coordinate_bytes = if mesh.needs_doubles() { 24 } else { 12 };
+    let (vertex_bytes, face_bytes) = (coordinate_bytes + bytes_of(layers), 13 + bytes_of(face_layers));
     out.reserve_exact(vertex_bytes * mesh.positions.len() + face_bytes * mesh.triangles.len());
     for vertex in 0..mesh.positions.len() {
-        push_row(&mesh.positions, layers, vertex, out);
+        if mesh.needs_doubles() {
+            out.extend_from_slice(bytemuck::cast_slice(&mesh.file_position(vertex)));
+            push_values(layers, vertex, out);
+        } else {
+            push_row(&mesh.positions, layers, vertex, out);
+        }
     }
     for (index, triangle) in mesh.triangles.iter().enumerate() {
         out.push(3);
@@ -185,11 +194,9 @@ fn push_ascii(
     out: &mut Vec<u8>,
 ) {
     let flipped: Vec<bool> = layers.iter().map(|layer| has_origin(layer)).collect();
-    for (vertex, position) in mesh.positions.iter().enumerate() {
-        for &x in position {
-            push_f32(out, x);
-            out.push(b' ');
-        }
+    for vertex in 0..mesh.positions.len() {
+        push_coordinates(out, mesh, vertex);
+        out.push(b' ');
         push_ascii_values(layers, vertex, Some(&flipped), out);
         out.pop();
         out.push(b'\n');

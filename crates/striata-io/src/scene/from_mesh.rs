@@ -9,7 +9,7 @@ use super::{Scene, SceneError, SceneParts};
 use crate::gltf::{attribute_name, image_entry, insert, looks};
 
 impl Scene {
-    /// Creates a scene with one node that shows a mesh; triangles of one material become one primitive.
+    /// Creates a scene with one node that shows a mesh, moved by the mesh's origin; triangles of one material become one primitive.
     ///
     /// # Errors
     /// [`SceneError`] if the mesh is inconsistent, or the JSON of its materials is broken.
@@ -29,7 +29,13 @@ impl Scene {
             group_by_material(&mut mesh);
             let primitives: Vec<Value> = mesh.groups.iter().map(|group| primitive(&mesh, group)).collect();
             root.insert("meshes".to_owned(), json!([{ "primitives": primitives }]));
-            root.insert("nodes".to_owned(), json!([{ "mesh": 0 }]));
+            let mut node = json!({ "mesh": 0 });
+            if mesh.origin != [0.0; 3] {
+                node["translation"] = json!(std::mem::take(&mut mesh.origin));
+            }
+            // Nodes place meshes; their vertices have no coordinates of their own in the file.
+            mesh.exact_positions.clear();
+            root.insert("nodes".to_owned(), json!([node]));
             root.insert("scenes".to_owned(), json!([{ "nodes": [0] }]));
             number_materials(&mut mesh);
             meshes.push(Some(mesh));

@@ -91,6 +91,7 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
     let mut metadata = Metadata {
         source: summary.name.clone(),
         triangle_count: total.triangle_count,
+        origin: summary.origin,
         min: total.min,
         max: total.max,
         grid: (!options.exact).then(|| Grid::of(total.min, total.max, grid_step(options, mean_edge))),

@@ -62,6 +62,7 @@ impl GltfPieces {
         }
         let layers = outline.formats.iter().map(|(semantic, format)| format.layer(semantic, 0));
         let summary = PieceSummary {
+            origin: [0.0; 3],
             name: opened.name().to_owned(),
             layers: layers.map(|layer| LayerKind::of(&layer)).collect(),
             groups,
