@@ -420,11 +420,12 @@ impl Number<'_> {
 
     #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     fn differs_from(self, value: f32) -> bool {
-        let difference = (self.to_f64() - f64::from(value)).abs();
+        let exact = self.to_f64();
+        // The double is rounded too.
+        let difference = (exact - f64::from(value)).abs() - f64::EPSILON * exact.abs();
         let power = self.decimal.filter(|d| d.exponent < 0);
         let power = power.and_then(|d| POWERS.get(d.exponent.unsigned_abs() as usize).copied());
         let power = power.or_else(|| self.power_of_last_place()).unwrap_or(POWERS[22]);
-        // A little more than a half, because the difference itself is rounded.
         difference.is_finite() && difference * power > 0.500_001
     }
 
