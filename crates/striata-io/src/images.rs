@@ -64,11 +64,28 @@ impl ImageBudget {
 
 /// Refuses a file outside the folder of the source that is no image: a name must not include any file of the
 /// machine in what is made of the source.
-pub(crate) fn image_from_afar(bytes: Vec<u8>, is_outside: bool) -> Result<Vec<u8>, String> {
-    match is_outside && media_type(&bytes).is_empty() {
+pub(crate) fn image_from_afar(bytes: Vec<u8>, name: &str, is_outside: bool) -> Result<Vec<u8>, String> {
+    match is_outside && media_type(&bytes).is_empty() && !png_of(&bytes, name).is_some_and(|png| png.is_ok())
+    {
         true => Err("not an image, and outside the folder of the file".to_owned()),
         false => Ok(bytes),
     }
+}
+
+/// Converts TGA and BMP, which glTF cannot store, to PNG; [`None`] if the file is neither.
+#[cfg(feature = "images")]
+pub(crate) fn png_of(bytes: &[u8], name: &str) -> Option<Result<Vec<u8>, String>> {
+    if !media_type(bytes).is_empty() {
+        return None;
+    }
+    let converted = crate::image_pixels::png_of(bytes, name)?;
+    Some(converted.map_err(|reason| format!("the image is damaged: {reason}")))
+}
+
+/// Nothing is converted without the feature `images`.
+#[cfg(not(feature = "images"))]
+pub(crate) fn png_of(_bytes: &[u8], _name: &str) -> Option<Result<Vec<u8>, String>> {
+    None
 }
 
 /// Detects the media type of an image by its first bytes; empty if it is unknown.

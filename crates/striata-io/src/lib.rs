@@ -53,6 +53,8 @@
 //!   it if the source is a path, or [`Source::outside_allowed`] is set. A link that leads out of the folder is
 //!   never followed, and nothing absolute is read. What is missing is a [`Warning`] that says why, except for
 //!   buffers of glTF, without which there is no mesh.
+//! * **Images that glTF cannot store** (TGA, BMP) become PNG when they are read, and the opacity of `map_d`
+//!   becomes the alpha of the base color image.
 //! * **Materials and images are written next to OBJ and PLY** ([`encode_mesh`]): an OBJ gets a library of its
 //!   own name, a PLY `comment TextureFile`. Images are referred to if they lie there already, otherwise
 //!   written; no different file is replaced.
@@ -99,6 +101,8 @@ mod gltf;
 mod gltf_json;
 #[cfg(any(feature = "ply", feature = "obj"))]
 mod image_files;
+#[cfg(all(feature = "images", any(feature = "ply", feature = "obj", feature = "gltf")))]
+mod image_pixels;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod images;
 #[cfg(not(target_family = "wasm"))]

@@ -13,7 +13,7 @@ use crate::Source;
 use crate::companions::{Companions, NameKind};
 use crate::error::Place;
 use crate::gltf_json::extensions_in;
-use crate::images::{ImageBudget, image_from_afar, media_type};
+use crate::images::{ImageBudget, image_from_afar, media_type, png_of};
 use crate::report::Warnings;
 pub(crate) use crate::report::shortened;
 
@@ -31,6 +31,8 @@ pub(crate) struct TextureSet<'a> {
     texture_of: BTreeMap<(usize, bool), usize>,
     /// Whether some texture uses the only sampler.
     clamps: bool,
+    /// Combined images most of which is translucent.
+    translucent: BTreeSet<usize>,
 }
 
 /// A file, whether or not a texture uses it.
@@ -63,6 +65,7 @@ impl<'a> TextureSet<'a> {
             textures: Vec::new(),
             texture_of: BTreeMap::new(),
             clamps: false,
+            translucent: BTreeSet::new(),
         }
     }
 
@@ -101,14 +104,20 @@ impl<'a> TextureSet<'a> {
         let read = companion
             .file
             .and_then(|found| self.budget.read(found.file).map_err(|error| error.to_string()))
-            .and_then(|bytes| image_from_afar(bytes, is_outside));
+            .and_then(|bytes| image_from_afar(bytes, &name, is_outside));
         let bytes = read.unwrap_or_else(|reason| {
             warn(reason);
             Vec::new()
         });
+        let (bytes, damage) = match png_of(&bytes, &name) {
+            Some(Ok(png)) => (png, None),
+            Some(Err(damage)) => (bytes, Some(damage)),
+            None => (bytes, None),
+        };
         let mime_type = media_type(&bytes).to_owned();
         if !bytes.is_empty() && mime_type.is_empty() {
-            warn("not PNG or JPEG, which glTF requires; it stays a reference to the file".to_owned());
+            let found = damage.unwrap_or_else(|| "not PNG or JPEG, which glTF requires".to_owned());
+            warn(format!("{found}; it stays a reference to the file"));
         }
         self.files.push(TextureFile { image: Image { name, uri, mime_type, bytes }, index: None });
         self.file_of_path.insert(key, self.files.len() - 1);
@@ -119,6 +128,50 @@ impl<'a> TextureSet<'a> {
     #[cfg(feature = "obj")]
     pub(crate) fn bytes(&self, file: usize) -> &[u8] {
         &self.files[file].image.bytes
+    }
+
+    /// Adds the base color of `color` (white if there is none) with the opacity of `mask`, and returns the
+    /// number of the new file and whether most of it is translucent.
+    #[cfg(all(feature = "obj", feature = "images"))]
+    pub(crate) fn masked(
+        &mut self,
+        color: Option<usize>,
+        mask: usize,
+        channel: Option<u8>,
+    ) -> Result<(usize, bool), String> {
+        let key = format!("{color:?} with {mask} {channel:?}");
+        let file = match self.file_of_path.get(&key) {
+            Some(&known) => known,
+            None => {
+                let color_bytes = color.map(|color| self.bytes(color));
+                let masked = crate::image_pixels::masked(color_bytes, self.bytes(mask), channel)?;
+                self.budget.take(masked.png.len() as u64).map_err(|error| error.to_string())?;
+                let named = &self.files[color.unwrap_or(mask)].image;
+                let with_ending = |path: &str| {
+                    let stem = path.rsplit_once('.').map_or(path, |(stem, _)| stem);
+                    format!("{stem}_alpha.png")
+                };
+                let (name, uri) = (with_ending(&named.name), with_ending(&named.uri));
+                let (mime_type, bytes) = ("image/png".to_owned(), masked.png);
+                let image = Image { name, uri, mime_type, bytes };
+                self.files.push(TextureFile { image, index: None });
+                self.file_of_path.insert(key, self.files.len() - 1);
+                self.translucent.extend(masked.is_translucent.then_some(self.files.len() - 1));
+                self.files.len() - 1
+            }
+        };
+        Ok((file, self.translucent.contains(&file)))
+    }
+
+    /// Without the feature `images`, nothing is decoded.
+    #[cfg(all(feature = "obj", not(feature = "images")))]
+    pub(crate) fn masked(
+        &mut self,
+        _color: Option<usize>,
+        _mask: usize,
+        _channel: Option<u8>,
+    ) -> Result<(usize, bool), String> {
+        Err("it cannot be combined with the base color: the feature `images` is off".to_owned())
     }
 
     /// Returns the index of the texture that shows a file.

@@ -190,8 +190,7 @@ fn maps_that_gltf_cannot_combine_are_left_out() {
     // These cannot.
     for (mtl, reason) in [
         ("map_Pr gray.png\nmap_Pm rgb.png", "combines metalness and roughness"),
-        ("map_Kd rgb.png\nmap_d gray.png", "no opacity maps"),
-        ("map_d gray.png", "no opacity maps"),
+        ("map_Kd rgb.png\nmap_d -s 2 2 gray.png", "not those of the base color"),
         ("bump gray.png", "no height maps"),
         ("Tr 1", "material `m` would be invisible"),
     ] {
@@ -204,6 +203,91 @@ fn maps_that_gltf_cannot_combine_are_left_out() {
         assert_eq!(report.mesh.appearance.images.len(), usize::from(used), "{mtl}");
         assert_survives_glb(&report.mesh);
     }
+}
+
+/// An uncompressed TGA of two by two pixels of one color.
+fn tga([red, green, blue]: [u8; 3]) -> Vec<u8> {
+    let mut bytes = vec![0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 24, 0x20];
+    bytes.extend([blue, green, red].repeat(4));
+    bytes
+}
+
+/// A BMP of two by two pixels of one color.
+fn bmp([red, green, blue]: [u8; 3]) -> Vec<u8> {
+    let mut bytes = b"BM".to_vec();
+    for number in [70u32, 0, 54, 40, 2, 2, 1 | 24 << 16, 0, 16, 2835, 2835, 0, 0] {
+        bytes.extend(number.to_le_bytes());
+    }
+    (0..2).for_each(|_| bytes.extend([blue, green, red, blue, green, red, 0, 0]));
+    bytes
+}
+
+/// Decodes a PNG to its size and its samples.
+fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let mut out = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut out).unwrap();
+    out.truncate(info.buffer_size());
+    (info.width, info.height, out)
+}
+
+#[test]
+#[cfg(feature = "images")]
+fn tga_and_bmp_become_png() {
+    let files: [(&str, &[u8]); 2] = [("Wood.TGA", &tga([160, 80, 40])), ("bark.bmp", &bmp([90, 40, 20]))];
+    let (_, mesh) = material("map_Kd wood.tga\nmap_Ke bark.bmp", &files);
+    let images = &mesh.appearance.images;
+    assert!(images.iter().all(|image| image.mime_type == "image/png"));
+    assert_eq!(pixels(&images[0].bytes), (2, 2, [160, 80, 40].repeat(4)));
+    assert_eq!(pixels(&images[1].bytes), (2, 2, [90, 40, 20].repeat(4)));
+    assert_survives_glb(&mesh);
+    // A glTF document may not refer to them, but some do.
+    let mut root: Value = serde_json::from_slice(&written(Format::Gltf, &mesh)).unwrap();
+    root["images"] = json!([{ "uri": "Wood.TGA" }, { "uri": "bark.bmp" }, { "uri": "broken.tga" }]);
+    let broken = &tga([0; 3])[..20];
+    let folder =
+        folder(&[&files[..], &[("a.gltf", root.to_string().as_bytes()), ("broken.tga", broken)]].concat());
+    let report = report(&folder, "a.gltf");
+    assert_eq!(pixels(&report.mesh.appearance.images[0].bytes).2[..3], [160, 80, 40]);
+    assert_eq!(report.mesh.appearance.images[1].mime_type, "image/png");
+    let warnings = warnings(&folder, &report);
+    assert!(warnings.len() == 1 && warnings[0].contains("the image is damaged"), "{warnings:?}");
+}
+
+#[test]
+#[cfg(feature = "images")]
+fn masks_become_the_alpha_of_the_base_color() {
+    let mut gray = Vec::new();
+    let mut encoder = png::Encoder::new(&mut gray, 2, 1);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.write_header().unwrap().write_image_data(&[0, 255]).unwrap();
+    let (rgb, soft) = (png(png::ColorType::Rgb), png(png::ColorType::Grayscale));
+    let files: [(&str, &[u8]); 4] =
+        [("leaf.png", &rgb), ("mask.png", &gray), ("soft.png", &soft), ("wood.tga", &tga([1, 2, 3]))];
+    let (value, mesh) = material("map_Kd wood.tga\nmap_d mask.png\nd 0.5", &files);
+    assert_eq!((&value["alphaMode"], mesh.appearance.images.len()), (&json!("MASK"), 1));
+    let image = &mesh.appearance.images[0];
+    assert_eq!((image.name.as_str(), image.uri.as_str()), ("wood_alpha.png", "wood_alpha.png"));
+    let expected = [[1, 2, 3, 0], [1, 2, 3, 255]].concat().repeat(2);
+    assert_eq!(pixels(&image.bytes), (2, 2, expected));
+    assert_survives_glb(&mesh);
+    let (value, mesh) = material("map_Kd leaf.png\nmap_d soft.png", &files);
+    assert_eq!(value["alphaMode"], "BLEND", "most of it is translucent");
+    assert_eq!(pixels(&mesh.appearance.images[0].bytes), (1, 1, vec![200; 4]));
+    // Without a base color image, the color stays a factor.
+    let (value, mesh) = material("Kd 1 0 0\nmap_d mask.png", &files);
+    let pbr = &value["pbrMetallicRoughness"];
+    assert_eq!(
+        (&pbr["baseColorFactor"], &value["alphaMode"]),
+        (&json!([1.0, 0.0, 0.0, 1.0]), &json!("MASK"))
+    );
+    assert_eq!(pixels(&mesh.appearance.images[0].bytes), (2, 1, vec![255, 255, 255, 0, 255, 255, 255, 255]));
+    // Materials that share both files share the image.
+    let text = obj("mtllib a.mtl", &["m", "n"]);
+    let mtl = "newmtl m\nmap_Kd leaf.png\nmap_d mask.png\nnewmtl n\nmap_Kd leaf.png\nmap_d mask.png\n";
+    let files = [&files[..], &[("a.obj", text.as_bytes()), ("a.mtl", mtl.as_bytes())]].concat();
+    let folder = folder(&files);
+    assert_eq!(report(&folder, "a.obj").mesh.appearance.images.len(), 1);
 }
 
 #[test]

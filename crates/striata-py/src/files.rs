@@ -71,21 +71,30 @@ pub(crate) fn warning_texts(warnings: &[striata_io::Warning]) -> Vec<String> {
     warnings.iter().map(|w| format!("{}: {}: {}", w.file, w.place, w.reason)).collect()
 }
 
-/// Writes a mesh in the format of the extension.
+/// Writes a mesh in the format of the extension, and returns what the format cannot store.
 #[pyfunction]
-pub(crate) fn write_mesh(py: Python<'_>, path: PathBuf, mesh: &MeshData, ascii: bool) -> Outcome<()> {
+pub(crate) fn write_mesh(
+    py: Python<'_>,
+    path: PathBuf,
+    mesh: &MeshData,
+    ascii: bool,
+) -> Outcome<Vec<String>> {
     let mesh = Arc::clone(&mesh.mesh);
     job::run(py, UNKNOWN_SIZE, None, move |_| {
-        striata_io::write(&path, &mesh, &WriteOptions::default().with_ascii(ascii)).map_err(write_error)
+        let options = WriteOptions::default().with_ascii(ascii);
+        let warnings = striata_io::write_with_report(&path, &mesh, &options).map_err(write_error)?;
+        Ok(warnings.iter().map(ToString::to_string).collect())
     })
 }
 
-/// Writes a scene in the format of the extension.
+/// Writes a scene in the format of the extension, and returns what the format cannot store.
 #[pyfunction]
-pub(crate) fn write_scene(py: Python<'_>, path: PathBuf, scene: &SceneData) -> Outcome<()> {
+pub(crate) fn write_scene(py: Python<'_>, path: PathBuf, scene: &SceneData) -> Outcome<Vec<String>> {
     let scene = Arc::clone(&scene.scene);
     job::run(py, UNKNOWN_SIZE, None, move |_| {
-        striata_io::write_scene(&path, &scene, &WriteOptions::default()).map_err(write_error)
+        let options = WriteOptions::default();
+        let warnings = striata_io::write_scene_with_report(&path, &scene, &options).map_err(write_error)?;
+        Ok(warnings.iter().map(ToString::to_string).collect())
     })
 }
 

@@ -11,7 +11,7 @@ use super::uri;
 use crate::companions::{Companions, NameKind};
 use crate::error::{Fault, Place};
 use crate::gltf_json::extensions_in;
-use crate::images::{ImageBudget, ImageError, image_from_afar, media_type};
+use crate::images::{ImageBudget, ImageError, image_from_afar, media_type, png_of};
 use crate::report::Warnings;
 
 /// Reads the materials, textures, samplers and images of a document.
@@ -87,6 +87,11 @@ impl ImageReader<'_, '_> {
             image.uri = uri.to_owned();
             image.bytes = self.file(at, uri)?;
         }
+        match png_of(&image.bytes, if image.uri.is_empty() { &image.name } else { &image.uri }) {
+            Some(Ok(png)) => (image.bytes, image.mime_type) = (png, "image/png".to_owned()),
+            Some(Err(reason)) => self.warn(at, reason),
+            None => {}
+        }
         if image.mime_type.is_empty() {
             image.mime_type = media_type(&image.bytes).to_owned();
         }
@@ -102,7 +107,7 @@ impl ImageReader<'_, '_> {
             Ok(read) => read.map_err(|error| error.to_string()),
             Err(reason) => Err(reason),
         };
-        Ok(read.and_then(|bytes| image_from_afar(bytes, is_outside)).unwrap_or_else(|reason| {
+        Ok(read.and_then(|bytes| image_from_afar(bytes, uri, is_outside)).unwrap_or_else(|reason| {
             self.warn(at, format!("texture `{}`: {reason}", uri::shortened(uri)));
             Vec::new()
         }))

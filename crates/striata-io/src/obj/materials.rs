@@ -5,7 +5,7 @@
 //! | `Kd` | `baseColorFactor` | sRGB to linear as in three.js; linear already if Blender wrote the file |
 //! | `map_Kd` | `baseColorTexture` | replaces `Kd` as in Blender and obj2gltf; it is often a default |
 //! | `d`, `Tr` | alpha, `BLEND` | `d` wins; 0 counts as 1 as in obj2gltf: usually `Tr` is wrong |
-//! | `map_d` | `MASK` at 0.5 | the base color image must contain the alpha: cutouts need no sorting |
+//! | `map_d` | `MASK` at 0.5 | alpha of the base color image; `BLEND` if most of it is translucent |
 //! | `Ke`, `map_Ke` | `emissiveFactor`, `emissiveTexture` | above 1: `KHR_materials_emissive_strength` |
 //! | `norm`, `map_Bump` | `normalTexture` | see below; `-bm` is the scale |
 //! | `Pr`, `Pm` | roughness, metallic | metallic is 0 without `Pm` |
@@ -22,10 +22,10 @@
 //! files the exponent of the Blinn-Phong model is matched to that of a Beckmann distribution of the same
 //! width, `alpha^2 = 2 / (Ns + 2)`, and glTF defines `alpha = roughness^2`.
 //!
-//! Textures that would have to be combined with another image are left out with a warning: nothing here
-//! decodes images.
+//! A base color and its `map_d` in another file are combined to one image. Metalness and roughness in different
+//! files are left out with a warning.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::mtl::{Definition, MapKind};
 use super::texture_statement::TextureStatement;
@@ -35,6 +35,9 @@ use crate::gltf_json::number;
 use crate::images::{has_alpha, is_gray};
 use crate::report::Warnings;
 use crate::texture_set::{TextureName, TextureSet, shortened};
+
+/// Statement of a texture and the number of its file, if there is one.
+type Map<'m> = Option<(&'m TextureStatement, usize)>;
 
 /// Origin of a definition.
 #[derive(Clone, Copy)]
@@ -57,10 +60,10 @@ pub(super) struct Converter<'c, 'a> {
 impl Converter<'_, '_> {
     /// Returns a definition as a glTF material.
     pub(super) fn material(&mut self, definition: &Definition, origin: Origin<'_>) -> Value {
-        let mut material = Material { definition, origin, converter: self, out: Map::new() };
+        let mut material = Material { definition, origin, converter: self, out: serde_json::Map::new() };
         material.out.insert("name".to_owned(), json!(definition.name));
         let base_color = material.base_color();
-        let alpha = material.alpha(base_color);
+        let (base_color, alpha) = material.alpha(base_color);
         material.reflection(base_color, alpha);
         material.normals();
         material.emission();
@@ -76,7 +79,7 @@ struct Material<'m, 'c, 'a> {
     definition: &'m Definition,
     origin: Origin<'m>,
     converter: &'m mut Converter<'c, 'a>,
-    out: Map<String, Value>,
+    out: serde_json::Map<String, Value>,
 }
 
 impl<'m> Material<'m, '_, '_> {
@@ -127,44 +130,74 @@ impl<'m> Material<'m, '_, '_> {
     }
 
     /// Returns the map of the base color.
-    fn base_color(&mut self) -> Option<(&'m TextureStatement, usize)> {
+    fn base_color(&mut self) -> Map<'m> {
         self.file_of(MapKind::Diffuse)
     }
 
-    /// Sets the alpha mode and returns the alpha of the base color factor.
-    fn alpha(&mut self, base_color: Option<(&TextureStatement, usize)>) -> f32 {
+    /// Sets the alpha mode, and returns the map of the base color with its opacity and the alpha of the base
+    /// color factor.
+    fn alpha(&mut self, base_color: Map<'m>) -> (Map<'m>, f32) {
         let Definition { opacity, transparency, line, .. } = *self.definition;
         let alpha = opacity.or(transparency.map(|t| 1.0 - t)).unwrap_or(1.0).clamp(0.0, 1.0);
-        let mask = self.definition.maps.get(&MapKind::Opacity);
-        if let Some(mask) = mask
-            && self.converter.has_texcoords
+        if let Some(mask) = self.file_of(MapKind::Opacity)
+            && let Some((base_color, mode)) = self.with_mask(base_color, mask)
         {
-            let is_in_base_color = base_color.is_some_and(|(diffuse, file)| {
-                diffuse.name == mask.name || has_alpha(self.converter.textures.bytes(file))
-            });
-            if is_in_base_color {
-                self.out.insert("alphaMode".to_owned(), json!("MASK"));
-                return 1.0;
-            }
-            self.leave_out(mask, "glTF has no opacity maps besides the alpha of the base color");
+            self.out.insert("alphaMode".to_owned(), json!(mode));
+            return (Some(base_color), 1.0);
         }
         if alpha == 0.0 {
             let name = shortened(&self.definition.name);
             self.warn(line, format!("material `{name}` would be invisible; its opacity 0 is taken as 1"));
-            return 1.0;
+            return (base_color, 1.0);
         }
         if alpha < 1.0 {
             self.out.insert("alphaMode".to_owned(), json!("BLEND"));
         }
-        alpha
+        (base_color, alpha)
+    }
+
+    /// Returns the base color with the opacity of a mask, and its alpha mode; [`None`] with a warning if they
+    /// cannot be combined.
+    fn with_mask(
+        &mut self,
+        base_color: Map<'m>,
+        (mask, mask_file): (&'m TextureStatement, usize),
+    ) -> Option<((&'m TextureStatement, usize), &'static str)> {
+        let textures = &mut self.converter.textures;
+        if let Some((diffuse, file)) = base_color
+            && (file == mask_file || has_alpha(textures.bytes(file)))
+        {
+            return Some(((diffuse, file), "MASK"));
+        }
+        if textures.bytes(mask_file).is_empty() {
+            // The file is missing, for which there is a warning already.
+            return None;
+        }
+        if base_color.is_some_and(|(diffuse, _)| (diffuse.scale, diffuse.offset) != (mask.scale, mask.offset))
+        {
+            self.leave_out(mask, "its coordinates are not those of the base color");
+            return None;
+        }
+        match textures.masked(base_color.map(|(_, file)| file), mask_file, mask.channel) {
+            Ok((file, is_translucent)) => {
+                let statement = base_color.map_or(mask, |(diffuse, _)| diffuse);
+                Some(((statement, file), if is_translucent { "BLEND" } else { "MASK" }))
+            }
+            Err(reason) => {
+                self.leave_out(mask, &reason);
+                None
+            }
+        }
     }
 
     /// Adds base color, metalness and roughness.
-    fn reflection(&mut self, base_color: Option<(&TextureStatement, usize)>, alpha: f32) {
-        let mut pbr = Map::new();
+    fn reflection(&mut self, base_color: Map<'m>, alpha: f32) {
+        let mut pbr = serde_json::Map::new();
+        // An image that is only the mask is white.
+        let has_color_image = base_color.is_some() && self.definition.maps.contains_key(&MapKind::Diffuse);
         let white = [1.0; 3];
         let [red, green, blue] = match self.definition.diffuse {
-            Some(color) if base_color.is_none() => self.linear(color).map(|c| c.clamp(0.0, 1.0)),
+            Some(color) if !has_color_image => self.linear(color).map(|c| c.clamp(0.0, 1.0)),
             _ => white,
         };
         if [red, green, blue, alpha] != [1.0; 4] {

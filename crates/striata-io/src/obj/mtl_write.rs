@@ -110,6 +110,10 @@ impl MaterialWriter<'_, '_> {
             "BLEND" if alpha < 1.0 => self.line("d", &alpha.to_string()),
             "MASK" | "BLEND" => {
                 self.texture("/pbrMetallicRoughness/baseColorTexture", "map_d", "");
+                let pointer = "/pbrMetallicRoughness/baseColorTexture";
+                if mode == "BLEND" && self.value.pointer(pointer).is_some() {
+                    self.lost.push("the alpha mode BLEND, which is read as MASK".to_owned());
+                }
                 if mode == "MASK" && cutoff != 0.5 {
                     self.lost.push(format!("the alpha cutoff {cutoff}"));
                 }

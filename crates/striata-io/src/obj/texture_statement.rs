@@ -16,6 +16,8 @@ pub(super) struct TextureStatement {
     pub bump_scale: f32,
     /// `-clamp on`: whether the texture does not repeat.
     pub clamps: bool,
+    /// `-imfchan`: letter of the channel that is used: `r`, `g`, `b`, `m` (alpha), `l` (brightness).
+    pub channel: Option<u8>,
 }
 
 /// Arguments of an option.
@@ -52,6 +54,7 @@ impl TextureStatement {
             offset: [0.0; 2],
             bump_scale: 1.0,
             clamps: false,
+            channel: None,
         };
         // Start and end of the name.
         let mut name: Option<(usize, usize)> = None;
@@ -79,6 +82,8 @@ impl TextureStatement {
                 let (from, to) = word_at(text, end)?;
                 if option == b"-clamp" {
                     self.clamps = text[from..to].eq_ignore_ascii_case(b"on");
+                } else if option == b"-imfchan" {
+                    self.channel = text.get(from).map(u8::to_ascii_lowercase);
                 }
                 return Some(to);
             }

@@ -11,6 +11,7 @@ import os
 from . import _striata
 from ._options import options_of
 from ._progress import Progress, reporting
+from ._warn import warn
 
 Path = str | os.PathLike[str]
 
@@ -29,6 +30,12 @@ def _file_and_kind(path: Path, *, with_levels: tuple[str, ...] = ("striata", "st
     return file, kind
 
 
+def _warn_of(losses: list[str]) -> None:
+    """Warn of what a format cannot store."""
+    for loss in losses:
+        warn(loss)
+
+
 def write_mesh(path: Path, data: _striata.MeshData, *, ascii: bool = False, progress: Progress = False) -> None:
     """Write a mesh, in the coordinates of the user."""
     file, kind = _file_and_kind(path)
@@ -39,7 +46,7 @@ def write_mesh(path: Path, data: _striata.MeshData, *, ascii: bool = False, prog
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_mesh(data, DEFAULT_QUALITY, callback))
         else:
-            _striata.write_mesh(file, data, ascii)
+            _warn_of(_striata.write_mesh(file, data, ascii))
 
 
 def write_lod(
@@ -68,7 +75,7 @@ def write_scene(path: Path, data: _striata.SceneData, *, progress: Progress = Fa
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_scene(data, DEFAULT_QUALITY, DEFAULT_PREVIEW_SIDE, callback))
         else:
-            _striata.write_scene(file, data)
+            _warn_of(_striata.write_scene(file, data))
 
 
 def write_lod_scene(path: Path, data: _striata.LodSceneData, *, progress: Progress = False) -> None:
