@@ -36,6 +36,16 @@ pub(crate) struct ImageFiles<'m> {
     files: Vec<CompanionFile>,
 }
 
+/// A file that needs a name.
+struct NewFile<'b> {
+    wanted: &'b str,
+    /// The image whose bytes it has, if it is one.
+    image: Option<usize>,
+    bytes: &'b [u8],
+    /// Whether an existing file may be replaced.
+    is_own: fn(&[u8]) -> bool,
+}
+
 /// What a name stands for.
 enum Found {
     /// No file.
@@ -87,7 +97,8 @@ impl<'m> ImageFiles<'m> {
     /// Returns the name of a file with the bytes of an image, which is written if it does not exist.
     fn free_name(&mut self, image: usize, wanted: &str, warnings: &mut Warnings) -> String {
         let bytes = &self.images[image].bytes;
-        let name = self.reserve(wanted, Some(image), bytes, |_| false, warnings);
+        let file = NewFile { wanted, image: Some(image), bytes, is_own: |_| false };
+        let name = self.reserve(&file, warnings);
         if let Some(folder) = &self.folder
             && !bytes.is_empty()
             && !self.files.iter().any(|file| file.path == folder.join(&name))
@@ -107,7 +118,7 @@ impl<'m> ImageFiles<'m> {
         is_own: fn(&[u8]) -> bool,
         warnings: &mut Warnings,
     ) -> String {
-        let name = self.reserve(wanted, None, &bytes, is_own, warnings);
+        let name = self.reserve(&NewFile { wanted, image: None, bytes: &bytes, is_own }, warnings);
         if let Some(folder) = &self.folder {
             self.files.push(CompanionFile { path: folder.join(&name), bytes });
         }
@@ -115,14 +126,8 @@ impl<'m> ImageFiles<'m> {
     }
 
     /// Finds a name that is free, or that has these bytes already.
-    fn reserve(
-        &mut self,
-        wanted: &str,
-        image: Option<usize>,
-        bytes: &[u8],
-        is_own: fn(&[u8]) -> bool,
-        warnings: &mut Warnings,
-    ) -> String {
+    fn reserve(&mut self, file: &NewFile<'_>, warnings: &mut Warnings) -> String {
+        let &NewFile { wanted, image, bytes, is_own } = file;
         for number in 1..MAX_NUMBER {
             let name = numbered(wanted, number);
             match self.taken.get(&name.to_lowercase()) {

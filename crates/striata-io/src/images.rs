@@ -65,8 +65,7 @@ impl ImageBudget {
 /// Refuses a file outside the folder of the source that is no image: a name must not include any file of the
 /// machine in what is made of the source.
 pub(crate) fn image_from_afar(bytes: Vec<u8>, name: &str, is_outside: bool) -> Result<Vec<u8>, String> {
-    match is_outside && media_type(&bytes).is_empty() && !png_of(&bytes, name).is_some_and(|png| png.is_ok())
-    {
+    match is_outside && media_type(&bytes).is_empty() && png_of(&bytes, name).is_none_or(|png| png.is_err()) {
         true => Err("not an image, and outside the folder of the file".to_owned()),
         false => Ok(bytes),
     }
