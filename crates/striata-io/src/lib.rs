@@ -28,6 +28,8 @@
 //! | STL | own, `stl` | 84 + 50 n bytes; welding is the main work, and is done in the same pass |
 //! | OFF | own, `off` | uses the cursor that OBJ needs anyway |
 //! | glTF, GLB | `serde_json`, own `gltf` | the `gltf` crate rejects scenes without nodes; more in `gltf` |
+//! | VTK | `quick-xml`, own `vtk` | `vtkio` does not read the lists of cells that VTK writes since version 9, allocates by counts of the file, and its errors have no place |
+//! | 3MF | `zip`, `quick-xml`, own `three_mf` | `threemf2` allocates what the archive declares, without a limit, and its errors have no place |
 //! | glTF compression | `meshoptimizer-rs`, `draco-core` | safe Rust; they limit what they allocate |
 //! | powers of colors | `libm` | the results of the platform's `powf` differ between machines |
 //! | numbers in text | own, `text` | one exact division for up to 15 digits, otherwise the standard library |
@@ -38,15 +40,15 @@
 //! Rules for all formats:
 //!
 //! * **Counts are never trusted.** Before allocating, they are checked against the remaining bytes (PLY,
-//!   STL, OFF), against views and buffers (glTF accessors), or against the file's size (glTF instances,
-//!   zero-filled accessors, images).
-//! * **Texture coordinates of a mesh are glTF's** (`v` grows downward from the top of the image). In OBJ, PLY
-//!   and OFF `v` grows upward from the bottom, as Blender, MeshLab and trimesh write and read it, so it is
+//!   STL, OFF, VTK), against views and buffers (glTF accessors), or against the file's size (glTF instances,
+//!   zero-filled accessors, images, parts of 3MF).
+//! * **Texture coordinates of a mesh are glTF's** (`v` grows downward from the top of the image). In OBJ, PLY,
+//!   OFF, VTK and 3MF `v` grows upward from the bottom, as Blender, MeshLab and trimesh write and read it, so it is
 //!   flipped when read and when written: in decimal in text, within 2^-25 in binary PLY (exactly for pixels
 //!   and short decimals).
 //! * **Vertex colors are never converted** by reading and writing, so that round trips are exact. They are
-//!   linear in glTF and sRGB in PLY, OBJ and OFF: call [`convert_colors`] between these. The exception: PLY
-//!   and OFF store the first color set as bytes, because other programs take anything else for black; values
+//!   linear in glTF and sRGB in PLY, OBJ, OFF and VTK: call [`convert_colors`] between these. 3MF is read and
+//!   written as a scene, with linear colors. The exception: PLY, OFF, VTK and 3MF store the first color set as bytes, because other programs take anything else for black; values
 //!   outside 0 to 1 are clamped, and 16-bit values rounded, with a warning.
 //! * **Files that the source refers to** are found under their names, with `\` as `/`, without a query, in
 //!   another case, or percent-decoded, in this order. They are read inside its folder; also in folders above
@@ -58,6 +60,8 @@
 //! * **Materials and images are written next to OBJ and PLY** ([`encode_mesh`]): an OBJ gets a library of its
 //!   own name, a PLY `comment TextureFile`. Images are referred to if they lie there already, otherwise
 //!   written; no different file is replaced.
+//! * **The unit of 3MF** is kept in `asset.extras.unit` of the scene; coordinates stay as they are in the file. A
+//!   scene is written in that unit or in meters, a single mesh in millimeters.
 //! * **Data that a format cannot store** are left out with a warning each (layers, materials, names of
 //!   groups), or refused with a reason if the file would be wrong (NaN or 32-bit identifiers above 2^24 in
 //!   glTF).
@@ -107,7 +111,14 @@ mod image_pixels;
 mod images;
 #[cfg(not(target_family = "wasm"))]
 mod lod;
-#[cfg(any(feature = "ply", feature = "obj", feature = "off", feature = "stl"))]
+#[cfg(any(
+    feature = "ply",
+    feature = "obj",
+    feature = "off",
+    feature = "stl",
+    feature = "threemf",
+    feature = "vtk"
+))]
 mod losses;
 mod normals;
 #[cfg(feature = "obj")]

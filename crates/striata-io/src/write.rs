@@ -89,9 +89,9 @@ pub(crate) fn named_bytes(
         #[cfg(feature = "gltf")]
         Format::Glb => crate::gltf::to_glb_bytes(mesh, options),
         #[cfg(feature = "vtk")]
-        Format::Vtk | Format::Vtp | Format::Vtu => crate::vtk::to_bytes(format, mesh),
+        Format::Vtk | Format::Vtp | Format::Vtu => crate::vtk::to_bytes(format, mesh, warnings),
         #[cfg(feature = "threemf")]
-        Format::ThreeMf => crate::three_mf::mesh_to_bytes(mesh),
+        Format::ThreeMf => crate::three_mf::mesh_to_bytes(mesh, warnings),
         Format::Striata | Format::Stream => {
             return Err(WriteError::UnknownFormat { file: file.to_owned() });
         }

@@ -7,6 +7,7 @@ use striata::mesh::IndexedMesh;
 use super::{Scene, SceneWriter};
 #[cfg(not(target_family = "wasm"))]
 use crate::Warning;
+use crate::report::Warnings;
 use crate::write::packed_for_name;
 use crate::write_options::WriteOptions;
 use crate::{EncodedMesh, Format, ReadError, Source, WriteError, convert_colors, encode_mesh, read_bytes};
@@ -51,10 +52,12 @@ pub fn encode_scene(
         convert_colors(&mut mesh, Format::Glb, format);
         return encode_mesh(format, &mesh, options, path);
     }
+    #[allow(unused_mut, reason = "only writing 3MF warns")]
+    let mut warnings = Warnings::of_file(&path.map_or_else(String::new, |path| path.display().to_string()));
     let bytes = match format {
         #[cfg(feature = "threemf")]
         Format::ThreeMf => {
-            let bytes = crate::three_mf::scene_to_bytes(scene);
+            let bytes = crate::three_mf::scene_to_bytes(scene, &mut warnings);
             bytes.map_err(|refusal| refusal.in_file(&format.to_string(), format))
         }
         _ => SceneWriter::new(scene).to_bytes(format, options),
@@ -63,7 +66,7 @@ pub fn encode_scene(
         Some(file) => packed_for_name(bytes.map_err(|error| error.in_file(&file))?, &file)?,
         None => bytes?,
     };
-    Ok(EncodedMesh { bytes, ..EncodedMesh::default() })
+    Ok(EncodedMesh { bytes, warnings: warnings.into_list(), ..EncodedMesh::default() })
 }
 
 /// Writes a scene to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.

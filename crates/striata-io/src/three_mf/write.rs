@@ -9,9 +9,11 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
 use crate::color_space::linear_to_srgb;
-use crate::error::Refusal;
+use crate::error::{Place, Refusal};
+use crate::losses;
+use crate::report::Warnings;
 use crate::text::push_f32;
-use crate::{Scene, SceneError};
+use crate::{Format, Scene, SceneError};
 
 const TYPES: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
     <Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\
@@ -27,23 +29,25 @@ const RELATIONS: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
 const MATERIALS_ID: u32 = 1;
 
 /// Encodes one mesh, whose unit is taken for millimeters, as slicers do.
-pub(crate) fn mesh_to_bytes(mesh: &IndexedMesh) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn mesh_to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Result<Vec<u8>, Refusal> {
+    losses::of_group_names(mesh, Format::ThreeMf, warnings);
     let scene = Scene::from_mesh(mesh.clone()).map_err(refusal)?;
-    to_bytes(&scene, "millimeter")
+    to_bytes(&scene, "millimeter", warnings)
 }
 
 /// Encodes a scene, in the unit of the 3MF file that it comes from, or in the meters of glTF.
-pub(crate) fn scene_to_bytes(scene: &Scene) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn scene_to_bytes(scene: &Scene, warnings: &mut Warnings) -> Result<Vec<u8>, Refusal> {
     let unit = scene.document().pointer("/asset/extras/unit").and_then(Value::as_str);
     const UNITS: [&str; 6] = ["micron", "millimeter", "centimeter", "inch", "foot", "meter"];
-    to_bytes(scene, unit.filter(|unit| UNITS.contains(unit)).unwrap_or("meter"))
+    to_bytes(scene, unit.filter(|unit| UNITS.contains(unit)).unwrap_or("meter"), warnings)
 }
 
 fn refusal(error: SceneError) -> Refusal {
     Refusal::BadMesh(error.to_string())
 }
 
-fn to_bytes(scene: &Scene, unit: &str) -> Result<Vec<u8>, Refusal> {
+fn to_bytes(scene: &Scene, unit: &str, warnings: &mut Warnings) -> Result<Vec<u8>, Refusal> {
+    report_losses(scene, warnings);
     let model = model(scene, unit)?;
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
@@ -59,6 +63,25 @@ fn to_bytes(scene: &Scene, unit: &str) -> Result<Vec<u8>, Refusal> {
         Ok(archive.finish()?.into_inner())
     })();
     written.map_err(|error| Refusal::Unsupported(error.to_string()))
+}
+
+/// Warns about everything that is not written.
+fn report_losses(scene: &Scene, warnings: &mut Warnings) {
+    let is_kept = |layer: &AttributeLayer| layer.semantic == Semantic::Color(0);
+    for mesh in scene.meshes().iter().flatten() {
+        losses::of_layers(mesh, Format::ThreeMf, is_kept, warnings);
+    }
+    let has =
+        |key: &str| scene.document().get(key).and_then(Value::as_array).is_some_and(|list| !list.is_empty());
+    for (key, what) in [("textures", "textures"), ("skins", "skins"), ("animations", "animations")] {
+        if has(key) {
+            warnings.push(Place::File, format!("3MF files are written without {what}"));
+        }
+    }
+    let is_colored = |mesh: &IndexedMesh| mesh.layer(&Semantic::Color(0)).is_some();
+    if has("materials") && scene.meshes().iter().flatten().any(is_colored) {
+        warnings.push(Place::File, "meshes with colors of vertices are written without their materials");
+    }
 }
 
 /// Returns the part with the model.

@@ -6,6 +6,8 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::Format;
 use crate::error::Refusal;
+use crate::losses;
+use crate::report::Warnings;
 
 /// An array of a file, with big- or little-endian bytes.
 struct NamedArray {
@@ -66,7 +68,13 @@ impl Data {
 }
 
 /// Encodes a mesh with all its layers.
-pub(crate) fn to_bytes(format: Format, mesh: &IndexedMesh) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn to_bytes(
+    format: Format,
+    mesh: &IndexedMesh,
+    warnings: &mut Warnings,
+) -> Result<Vec<u8>, Refusal> {
+    losses::of_materials(mesh, format, warnings);
+    losses::of_group_names(mesh, format, warnings);
     let count = mesh.positions.len().max(3 * mesh.triangles.len());
     if i32::try_from(count).is_err() {
         return Err(Refusal::Unsupported(
