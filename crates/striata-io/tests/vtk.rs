@@ -292,3 +292,14 @@ fn meshes_survive_writing_in_all_three_formats() {
         assert_eq!(back.triangle_layers, mesh.triangle_layers, "{format}");
     }
 }
+
+#[test]
+fn doubles_far_from_the_origin_are_kept() {
+    let mut mesh = meshes::square();
+    let [x, y] = [500_000.05, 5_000_000.7];
+    mesh.set_file_positions(vec![[x, y, 0.1], [x + 1.1, y, 0.2], [x + 1.3, y + 1.7, 0.3], [x, y + 2.3, 0.4]]);
+    for format in [Format::Vtk, Format::Vtp, Format::Vtu] {
+        let back = meshes::round_trip(format, &mesh);
+        assert_eq!((&back.exact_positions, back.origin), (&mesh.exact_positions, mesh.origin), "{format}");
+    }
+}

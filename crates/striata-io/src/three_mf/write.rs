@@ -212,10 +212,14 @@ fn push_object(
 ) {
     let name = if name.is_empty() { String::new() } else { format!(" name=\"{}\"", escaped(name)) };
     push(out, &format!("<object id=\"{id}\" type=\"model\"{name}>\n<mesh>\n<vertices>\n"));
-    for position in &mesh.positions {
-        for (text, &x) in ["<vertex x=\"", "\" y=\"", "\" z=\""].into_iter().zip(position) {
+    for (vertex, position) in mesh.positions.iter().enumerate() {
+        let file_position = mesh.needs_doubles().then(|| mesh.file_position(vertex));
+        for (axis, text) in ["<vertex x=\"", "\" y=\"", "\" z=\""].into_iter().enumerate() {
             push(out, text);
-            push_f32(out, x);
+            match file_position {
+                Some(doubles) => push(out, &doubles[axis].to_string()),
+                None => push_f32(out, position[axis]),
+            }
         }
         push(out, "\"/>\n");
     }

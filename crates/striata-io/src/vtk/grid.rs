@@ -75,9 +75,17 @@ impl Grid {
         let (point_count, cell_count) = (self.point_count(), self.cells.len());
         let surface = self.cells.surface();
         report_cells(&surface, warnings)?;
-        let positions =
-            self.points.map_or_else(Vec::new, |points| points.floats().as_chunks::<3>().0.to_vec());
-        let mut mesh = IndexedMesh::new(positions, surface.triangles);
+        let mut mesh = IndexedMesh::new(Vec::new(), surface.triangles);
+        match self.points {
+            // Doubles that single precision cannot hold.
+            Some(Values::F64(points))
+                if points.iter().any(|&x| f64::from(x as f32) != x && x.is_finite()) =>
+            {
+                mesh.set_file_positions(points.as_chunks::<3>().0.to_vec());
+            }
+            Some(points) => mesh.positions = points.floats().as_chunks::<3>().0.to_vec(),
+            None => {}
+        }
         mesh.layers = layers(self.point_data, point_count, "points", warnings);
         // Normals and texture coordinates belong to vertices.
         let cell_data =

@@ -90,6 +90,16 @@ pub(crate) fn to_bytes(
     })
 }
 
+/// Returns the coordinates of all vertices, as doubles if single precision cannot hold them.
+fn points_of(mesh: &IndexedMesh) -> Data {
+    if mesh.needs_doubles() {
+        let points = (0..mesh.positions.len()).flat_map(|vertex| mesh.file_position(vertex));
+        Data::Layer(LayerData::F64(points.collect()))
+    } else {
+        Data::Floats(mesh.positions.as_flattened().to_vec())
+    }
+}
+
 fn array_of(layer: &AttributeLayer) -> NamedArray {
     let width = layer.component_count as usize;
     let vertex_count = layer.data.len() / width.max(1);
@@ -127,8 +137,8 @@ fn array_of(layer: &AttributeLayer) -> NamedArray {
 fn legacy(mesh: &IndexedMesh, [of_points, of_cells]: &[Vec<NamedArray>; 2]) -> Vec<u8> {
     let mut out = b"# vtk DataFile Version 3.0\nwritten by striata\nBINARY\nDATASET POLYDATA\n".to_vec();
     let (vertex_count, triangle_count) = (mesh.positions.len(), mesh.triangles.len());
-    let points = Data::Floats(mesh.positions.as_flattened().to_vec());
-    push(&mut out, &format!("POINTS {vertex_count} float\n"), &points);
+    let points = points_of(mesh);
+    push(&mut out, &format!("POINTS {vertex_count} {}\n", points.type_names()[1]), &points);
     let cells = mesh.triangles.iter().flat_map(|&[a, b, c]| [3, a as i32, b as i32, c as i32]).collect();
     push(&mut out, &format!("POLYGONS {triangle_count} {}\n", 4 * triangle_count), &Data::Integers(cells));
     for (section, count, arrays) in
@@ -199,7 +209,7 @@ fn xml(mesh: &IndexedMesh, [arrays, of_cells]: &[Vec<NamedArray>; 2], kind: &str
         push_array(&mut out, &array.name, array.component_count, &array.data);
     }
     out += "</CellData>\n<Points>\n";
-    push_array(&mut out, "Points", 3, &Data::Floats(mesh.positions.as_flattened().to_vec()));
+    push_array(&mut out, "Points", 3, &points_of(mesh));
     let cells = if is_poly { "Polys" } else { "Cells" };
     out += &format!("</Points>\n<{cells}>\n");
     push_array(&mut out, "connectivity", 1, &Data::Integers(corners));
