@@ -55,6 +55,8 @@ struct ModelReader<'a> {
     bytes: &'a [u8],
     /// Byte of the current element.
     at: usize,
+    /// A byte before it, and its line, from which lines are counted on.
+    counted: (usize, u64),
     model: Model,
     /// The object that is being read.
     object: Option<(u32, Object)>,
@@ -70,6 +72,7 @@ pub(super) fn read(name: &str, bytes: &[u8], warnings: &mut Warnings) -> Result<
         name,
         bytes,
         at: 0,
+        counted: (0, 1),
         model: Model::default(),
         object: None,
         group: None,
@@ -87,6 +90,15 @@ impl ModelReader<'_> {
     fn place(&self) -> Place {
         let before = &self.bytes[..self.at.min(self.bytes.len())];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64;
+        Place::Part { part: self.name.to_owned(), line }
+    }
+
+    /// Returns the place like [`place`](Self::place), but counts only the lines since the last call.
+    fn place_on(&mut self) -> Place {
+        let (counted, line) = self.counted;
+        let end = self.at.min(self.bytes.len()).max(counted);
+        let line = line + self.bytes[counted..end].iter().filter(|&&byte| byte == b'\n').count() as u64;
+        self.counted = (end, line);
         Place::Part { part: self.name.to_owned(), line }
     }
 
@@ -265,7 +277,7 @@ impl ModelReader<'_> {
         Ok(())
     }
 
-    fn component(&self, start: &BytesStart<'_>) -> Result<Component, Fault> {
+    fn component(&mut self, start: &BytesStart<'_>) -> Result<Component, Fault> {
         let transform = match attribute(start, "transform") {
             None => IDENTITY,
             Some(text) => {
@@ -287,7 +299,8 @@ impl ModelReader<'_> {
             .flatten()
             .find(|found| found.key.local_name().as_ref() == b"path");
         let path = path.map(|found| String::from_utf8_lossy(&found.value).into_owned());
-        Ok(Component { path, object, transform, place: self.place() })
+        let place = self.place_on();
+        Ok(Component { path, object, transform, place })
     }
 
     fn open_group(&mut self, start: &BytesStart<'_>, property: Property) -> Result<(), Fault> {

@@ -1,5 +1,7 @@
 //! Points, cells and data of a file, and the mesh that they are.
 
+use std::collections::BTreeMap;
+
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use super::array::{Array, Role, Values, layer_data};
@@ -20,6 +22,8 @@ pub(super) struct Grid {
 
 /// Most values per vertex that a layer may have.
 const MAX_COMPONENTS: usize = 255;
+/// Most layers that are kept, since each is compared with the others.
+const MAX_LAYERS: usize = 1000;
 
 impl Grid {
     pub(super) fn point_count(&self) -> usize {
@@ -54,10 +58,11 @@ impl Grid {
                 *known = more;
                 continue;
             }
+            let by_name: BTreeMap<&str, &Array> =
+                more.iter().map(|array| (array.name.as_str(), array)).collect();
             known.retain_mut(|array| {
-                let same = more
-                    .iter()
-                    .find(|other| other.name == array.name && other.component_count == array.component_count);
+                let same = by_name.get(array.name.as_str());
+                let same = same.filter(|other| other.component_count == array.component_count);
                 let is_kept = same.is_some_and(|other| array.values.append(&other.values));
                 if !is_kept {
                     warnings.push(
@@ -123,6 +128,10 @@ fn layers(arrays: Vec<Array>, count: usize, what: &str, warnings: &mut Warnings)
     let mut layers: Vec<AttributeLayer> = Vec::new();
     for array in arrays {
         let name = array.name.clone();
+        if layers.len() == MAX_LAYERS {
+            warnings.push(Place::File, format!("data beyond the first {MAX_LAYERS} arrays are left out"));
+            continue;
+        }
         match layer(array, count, what) {
             Ok(mut layer) => {
                 if layers.iter().any(|known| known.semantic == layer.semantic) {

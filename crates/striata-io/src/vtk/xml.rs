@@ -34,10 +34,10 @@ struct XmlReader<'a, 'w> {
 /// Arrays of a piece.
 #[derive(Default)]
 struct Piece {
-    points: Option<(Values, Place)>,
+    points: Option<(Values, usize)>,
     point_count: usize,
     /// Arrays of the elements with cells: the element, the name of the array, and the numbers.
-    lists: Vec<(String, String, Vec<i64>, Place)>,
+    lists: Vec<(String, String, Vec<i64>, usize)>,
     /// Arrays of points and of cells.
     data: [Vec<Array>; 2],
     /// Names of the arrays that are normals and texture coordinates.
@@ -202,17 +202,16 @@ impl<'a> XmlReader<'a, '_> {
             values.map_err(|reason| self.fault(at, format!("array `{}`: {reason}", shortened(&name))))?;
         let component_count =
             attribute(start, "NumberOfComponents").and_then(|text| text.trim().parse().ok()).unwrap_or(1);
-        let place = self.line_of(at);
         let piece = &mut self.piece;
         match section {
-            "Points" => piece.points = Some((values, place)),
+            "Points" => piece.points = Some((values, at)),
             "PointData" | "CellData" => {
                 let role = role_of(&name, component_count, &values, &piece.roles);
                 let array = Array { name, role, component_count, values };
                 piece.data[usize::from(section == "CellData")].push(array);
             }
             _ => {
-                piece.lists.push((section.to_owned(), name, values.integers(), place));
+                piece.lists.push((section.to_owned(), name, values.integers(), at));
             }
         }
         Ok(())
@@ -259,7 +258,8 @@ impl<'a> XmlReader<'a, '_> {
             return Err(self.fault(at, reason));
         }
         if let Some((points, place)) = piece.points {
-            self.grid.push_points(points).map_err(|reason| Fault::Malformed(place, reason))?;
+            let pushed = self.grid.push_points(points);
+            pushed.map_err(|reason| self.fault(place, reason))?;
         }
         let points = (first_point, piece.point_count);
         let list = |section: &str, name: &str| {
@@ -267,7 +267,7 @@ impl<'a> XmlReader<'a, '_> {
                 .lists
                 .iter()
                 .find(|(of, known, ..)| of == section && known == name)
-                .map(|(_, _, v, place)| (v.as_slice(), place.clone()))
+                .map(|(_, _, v, place)| (v.as_slice(), *place))
         };
         let kinds = list("Cells", "types").map_or(&[][..], |(kinds, _)| kinds);
         let kind_of = |cell: usize| kinds.get(cell).map(|&kind| u8::try_from(kind).unwrap_or(u8::MAX));
@@ -277,7 +277,7 @@ impl<'a> XmlReader<'a, '_> {
             let connectivity = list(section, "connectivity").map_or(&[][..], |(list, _)| list);
             let kind_of = |cell: usize| kind.or_else(|| kind_of(cell));
             let pushed = self.grid.cells.push_list(kind_of, (connectivity, ends), points);
-            pushed.map_err(|reason| Fault::Malformed(place, format!("`{section}`: {reason}")))?;
+            pushed.map_err(|reason| self.fault(place, format!("`{section}`: {reason}")))?;
         }
         self.grid.push_data(piece.data, self.piece_count == 0, self.warnings);
         self.piece_count += 1;
