@@ -120,6 +120,7 @@ mod lod;
     feature = "vtk"
 ))]
 mod losses;
+mod lost_data;
 mod normals;
 #[cfg(feature = "obj")]
 mod obj;

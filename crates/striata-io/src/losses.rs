@@ -8,16 +8,15 @@ use crate::Format;
 use crate::error::Place;
 use crate::report::{Warnings, shortened};
 
-/// Warns about each layer of vertices that is not kept, and about the data of triangles.
+/// Warns about each layer of vertices that is not kept; `lost_data` does so for those of triangles.
 pub(crate) fn of_layers(
     mesh: &IndexedMesh,
     format: Format,
     is_kept: impl Fn(&AttributeLayer) -> bool,
     warnings: &mut Warnings,
 ) {
-    let layers = mesh.layers.iter().filter(|layer| !is_kept(layer)).map(|layer| (layer, ""));
-    for (layer, whose) in layers.chain(mesh.triangle_layers.iter().map(|layer| (layer, " of triangles"))) {
-        let reason = format!("{format} cannot store the layer {}{whose}; it is left out", layer.semantic);
+    for layer in mesh.layers.iter().filter(|layer| !is_kept(layer)) {
+        let reason = format!("{format} cannot store the layer {}; it is left out", layer.semantic);
         warnings.push(Place::File, reason);
     }
 }

@@ -1,7 +1,8 @@
 //! OFF, ASCII: `[ST][C][N]OFF`, with normals, colors and texture coordinates at the vertices.
 //!
 //! The parser is our own and uses the cursor that OBJ needs anyway: the available crates read plain OFF only,
-//! and their errors give no line numbers. Polygons are triangulated as fans; colors of polygons are ignored.
+//! and their errors give no line numbers. Polygons are triangulated as fans, and each triangle gets the color of
+//! its polygon.
 //! Texture coordinates count from the bottom of the image, as in OBJ: `v` is flipped, in decimal. Colors are
 //! written as bytes. Cost: one pass.
 
@@ -39,19 +40,24 @@ pub(crate) struct Columns {
 /// Reads a mesh from the bytes of an OFF file.
 pub(crate) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let (mut columns, mut triangles) = (Columns::default(), Vec::new());
+    let mut colors = PolygonColors::default();
     let vertex = |layout: &Layout, row: &[f32]| columns.push(layout, row);
-    let layout = read_rows(&plain(bytes), warnings, vertex, |triangle| triangles.push(triangle))?;
+    let layout = read_rows(&plain(bytes), warnings, vertex, |triangle, color| {
+        triangles.push(triangle);
+        colors.push(color, triangles.len());
+    })?;
     let (positions, layers) = columns.into_mesh(&layout);
-    Ok(IndexedMesh { positions, layers, triangles, ..IndexedMesh::default() })
+    let triangle_layers = colors.into_layer(triangles.len(), warnings).into_iter().collect();
+    Ok(IndexedMesh { positions, layers, triangles, triangle_layers, ..IndexedMesh::default() })
 }
 
 /// Reads a plain text row by row: `vertex` gets the numbers of each vertex, `triangle` the triangles of each
-/// polygon. Whether colors are bytes is only known at the end.
+/// polygon and the numbers of its color. Whether colors are bytes is only known at the end.
 pub(crate) fn read_rows(
     text: &[u8],
     warnings: &mut Warnings,
     mut vertex: impl FnMut(&Layout, &[f32]),
-    mut triangle: impl FnMut([u32; 3]),
+    mut triangle: impl FnMut([u32; 3], &[f32]),
 ) -> Result<Layout, Fault> {
     let mut cursor = Cursor::new(text);
     cursor.skip_lines(Some(b'#'));
@@ -74,9 +80,11 @@ pub(crate) fn read_rows(
     // If there are only zeros and ones, they are fractions, as in a white mesh.
     layout.colors_are_bytes &= has_large_color;
     check_room(&cursor, polygon_count, 2)?;
+    let mut polygons = Polygons { vertex_count, ..Polygons::default() };
     for polygon in 0..polygon_count {
         cursor.skip_lines(Some(b'#'));
-        read_polygon(&mut cursor, vertex_count, warnings, &mut triangle)
+        polygons
+            .read(&mut cursor, warnings, &mut triangle)
             .map_err(|fault| in_row(fault, "polygon", polygon))?;
     }
     Ok(layout)
@@ -220,35 +228,112 @@ fn count_color_words(cursor: &Cursor<'_>, layout: &Layout) -> usize {
     if word_count >= other_words + 4 { 4 } else { 3 }
 }
 
-fn read_polygon(
-    cursor: &mut Cursor<'_>,
+/// Reads polygons; the lists are kept only for their memory.
+#[derive(Default)]
+struct Polygons {
     vertex_count: usize,
-    warnings: &mut Warnings,
-    triangle: &mut impl FnMut([u32; 3]),
-) -> Result<(), Fault> {
-    let corner_count = cursor.integer()?;
-    if corner_count < 0 {
-        return Err(cursor.fault(format!("{corner_count} is not a valid number of corners")));
-    }
-    let (mut first, mut last) = (0, 0);
-    for corner in 0..corner_count {
-        let index = cursor.integer()?;
-        let Some(vertex) = u32::try_from(index).ok().filter(|&v| (v as usize) < vertex_count) else {
-            return Err(cursor.fault(format!("vertex {index} of {vertex_count} does not exist")));
-        };
-        match corner {
-            0 => first = vertex,
-            1 => {}
-            _ => triangle([first, last, vertex]),
+    corners: Vec<u32>,
+    color: Vec<f32>,
+}
+
+impl Polygons {
+    fn read(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        warnings: &mut Warnings,
+        triangle: &mut impl FnMut([u32; 3], &[f32]),
+    ) -> Result<(), Fault> {
+        let corner_count = cursor.integer()?;
+        if corner_count < 0 {
+            return Err(cursor.fault(format!("{corner_count} is not a valid number of corners")));
         }
-        last = vertex;
+        self.corners.clear();
+        for _ in 0..corner_count {
+            let index = cursor.integer()?;
+            let vertex = u32::try_from(index).ok().filter(|&v| (v as usize) < self.vertex_count);
+            let missing = || format!("vertex {index} of {} does not exist", self.vertex_count);
+            self.corners.push(vertex.ok_or_else(|| cursor.fault(missing()))?);
+        }
+        self.color.clear();
+        if !ends(cursor) {
+            self.read_color(cursor, warnings);
+        }
+        if let [first, rest @ ..] = &self.corners[..] {
+            for pair in rest.windows(2) {
+                triangle([*first, pair[0], pair[1]], &self.color);
+            }
+        }
+        if corner_count < 3 {
+            let reason = || format!("a polygon with {corner_count} corners");
+            warnings.count(Kind::POLYGONS, || Place::Line(cursor.line()), reason);
+        }
+        cursor.next_line();
+        Ok(())
     }
-    if corner_count < 3 {
-        let reason = || format!("a polygon with {corner_count} corners");
-        warnings.count(Kind::POLYGONS, || Place::Line(cursor.line()), reason);
+
+    /// Reads the rest of the line, which is a color if it has three or four numbers.
+    fn read_color(&mut self, cursor: &mut Cursor<'_>, warnings: &mut Warnings) {
+        while self.color.len() <= 4 && !ends(cursor) {
+            match cursor.f32() {
+                Ok(number) => self.color.push(number),
+                Err(_) => self.color.resize(5, f32::NAN),
+            }
+        }
+        if !matches!(self.color.len(), 3 | 4) {
+            self.color.clear();
+            let kind = Kind("color of a polygon left out", "colors of polygons left out");
+            let reason = || "not three or four numbers".to_owned();
+            warnings.count(kind, || Place::Line(cursor.line()), reason);
+        }
     }
-    cursor.next_line();
-    Ok(())
+}
+
+/// Colors of the triangles read so far: four numbers for each.
+#[derive(Default)]
+struct PolygonColors {
+    values: Vec<f32>,
+    has_alpha: bool,
+    bare_count: usize,
+}
+
+impl PolygonColors {
+    /// Adds the color of the last of `count` triangles; it may be empty.
+    fn push(&mut self, color: &[f32], count: usize) {
+        if color.is_empty() && self.values.is_empty() {
+            return;
+        }
+        let before = count - 1 - self.values.len() / 4;
+        self.bare_count += before + usize::from(color.is_empty());
+        // White, in both forms of numbers.
+        self.values.resize(4 * (count - 1), f32::INFINITY);
+        self.values.extend((0..4).map(|i| color.get(i).copied().unwrap_or(f32::INFINITY)));
+        self.has_alpha |= color.len() == 4;
+    }
+
+    /// Returns the layer, if there is a color.
+    fn into_layer(self, triangle_count: usize, warnings: &mut Warnings) -> Option<AttributeLayer> {
+        if self.values.is_empty() {
+            return None;
+        }
+        if self.bare_count > 0 {
+            let reason =
+                format!("{} of {triangle_count} faces have no color; they become white", self.bare_count);
+            warnings.push(Place::File, reason);
+        }
+        let finite = self.values.iter().filter(|x| x.is_finite());
+        let are_bytes = finite.clone().all(|x| x.fract() == 0.0) && finite.clone().any(|&x| x > 1.0);
+        let scale = if are_bytes { 1.0 } else { 255.0 };
+        let byte = |&x: &f32| (x * scale).clamp(0.0, 255.0).round() as u8;
+        let width = if self.has_alpha { 4 } else { 3 };
+        let rows = self.values.chunks_exact(4).flat_map(|color| color[..width].iter().map(byte));
+        let data = LayerData::U8(rows.collect());
+        Some(AttributeLayer {
+            semantic: Semantic::Color(0),
+            component_count: width as u8,
+            normalized: true,
+            data,
+        })
+    }
 }
 
 impl Layout {
@@ -337,8 +422,16 @@ pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Vec<u8> {
         }
         out.push(b'\n');
     }
-    for [a, b, c] in &mesh.triangles {
-        out.extend_from_slice(format!("3 {a} {b} {c}\n").as_bytes());
+    let is_color = |layer: &&AttributeLayer| {
+        layer.semantic == Semantic::Color(0) && matches!(layer.component_count, 3 | 4)
+    };
+    let face_color = mesh.triangle_layers.iter().find(is_color).map(|layer| byte_colors(layer, warnings));
+    for (index, [a, b, c]) in mesh.triangles.iter().enumerate() {
+        out.extend_from_slice(format!("3 {a} {b} {c}").as_bytes());
+        if let Some(color) = &face_color {
+            push_values(&mut out, color, index);
+        }
+        out.push(b'\n');
     }
     out
 }

@@ -75,6 +75,7 @@ fn is_strange(layer: &AttributeLayer) -> bool {
     match (&layer.data, &layer.semantic) {
         (_, Semantic::Generic(_)) => false,
         (LayerData::F32(values), _) => has_strange(values),
+        (LayerData::F64(values), _) => values.iter().any(|x| !x.is_finite()),
         _ => false,
     }
 }
@@ -119,6 +120,8 @@ fn repair_layers(mesh: &mut IndexedMesh, warnings: &mut Warnings) {
         let replacement = if matches!(layer.semantic, Semantic::Color(_)) { 1.0 } else { 0.0 };
         if let LayerData::F32(values) = &mut layer.data {
             values.iter_mut().filter(|x| !x.is_finite()).for_each(|x| *x = replacement);
+        } else if let LayerData::F64(values) = &mut layer.data {
+            values.iter_mut().filter(|x| !x.is_finite()).for_each(|x| *x = f64::from(replacement));
         }
     }
     let of_kind = |wanted: fn(&Semantic) -> bool, mesh: &IndexedMesh| -> Vec<(usize, Vec<usize>)> {

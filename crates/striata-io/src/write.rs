@@ -72,6 +72,7 @@ pub(crate) fn named_bytes(
     warnings: &mut Warnings,
 ) -> Result<(Vec<u8>, Vec<CompanionFile>), WriteError> {
     check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
+    crate::lost_data::warn(format, mesh, warnings);
     let mut companions = Vec::new();
     #[cfg(any(feature = "ply", feature = "obj"))]
     let mut images = crate::image_files::ImageFiles::new(&mesh.appearance, path);

@@ -88,6 +88,7 @@ fn refined(lod: &Lod, error: ScreenError) -> IndexedMesh {
     view.update_by(error);
     let mut mesh = lod.mesh().clone();
     mesh.triangles = view.triangles().to_vec();
+    mesh.triangle_layers.clear();
     for (group, range) in mesh.groups.iter_mut().zip(view.groups()) {
         *group = TriangleGroup {
             first: range.start / 3,
@@ -95,6 +96,7 @@ fn refined(lod: &Lod, error: ScreenError) -> IndexedMesh {
             ..std::mem::take(group)
         };
     }
+    mesh.take_nearest_triangle_layers(lod.mesh());
     mesh.without_unused_vertices()
 }
 

@@ -570,3 +570,50 @@ fn encoding_and_decoding_report_progress_and_can_be_cancelled() {
     assert_eq!(rest, Ok(bytes.len() - accepted));
     assert!(decoder.is_complete());
 }
+
+/// Data of triangles arrive after the last chunk, and belong to the same triangles as before.
+#[test]
+fn data_of_triangles_are_lossless() {
+    let mut mesh = shapes::torus(16, 8, 1.0, 0.4);
+    let corners = |t: &[u32; 3]| t.map(|v| mesh.positions[v as usize].map(f64::from));
+    // Each triangle gets its centroid, so that it can be recognized.
+    let centroid = |t: &[u32; 3]| {
+        let [a, b, c] = corners(t);
+        [0, 1, 2].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0)
+    };
+    let centroids: Vec<f64> = mesh.triangles.iter().flat_map(centroid).collect();
+    let ids: Vec<i32> = (0..mesh.triangle_count() as i32).map(|i| i * 7_654_321 - 5).collect();
+    let layer = |name: &str, component_count, data| striata::mesh::AttributeLayer {
+        semantic: striata::mesh::Semantic::Generic(name.to_owned()),
+        component_count,
+        normalized: false,
+        data,
+    };
+    mesh.triangle_layers =
+        vec![layer("centroid", 3, LayerData::F64(centroids)), layer("id", 1, LayerData::I32(ids.clone()))];
+    let built = build_batches(&mesh, &BatchOptions::default()).unwrap();
+    let options = StreamOptions::default().with_precision(striata_stream::Precision::Lossless);
+    let stream = encode_stream(&built.built.refinable, &built.batches, &options).unwrap();
+    let mut decoder = StreamDecoder::new();
+    decoder.push(&stream.bytes[..stream.bytes.len() - 1]).unwrap();
+    assert!(!decoder.is_complete());
+    assert!(decoder.refinable_mesh().unwrap().mesh.triangle_layers.is_empty());
+    decoder.push(&stream.bytes[stream.bytes.len() - 1..]).unwrap();
+    assert!(decoder.is_complete());
+    let read = decoder.refinable_mesh().unwrap().mesh;
+    read.check().unwrap();
+    let LayerData::F64(found) = &read.triangle_layers[0].data else { panic!() };
+    for (t, found) in read.triangles.iter().zip(found.as_chunks::<3>().0) {
+        let [a, b, c] = t.map(|v| read.positions[v as usize].map(f64::from));
+        for axis in 0..3 {
+            assert!(((a[axis] + b[axis] + c[axis]) / 3.0 - found[axis]).abs() < 1e-12);
+        }
+    }
+    let LayerData::I32(found) = &read.triangle_layers[1].data else { panic!() };
+    let mut found = found.clone();
+    found.sort_unstable();
+    assert_eq!(found, ids);
+    let mut damaged = stream.bytes.clone();
+    *damaged.last_mut().unwrap() ^= 1;
+    assert!(StreamDecoder::new().push(&damaged).is_err());
+}

@@ -86,7 +86,7 @@ pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;
 pub(crate) use write::{image_entry, insert, looks, to_glb_bytes, to_json_bytes};
-pub(crate) use write_layers::attribute_name;
+pub(crate) use write_layers::{attribute_name, is_unstorable};
 pub(crate) use write_scene::{scene_to_glb_bytes, scene_to_json_bytes};
 
 use crate::error::Fault;

@@ -7,6 +7,7 @@ use striata::mesh::IndexedMesh;
 use super::local::localize;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::error::Place;
+use crate::report::Warnings;
 use crate::{ReadError, Warning};
 
 /// A mesh in memory that is served piece by piece.
@@ -53,7 +54,13 @@ impl MeshPieces {
 
     /// Sets the size of the file and the remarks on it.
     pub(super) fn with_file(mut self, byte_count: u64, warnings: Vec<Warning>) -> Self {
-        (self.summary.byte_count, self.summary.warnings) = (byte_count, warnings);
+        let mut all = Warnings::of_list(&self.summary.name, warnings);
+        for layer in &self.mesh.triangle_layers {
+            let reason =
+                format!("the property {} of faces is left out: pages cannot store it", layer.semantic);
+            all.push(Place::File, reason);
+        }
+        (self.summary.byte_count, self.summary.warnings) = (byte_count, all.into_list());
         self
     }
 

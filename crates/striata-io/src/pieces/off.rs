@@ -31,14 +31,19 @@ impl OffPieces {
         input.make_plain_text(options)?;
         let mut warnings = Warnings::of_file(&input.name);
         let (mut rows, mut triangles) = (Spool::new(options)?, Spool::new(options)?);
+        let mut has_colors = false;
         let vertex = |_: &Layout, row: &[f32]| rows.write(bytemuck::cast_slice(row));
-        let layout = read_rows(trimmed(&input.bytes), &mut warnings, vertex, |triangle| {
+        let layout = read_rows(trimmed(&input.bytes), &mut warnings, vertex, |triangle, color| {
             triangles.write(bytemuck::cast_slice(&triangle));
+            has_colors |= !color.is_empty();
         })
         .map_err(|fault| fault.in_file(&input.name))?;
         let (rows, triangles) = (rows.finish(options)?, triangles.finish(options)?);
         let count = triangles.len() / TRIANGLE_BYTES;
         check_triangles([rows.len() / (4 * layout.row_length()), count], count, &warnings)?;
+        if has_colors {
+            warnings.push(Place::File, "the property color_0 of faces is left out: pages cannot store it");
+        }
         let (_, layers) = Columns::default().into_mesh(&layout);
         let summary = PieceSummary {
             name: input.name.clone(),

@@ -10,6 +10,7 @@ use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummar
 use crate::ReadError;
 use crate::error::{Fault, Place};
 use crate::ply::body::{Vertices, index_list, skip_element};
+use crate::ply::face_data::left_out;
 use crate::ply::face_textures::TextureProperties;
 use crate::ply::header::{Element, Encoding, Header};
 use crate::ply::rows::BinaryRows;
@@ -174,6 +175,14 @@ fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, v
     let group = |group| PieceGroup { material: group, ..PieceGroup::default() };
     summary.groups = mesh.groups_or_whole().iter().map(|g| group(g.material)).collect();
     summary.appearance = mesh.appearance;
+    let faces = header.elements.iter().filter(|element| element.name == "face");
+    for property in faces.flat_map(|face| &face.properties).filter(|p| p.list.is_none()) {
+        let reason = format!("the property `{}` of faces is left out: pages cannot store it", property.name);
+        warnings.push(Place::File, reason);
+    }
+    for remark in left_out(header) {
+        warnings.push(Place::File, remark);
+    }
     summary.warnings = warnings.into_list();
 }
 

@@ -48,7 +48,7 @@ impl Scene {
 /// Sorts triangles by material, in the order in which the materials occur first, and joins their groups.
 fn group_by_material(mesh: &mut IndexedMesh) {
     let mut groups: Vec<TriangleGroup> = Vec::new();
-    let mut triangles: Vec<Vec<[u32; 3]>> = Vec::new();
+    let mut triangles: Vec<Vec<u32>> = Vec::new();
     let mut group_of = BTreeMap::new();
     for group in mesh.groups_or_whole().iter() {
         let index = *group_of.entry(group.material).or_insert_with(|| {
@@ -56,13 +56,15 @@ fn group_by_material(mesh: &mut IndexedMesh) {
             triangles.push(Vec::new());
             groups.len() - 1
         });
-        triangles[index].extend_from_slice(&mesh.triangles[group.range()]);
+        triangles[index].extend(group.first..group.first + group.count);
     }
-    mesh.triangles.clear();
+    let old = std::mem::take(&mut mesh.triangles);
     for (group, own) in groups.iter_mut().zip(&triangles) {
         (group.first, group.count) = (mesh.triangles.len() as u32, own.len() as u32);
-        mesh.triangles.extend_from_slice(own);
+        mesh.triangles.extend(own.iter().map(|&triangle| old[triangle as usize]));
     }
+    let order = triangles.concat();
+    mesh.triangle_layers = mesh.triangle_layers.iter().map(|layer| layer.gather(&order)).collect();
     mesh.groups = groups;
 }
 

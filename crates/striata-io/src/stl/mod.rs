@@ -1,7 +1,7 @@
 //! STL, binary and ASCII; the reader builds an indexed mesh.
 //!
 //! STL has no shared vertices: corners with equal coordinates become one vertex, in the order in which they
-//! first occur. Normals are dropped, because the triangles imply them. Own parser: the binary form is 84 +
+//! first occur. Normals are dropped, because the triangles imply them; colors of facets are kept (`facet_colors`). Own parser: the binary form is 84 +
 //! 50 n bytes, and welding, the main work, is done in the same pass. Cost: O(n) expected time, 4 to 8 bytes
 //! of hash table per vertex besides the mesh.
 
@@ -13,9 +13,13 @@ use crate::normals;
 use crate::report::Warnings;
 use crate::text::{plain, trimmed};
 use crate::{Format, losses};
+use facet_colors::{layer_of, stored, word_of, word_to_store};
 use text_form::read_ascii;
 
+mod facet_colors;
 mod text_form;
+
+pub(crate) use facet_colors::is_exact;
 
 pub(crate) use text_form::{Statement, visit_ascii};
 
@@ -138,10 +142,16 @@ fn read_binary(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fau
     let body = &bytes[HEADER_BYTES..];
     let mut vertices = VertexTable::with_capacity(count / 2 + 2);
     let mut triangles = Vec::with_capacity(count);
+    let mut all_words = 0;
     for facet in body.chunks_exact(FACET_BYTES).take(count) {
         triangles.push([12, 24, 36].map(|at| vertices.vertex(position_at(facet, at))));
+        all_words |= word_of(facet);
     }
-    Ok(IndexedMesh::new(vertices.positions, triangles))
+    let mut mesh = IndexedMesh::new(vertices.positions, triangles);
+    if all_words != 0 {
+        mesh.triangle_layers.push(layer_of(bytes, count, warnings));
+    }
+    Ok(mesh)
 }
 
 #[inline]
@@ -149,7 +159,7 @@ pub(crate) fn position_at(facet: &[u8], at: usize) -> [f32; 3] {
     [at, at + 4, at + 8].map(|i| f32::from_le_bytes([facet[i], facet[i + 1], facet[i + 2], facet[i + 3]]))
 }
 
-/// Encodes a mesh as a binary STL file; only positions and triangles are kept.
+/// Encodes a mesh as a binary STL file; positions, triangles and their colors are kept.
 pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Result<Vec<u8>, Refusal> {
     // Normals are those of the triangles.
     losses::of_layers(mesh, Format::Stl, |layer| layer.semantic == Semantic::Normal, warnings);
@@ -162,12 +172,14 @@ pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Result<Ve
     header[..18].copy_from_slice(b"binary STL striata");
     out.extend_from_slice(&header);
     out.extend_from_slice(&(count as u32).to_le_bytes());
-    for &triangle in &mesh.triangles {
+    let stored = stored(mesh);
+    for (index, &triangle) in mesh.triangles.iter().enumerate() {
         let normal = normals::of_triangle(&mesh.positions, triangle);
         for value in normal.iter().chain(triangle.iter().flat_map(|&v| &mesh.positions[v as usize])) {
             out.extend_from_slice(&value.to_le_bytes());
         }
-        out.extend_from_slice(&[0, 0]);
+        let word = stored.map_or(0, |layer| word_to_store(layer, index));
+        out.extend_from_slice(&word.to_le_bytes());
     }
     Ok(out)
 }

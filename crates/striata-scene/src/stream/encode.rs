@@ -218,7 +218,9 @@ fn encode_mesh(
         batches.shape_step = Some(SHAPE_STEPS * step);
     }
     let built = simplifier.batches((index, mesh), &batches, &mut stage(progress, (0, 2)));
-    let BuiltBatches { built, batches, .. } = built.map_err(MeshFault::Simplify)?;
+    let BuiltBatches { mut built, batches, .. } = built.map_err(MeshFault::Simplify)?;
+    // Packets follow the chunks of a stream, and scenes have no data of triangles.
+    built.refinable.mesh.triangle_layers.clear();
     let encoding = &mut stage(progress, (1, 2));
     let stream = encode_stream_with_progress(&built.refinable, &batches, options, encoding);
     let stream = stream.map_err(MeshFault::Stream)?;

@@ -5,10 +5,11 @@
 //! 4   u8       version, 1 or 2
 //! 5   u8       effort
 //! 6   u16      flags; bit 0: positions are exact; bit 1, from version 2 on: there are general batches;
-//!              bit 2: positions have an origin, three f64 after the grid
+//!              bit 2: positions have an origin, three f64 after the grid;
+//!              bit 3, from version 2 on: data of triangles follow the chunks
 //! 8   u32      length of the header, including these 16 bytes
 //! 12  u32      CRC-32 of the header without this field
-//! 16           counts, grid, layers, groups, appearance, metadata, chunks
+//! 16           counts, grid, layers, groups, appearance, metadata, chunks, data of triangles
 //! ```
 
 use striata::file::{EncodeError, STREAM_MAGIC, appearance_from_bytes, appearance_to_bytes};
@@ -18,7 +19,8 @@ use crate::format::byte_reader::{ByteReader, put_block, write_varint};
 use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::grid::PositionGrid;
 use crate::format::version::{Effort, StreamVersion};
-use crate::layers::form::LayerForm;
+use crate::layers::form::{LayerForm, Transform};
+use crate::layers::triangle_data::TriangleData;
 
 /// Newest version that can be read.
 const NEWEST_VERSION: u8 = 2;
@@ -27,6 +29,7 @@ pub(crate) const FIXED_HEADER_BYTES: usize = 16;
 const EXACT_FLAG: u16 = 1;
 const GENERAL_FLAG: u16 = 2;
 const ORIGIN_FLAG: u16 = 4;
+const TRIANGLE_DATA_FLAG: u16 = 8;
 /// A chunk of `n` bytes contains at most `n + 1` times this number of splits. A writer that needs fewer
 /// bytes appends zeros.
 const MAX_SPLITS_PER_BYTE: u64 = 256;
@@ -99,6 +102,8 @@ pub(crate) struct StreamHeader {
     pub(crate) appearance: Appearance,
     pub(crate) metadata: Vec<(String, String)>,
     pub(crate) chunks: Vec<ChunkEntry>,
+    /// Data of triangles, after the last chunk.
+    pub(crate) triangle_data: Option<TriangleData>,
 }
 
 /// Returns the upper 16 bits of an error, rounded up.
@@ -162,8 +167,12 @@ impl StreamHeader {
         };
         out.extend([self.version.number(), effort]);
         let has_origin = self.origin != [0.0; 3];
-        let flags =
-            [(self.is_exact, EXACT_FLAG), (self.has_general, GENERAL_FLAG), (has_origin, ORIGIN_FLAG)];
+        let flags = [
+            (self.is_exact, EXACT_FLAG),
+            (self.has_general, GENERAL_FLAG),
+            (has_origin, ORIGIN_FLAG),
+            (self.triangle_data.is_some(), TRIANGLE_DATA_FLAG),
+        ];
         let flags = flags.iter().filter(|(is_set, _)| *is_set).fold(0, |all, (_, flag)| all | flag);
         out.extend(flags.to_le_bytes());
         out.extend([0; 8]);
@@ -186,6 +195,12 @@ impl StreamHeader {
             out.extend(error_code(chunk.error).to_le_bytes());
             out.extend(chunk.checksum.to_le_bytes());
             splits_before = chunk.split_count;
+        }
+        if let Some(data) = &self.triangle_data {
+            write_varint(data.forms.len() as u32, &mut out);
+            data.forms.iter().for_each(|form| form.write(&mut out));
+            write_varint(data.bytes, &mut out);
+            out.extend(data.checksum.to_le_bytes());
         }
         let length = u32::try_from(out.len())
             .map_err(|_| EncodeError::TooLong { what: "the header", length: out.len() })?;
@@ -237,8 +252,8 @@ impl StreamHeader {
         };
         let flags = reader.bytes(2)?;
         let flags = u16::from_le_bytes([flags[0], flags[1]]);
-        let general = if version == StreamVersion::One { 0 } else { GENERAL_FLAG };
-        if flags & !(EXACT_FLAG | ORIGIN_FLAG | general) != 0 {
+        let since_two = if version == StreamVersion::One { 0 } else { GENERAL_FLAG | TRIANGLE_DATA_FLAG };
+        if flags & !(EXACT_FLAG | ORIGIN_FLAG | since_two) != 0 {
             return Err(reader.malformed("unknown flags"));
         }
         reader.bytes(8)?;
@@ -262,6 +277,8 @@ impl StreamHeader {
             metadata.push((reader.text()?, reader.text()?));
         }
         let chunks = read_chunks(&mut reader)?;
+        let has_triangle_data = flags & TRIANGLE_DATA_FLAG != 0;
+        let triangle_data = has_triangle_data.then(|| read_triangle_data(&mut reader)).transpose()?;
         if chunks.last().map(|chunk| chunk.split_count) != Some(step_count) {
             return Err(reader.malformed("the chunks do not contain all steps"));
         }
@@ -296,6 +313,7 @@ impl StreamHeader {
             appearance,
             metadata,
             chunks,
+            triangle_data,
         })
     }
 }
@@ -323,6 +341,16 @@ fn read_groups(reader: &mut ByteReader<'_>) -> Result<Vec<GroupName>, DecodeErro
         groups.push(GroupName { name: reader.text()?, material });
     }
     Ok(groups)
+}
+
+fn read_triangle_data(reader: &mut ByteReader<'_>) -> Result<TriangleData, DecodeError> {
+    let count = reader.short_count(5)?;
+    let forms: Vec<LayerForm> = (0..count).map(|_| LayerForm::read(reader)).collect::<Result<_, _>>()?;
+    let number_count = forms.iter().map(LayerForm::integer_count).sum::<usize>();
+    if number_count > MAX_COMPONENTS || forms.iter().any(|form| form.transform != Transform::Exact) {
+        return Err(reader.malformed("the data of triangles have too many components, or are not exact"));
+    }
+    Ok(TriangleData { forms, bytes: reader.varint()?, checksum: reader.u32()? })
 }
 
 fn read_chunks(reader: &mut ByteReader<'_>) -> Result<Vec<ChunkEntry>, DecodeError> {

@@ -80,7 +80,8 @@ impl StreamInfo {
         };
         Self {
             stream_bytes: header.length
-                + header.chunks.iter().map(|chunk| u64::from(chunk.bytes)).sum::<u64>(),
+                + header.chunks.iter().map(|chunk| u64::from(chunk.bytes)).sum::<u64>()
+                + header.triangle_data.as_ref().map_or(0, |data| u64::from(data.bytes)),
             head_bytes: header.length,
             base_bytes: header.length + base_bytes,
             chunk_count: header.chunks.len(),

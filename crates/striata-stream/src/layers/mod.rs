@@ -28,3 +28,4 @@ pub(crate) mod options;
 pub(crate) mod residuals;
 pub(crate) mod ring_fit;
 pub(crate) mod tangents;
+pub(crate) mod triangle_data;

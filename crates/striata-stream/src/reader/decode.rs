@@ -16,6 +16,7 @@ use crate::format::header::{
 };
 use crate::format::info::StreamInfo;
 use crate::layers::form::LayerForm;
+use crate::layers::triangle_data;
 use crate::reader::prefix::PrefixMesh;
 use crate::refine::growth::GrowingMesh;
 use crate::refine::parameters::StreamParameters;
@@ -74,6 +75,8 @@ pub struct StreamDecoder {
     refiner: Option<Box<MeshRefiner>>,
     /// Number of chunks decoded so far.
     chunk_count: usize,
+    /// Layers of triangles in sorted order, once they have been decoded.
+    triangle_layers: Option<Vec<AttributeLayer>>,
     /// Whether decoding has ended, by an error or by [`finish`](Self::finish); no more bytes are accepted.
     is_over: bool,
 }
@@ -148,6 +151,15 @@ impl StreamDecoder {
             return Ok(());
         }
         self.check_counts()?;
+        let data = self.header.as_ref().and_then(|header| header.triangle_data.clone());
+        if let Some(data) = data.filter(|_| self.triangle_layers.is_none()) {
+            let Some((own, rest)) = bytes.split_at_checked(data.bytes as usize) else { return Ok(()) };
+            let count = self.growth().map_or(0, |growth| growth.triangle_count());
+            let layers = data.decode(own, count, (self.chunk_count, self.read))?;
+            self.triangle_layers = Some(layers);
+            self.read += u64::from(data.bytes);
+            bytes = rest;
+        }
         self.check_end(bytes.len())
     }
 
@@ -408,7 +420,9 @@ impl StreamDecoder {
 
     /// Whether the whole stream has been decoded.
     pub fn is_complete(&self) -> bool {
-        self.header.is_some() && self.next_entry().is_none()
+        let data = self.header.as_ref().map(|header| header.triangle_data.is_some());
+        data.is_some_and(|has_data| !has_data || self.triangle_layers.is_some())
+            && self.next_entry().is_none()
     }
 
     /// Number of bytes from the beginning of the stream needed to decode a level. `None` before the header
@@ -442,7 +456,7 @@ impl StreamDecoder {
     pub fn refinable_mesh(&self) -> Option<RefinableMesh> {
         let (header, growth) = (self.header.as_ref()?, self.growth()?);
         let (triangles, groups) = self.grouped_triangles();
-        let mesh = IndexedMesh {
+        let mut mesh = IndexedMesh {
             positions: growth.positions.clone(),
             origin: header.origin,
             exact_positions: Vec::new(),
@@ -452,6 +466,7 @@ impl StreamDecoder {
             triangle_layers: Vec::new(),
             appearance: header.appearance.clone(),
         };
+        triangle_data::attach(&mut mesh, self.triangle_layers.as_deref().unwrap_or_default());
         let step_count = growth.added.len();
         let error_of = |step: usize| {
             let chunk = header.chunks.partition_point(|entry| entry.split_count as usize <= step);

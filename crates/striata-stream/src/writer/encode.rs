@@ -11,6 +11,7 @@ use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
 use crate::layers::layer_neighborhood::LayerValues;
 use crate::layers::options::{LayerBitsError, LayerOptions};
+use crate::layers::triangle_data;
 use crate::refine::parameters::StreamParameters;
 use crate::writer::chunks::{Chunks, check_batches, encode_chunks};
 use crate::writer::defect::BatchDefect;
@@ -238,11 +239,34 @@ pub fn encode_stream_with_progress(
         descent = Descent::new(refinable, batches, parameters.version, progress)?;
     }
     let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters), progress)?;
-    let header = header_of(refinable, batches, &chunks, (options, &parameters)).to_bytes()?;
-    let mut bytes = header;
+    let source_vertex = source_vertices(refinable, &chunks);
+    // The first version has no data of triangles.
+    let data = (options.version > StreamVersion::One)
+        .then(|| triangle_data::encode(&in_stream_order(&refinable.mesh, &source_vertex)))
+        .flatten();
+    let mut header = header_of(refinable, batches, &chunks, (options, &parameters));
+    let (entry, data) = data.unzip();
+    header.triangle_data = entry;
+    let mut bytes = header.to_bytes()?;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
+    bytes.extend(data.into_iter().flatten());
     let sizes = StreamSizes::of(bytes.len(), &chunks);
-    Ok(EncodedStream { bytes, sizes, source_vertex: source_vertices(refinable, &chunks) })
+    Ok(EncodedStream { bytes, sizes, source_vertex })
+}
+
+/// Triangles and their layers, with vertices in the order of the stream; without other layers.
+fn in_stream_order(mesh: &IndexedMesh, source_vertex: &[u32]) -> IndexedMesh {
+    if mesh.triangle_layers.is_empty() {
+        return IndexedMesh::default();
+    }
+    let mut vertex_of = vec![u32::MAX; source_vertex.len()];
+    (0..).zip(source_vertex).for_each(|(vertex, &source)| vertex_of[source as usize] = vertex);
+    IndexedMesh {
+        triangles: mesh.triangles.iter().map(|t| t.map(|v| vertex_of[v as usize])).collect(),
+        triangle_layers: mesh.triangle_layers.clone(),
+        groups: mesh.groups.clone(),
+        ..IndexedMesh::default()
+    }
 }
 
 /// Returns the batch to begin with. If there are too many batches that split only a few vertices, the
@@ -319,6 +343,7 @@ fn header_of(
         appearance: mesh.appearance.clone(),
         metadata: options.metadata.clone(),
         chunks: entries.collect(),
+        triangle_data: None,
     }
 }
 

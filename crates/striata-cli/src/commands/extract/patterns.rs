@@ -167,6 +167,7 @@ impl FilePatterns {
     fn mesh_of(&self, instance: &PatternInstance) -> IndexedMesh {
         let mut mesh = self.mesh.clone();
         mesh.triangles.clear();
+        mesh.triangle_layers.clear();
         for group_index in 0..mesh.groups.len().max(1) {
             let first = mesh.triangles.len();
             instance.group_triangles_into(group_index as u32, &mut mesh.triangles);
@@ -174,6 +175,7 @@ impl FilePatterns {
                 (group.first, group.count) = (first as u32, (mesh.triangles.len() - first) as u32);
             }
         }
+        mesh.take_nearest_triangle_layers(&self.mesh);
         mesh.without_unused_vertices()
     }
 }

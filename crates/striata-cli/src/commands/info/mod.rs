@@ -57,6 +57,7 @@ struct Report {
     /// Connected parts; null under the same conditions as `seams`, and if there are no triangles.
     parts: Option<Parts>,
     attributes: Vec<Value>,
+    face_attributes: Vec<Value>,
     groups: Vec<Value>,
     materials: Vec<String>,
     bounds: Option<Value>,
@@ -221,6 +222,7 @@ impl Report {
             seams,
             parts,
             attributes: mesh.layers.iter().map(described).collect(),
+            face_attributes: mesh.triangle_layers.iter().map(described).collect(),
             groups: groups(mesh),
             materials: mesh.appearance.materials.iter().map(|material| material.name.clone()).collect(),
             bounds: mesh.bounds().map(|bounds| json!({ "min": bounds.min, "max": bounds.max })),
@@ -304,6 +306,12 @@ impl Report {
             names.collect::<Vec<_>>().join(", ")
         };
         row("attributes", or_none(names(&self.attributes)));
+        if !self.face_attributes.is_empty() {
+            let typed =
+                |value: &Value| Some(format!("{} ({})", value["name"].as_str()?, value["type"].as_str()?));
+            let typed: Vec<String> = self.face_attributes.iter().filter_map(typed).collect();
+            row("face attributes", typed.join(", "));
+        }
         row("materials", or_none(self.materials.join(", ")));
         row("diagonal", format_length(self.diagonal));
         for (name, value) in self.scene.iter().flat_map(SceneFacts::rows) {

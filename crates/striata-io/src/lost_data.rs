@@ -1,0 +1,62 @@
+//! Remarks on data of a mesh that a format cannot store, one for each layer.
+
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+
+use crate::Format;
+use crate::error::Place;
+use crate::report::Warnings;
+
+/// Warns of data of triangles that a file of this format will not contain, and of numbers that it rounds.
+pub(crate) fn warn(format: Format, mesh: &IndexedMesh, warnings: &mut Warnings) {
+    for layer in &mesh.layers {
+        if let Some(what) = vertex_loss(format, mesh, layer) {
+            warnings.push(Place::File, format!("the property {} of vertices {what}", name_of(layer)));
+        }
+    }
+    for layer in &mesh.triangle_layers {
+        if let Some(what) = triangle_loss(format, mesh, layer) {
+            warnings.push(Place::File, format!("the property {} of faces {what}", name_of(layer)));
+        }
+    }
+}
+
+/// Name for messages: that of the file for layers without a meaning of their own.
+fn name_of(layer: &AttributeLayer) -> String {
+    match &layer.semantic {
+        Semantic::Generic(name) => format!("`{name}`"),
+        semantic => semantic.to_string(),
+    }
+}
+
+fn left_out(format: Format) -> String {
+    format!("is left out: {format} cannot store it")
+}
+
+/// What happens to a layer of vertices, besides those that writers leave out themselves.
+fn vertex_loss(format: Format, mesh: &IndexedMesh, layer: &AttributeLayer) -> Option<String> {
+    #[cfg(feature = "gltf")]
+    if matches!(format, Format::Gltf | Format::Glb) && crate::gltf::is_unstorable(mesh, layer) {
+        return Some(left_out(format));
+    }
+    let LayerData::F64(values) = &layer.data else { return None };
+    let is_single = matches!(format, Format::Gltf | Format::Glb);
+    let is_rounded = |x: &f64| f64::from(*x as f32) != *x && !x.is_nan();
+    (is_single && values.iter().any(is_rounded))
+        .then(|| format!("is rounded to single precision in {format}"))
+}
+
+fn triangle_loss(format: Format, mesh: &IndexedMesh, layer: &AttributeLayer) -> Option<String> {
+    let is_color = layer.semantic == Semantic::Color(0) && matches!(layer.component_count, 3 | 4);
+    match format {
+        Format::Ply | Format::Striata | Format::Stream => None,
+        Format::Vtk | Format::Vtp | Format::Vtu => None,
+        Format::Off if is_color => None,
+        #[cfg(feature = "stl")]
+        Format::Stl => match crate::stl::is_exact(mesh, layer) {
+            Some(true) => None,
+            Some(false) => Some("is rounded to 5 bits per channel, without alpha".to_owned()),
+            None => Some(left_out(format)),
+        },
+        _ => Some(left_out(format)),
+    }
+}
