@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Appearance, AttributeLayer, Semantic, gather_layers};
+use super::{Appearance, AttributeLayer, Semantic};
 
 /// A run of consecutive triangles that share a material.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
