@@ -63,7 +63,7 @@
 //! * **The unit of 3MF** is kept in `asset.extras.unit` of the scene; coordinates stay as they are in the file. A
 //!   scene is written in that unit or in meters, a single mesh in millimeters.
 //! * **Data that a format cannot store** are left out with a warning each (layers, materials, names of
-//!   groups), or refused with a reason if the file would be wrong (NaN or 32-bit identifiers above 2^24 in
+//!   groups), or refused with a reason if the file would be wrong (NaN in
 //!   glTF).
 //!
 //! On wasm there are no files: functions that take a path are left out; [`read_bytes`] and [`to_bytes`]
