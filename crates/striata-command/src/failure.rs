@@ -108,6 +108,10 @@ impl From<ReadError> for Failure {
         let failure = Self::user(error.to_string());
         match error {
             ReadError::NeedsConversion { hint, .. } => failure.with_hint(hint),
+            ReadError::Empty { .. } => failure.with_hint("copy the file again, or export it again"),
+            ReadError::NoTriangles { .. } => {
+                failure.with_hint("make a surface of the points first, for example with MeshLab or Open3D")
+            }
             ReadError::Malformed { place: Place::Byte(_), .. } => {
                 failure.with_hint("the file is damaged or cut off; copy it or export it again")
             }

@@ -190,9 +190,7 @@ impl Input {
         }
         let report = read_bytes_with_report(file.bytes.as_slice(), &self.source());
         let report = report.map_err(|error| self.unreadable_mesh(error))?;
-        for warning in &report.warnings {
-            output.say(&format!("warning: {warning}"));
-        }
+        output.warn(&report.warnings)?;
         Ok(report.mesh)
     }
 

@@ -3,10 +3,12 @@
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use striata::Progress;
+use striata_io::Warning;
 
 #[cfg(feature = "gpu")]
 use crate::args::DriverArgs;
@@ -18,6 +20,9 @@ use crate::failure::Failure;
 pub struct Output {
     json: bool,
     quiet: bool,
+    is_strict: bool,
+    /// Warnings about inputs so far; [`None`] if nothing is printed.
+    warnings: Option<&'static Mutex<Vec<Warning>>>,
     #[cfg(feature = "gpu")]
     verbose: bool,
     draws_bars: bool,
@@ -30,6 +35,9 @@ impl Output {
         Self {
             json: args.json,
             quiet: args.quiet,
+            is_strict: args.strict_input,
+            // One short list for the whole run, so that this type can be copied.
+            warnings: Some(Box::leak(Box::default())),
             #[cfg(feature = "gpu")]
             verbose: false,
             draws_bars,
@@ -41,6 +49,8 @@ impl Output {
         Self {
             json: false,
             quiet: true,
+            is_strict: false,
+            warnings: None,
             #[cfg(feature = "gpu")]
             verbose: false,
             draws_bars: false,
@@ -104,6 +114,29 @@ impl Output {
         }
     }
 
+    /// Warns of what was left out of an input, or repaired; what was said before is not repeated.
+    ///
+    /// # Errors
+    /// If there is something to warn of, and the user wants that to be an error.
+    pub fn warn(&self, warnings: &[Warning]) -> Result<(), Failure> {
+        let Some(known) = self.warnings else { return Ok(()) };
+        let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+        for warning in warnings {
+            if known.contains(warning) {
+                continue;
+            }
+            if self.is_strict {
+                let more = format_noun_count(warnings.len() - 1, "more warning", "more warnings");
+                let more = if warnings.len() > 1 { format!(" (and {more})") } else { String::new() };
+                return Err(Failure::user(format!("{warning}{more}"))
+                    .with_hint("correct the input, or remove --strict-input to use it as far as possible"));
+            }
+            self.say(&format!("warning: {warning}"));
+            known.push(warning.clone());
+        }
+        Ok(())
+    }
+
     /// Creates a progress bar for the progress callbacks of the library; invisible unless stderr is a
     /// terminal.
     pub fn bar(&self) -> Bar {
@@ -116,10 +149,31 @@ impl Output {
     }
 
     fn json_object(&self, report: &impl Serialize) -> Result<(), Failure> {
-        let mut bytes = serde_json::to_vec(report).map_err(|e| Failure::internal(format!("report: {e}")))?;
+        let failed = |e: serde_json::Error| Failure::internal(format!("report: {e}"));
+        let mut bytes = serde_json::to_vec(report).map_err(failed)?;
+        let warnings = self.warnings.map(|known| known.lock().unwrap_or_else(PoisonError::into_inner));
+        if bytes.len() > 2 && bytes.ends_with(b"}") {
+            let warnings: Vec<_> = warnings.iter().flat_map(|known| known.iter()).map(json_of).collect();
+            bytes.pop();
+            bytes.extend_from_slice(b",\"warnings\":");
+            bytes.extend(serde_json::to_vec(&warnings).map_err(failed)?);
+            bytes.push(b'}');
+        }
         bytes.push(b'\n');
         to_stdout(&bytes)
     }
+}
+
+/// A warning in a JSON report.
+fn json_of(warning: &Warning) -> serde_json::Value {
+    serde_json::json!({
+        "file": warning.file,
+        "place": warning.place.to_string(),
+        "count": warning.count,
+        "what": warning.what(),
+        "reason": warning.reason,
+        "message": warning.to_string(),
+    })
 }
 
 /// A progress bar for one run.

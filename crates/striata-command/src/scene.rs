@@ -92,7 +92,7 @@ impl Input {
     pub fn scene(&self, output: &Output) -> Result<Scene, Failure> {
         if self.has_scene_levels() {
             let scene = self.received_scene(output)?.lods.full_scene();
-            self.warn_about(&scene, output);
+            output.warn(scene.warnings())?;
             return Ok(scene);
         }
         let scene = match self.bytes() {
@@ -104,14 +104,8 @@ impl Input {
                 read_scene_bytes(bytes, &self.source()).map_err(|error| self.unreadable_mesh(error))?
             }
         };
-        self.warn_about(&scene, output);
+        output.warn(scene.warnings())?;
         Ok(scene)
-    }
-
-    fn warn_about(&self, scene: &Scene, output: &Output) {
-        for warning in scene.warnings() {
-            output.say(&format!("warning: {warning}"));
-        }
     }
 
     /// Returns the levels of the scene that the input contains, and warns the user if it is cut off; levels

@@ -6,9 +6,24 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # What readers accept
+//!
 //! Readers accept any bytes: they return a mesh, or an error with the place and the reason, and allocate no
-//! more than the size of the input justifies. Coordinates are read unchanged, including NaN;
-//! [`IndexedMesh::check`](striata::mesh::IndexedMesh::check) validates them.
+//! more than the size of the input justifies. One rule holds for all formats, in memory and in pieces:
+//!
+//! * **What has a clear meaning is kept**, even if the format does not allow it: keywords in another case,
+//!   line ends of any system, a byte order mark, counts in the line of the keyword, chunks without padding,
+//!   explicit nulls.
+//! * **What has no meaning is left out**, and reported once for each kind with a count and the first place, as
+//!   a [`Warning`]: unknown statements, normals and texture coordinates that do not exist, polygons with less
+//!   than three corners, points and lines.
+//! * **What is no number is repaired** (`repair`): a vertex that is not finite is left out, with a warning if
+//!   triangles use it, which are left out too. Normals and tangents follow from the triangles, texture
+//!   coordinates become 0, colors 1, displacements 0, and weights are normalized. Generic attributes keep NaN,
+//!   which means "no value" in them.
+//! * **Damage that makes the rest meaningless is an error**: a position that does not exist, a file that is
+//!   cut off, a text in which no line has a meaning. So is a file without bytes, and one with points or lines
+//!   and no triangles.
 //!
 //! Reading takes three steps: `compressed` unpacks gzip and zstd, with a limit against decompression bombs;
 //! `format` detects the format by content, and by extension if the content is inconclusive; the module of

@@ -68,7 +68,7 @@ fn opened_scene(bytes: &[u8], source: &Source<'_>) -> Outcome<(Content, Vec<Stri
 
 /// Warnings as texts with file and place.
 pub(crate) fn warning_texts(warnings: &[striata_io::Warning]) -> Vec<String> {
-    warnings.iter().map(|w| format!("{}: {}: {}", w.file, w.place, w.reason)).collect()
+    warnings.iter().map(ToString::to_string).collect()
 }
 
 /// Writes a mesh in the format of the extension, and returns what the format cannot store.

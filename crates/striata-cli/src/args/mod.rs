@@ -36,10 +36,10 @@ pub(crate) use self::strips::StripArgs;
     version,
     about = "Continuous level of detail for triangle meshes",
     // Without a usage line, which the heading of the verbs makes redundant, the help fits one screen.
-    help_template = "{about}\n{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; \
+    help_template = "{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; \
         - is stdin or stdout.",
     subcommand_value_name = "VERB",
-    subcommand_help_heading = "Verbs (`striata VERB --help` lists the options of a verb, with examples)",
+    subcommand_help_heading = "Continuous level of detail for triangle meshes (`striata VERB --help` for more)",
     disable_help_subcommand = true,
     disable_help_flag = true,
     max_term_width = 100

@@ -63,7 +63,7 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
     } else {
         TriangleBlocks::open(&args.input, block_triangles, &scratch)?
     };
-    blocks.warnings().iter().for_each(|warning| output.say(&format!("warning: {warning}")));
+    output.warn(blocks.warnings())?;
     let read_secs = started.elapsed().as_secs_f64();
     let mut spool = format.map(|format| StripSpool::new(format, &scratch)).transpose()?;
     let mut write = |_: u32, strip: &[u32]| match &mut spool {

@@ -5,6 +5,7 @@ mod costs;
 #[cfg(unix)]
 mod guides;
 mod help;
+mod inputs;
 mod levels;
 mod orders;
 mod outputs;

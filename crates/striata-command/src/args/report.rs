@@ -3,6 +3,7 @@
 use clap::{ArgAction, Args};
 
 // These flags end the list of every verb, always in this order.
+const STRICT_ORDER: usize = 899;
 const JSON_ORDER: usize = 900;
 #[cfg(feature = "gpu")]
 const VERBOSE_ORDER: usize = 901;
@@ -12,6 +13,10 @@ const HELP_ORDER: usize = 903;
 /// Flags of every verb for what it prints.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct ReportArgs {
+    /// Treat warnings about inputs as errors
+    // Without this, the heading of whatever flags come before would apply here too.
+    #[arg(long, global = true, help_heading = None, display_order = STRICT_ORDER)]
+    pub strict_input: bool,
     /// Print the report as JSON to stdout
     #[arg(long, global = true, display_order = JSON_ORDER)]
     pub json: bool,

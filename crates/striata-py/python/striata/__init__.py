@@ -27,6 +27,7 @@ from ._striata import DecodeError, __version__
 from ._strips import RESTART, Strips, strip
 from ._view import View
 from ._viewer import page, view
+from ._warn import ReadWarning
 
 __all__ = [
     "RESTART",
@@ -43,6 +44,7 @@ __all__ = [
     "OneSidedDistance",
     "PagedLod",
     "Plan",
+    "ReadWarning",
     "Scene",
     "SceneLevel",
     "Sequence",

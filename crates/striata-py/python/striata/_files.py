@@ -27,13 +27,15 @@ _CLASSES: dict[type, Any] = {
 }
 
 
-def open(path: Path) -> Any:
+def open(path: Path, *, strict_input: bool = False) -> Any:
     """Open a file; its content decides what is returned.
 
     Parameters
     ----------
     path : str or path-like
         PLY, OBJ, STL, OFF, glTF, GLB, VTK (``.vtk``, ``.vtp``, ``.vtu``), 3MF, ``.striata`` or ``.stri``; all also compressed, as ``.gz`` or ``.zst``.
+    strict_input : bool
+        Whether to raise an error if something must be left out of the file or repaired, instead of a `ReadWarning`.
 
     Returns
     -------
@@ -45,6 +47,8 @@ def open(path: Path) -> Any:
     ------
     OSError
         If the file cannot be read.
+    ValueError
+        With ``strict_input``, if something must be left out.
     DecodeError
         If its content is damaged or of an unknown format; the message names line or byte.
 
@@ -55,7 +59,7 @@ def open(path: Path) -> Any:
     Traceback (most recent call last):
     FileNotFoundError: [Errno 2] No such file or directory: 'missing.ply'
     """
-    data = read(path)
+    data = read(path, strict_input=strict_input)
     return _CLASSES[type(data)]._of(data)
 
 

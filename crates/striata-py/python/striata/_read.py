@@ -5,16 +5,18 @@ from __future__ import annotations
 import os
 
 from . import _striata
-from ._warn import warn
+from ._warn import ReadWarning, warn
 
 #: What a file contains.
 Data = _striata.MeshData | _striata.SceneData | _striata.LodData | _striata.LodSceneData
 
 
-def read(path: str | os.PathLike[str]) -> Data:
-    """Open a file of any kind; what was missing becomes warnings."""
+def read(path: str | os.PathLike[str], *, strict_input: bool = False) -> Data:
+    """Open a file of any kind; what was left out becomes warnings, or an error."""
     data: Data
     data, texts = _striata.open_file(os.fspath(path))
+    if strict_input and texts:
+        raise ValueError("; ".join(texts))
     for text in texts:
-        warn(text)
+        warn(text, ReadWarning)
     return data
