@@ -190,6 +190,14 @@ def test_missing_companions_are_warnings(tmp_path):
         striata.open(tmp_path / "m.obj")
 
 
+def test_what_is_left_out_is_a_read_warning(tmp_path):
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvw 1\nvw 2\nf 1 2 3\n")
+    with pytest.warns(striata.ReadWarning, match="2 lines skipped, the first is line 4"):
+        assert striata.open(tmp_path / "m.obj").face_count == 1
+    with pytest.raises(ValueError, match="2 lines skipped"):
+        striata.open(tmp_path / "m.obj", strict_input=True)
+
+
 def test_pages_and_notebooks(tmp_path, torus):
     lod = striata.build(*torus)
     text = lod._repr_html_()
