@@ -97,10 +97,12 @@ impl ViewArgs {
         }
         if let Some(Region([x, y, z, radius])) = self.region {
             let pixels = self.region_pixels.unwrap_or(self.pixels() / 10.0);
-            criterion = criterion.with_region(Sphere { center: [x, y, z], radius }, at_least(pixels));
+            let sphere = Sphere { center: [x, y, z].map(|x| x as f32), radius: radius as f32 };
+            criterion = criterion.with_region(sphere, at_least(pixels));
         }
         if let Some(Gaze(at)) = self.gaze {
             let falloff = self.gaze_falloff.unwrap_or(10.0) as f32;
+            let at = at.map(|x| x as f32);
             criterion = criterion.with_fovea(Fovea { at, radius: FOVEA_RADIUS, falloff });
         }
         criterion
@@ -111,22 +113,33 @@ impl ViewArgs {
     /// # Errors
     /// If the camera has no direction (it looks at its own position, or along `up`) or cannot be projected.
     pub fn camera(&self, eye: Point, center: [f32; 3]) -> Result<Camera, CameraError> {
-        let target = self.look_at.map_or(center, |point| point.0);
-        let up = self.up.map_or([0.0, 1.0, 0.0], |up| up.0);
+        let target = self.look_at().unwrap_or(center);
+        let up = self.up().unwrap_or([0.0, 1.0, 0.0]);
         let Viewport(screen) = self.viewport.unwrap_or(Viewport([1920, 1080]));
-        Camera::new(eye.0, target, up, tan(self.fov.unwrap_or(60.0).to_radians() / 2.0), screen)
+        Camera::new(eye.in_f32(), target, up, tan(self.fov.unwrap_or(60.0).to_radians() / 2.0), screen)
     }
 }
 
 impl ViewArgs {
+    /// Returns the same flags with all points relative to the origin of a mesh; users give them in the
+    /// coordinates of the file.
+    #[must_use]
+    pub fn relative_to(self, origin: [f64; 3]) -> Self {
+        let region = self.region.map(|Region([x, y, z, radius])| {
+            let Point([x, y, z]) = Point([x, y, z]).relative_to(origin);
+            Region([x, y, z, radius])
+        });
+        Self { look_at: self.look_at.map(|point| point.relative_to(origin)), region, ..self }
+    }
+
     /// Returns the point that the eye looks at, if given.
     pub fn look_at(&self) -> Option<[f32; 3]> {
-        self.look_at.map(|point| point.0)
+        self.look_at.map(Point::in_f32)
     }
 
     /// Returns the up direction, if given.
     pub fn up(&self) -> Option<[f32; 3]> {
-        self.up.map(|up| up.0)
+        self.up.map(Point::in_f32)
     }
 
     /// Returns the vertical field of view in radians, if given.
@@ -154,7 +167,20 @@ impl ViewArgs {
 
 /// A point, written as three numbers: `0,1.5,-2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point(pub [f32; 3]);
+pub struct Point(pub [f64; 3]);
+
+impl Point {
+    /// Returns the point relative to the origin of a mesh.
+    #[must_use]
+    pub fn relative_to(self, origin: [f64; 3]) -> Self {
+        Self([0, 1, 2].map(|axis| self.0[axis] - origin[axis]))
+    }
+
+    /// Returns the coordinates in single precision.
+    pub fn in_f32(self) -> [f32; 3] {
+        self.0.map(|x| x as f32)
+    }
+}
 
 impl FromStr for Point {
     type Err = String;
@@ -171,9 +197,16 @@ impl FromStr for Point {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisAlignedBox {
     /// Smallest coordinates.
-    pub min: [f32; 3],
+    pub min: [f64; 3],
     /// Largest coordinates.
-    pub max: [f32; 3],
+    pub max: [f64; 3],
+}
+
+impl AxisAlignedBox {
+    /// Returns the smallest and largest coordinates relative to the origin of a mesh, in single precision.
+    pub fn relative_to(self, origin: [f64; 3]) -> [[f32; 3]; 2] {
+        [self.min, self.max].map(|corner| Point(corner).relative_to(origin).in_f32())
+    }
 }
 
 impl FromStr for AxisAlignedBox {
@@ -188,7 +221,7 @@ impl FromStr for AxisAlignedBox {
 
 /// A sphere, written as its center and its radius: `0,1.5,-2,0.1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Region([f32; 4]);
+struct Region([f64; 4]);
 
 impl FromStr for Region {
     type Err = String;
@@ -203,14 +236,14 @@ impl FromStr for Region {
 
 /// A point on the screen, written as two numbers from -1 to 1: `0.2,-0.5`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Gaze([f32; 2]);
+struct Gaze([f64; 2]);
 
 impl FromStr for Gaze {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         match numbers(text) {
-            Some(point) if point.iter().all(|x: &f32| x.abs() <= 1.0) => Ok(Self(point)),
+            Some(point) if point.iter().all(|x| x.abs() <= 1.0) => Ok(Self(point)),
             _ => Err(format!(
                 "{text:?} is not a point on the screen; write two numbers from -1 to 1: 0.2,-0.5"
             )),
@@ -219,10 +252,10 @@ impl FromStr for Gaze {
 }
 
 /// Parses exactly `COUNT` finite numbers, separated by commas.
-fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
-    let numbers: Result<Vec<f32>, _> = text.split(',').map(|part| part.trim().parse::<f32>()).collect();
-    let numbers: [f32; COUNT] = numbers.ok()?.try_into().ok()?;
-    numbers.iter().all(|x| x.is_finite()).then_some(numbers)
+fn numbers<const COUNT: usize>(text: &str) -> Option<[f64; COUNT]> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
+    let numbers: [f64; COUNT] = numbers.ok()?.try_into().ok()?;
+    numbers.iter().all(|&x| (x as f32).is_finite()).then_some(numbers)
 }
 
 /// Width and height in pixels, written `1920x1080`.

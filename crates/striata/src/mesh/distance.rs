@@ -12,6 +12,7 @@
 //! Cost: O(n log n) for the trees of n triangles, then O(log n) per sample; no sample is stored. Results
 //! are the same for any number of threads and on every machine.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::setters::setters;
@@ -140,6 +141,7 @@ pub fn surface_distance_with_progress(
     }
     let mut meter = Meter { progress, done: 0, total: 0 };
     meter.report()?;
+    let b = &*with_origin(b, a.origin);
     let tree_a = surface_tree(a, "first")?;
     let tree_b = surface_tree(b, "second")?;
     let from_a = SurfaceSamples::new(a, options.sample_count, options.seed);
@@ -170,6 +172,15 @@ impl Meter<'_, '_> {
     fn report(&mut self) -> Result<(), Cancelled> {
         Progress { phase: "measure", done: self.done, total: self.total }.report(self.progress)
     }
+}
+
+/// Returns a mesh relative to an origin, so that two meshes can be compared.
+fn with_origin(mesh: &IndexedMesh, origin: [f64; 3]) -> Cow<'_, IndexedMesh> {
+    let mut mesh = Cow::Borrowed(mesh);
+    if mesh.origin != origin {
+        mesh.to_mut().set_origin(origin);
+    }
+    mesh
 }
 
 fn surface_tree(mesh: &IndexedMesh, which: &'static str) -> Result<TriangleTree, DistanceError> {

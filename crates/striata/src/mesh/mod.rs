@@ -45,6 +45,7 @@ pub use fragments::{
 };
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
 pub use levels::Levels;
+pub(crate) use origin::Extent;
 pub use origin::{origin_of, relative_position};
 pub use positions::PositionIndex;
 pub use random::Random;

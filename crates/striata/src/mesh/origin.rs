@@ -22,24 +22,42 @@ const MAX_SAMPLES: usize = 1 << 16;
 /// axis on which the coordinates themselves are small enough.
 pub fn origin_of(positions: &[[f64; 3]]) -> [f64; 3] {
     let stride = positions.len().div_ceil(MAX_SAMPLES).max(1);
-    let samples: Vec<&[f64; 3]> =
-        positions.iter().step_by(stride).filter(|p| p.iter().all(|x| x.is_finite())).collect();
-    if samples.is_empty() {
-        return [0.0; 3];
-    }
-    let quartiles = [0, 1, 2].map(|axis| {
-        let mut sorted: Vec<f64> = samples.iter().map(|p| p[axis]).collect();
-        sorted.sort_unstable_by(f64::total_cmp);
-        let last = sorted.len() - 1;
-        [sorted[last / 4], sorted[last / 2], sorted[last - last / 4]]
-    });
-    // The middle half of a mesh that fills its bounds is half as wide as they are.
-    let size = quartiles.iter().map(|[low, _, high]| 4.0 * (high - low).powi(2)).sum::<f64>().sqrt();
+    let Extent { median, size } = Extent::of(positions.iter().step_by(stride).copied());
     let step = if size > 0.0 { (size / 8.0).log2().floor().exp2() } else { 0.0 };
-    quartiles.map(|[_, median, _]| {
+    median.map(|median| {
         let rounded = if step > 0.0 { (median / step).round() * step } else { median };
         if median.abs() > FAR * size && rounded.is_finite() { rounded } else { 0.0 }
     })
+}
+
+/// Where most of a mesh is, however far away the rest may be.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Extent {
+    /// Median of each coordinate.
+    pub(crate) median: [f64; 3],
+    /// Twice the diagonal of the box between the quartiles: the diagonal of bounds that are filled evenly.
+    pub(crate) size: f64,
+}
+
+impl Extent {
+    /// Finds the extent of some points; those that are not finite do not count.
+    fn of(points: impl Iterator<Item = [f64; 3]>) -> Self {
+        let points: Vec<[f64; 3]> = points.filter(|p| p.iter().all(|x| x.is_finite())).collect();
+        let Some(last) = points.len().checked_sub(1) else { return Self::default() };
+        let quartiles = [0, 1, 2].map(|axis| {
+            let mut sorted: Vec<f64> = points.iter().map(|p| p[axis]).collect();
+            sorted.sort_unstable_by(f64::total_cmp);
+            [sorted[last / 4], sorted[last / 2], sorted[last - last / 4]]
+        });
+        let size = quartiles.iter().map(|[low, _, high]| 4.0 * (high - low).powi(2)).sum::<f64>().sqrt();
+        Self { median: quartiles.map(|[_, median, _]| median), size }
+    }
+
+    /// Finds the extent of positions from at most `most` evenly spaced ones.
+    pub(crate) fn of_positions(positions: &[[f32; 3]], most: usize) -> Self {
+        let stride = positions.len().div_ceil(most).max(1);
+        Self::of(positions.iter().step_by(stride).map(|p| p.map(f64::from)))
+    }
 }
 
 impl IndexedMesh {

@@ -22,6 +22,7 @@ mod level;
 mod options;
 mod place;
 mod remove;
+mod scaled_space;
 
 pub use certify::{
     CertifiedFaces, certify, certify_collapses, certify_collapses_in_any_state,

@@ -101,8 +101,8 @@ fn run_view(
     let metadata = file.metadata();
     let triangle_limit = args.level.triangle_count();
     let triangle_limit = triangle_limit.map(|count| count.of_triangles(metadata.triangle_count as usize));
-    let camera = camera_of(&args.view, eye, metadata)?;
-    let criterion = args.view.criterion(camera, MIN_PIXELS);
+    let (view, camera) = camera_of(&args.view, eye, metadata)?;
+    let criterion = view.criterion(camera, MIN_PIXELS);
     let found = file.level_for_view(&criterion, triangle_limit).map_err(failure_of)?;
     let pages = pages_read(file, &found.cut.page_of_vertex, found.cut.step_count);
     let level = ViewLevel::of_pages(found, args.view.pixels());
@@ -117,7 +117,8 @@ fn run_box(
 ) -> Result<(), Failure> {
     let diagonal = file.metadata().diagonal();
     let error_outside = args.level.error.map_or(f32::INFINITY, |error| error.in_units(diagonal) as f32);
-    let criterion = DetailBox { min: corners.min, max: corners.max, error_outside };
+    let [min, max] = corners.relative_to(file.metadata().origin);
+    let criterion = DetailBox { min, max, error_outside };
     let cut = file.level_for(&criterion).map_err(failure_of)?;
     let pages = pages_read(file, &cut.page_of_vertex, cut.step_count);
     let level = ViewLevel::of_pages(ViewCut { cut, relaxation: 1.0, is_within_limit: true }, 0.0);

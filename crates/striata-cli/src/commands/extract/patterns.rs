@@ -13,7 +13,7 @@ use striata::simplify::StopReason;
 use striata::view::{Camera, Criterion, DetailBox, Part};
 
 use super::fan_view::{MIN_PIXELS, ViewLevel};
-use striata_command::args::{AxisAlignedBox, ViewArgs};
+use striata_command::args::ViewArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 
@@ -84,9 +84,9 @@ impl FilePatterns {
         ViewLevel { pixels, ..level }
     }
 
-    /// Returns the level with full detail inside a box, and errors outside of at most the budget's threshold.
-    pub(crate) fn level_of_box(&self, corners: AxisAlignedBox, budget: Budget) -> ViewLevel {
-        let AxisAlignedBox { min, max } = corners;
+    /// Returns the level with full detail inside a box, given by its smallest and largest coordinates, and errors
+    /// outside of at most the budget's threshold.
+    pub(crate) fn level_of_box(&self, [min, max]: [[f32; 3]; 2], budget: Budget) -> ViewLevel {
         let inside = DetailBox { min, max, error_outside: f32::INFINITY };
         let weight =
             |part: &Part| if inside.weigh(part).should_refine() { f32::INFINITY } else { part.error };

@@ -32,13 +32,14 @@ pub(super) fn run_view(
     let file = input.striata()?;
     let center =
         bounds_of(&file, input)?.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
-    let camera = args
-        .view
-        .camera(eye, center)
+    let origin = file.origin().map_err(|error| input.damaged(&error))?;
+    let view = args.view.relative_to(origin);
+    let camera = view
+        .camera(eye.relative_to(origin), center)
         .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
     if uses_patterns(args, &file)? {
         let model = FilePatterns::read(&file, input)?;
-        let level = model.level_of_view(&args.view, camera, triangle_limit(args, &file));
+        let level = model.level_of_view(&view, camera, triangle_limit(args, &file));
         return report_patterns(args, (&model, level), input, started, output);
     }
     let damaged = |error| input.damaged(&error);
@@ -51,7 +52,7 @@ pub(super) fn run_view(
     let fans = if stored.is_some() { "stored" } else { "built" };
     let table = stored.unwrap_or_else(|| Fans::build(steps.fan_source()));
     let limit = triangle_limit(args, &file);
-    let level = level_of_view(&table, &steps, &args.view, camera, limit);
+    let level = level_of_view(&table, &steps, &view, camera, limit);
     let (pixels, primitives) = (level.pixels, primitives_of(args.form, &level.mesh, None)?);
     let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, limit), started)?;
     write_mesh(&level.mesh, primitives, &view_output_path(args)?, (&args.output.format, output))?;
@@ -99,7 +100,8 @@ pub(super) fn run_box(
         (None, None) => f32::MAX,
     };
     let model = FilePatterns::read(&file, input)?;
-    let level = model.level_of_box(corners, Budget { triangle_limit, threshold });
+    let origin = file.origin().map_err(|error| input.damaged(&error))?;
+    let level = model.level_of_box(corners.relative_to(origin), Budget { triangle_limit, threshold });
     report_patterns(args, (&model, level), input, started, output)
 }
 

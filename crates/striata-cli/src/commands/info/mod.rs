@@ -60,7 +60,11 @@ struct Report {
     face_attributes: Vec<Value>,
     groups: Vec<Value>,
     materials: Vec<String>,
+    /// Smallest and largest coordinates in the file.
     bounds: Option<Value>,
+    /// Origin that positions are relative to, if single precision cannot hold the coordinates of the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origin: Option<[f64; 3]>,
     diagonal: f64,
     models: Map<String, Value>,
     /// Sizes and build times of all models, with `--models`.
@@ -225,7 +229,8 @@ impl Report {
             face_attributes: mesh.triangle_layers.iter().map(described).collect(),
             groups: groups(mesh),
             materials: mesh.appearance.materials.iter().map(|material| material.name.clone()).collect(),
-            bounds: mesh.bounds().map(|bounds| json!({ "min": bounds.min, "max": bounds.max })),
+            bounds: bounds_in_file(mesh),
+            origin: mesh.needs_doubles().then_some(mesh.origin),
             diagonal: mesh.diagonal(),
             models: Map::new(),
             model_costs: None,
@@ -314,6 +319,9 @@ impl Report {
         }
         row("materials", or_none(self.materials.join(", ")));
         row("diagonal", format_length(self.diagonal));
+        if let Some([x, y, z]) = self.origin {
+            row("origin", format!("{x}, {y}, {z} (coordinates in double precision)"));
+        }
         for (name, value) in self.scene.iter().flat_map(SceneFacts::rows) {
             row(name, value);
         }
@@ -387,4 +395,12 @@ fn groups(mesh: &IndexedMesh) -> Vec<Value> {
         json!({ "name": name, "material": material, "triangle_count": count })
     };
     mesh.groups.iter().map(described).collect()
+}
+
+/// Returns the smallest and largest coordinates in the file.
+fn bounds_in_file(mesh: &IndexedMesh) -> Option<Value> {
+    if !mesh.needs_doubles() {
+        return mesh.bounds().map(|bounds| json!({ "min": bounds.min, "max": bounds.max }));
+    }
+    mesh.file_bounds().map(|[min, max]| json!({ "min": min, "max": max }))
 }

@@ -44,12 +44,19 @@ pub(crate) fn open_input(path: &Path, triangle_count: usize) -> Result<Input, Fa
     Input::of_bytes(&name, bytes)
 }
 
-/// The camera of a view; it looks at the middle of the mesh unless told otherwise.
+/// The flags of a view relative to the origin of the pages, and its camera, which looks at the middle of the
+/// mesh by default.
 ///
 /// # Errors
 /// If the flags of the view do not define a camera.
-pub(crate) fn camera_of(view: &ViewArgs, eye: Point, metadata: &Metadata) -> Result<Camera, Failure> {
+pub(crate) fn camera_of(
+    view: &ViewArgs,
+    eye: Point,
+    metadata: &Metadata,
+) -> Result<(ViewArgs, Camera), Failure> {
     let center = [0, 1, 2].map(|a| 0.5 * (metadata.min[a] + metadata.max[a]));
-    let camera = view.camera(eye, center);
+    let view = view.relative_to(metadata.origin);
+    let camera = view.camera(eye.relative_to(metadata.origin), center);
+    let camera = camera.map(|camera| (view, camera));
     camera.map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))
 }

@@ -103,7 +103,8 @@ fn paged_view(args: &RenderArgs, eye: Point) -> Result<Figure, Failure> {
     let limit = args.level.level.triangle_count();
     let limit = limit.map(|count| count.of_triangles(metadata.triangle_count as usize));
     let view = args.view.on_screen(args.size.0);
-    let criterion = view.criterion(camera_of(&view, eye, metadata)?, MIN_PIXELS);
+    let (view, camera) = camera_of(&view, eye, metadata)?;
+    let criterion = view.criterion(camera, MIN_PIXELS);
     let found = file.level_for_view(&criterion, limit).map_err(failure_of)?;
     Ok(Figure::of_view(ModelKind::Fans, ViewLevel::of_pages(found, view.pixels()), limit))
 }

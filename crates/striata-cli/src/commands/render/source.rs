@@ -216,9 +216,10 @@ impl<'a> Source<'a> {
         };
         let bounds = self.mesh().bounds();
         let center = bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
-        let view = args.view.on_screen(args.size.0);
+        let origin = self.mesh().origin;
+        let view = args.view.on_screen(args.size.0).relative_to(origin);
         let camera = view
-            .camera(eye, center)
+            .camera(eye.relative_to(origin), center)
             .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
         let limit =
             args.level.level.triangle_count().map(|count| count.of_triangles(self.full().triangle_count));

@@ -44,12 +44,13 @@ impl Viewpoint {
         let usual = ViewAngles::usual(mesh.bounds().filter(|_| source.scene().is_none()).as_ref());
         let up = args.view.up().unwrap_or(usual.up);
         let fov = |usual: f32| args.view.fov().map_or(usual.to_radians(), |angle| angle as f32);
-        let look_at = args.view.look_at().unwrap_or(center);
+        let look_at = args.view.relative_to(mesh.origin).look_at().unwrap_or(center);
+        let place = |point: Point| point.relative_to(mesh.origin).in_f32();
         let points = used_positions(mesh);
-        let view = args.level.eye.map(|Point(eye)| {
+        let view = args.level.eye.map(|eye| {
             // The refinement criterion takes y as up by default, whatever the mesh looks like.
             let up = args.view.up().unwrap_or([0.0, 1.0, 0.0]);
-            Camera { eye, look_at, up, fov: fov(VIEW_FOV) }
+            Camera { eye: place(eye), look_at, up, fov: fov(VIEW_FOV) }
         });
         if let (Some(view), false) = (view, is_outside) {
             return Ok(Self { placement: CameraPlacement::Fixed(view), zoom: args.zoom, frustum: None });
@@ -59,7 +60,8 @@ impl Viewpoint {
         // If there is a view, `--look-at` and `--fov` describe the view, not this camera.
         let is_view = frustum.is_some();
         let placement = match args.from {
-            Some(Point(eye)) => {
+            Some(eye) => {
+                let eye = place(eye);
                 let (look_at, fov) =
                     if is_view { (center, DEFAULT_FOV.to_radians()) } else { (look_at, fov(DEFAULT_FOV)) };
                 if eye == look_at {

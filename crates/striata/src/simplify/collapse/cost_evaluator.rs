@@ -16,6 +16,7 @@ use super::star::Star;
 use super::tracked::{MEMORYLESS_SHARE, Tracker};
 use super::wedges::Wedges;
 use crate::simplify::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
+use crate::simplify::scaled_space::ScaledSpace;
 
 /// Cost of merging two parts: this share of their squared distance, times the area that moves.
 const PAIR_WEIGHT: f32 = 0.1;
@@ -84,14 +85,18 @@ pub(in crate::simplify) struct CostEvaluator<'a> {
 impl<'a> CostEvaluator<'a> {
     /// Creates an evaluator for the full mesh.
     pub(in crate::simplify) fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
-        let diagonal = welded.mesh.bounds().map_or(0.0, |bounds| bounds.diagonal());
-        Self::with_scale(welded, options, if diagonal > 0.0 { diagonal } else { 1.0 })
+        Self::in_space(welded, options, ScaledSpace::of(&welded.mesh))
     }
 
     /// Creates an evaluator for part of a mesh whose diagonal is `scale` mesh units: costs of all parts are in
     /// the same unit.
     pub(in crate::simplify) fn with_scale(welded: &'a Welded, options: &SequenceOptions, scale: f64) -> Self {
-        let positions = scaled_positions(welded, scale);
+        Self::in_space(welded, options, ScaledSpace::with_scale(&welded.mesh, scale))
+    }
+
+    fn in_space(welded: &'a Welded, options: &SequenceOptions, space: ScaledSpace) -> Self {
+        let scale = space.scale;
+        let positions = scaled_positions(welded, &space);
         let position_count = positions.len();
         let has_wedges = !welded.positions.is_identity();
         let follows = has_wedges || options.cost == CollapseCost::Tracked;
@@ -502,15 +507,12 @@ fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
     }
 }
 
-/// Returns all positions relative to the center of the bounds, in units of `scale`.
-fn scaled_positions(welded: &Welded, scale: f64) -> Vec<[f32; 4]> {
-    let Some(bounds) = welded.mesh.bounds() else { return Vec::new() };
-    let center: [f64; 3] =
-        std::array::from_fn(|a| 0.5 * (f64::from(bounds.min[a]) + f64::from(bounds.max[a])));
+/// Returns all positions in a space.
+fn scaled_positions(welded: &Welded, space: &ScaledSpace) -> Vec<[f32; 4]> {
     let scaled = |p: u32| {
-        let [x, y, z] = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
-        let on = |x: f32, a: usize| ((f64::from(x) - center[a]) / scale) as f32;
-        [on(x, 0), on(y, 1), on(z, 2), 0.0]
+        let position = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
+        let [x, y, z] = space.scaled(position).as_vec3().to_array();
+        [x, y, z, 0.0]
     };
     (0..welded.positions.position_count() as u32).map(scaled).collect()
 }

@@ -47,7 +47,6 @@ mod neighborhood;
 mod placed_fragments;
 mod placed_options;
 mod quadratic_form;
-mod scaled_space;
 mod seams;
 mod stop_criteria;
 

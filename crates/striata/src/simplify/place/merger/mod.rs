@@ -13,13 +13,14 @@ use crate::simplify::collapse::cost_evaluator::CostEvaluator;
 use crate::simplify::collapse::heap::IndexedHeap;
 use crate::simplify::collapse::relaxation_schedule::RelaxationSchedule;
 use crate::simplify::options::{CollapseCost, SeamRule, SequenceOptions, SimplifyError, StopReason};
+use crate::simplify::scaled_space::ScaledSpace;
 use crate::{Progress, ProgressFn};
 
 use super::blend;
 use super::distance_tracker::DistanceTracker;
 use super::neighborhood::Neighborhood;
 use super::quadratic_form::StarForm;
-use super::scaled_space::ScaledSpace;
+
 use super::seams::merge_wedges;
 use super::stop_criteria::{Counts, StopCriteria};
 use edge_choice::{EdgeChoice, NO_CHOICE, UNDECIDED};
