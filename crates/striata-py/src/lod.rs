@@ -10,11 +10,11 @@ use striata::mesh::{RefinableMesh, weld};
 use striata::simplify::{build_welded_sequence_with_progress, certify_collapses_in_any_state_with_progress};
 use striata::{Cancelled, Lod, ProgressFn};
 
-use crate::arrays::{rows_to_array, signed, signed_rows};
+use crate::arrays::{signed, signed_rows};
 use crate::errors::{Outcome, cancelled, simplify_error, value_error};
 use crate::job;
 use crate::levels::Levels;
-use crate::mesh::{MeshData, is_internal, move_points, without_internal_layers};
+use crate::mesh::{MeshData, file_points, is_internal, move_origin, without_internal_layers};
 use crate::one_level::check_locked;
 use crate::options::{SimplifyArguments, reason, target};
 use crate::sources::{Sources, level_triangles};
@@ -91,8 +91,14 @@ impl LodData {
         Some(signed(py, self.sources.as_ref()?.vertex_of_input.clone()))
     }
 
-    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f32>> {
-        rows_to_array(py, self.levels.mesh().positions.clone())
+    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        file_points(py, self.levels.mesh())
+    }
+
+    /// Origin of the points that single precision is relative to.
+    #[getter]
+    fn origin(&self) -> [f64; 3] {
+        self.levels.mesh().origin
     }
 
     fn mesh(&self) -> MeshData {
@@ -224,7 +230,7 @@ fn stored(lod: Lod, offset: [f64; 3], progress: &mut ProgressFn<'_>) -> Result<L
         return Ok(lod);
     }
     let mut mesh = without_internal_layers(lod.mesh());
-    move_points(&mut mesh, offset);
+    move_origin(&mut mesh, offset);
     let refinable = RefinableMesh { mesh, sequence: lod.sequence().clone() };
     match lod.has_guaranteed_errors() {
         true => Lod::from_certified_with_progress(refinable, progress),

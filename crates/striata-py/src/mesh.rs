@@ -62,8 +62,8 @@ impl MeshData {
         self.mesh.diagonal()
     }
 
-    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f32>> {
-        rows_to_array(py, self.mesh.positions.clone())
+    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        file_points(py, &self.mesh)
     }
 
     fn faces<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<i32>> {
@@ -103,13 +103,31 @@ impl MeshData {
         }
     }
 
-    /// The mesh with its points moved by an offset.
+    /// The mesh with its origin moved by an offset.
     fn moved(&self, offset: [f64; 3]) -> Self {
         if offset == [0.0; 3] {
             return self.clone();
         }
         let mut mesh = IndexedMesh::clone(&self.mesh);
-        move_points(&mut mesh, offset);
+        move_origin(&mut mesh, offset);
+        Self::from(mesh)
+    }
+
+    /// The mesh with its points in double precision, which outputs use as they are.
+    fn with_exact_points(&self, points: PyReadonlyArray2<'_, f64>) -> Outcome<Self> {
+        let mut mesh = IndexedMesh::clone(&self.mesh);
+        mesh.exact_positions = rows_of(&points, "points")?;
+        mesh.check().map_err(value_error)?;
+        Ok(Self::from(mesh))
+    }
+
+    /// The mesh with its points relative to the origin of another one.
+    fn relative_to(&self, other: &Self) -> Self {
+        if self.mesh.origin == other.mesh.origin {
+            return self.clone();
+        }
+        let mut mesh = IndexedMesh::clone(&self.mesh);
+        mesh.set_origin(other.mesh.origin);
         Self::from(mesh)
     }
 }
@@ -120,13 +138,21 @@ impl From<IndexedMesh> for MeshData {
     }
 }
 
-/// Adds an offset to all points.
-pub(crate) fn move_points(mesh: &mut IndexedMesh, offset: [f64; 3]) {
-    for position in &mut mesh.positions {
-        for (x, offset) in position.iter_mut().zip(offset) {
-            *x = (f64::from(*x) + offset) as f32;
-        }
+/// Moves the origin of a mesh, and with it all points.
+pub(crate) fn move_origin(mesh: &mut IndexedMesh, offset: [f64; 3]) {
+    let exact = mesh.exact_positions.iter_mut().chain(std::iter::once(&mut mesh.origin));
+    for (x, offset) in exact.flat_map(|point| point.iter_mut().zip(offset)) {
+        *x += offset;
     }
+}
+
+/// The points of a mesh in the coordinates of its file: single precision if that holds them.
+pub(crate) fn file_points<'py>(py: Python<'py>, mesh: &IndexedMesh) -> Bound<'py, PyAny> {
+    if !mesh.needs_doubles() {
+        return rows_to_array(py, mesh.positions.clone()).into_any();
+    }
+    let points: Vec<[f64; 3]> = (0..mesh.vertex_count()).map(|vertex| mesh.file_position(vertex)).collect();
+    rows_to_array(py, points).into_any()
 }
 
 /// Name, location, MIME type and contents of an image.

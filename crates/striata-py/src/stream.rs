@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use striata::mesh::IndexedMesh;
 use striata::simplify::{BatchOptions, build_batches_with_progress};
 use striata::{Cancelled, ProgressFn};
 use striata_io::Scene;
@@ -14,11 +15,11 @@ use striata_stream::{
     encode_stream_with_progress,
 };
 
-use crate::arrays::{rows_to_array, signed_rows};
+use crate::arrays::signed_rows;
 use crate::errors::{Outcome, cancelled, decode_error, internal_error, simplify_error, value_error};
 use crate::job;
 use crate::lod::LodData;
-use crate::mesh::MeshData;
+use crate::mesh::{MeshData, file_points};
 use crate::options::choice;
 use crate::scene::SceneData;
 
@@ -158,9 +159,13 @@ impl DecoderData {
         })
     }
 
-    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f32>> {
-        let points = py.detach(|| self.lock().decoder.positions().to_vec());
-        rows_to_array(py, points)
+    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        let mesh = py.detach(|| {
+            let decoder = &self.lock().decoder;
+            let origin = decoder.info().map_or([0.0; 3], |info| info.origin);
+            IndexedMesh { origin, ..IndexedMesh::new(decoder.positions().to_vec(), Vec::new()) }
+        });
+        file_points(py, &mesh)
     }
 
     fn faces<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<i32>> {

@@ -8,7 +8,6 @@ use striata_command::failure::Failure;
 use striata_command::output::{Output, format_count};
 use striata_command::save::{Primitives, display_name, format_of, is_stdout, write_mesh};
 use striata_command::scene::with_mesh_textures;
-use striata_io::Format;
 
 #[derive(Serialize)]
 struct Report {

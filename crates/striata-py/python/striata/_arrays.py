@@ -9,6 +9,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _striata
+
 #: Largest number of points or faces: three corners and a link per face must fit into 32 bits.
 MAX_COUNT = (2**32 - 1) // 4
 
@@ -29,6 +31,13 @@ class PointSet:
     values: NDArray[np.float32]
     #: What was subtracted before rounding to single precision.
     offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def placed(self, data: _striata.MeshData) -> _striata.MeshData:
+        """Return a mesh of these points in the coordinates of the user, exactly."""
+        moved = data.moved(self.offset)
+        wide = np.ascontiguousarray(self.original, dtype=np.float64)
+        is_exact = self.original.dtype == np.float32 or bool((self.values + np.array(self.offset) == wide).all())
+        return moved if is_exact else moved.with_exact_points(wide)
 
     def restored(self, points: NDArray[np.float32]) -> AnyArray:
         """Return other points in the coordinates and the dtype of these."""

@@ -109,8 +109,8 @@ def distance(a: Any, b: Any, *, samples: int = 500_000, seed: int = 0, progress:
 def _pair(a: Any, b: Any) -> tuple[_striata.MeshData, _striata.MeshData]:
     """Return both meshes relative to one origin, so that no digits are lost far away from it."""
     (first, offset), (second, other) = _placed(a), _placed(b)
-    x, y, z = (q - p for p, q in zip(offset, other, strict=True))
-    return first, second.moved((x, y, z))
+    placed = first.moved(offset)
+    return placed, second.moved(other).relative_to(placed)
 
 
 def _placed(mesh: Any) -> tuple[_striata.MeshData, tuple[float, float, float]]:

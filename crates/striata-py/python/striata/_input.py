@@ -50,7 +50,7 @@ class Input:
 
     def stored_data(self) -> _striata.MeshData:
         """Return the mesh as files store it, in the coordinates of the user."""
-        return self.mesh_data()[0].stored().moved(self.points.offset)
+        return self.points.placed(self.mesh_data()[0].stored())
 
     @property
     def face_count(self) -> int:

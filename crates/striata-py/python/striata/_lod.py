@@ -214,8 +214,14 @@ class Lod(Generic[AnyMesh]):
 
     @property
     def _offset(self) -> tuple[float, float, float]:
-        """What is added to the points of the extension."""
+        """What is added to the origin of the extension."""
         return (0.0, 0.0, 0.0) if self._input is None else self._input.points.offset
+
+    @property
+    def _origin(self) -> tuple[float, float, float]:
+        """Point of the user at which the extension has its zero."""
+        x, y, z = (a + b for a, b in zip(self._data.origin, self._offset, strict=True))
+        return (x, y, z)
 
     def _mesh_data(self) -> _striata.MeshData:
         """Return the full mesh for the extension, in the coordinates of the user."""

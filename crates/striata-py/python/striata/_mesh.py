@@ -87,7 +87,7 @@ class Mesh:
         layers, _ = layers_of(found.attributes)
         check_storable(layers)
         data = _striata.MeshData(found.points.values, found.faces.values, layers)
-        self._data = data.moved(found.points.offset)
+        self._data = found.points.placed(data)
 
     @classmethod
     def _of(cls, data: _striata.MeshData) -> Mesh:
@@ -96,7 +96,7 @@ class Mesh:
         return mesh
 
     @property
-    def points(self) -> NDArray[np.float32]:
+    def points(self) -> AnyArray:
         """Coordinates of the points, shape (n, 3), a copy."""
         return self._data.points()
 

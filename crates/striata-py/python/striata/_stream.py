@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _striata
 from ._any_mesh import mesh_data_of
+from ._arrays import AnyArray
 from ._level import Level
 from ._lod import Lod
 from ._mesh import Mesh
@@ -157,7 +158,7 @@ class StreamDecoder:
         self._data.finish()
 
     @property
-    def points(self) -> NDArray[np.float32]:
+    def points(self) -> AnyArray:
         """Points decoded so far, shape (n, 3)."""
         return self._data.points()
 

@@ -66,7 +66,7 @@ class View:
             Largest number of faces. They go where the error is most visible.
         """
         camera = camera_arguments(
-            (eye, target, up), fov=fov, screen=screen, pixels=pixels, budget=budget, offset=self.lod._offset
+            (eye, target, up), fov=fov, screen=screen, pixels=pixels, budget=budget, offset=self.lod._origin
         )
         self._data.update(*camera)
         self._faces = None
