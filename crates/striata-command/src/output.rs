@@ -137,6 +137,12 @@ impl Output {
         Ok(())
     }
 
+    /// Warns of what the format of an output cannot store; that is never an error.
+    pub fn warn_of_losses(&self, losses: &[Warning]) {
+        let warned = Self { is_strict: false, ..*self }.warn(losses);
+        debug_assert!(warned.is_ok(), "only strict inputs are errors");
+    }
+
     /// Creates a progress bar for the progress callbacks of the library; invisible unless stderr is a
     /// terminal.
     pub fn bar(&self) -> Bar {

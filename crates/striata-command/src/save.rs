@@ -99,7 +99,7 @@ fn folder_path(path: &Path) -> Option<&Path> {
 }
 
 fn with_warnings(encoded: EncodedMesh, output: &Output) -> Result<EncodedMesh, Failure> {
-    encoded.warnings.iter().for_each(|warning| output.say(&format!("warning: {warning}")));
+    output.warn_of_losses(&encoded.warnings);
     Ok(encoded)
 }
 
