@@ -119,7 +119,7 @@ mod tests {
         let mesh = read(&file(b"x", &[0xFC00, 0x801F, 0x83E0, 0x8421]));
         let colors = LayerData::U8(vec![255, 0, 0, 0, 0, 255, 0, 255, 0, 8, 8, 8]);
         assert_eq!(mesh.triangle_layers[0].data, colors);
-        let written = super::super::to_bytes(&mesh).unwrap();
+        let written = super::super::to_bytes(&mesh, &mut Warnings::of_file("a.stl")).unwrap();
         assert_eq!(read(&written).triangle_layers, mesh.triangle_layers);
         assert_eq!(is_exact(&mesh, &mesh.triangle_layers[0]), Some(true));
         let magics = read(&file(b"COLOR=\x01\x02\x03\xff", &[0x001F, 0x8000, 0x7C00]));
@@ -130,7 +130,10 @@ mod tests {
     fn other_words_are_numbers() {
         let mesh = read(&file(b"x", &[7, 0, 9]));
         assert_eq!(mesh.triangle_layers[0].data, LayerData::U16(vec![7, 0, 9]));
-        assert_eq!(read(&super::super::to_bytes(&mesh).unwrap()).triangle_layers, mesh.triangle_layers);
+        assert_eq!(
+            read(&super::super::to_bytes(&mesh, &mut Warnings::of_file("a.stl")).unwrap()).triangle_layers,
+            mesh.triangle_layers
+        );
         assert!(read(&file(b"x", &[0, 0])).triangle_layers.is_empty());
     }
 }
