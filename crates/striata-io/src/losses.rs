@@ -30,6 +30,21 @@ pub(crate) fn of_materials(mesh: &IndexedMesh, format: Format, warnings: &mut Wa
     }
 }
 
+/// Warns about coordinates that single precision rounds, by how much.
+pub(crate) fn of_positions(mesh: &IndexedMesh, format: Format, warnings: &mut Warnings) {
+    if !mesh.needs_doubles() {
+        return;
+    }
+    let rounding = (0..mesh.vertex_count()).flat_map(|vertex| mesh.file_position(vertex));
+    let rounding = rounding.map(|x| (x - f64::from(x as f32)).abs()).fold(0.0, f64::max);
+    // As much as single precision keeps near the origin is no loss.
+    if rounding > 1e-7 * mesh.diagonal() {
+        let reason =
+            format!("{format} has single precision; coordinates are rounded by up to {rounding:.3e}");
+        warnings.push(Place::File, reason);
+    }
+}
+
 /// Warns about names of groups.
 pub(crate) fn of_group_names(mesh: &IndexedMesh, format: Format, warnings: &mut Warnings) {
     let names: BTreeSet<&str> =

@@ -11,7 +11,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
 use crate::report::{Kind, Warnings};
-use crate::text::{Cursor, plain, push_f32, push_one_minus_f32, quoted};
+use crate::text::{Cursor, plain, push_coordinates, push_f32, push_one_minus_f32, quoted};
 use crate::{Format, losses};
 
 /// Longest keyword with all its prefixes.
@@ -26,6 +26,8 @@ pub(crate) struct Layout {
     color_count: usize,
     has_texcoord: bool,
     colors_are_bytes: bool,
+    /// Whether single precision does not keep all digits of the positions.
+    pub has_long_coordinates: bool,
 }
 
 /// Numbers of some vertices, by attribute.
@@ -42,13 +44,38 @@ pub(crate) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh,
     let (mut columns, mut triangles) = (Columns::default(), Vec::new());
     let mut colors = PolygonColors::default();
     let vertex = |layout: &Layout, row: &[f32]| columns.push(layout, row);
-    let layout = read_rows(&plain(bytes), warnings, vertex, |triangle, color| {
+    let text = plain(bytes);
+    let layout = read_rows(&text, warnings, vertex, |triangle, color| {
         triangles.push(triangle);
         colors.push(color, triangles.len());
     })?;
     let (positions, layers) = columns.into_mesh(&layout);
     let triangle_layers = colors.into_layer(triangles.len(), warnings).into_iter().collect();
-    Ok(IndexedMesh { positions, layers, triangles, triangle_layers, ..IndexedMesh::default() })
+    let mut mesh = IndexedMesh { positions, layers, triangles, triangle_layers, ..IndexedMesh::default() };
+    if layout.has_long_coordinates {
+        let mut positions = Vec::with_capacity(mesh.positions.len());
+        visit_coordinates(&text, |position| positions.push(position))?;
+        mesh.set_file_positions(positions);
+    }
+    Ok(mesh)
+}
+
+/// Passes the coordinates of all vertices of a plain text to `visit`, in doubles. Only files that have more
+/// digits than single precision keeps are read again for this.
+pub(crate) fn visit_coordinates(text: &[u8], mut visit: impl FnMut([f64; 3])) -> Result<(), Fault> {
+    let mut cursor = Cursor::new(text);
+    cursor.skip_lines(Some(b'#'));
+    read_keyword(&mut cursor)?;
+    let vertex_count = read_count(&mut cursor, "vertices")?;
+    read_count(&mut cursor, "polygons")?;
+    skip_edge_count(&mut cursor);
+    check_room(&cursor, vertex_count, 6)?;
+    for _ in 0..vertex_count {
+        cursor.skip_lines(Some(b'#'));
+        visit([cursor.f64()?, cursor.f64()?, cursor.f64()?]);
+        cursor.next_line();
+    }
+    Ok(())
 }
 
 /// Reads a plain text row by row: `vertex` gets the numbers of each vertex, `triangle` the triangles of each
@@ -77,6 +104,7 @@ pub(crate) fn read_rows(
             color.iter().all(|c| c.is_nan() || c.fract() == 0.0 && (0.0..=255.0).contains(c));
         has_large_color |= color.iter().any(|&c| c > 1.0);
     }
+    layout.has_long_coordinates = cursor.has_long_coordinates();
     // If there are only zeros and ones, they are fractions, as in a white mesh.
     layout.colors_are_bytes &= has_large_color;
     check_room(&cursor, polygon_count, 2)?;
@@ -182,7 +210,7 @@ fn read_vertex(
 ) -> Result<(), Fault> {
     row.clear();
     for _ in 0..3 {
-        row.push(cursor.f32()?);
+        row.push(cursor.coordinate()?);
     }
     if layout.has_color && layout.color_count == 0 {
         layout.color_count = count_color_words(cursor, layout);
@@ -410,13 +438,8 @@ pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Vec<u8> {
         mesh.triangles.len()
     );
     out.extend_from_slice(counts.as_bytes());
-    for (vertex, position) in mesh.positions.iter().enumerate() {
-        for (axis, &x) in position.iter().enumerate() {
-            if axis > 0 {
-                out.push(b' ');
-            }
-            push_f32(&mut out, x);
-        }
+    for vertex in 0..mesh.positions.len() {
+        push_coordinates(&mut out, mesh, vertex);
         for layer in [normal, color, texcoord].into_iter().flatten() {
             push_values(&mut out, layer, vertex);
         }

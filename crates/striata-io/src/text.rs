@@ -280,6 +280,14 @@ impl<'a> Cursor<'a> {
         Ok(self.number()?.to_f64())
     }
 
+    /// Reads a coordinate as the nearest `f64`, and notes whether it has more digits than an `f32` keeps.
+    #[cfg(feature = "stl")]
+    pub(crate) fn long_coordinate(&mut self) -> Result<f64, Fault> {
+        let number = self.number()?;
+        self.has_long_coordinates |= number.has_more_digits_than(number.to_f32());
+        Ok(number.to_f64())
+    }
+
     /// Reads a coordinate as the nearest `f32`, and notes whether it has more digits than that.
     #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     #[inline]

@@ -57,6 +57,23 @@ fn obj(points: &[[String; 3]]) -> Vec<u8> {
     vertices.chain(faces).collect::<String>().into_bytes()
 }
 
+fn off(points: &[[String; 3]]) -> Vec<u8> {
+    let vertices = points.iter().map(|p| format!("{}\n", p.join(" ")));
+    let faces = triangles().into_iter().map(|[a, b, c]| format!("3 {a} {b} {c}\n"));
+    let counts = format!("OFF\n{} {} 0\n", points.len(), triangles().len());
+    std::iter::once(counts).chain(vertices).chain(faces).collect::<String>().into_bytes()
+}
+
+fn stl(points: &[[String; 3]]) -> Vec<u8> {
+    let corner = |v: u32| format!("vertex {}\n", points[v as usize].join(" "));
+    let facet = |t: [u32; 3]| {
+        let corners: String = t.map(corner).concat();
+        format!("facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n")
+    };
+    let facets: String = triangles().into_iter().map(facet).collect();
+    format!("solid\n{facets}endsolid\n").into_bytes()
+}
+
 fn inputs(points: &[[String; 3]]) -> Vec<(&'static str, Vec<u8>)> {
     vec![
         ("little.ply", ply(points, "binary_little_endian", "double")),
@@ -64,6 +81,7 @@ fn inputs(points: &[[String; 3]]) -> Vec<(&'static str, Vec<u8>)> {
         ("text.ply", ply(points, "ascii", "double")),
         ("text_of_floats.ply", ply(points, "ascii", "float")),
         ("text.obj", obj(points)),
+        ("text.off", off(points)),
     ]
 }
 
@@ -92,14 +110,14 @@ fn doubles_and_digits_survive_reading_and_writing() {
                 assert_eq!(mesh.triangles, triangles(), "{context}");
                 let diagonal = mesh.diagonal();
                 assert!(mesh.rounding() <= 1e-7 * diagonal, "{context}: {}", mesh.rounding() / diagonal);
-                for format in [Format::Ply, Format::Obj] {
+                for format in [Format::Ply, Format::Obj, Format::Off] {
                     for ascii in [false, true] {
                         let options = WriteOptions::default().with_ascii(ascii);
                         let written = to_bytes(format, &mesh, &options).unwrap();
                         let again = read_bytes(&written, &Source::new("again")).unwrap();
                         let difference = largest_difference(&file_positions(&again), &expected);
                         // Short texts near zero are single precision, which prints them again.
-                        let is_short = format == Format::Obj && again.exact_positions.is_empty();
+                        let is_short = format != Format::Ply && again.exact_positions.is_empty();
                         let allowed = if is_short { 6e-8 * diagonal } else { 0.0 };
                         assert!(difference <= allowed, "{context} as {format}: {difference}");
                     }
@@ -111,6 +129,21 @@ fn doubles_and_digits_survive_reading_and_writing() {
             }
         }
     }
+}
+
+#[test]
+fn text_of_stl_is_exact_and_binary_stl_says_what_it_loses() {
+    let points = survey(1.0, OFFSETS[1]);
+    let mesh = read_bytes(&stl(&points), &Source::new("a.stl")).unwrap();
+    let (mut found, mut expected) = (file_positions(&mesh), doubles(&points));
+    found.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    expected.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    assert!(found == expected && mesh.rounding() <= 1e-7 * mesh.diagonal());
+    let written = to_bytes(Format::Stl, &mesh, &WriteOptions::default()).unwrap();
+    let again = read_bytes(&written, &Source::new("b.stl")).unwrap();
+    // Half a unit in the last place at 5e6, and not moved by more.
+    let bounds = [mesh.file_bounds().unwrap(), again.file_bounds().unwrap()];
+    assert!(largest_difference(&bounds[0], &bounds[1]) <= 0.25, "{bounds:?}");
 }
 
 #[test]
@@ -139,6 +172,11 @@ fn pieces_share_an_origin() {
         std::fs::write(&path, bytes).unwrap();
         paths.push(path);
     }
+    let path = folder.path().join("text.stl");
+    std::fs::write(&path, stl(&points)).unwrap();
+    let solid = open_all(&[path], &PieceOptions::default()).unwrap();
+    let piece = solid.read_piece(0).unwrap();
+    assert_eq!((piece.positions.len(), piece.triangles.len()), (points.len(), triangles().len()));
     let source = open_all(&paths, &PieceOptions::default()).unwrap();
     let origin = source.summary().origin;
     assert!(origin[0] != 0.0 && origin[1] != 0.0, "{origin:?}");

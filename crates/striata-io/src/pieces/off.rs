@@ -1,6 +1,6 @@
 //! OFF in pieces: one pass writes the rows of vertices and the triangles to temporary files.
 
-use striata::mesh::AttributeLayer;
+use striata::mesh::{AttributeLayer, origin_of, relative_position};
 
 use super::input::{Input, Mapped};
 use super::local::localize;
@@ -8,7 +8,7 @@ use super::spool::Spool;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
-use crate::off::{Columns, Layout, read_rows};
+use crate::off::{Columns, Layout, read_rows, visit_coordinates};
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 use crate::text::trimmed;
@@ -20,6 +20,8 @@ pub(crate) struct OffPieces {
     layout: Layout,
     /// Numbers of each vertex.
     rows: Mapped,
+    /// Positions of all vertices, if they are relative to an origin.
+    relative: Option<Mapped>,
     triangles: Mapped,
     summary: PieceSummary,
     piece_size: usize,
@@ -44,9 +46,18 @@ impl OffPieces {
         if has_colors {
             warnings.push(Place::File, "the property color_0 of faces is left out: pages cannot store it");
         }
+        let origin = options.origin.unwrap_or_else(|| match layout.has_long_coordinates {
+            true => origin_near(&rows, 4 * layout.row_length()),
+            false => [0.0; 3],
+        });
+        let relative = match origin == [0.0; 3] {
+            true => None,
+            false => Some(relative_positions(&input, origin, options)?),
+        };
         let (_, layers) = Columns::default().into_mesh(&layout);
         let summary = PieceSummary {
             name: input.name.clone(),
+            origin,
             layers: layers.iter().map(LayerKind::of).collect(),
             groups: vec![PieceGroup::default()],
             triangle_count: count as u64,
@@ -54,7 +65,7 @@ impl OffPieces {
             warnings: warnings.into_list(),
             ..PieceSummary::default()
         };
-        Ok(Self { layout, rows, triangles, summary, piece_size: options.piece_size() })
+        Ok(Self { layout, rows, relative, triangles, summary, piece_size: options.piece_size() })
     }
 
     /// Number of vertices.
@@ -84,6 +95,10 @@ impl OffPieces {
             row.clear();
             let (words, _) = self.rows[number as usize * row_bytes..][..row_bytes].as_chunks::<4>();
             row.extend(words.iter().map(|bytes| f32::from_ne_bytes(*bytes)));
+            if let Some(relative) = &self.relative {
+                let (words, _) = relative[number as usize * 12..][..12].as_chunks::<4>();
+                row[..3].iter_mut().zip(words).for_each(|(x, bytes)| *x = f32::from_ne_bytes(*bytes));
+            }
             columns.push(&self.layout, &row);
         }
         columns.into_mesh(&self.layout)
@@ -97,6 +112,25 @@ impl OffPieces {
         let (positions, layers) = self.vertices(numbers);
         Piece { positions, layers, triangles, groups: Vec::new() }
     }
+}
+
+/// Chooses an origin from rows that begin with positions in single precision.
+fn origin_near(rows: &[u8], row_bytes: usize) -> [f64; 3] {
+    let count = rows.len() / row_bytes.max(1);
+    let sample = rows.chunks_exact(row_bytes.max(1)).step_by(count.div_ceil(1 << 16).max(1));
+    let number = |bytes: &[u8]| f64::from(f32::from_ne_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+    let sample: Vec<[f64; 3]> = sample.map(|row| [0, 4, 8].map(|at| number(&row[at..]))).collect();
+    origin_of(&sample)
+}
+
+/// Reads the coordinates of the vertices again, in doubles, and writes them relative to an origin.
+fn relative_positions(input: &Input, origin: [f64; 3], options: &PieceOptions) -> Result<Mapped, ReadError> {
+    let mut spool = Spool::new(options)?;
+    visit_coordinates(trimmed(&input.bytes), |position| {
+        spool.write(bytemuck::cast_slice(&relative_position(position, origin)));
+    })
+    .map_err(|fault| fault.in_file(&input.name))?;
+    spool.finish(options)
 }
 
 fn triangles_in(bytes: &[u8]) -> impl Iterator<Item = [u32; 3]> {

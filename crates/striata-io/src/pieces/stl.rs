@@ -23,8 +23,10 @@ impl StlPieces {
     pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
         let mut solids = Solids { groups: Vec::new(), starts: Vec::new() };
         let mut warnings = Warnings::of_file(&input.name);
+        // Coordinates of binary files are single precision; another origin would only round them again.
+        let mut origin = [0.0; 3];
         if is_ascii(&input.bytes) {
-            solids = stl_text::convert(&mut input, options, &mut warnings)?;
+            (solids, origin) = stl_text::convert(&mut input, options, &mut warnings)?;
         }
         if solids.groups.is_empty() {
             solids.groups.push(PieceGroup::default());
@@ -33,6 +35,7 @@ impl StlPieces {
         let facet_count = facet_count.map_err(|fault| fault.in_file(&input.name))?;
         let summary = PieceSummary {
             name: input.name.clone(),
+            origin,
             groups: std::mem::take(&mut solids.groups),
             triangle_count: facet_count as u64,
             byte_count: input.file_bytes,

@@ -165,7 +165,8 @@ pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Result<Ve
     losses::of_layers(mesh, Format::Stl, |layer| layer.semantic == Semantic::Normal, warnings);
     losses::of_materials(mesh, Format::Stl, warnings);
     losses::of_group_names(mesh, Format::Stl, warnings);
-    let count = mesh.triangles.len();
+    losses::of_positions(mesh, Format::Stl, warnings);
+    let (count, is_far) = (mesh.triangles.len(), mesh.needs_doubles());
     let mut out = Vec::with_capacity(HEADER_BYTES + FACET_BYTES * count);
     let mut header = [b' '; 80];
     // Not "solid", which readers take for ASCII.
@@ -175,7 +176,11 @@ pub(crate) fn to_bytes(mesh: &IndexedMesh, warnings: &mut Warnings) -> Result<Ve
     let stored = stored(mesh);
     for (index, &triangle) in mesh.triangles.iter().enumerate() {
         let normal = normals::of_triangle(&mesh.positions, triangle);
-        for value in normal.iter().chain(triangle.iter().flat_map(|&v| &mesh.positions[v as usize])) {
+        let corners = triangle.map(|v| match is_far {
+            true => mesh.file_position(v as usize).map(|x| x as f32),
+            false => mesh.positions[v as usize],
+        });
+        for value in normal.iter().chain(corners.as_flattened()) {
             out.extend_from_slice(&value.to_le_bytes());
         }
         let word = stored.map_or(0, |layer| word_to_store(layer, index));

@@ -4,7 +4,7 @@
 //! The normal of a facet is not used, and some writers put invalid numbers there. Lines that mean nothing are
 //! skipped and counted. A facet that is cut off, or in which a vertex is missing a number, is an error.
 
-use striata::mesh::{IndexedMesh, TriangleGroup};
+use striata::mesh::{IndexedMesh, TriangleGroup, origin_of, relative_position};
 
 use super::VertexTable;
 use crate::error::{Fault, Place};
@@ -16,7 +16,7 @@ pub(crate) enum Statement {
     /// Beginning of a solid, with its name.
     Solid(String),
     /// Corners of a triangle.
-    Facet([[f32; 3]; 3]),
+    Facet([[f64; 3]; 3]),
 }
 
 /// Words that have a meaning.
@@ -48,11 +48,12 @@ const KEYWORDS: [(&[u8], Keyword); 9] = [
 ];
 
 /// Passes the solids and facets of an ASCII file to `visit`, which may create faults at the current line.
+/// Returns whether some coordinate has more digits than single precision keeps.
 pub(crate) fn visit_ascii(
     bytes: &[u8],
     warnings: &mut Warnings,
     mut visit: impl FnMut(Statement, &Cursor<'_>) -> Result<(), Fault>,
-) -> Result<(), Fault> {
+) -> Result<bool, Fault> {
     let mut cursor = Cursor::new(bytes);
     let (mut polygon, mut in_solid, mut has_content) = (Vec::new(), false, false);
     loop {
@@ -87,7 +88,7 @@ pub(crate) fn visit_ascii(
     if in_solid {
         warnings.push(Place::Line(cursor.line()), "the file ends before `endsolid`");
     }
-    Ok(())
+    Ok(cursor.has_long_coordinates())
 }
 
 /// Returns the meaning of a word; reads the second word of `end loop`, `end facet` and `end solid`.
@@ -124,7 +125,7 @@ fn skip_line(word: &[u8], cursor: &mut Cursor<'_>, warnings: &mut Warnings) {
 /// Reads the corners of a facet after the word `facet`. Most have three; others are left out, or are polygons.
 fn read_facet(
     cursor: &mut Cursor<'_>,
-    polygon: &mut Vec<[f32; 3]>,
+    polygon: &mut Vec<[f64; 3]>,
     warnings: &mut Warnings,
 ) -> Result<(), Fault> {
     polygon.clear();
@@ -136,7 +137,11 @@ fn read_facet(
         }
         let word = cursor.word();
         match keyword(word, cursor) {
-            Keyword::Vertex => polygon.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]),
+            Keyword::Vertex => polygon.push([
+                cursor.long_coordinate()?,
+                cursor.long_coordinate()?,
+                cursor.long_coordinate()?,
+            ]),
             Keyword::Normal => (0..3).for_each(|_| {
                 cursor.word();
             }),
@@ -155,15 +160,36 @@ fn read_facet(
 
 /// Reads a text whose lines end as on all current systems.
 pub(super) fn read_ascii(text: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
+    let (mesh, has_long_coordinates) = read_relative(text, [0.0; 3], warnings)?;
+    if !has_long_coordinates {
+        return Ok(IndexedMesh { exact_positions: Vec::new(), ..mesh });
+    }
+    // Corners are the same vertex if they agree relative to the origin.
+    let origin = origin_of(&mesh.exact_positions);
+    Ok(read_relative(text, origin, &mut Warnings::of_file(warnings.file()))?.0)
+}
+
+/// Reads a text with positions relative to an origin, and returns whether they need doubles.
+fn read_relative(
+    text: &[u8],
+    origin: [f64; 3],
+    warnings: &mut Warnings,
+) -> Result<(IndexedMesh, bool), Fault> {
     let mut vertices = VertexTable::with_capacity(text.len() / 500);
-    let mut triangles = Vec::new();
+    let (mut triangles, mut exact) = (Vec::new(), Vec::new());
     let mut groups: Vec<TriangleGroup> = Vec::new();
-    visit_ascii(text, warnings, |statement, _| {
+    let has_long_coordinates = visit_ascii(text, warnings, |statement, _| {
         match statement {
             Statement::Solid(name) => {
                 groups.push(TriangleGroup { name, first: triangles.len() as u32, ..Default::default() });
             }
-            Statement::Facet(corners) => triangles.push(corners.map(|corner| vertices.vertex(corner))),
+            Statement::Facet(corners) => triangles.push(corners.map(|corner| {
+                let vertex = vertices.vertex(relative_position(corner, origin));
+                if vertex as usize == exact.len() {
+                    exact.push(corner);
+                }
+                vertex
+            })),
         }
         Ok(())
     })?;
@@ -178,5 +204,6 @@ pub(super) fn read_ascii(text: &[u8], warnings: &mut Warnings) -> Result<Indexed
     if groups.iter().all(|g| g.name.is_empty()) && groups.len() <= 1 {
         groups.clear();
     }
-    Ok(IndexedMesh { groups, ..IndexedMesh::new(vertices.positions, triangles) })
+    let mesh = IndexedMesh::new(vertices.positions, triangles);
+    Ok((IndexedMesh { groups, origin, exact_positions: exact, ..mesh }, has_long_coordinates))
 }
