@@ -423,7 +423,7 @@ impl Number<'_> {
     pub(crate) fn has_more_digits_than(self, value: f32) -> bool {
         // Half a unit in the last place of an f32 is less than half a unit of the last digit here.
         const SHORT: u64 = 1 << 23;
-        !self.decimal.is_some_and(|d| d.mantissa < SHORT) && self.differs_from(value)
+        self.decimal.is_none_or(|d| d.mantissa >= SHORT) && self.differs_from(value)
     }
 
     #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]

@@ -76,7 +76,8 @@ impl Plan {
             PieceOptions::default().with_scratch(folder.to_owned()).with_z_scale(options.z_scale);
         let source = input.open(&piece_options)?;
         let scanned = scan::scan(source.as_ref(), &options, (threads, progress))?;
-        let plan = Self::new((input, options), scanned, (output.to_owned(), folder.to_owned()));
+        let mut plan = Self::new((input, options), scanned, (output.to_owned(), folder.to_owned()));
+        plan.warnings = source.warnings();
         plan.save()?;
         Ok(plan)
     }

@@ -90,6 +90,9 @@ pub struct Plan {
     /// Folder of the plan and of the results of tasks.
     #[serde(skip)]
     pub folder: PathBuf,
+    /// What was left out of the input when it was read for the plan; empty for a plan that is opened again.
+    #[serde(skip)]
+    pub warnings: Vec<striata_io::Warning>,
     #[serde(skip)]
     partition: Option<Partition>,
 }
@@ -127,7 +130,8 @@ impl Plan {
             bundle(TaskKind::Encode(level as u8), cells(level), cells_per_task(cells(level)));
         }
         bundle(TaskKind::Finish, 1, 1);
-        Self { version: VERSION, input, options, metadata, output, tasks, folder, partition: Some(partition) }
+        let (version, partition, warnings) = (VERSION, Some(partition), Vec::new());
+        Self { version, input, options, metadata, output, tasks, folder, warnings, partition }
     }
 
     /// Writes the plan into its folder.

@@ -57,6 +57,10 @@ pub(crate) fn build(
             Plan::make((input, options), path, &folder, (threads, &mut |p| bar.show(p))).map_err(failure)?
         }
     };
+    if let Err(refused) = output.warn(&plan.warnings) {
+        plan.remove_work().map_err(failure)?;
+        return Err(refused);
+    }
     check_space(&plan)?;
     run_all(&plan, threads, &mut |p| bar.show(p)).map_err(failure)?;
     drop(bar);

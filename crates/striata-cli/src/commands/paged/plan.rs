@@ -42,6 +42,10 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     let plan = Plan::make((input, options), &args.output, &folder, (threads, &mut |p| bar.show(p)));
     let plan = plan.map_err(failure)?;
     drop(bar);
+    if let Err(refused) = output.warn(&plan.warnings) {
+        plan.remove_work().map_err(failure)?;
+        return Err(refused);
+    }
     let estimate = plan.estimate();
     let report = Report {
         plan: folder.join("plan.json"),
