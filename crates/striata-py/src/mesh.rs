@@ -71,12 +71,21 @@ impl MeshData {
     }
 
     /// Layers as tuples of kind, set, name, whether normalized, and values.
-    fn layers<'py>(&self, py: Python<'py>) -> Vec<(&'static str, u16, String, bool, Bound<'py, PyAny>)> {
-        let described = self.mesh.layers.iter().map(|layer| {
-            let (kind, set, name) = described(&layer.semantic);
-            (kind, set, name, layer.normalized, values_of(py, layer))
-        });
-        described.collect()
+    fn layers<'py>(&self, py: Python<'py>) -> Vec<LayerTuple<'py>> {
+        layer_tuples(py, &self.mesh.layers)
+    }
+
+    /// Layers of faces, like [`layers`](Self::layers).
+    fn face_layers<'py>(&self, py: Python<'py>) -> Vec<LayerTuple<'py>> {
+        layer_tuples(py, &self.mesh.triangle_layers)
+    }
+
+    /// The mesh with these layers of faces.
+    fn with_face_layers(&self, layers: Vec<LayerArguments<'_>>) -> Outcome<Self> {
+        let mut mesh = IndexedMesh::clone(&self.mesh);
+        mesh.triangle_layers = layers.into_iter().map(layer_of).collect::<Outcome<_>>()?;
+        mesh.check().map_err(value_error)?;
+        Ok(Self::from(mesh))
     }
 
     /// Groups as tuples of name, material (or `None`), first triangle and number of triangles.
@@ -153,6 +162,17 @@ pub(crate) fn file_points<'py>(py: Python<'py>, mesh: &IndexedMesh) -> Bound<'py
     }
     let points: Vec<[f64; 3]> = (0..mesh.vertex_count()).map(|vertex| mesh.file_position(vertex)).collect();
     rows_to_array(py, points).into_any()
+}
+
+/// Kind, set, name, whether normalized, and values of a layer.
+type LayerTuple<'py> = (&'static str, u16, String, bool, Bound<'py, PyAny>);
+
+fn layer_tuples<'py>(py: Python<'py>, layers: &[AttributeLayer]) -> Vec<LayerTuple<'py>> {
+    let tuple = |layer: &AttributeLayer| {
+        let (kind, set, name) = described(&layer.semantic);
+        (kind, set, name, layer.normalized, values_of(py, layer))
+    };
+    layers.iter().map(tuple).collect()
 }
 
 /// Name, location, MIME type and contents of an image.

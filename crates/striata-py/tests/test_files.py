@@ -46,11 +46,40 @@ def test_only_what_users_passed_is_stored(tmp_path, torus):
 
 
 def test_files_far_from_the_origin_keep_their_place(tmp_path, torus):
-    points = torus[0].astype(np.float64) + [1e5, 0, 0]
-    for name in ("f.striata", "f.ply", "f.stri"):
+    points = torus[0].astype(np.float64) + [5e5 + 0.1, 5e6, 0]
+    for name in ("f.striata", "f.ply", "f.obj", "f.stri"):
         striata.save(tmp_path / name, striata.build(points, torus[1]) if "stri" in name else (points, torus[1]))
         opened = striata.open(tmp_path / name)
-        assert np.allclose(opened.points.mean(0), points.mean(0), atol=0.1)
+        assert opened.points.dtype == np.float64
+        if name in ("f.ply", "f.obj"):
+            assert np.array_equal(opened.points, points)
+            small = striata.simplify(opened, ratio=0.5)
+            rows = {tuple(point) for point in points}
+            assert all(tuple(point) in rows for point in small.points)
+        else:
+            assert striata.distance((points, torus[1]), opened, samples=2000).max < (1e-6 if name == "f.striata" else 1e-3)
+    view = striata.open(tmp_path / "f.striata").view()
+    view.update(eye=points.mean(0) + [0, 0, 5], pixels=1.0)
+    assert len(view.faces) > 100
+
+
+def test_data_of_faces_follow_their_faces(tmp_path, torus):
+    points, faces = torus
+    label = np.arange(len(faces), dtype=np.int32) * 1000 - 7
+    color = np.tile(np.uint8([[10, 20, 30]]), (len(faces), 1))
+    mesh = striata.Mesh(points, faces, face_attributes={"label": label, "color": color})
+    assert mesh.face_attributes["label"].dtype == np.int32
+    assert np.array_equal(mesh.face_attributes["label"], label)
+    for name in ("a.ply", "a.striata", "a.stri"):
+        striata.save(tmp_path / name, striata.build(mesh) if "stri" in name else mesh)
+        opened = striata.open(tmp_path / name)
+        full = opened if name == "a.ply" else opened.mesh()
+        assert sorted(full.face_attributes["label"]) == sorted(label)
+        assert np.array_equal(full.face_attributes["color_0"], color)
+    level = striata.build(mesh).level(ratio=0.3)
+    assert np.array_equal(level.to_mesh().face_attributes["label"], label[level.face_origins])
+    with pytest.raises(ValueError, match="faces"):
+        striata.Mesh(points, faces, face_attributes={"label": label[1:]})
 
 
 def test_errors_of_files(tmp_path, torus):

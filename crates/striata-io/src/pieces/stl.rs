@@ -1,9 +1,11 @@
 //! STL in pieces: binary facets have the same size, so that each can be found by its number.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::input::Input;
 use super::stl_text::{self, Solids};
 use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
-use crate::ReadError;
+use crate::{ReadError, Warning};
 use crate::error::{Fault, Place};
 use crate::report::Warnings;
 use crate::stl::{FACET_BYTES, HEADER_BYTES, VertexTable, facet_count, is_ascii, position_at};
@@ -16,6 +18,8 @@ pub(crate) struct StlPieces {
     solid_starts: Vec<usize>,
     facet_count: usize,
     piece_size: usize,
+    /// Whether a facet that has been read has a color or another attribute.
+    has_facet_data: AtomicBool,
 }
 
 impl StlPieces {
@@ -48,6 +52,7 @@ impl StlPieces {
             solid_starts: solids.starts,
             facet_count,
             piece_size: options.piece_size(),
+            has_facet_data: AtomicBool::new(false),
         })
     }
 
@@ -61,10 +66,12 @@ impl StlPieces {
         let start = HEADER_BYTES + first * FACET_BYTES;
         let bytes = &self.input.bytes[start..start + count * FACET_BYTES];
         let mut vertices = VertexTable::with_capacity(count / 2 + 2);
-        let mut triangles = Vec::with_capacity(count);
+        let (mut triangles, mut has_data) = (Vec::with_capacity(count), false);
         for bytes in bytes.chunks_exact(FACET_BYTES) {
             triangles.push([12, 24, 36].map(|at| vertices.vertex(position_at(bytes, at))));
+            has_data |= bytes[48..] != [0, 0];
         }
+        self.has_facet_data.fetch_or(has_data, Ordering::Relaxed);
         let groups = match self.summary.groups.len() {
             1 => Vec::new(),
             _ => (first..first + count).map(|facet| self.solid_of(facet)).collect(),
@@ -88,5 +95,13 @@ impl PieceSource for StlPieces {
             return Err(fault.in_file(&self.input.name));
         }
         Ok(self.facets(index as usize * self.piece_size))
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        let mut all = Warnings::of_list(&self.summary.name, self.summary.warnings.clone());
+        if self.has_facet_data.load(Ordering::Relaxed) {
+            all.push(Place::File, "the colors and attributes of facets are left out: pages cannot store them");
+        }
+        all.into_list()
     }
 }

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _striata
-from ._arrays import AnyArray
+from ._arrays import AnyArray, attributes_of
 from ._display import counted
 from ._input import arrays_input
-from ._layers import check_storable, layers_of
+from ._layers import Layer, check_storable, layers_of
 from ._write import write_mesh
 
 
@@ -66,6 +66,8 @@ class Mesh:
         Indices of points, counterclockwise when seen from outside.
     attributes : dict of array_like, optional
         Arrays with a row for each point, of numbers that fit into 32 bits.
+    face_attributes : dict of array_like, optional
+        Arrays with a row for each face, such as labels and colors. They follow their face through levels.
 
     Examples
     --------
@@ -82,11 +84,16 @@ class Mesh:
         points: ArrayLike,
         faces: ArrayLike,
         attributes: Mapping[str, ArrayLike] | None = None,
+        face_attributes: Mapping[str, ArrayLike] | None = None,
     ) -> None:
         found = arrays_input(points, faces, attributes)
         layers, _ = layers_of(found.attributes)
         check_storable(layers)
         data = _striata.MeshData(found.points.values, found.faces.values, layers)
+        if face_attributes:
+            of_faces, _ = layers_of(attributes_of(face_attributes, found.face_count, "faces"))
+            check_storable(of_faces)
+            data = data.with_face_layers(of_faces)
         self._data = found.points.placed(data)
 
     @classmethod
@@ -118,11 +125,12 @@ class Mesh:
     @property
     def attributes(self) -> dict[str, AnyArray]:
         """Arrays with a row for each point, by name: ``normal``, ``texcoord_0``, ``color_0`` and others."""
-        named = {}
-        for kind, number, name, _, values in self._data.layers():
-            key = name if kind == "generic" else _layer_name(kind, number)
-            named[key] = values[:, 0] if kind == "generic" and values.shape[1] == 1 else values
-        return named
+        return _named(self._data.layers())
+
+    @property
+    def face_attributes(self) -> dict[str, AnyArray]:
+        """Arrays with a row for each face, by name: ``color_0`` and others."""
+        return _named(self._data.face_layers())
 
     @property
     def groups(self) -> list[Group]:
@@ -145,6 +153,14 @@ class Mesh:
 
     def __repr__(self) -> str:
         return f"<striata.Mesh: {counted(self.point_count, 'point')}, {counted(self.face_count, 'face')}>"
+
+
+def _named(layers: list[Layer]) -> dict[str, AnyArray]:
+    named = {}
+    for kind, number, name, _, values in layers:
+        key = name if kind == "generic" else _layer_name(kind, number)
+        named[key] = values[:, 0] if kind == "generic" and values.shape[1] == 1 else values
+    return named
 
 
 def _layer_name(kind: str, number: int) -> str:
