@@ -72,10 +72,11 @@ fn the_table_has_a_row_for_each_model() {
 }
 
 #[test]
-fn models_of_an_inconsistent_mesh_are_refused() {
+fn models_of_a_mesh_of_which_nothing_is_left_are_refused() {
     let bench = Workbench::new();
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
-    bench.json("info nan.off");
-    let message = bench.refused("info nan.off --models");
-    assert!(message.starts_with("error: nan.off: "), "{message}");
+    for verb in ["info nan.off", "info nan.off --models"] {
+        let message = bench.refused(verb);
+        assert!(message.starts_with("error: nan.off: ") && message.contains("NaN"), "{message}");
+    }
 }

@@ -306,7 +306,10 @@ fn texture_contrast_scales_the_uv_weight() {
     bench.write("plain.gltf", textured_hill(None));
     let level = |line: &str| {
         let output = bench.run(&format!("{line} --json")).success();
-        (bench.read("level.ply"), String::from_utf8_lossy(&output.get_output().stderr).into_owned())
+        let stderr = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+        // What PLY cannot store of the material is not the matter here.
+        let lines = stderr.lines().filter(|line| !line.starts_with("warning: level.ply: "));
+        (bench.read("level.ply"), lines.map(|line| format!("{line}\n")).collect::<String>())
     };
     let simplified =
         |input: &str, flag: &str| level(&format!("simplify {input} -o level.ply --triangles 60 {flag}"));

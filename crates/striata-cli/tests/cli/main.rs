@@ -2,6 +2,7 @@
 
 mod ball;
 mod costs;
+mod far_positions;
 #[cfg(unix)]
 mod guides;
 mod help;

@@ -179,8 +179,8 @@ fn camera_and_background_flags_have_an_effect() {
 fn meshes_without_visible_triangles_are_drawn() {
     let bench = Workbench::new();
     bench.write("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
-    bench.write("none.obj", "v 1 2 3\n");
-    for name in ["point.obj", "none.obj"] {
+    bench.write("none.off", "OFF\n0 0 0\n");
+    for name in ["point.obj", "none.off"] {
         for flags in ["", "--heat", "--wireframe --levels 100%,1", "--colors strips,fans,groups"] {
             let (picture, _) = picture(&bench, &format!("{name} --size 64x64 {flags} --background none"));
             assert_eq!((picture.width, picture.height), (64, 64), "{name} {flags}");

@@ -5,10 +5,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::input::Input;
 use super::stl_text::{self, Solids};
 use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
-use crate::{ReadError, Warning};
 use crate::error::{Fault, Place};
 use crate::report::Warnings;
 use crate::stl::{FACET_BYTES, HEADER_BYTES, VertexTable, facet_count, is_ascii, position_at};
+use crate::{ReadError, Warning};
 
 /// Binary STL file.
 pub(crate) struct StlPieces {
@@ -100,7 +100,10 @@ impl PieceSource for StlPieces {
     fn warnings(&self) -> Vec<Warning> {
         let mut all = Warnings::of_list(&self.summary.name, self.summary.warnings.clone());
         if self.has_facet_data.load(Ordering::Relaxed) {
-            all.push(Place::File, "the colors and attributes of facets are left out: pages cannot store them");
+            all.push(
+                Place::File,
+                "the colors and attributes of facets are left out: pages cannot store them",
+            );
         }
         all.into_list()
     }
