@@ -144,7 +144,7 @@ fn check_corners(refinable: &RefinableMesh, fans: &Fans, front: &FanFront<Screen
         let step = positions.position_of(vertex).checked_sub(base);
         assert!(step.is_none_or(|step| instance.is_refined(step)), "vertex {vertex} is not active");
     }
-    assert_eq!(instance.level(fans, &refinable.mesh).check(), Ok(()));
+    assert_eq!(instance.level(fans, refinable).check(), Ok(()));
 }
 
 fn check_strip_levels<M: StripModel>(file: &StriataFile<'_>, model: &M) {

@@ -314,7 +314,10 @@ fn unusual_meshes_are_kept() {
             let out = input.scratch.with_extension("out.ply");
             strip_to(&input, 7, Format::Ply, &out);
             let back = read(&out).unwrap();
-            assert_eq!((back.positions == mesh.positions, proper(&back)), (true, proper(&mesh)), "{name}");
+            let is_in_place =
+                |(vertex, p): (usize, &[f32; 3])| back.file_position(vertex) == p.map(f64::from);
+            let are_in_place = mesh.positions.iter().enumerate().all(is_in_place);
+            assert_eq!((are_in_place, proper(&back)), (true, proper(&mesh)), "{name}");
             let out = input.scratch.with_extension("glb");
             strip_to(&input, 7, Format::Glb, &out);
             assert_eq!(proper(&read(&out).unwrap()), proper(&mesh), "{name}");

@@ -6,11 +6,12 @@
 
 use std::collections::BTreeMap;
 
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup, origin_of};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup};
 
 use super::appearance;
 use super::document::Document;
 use super::draco::{DracoKey, DracoLink};
+use super::far_origin::{origin_of_corners, placed_corners};
 use super::gpu_instancing::BYTES_PER_INSTANCE;
 use super::layers::{LayerFormats, add_vertices, append, fill};
 use super::node_tree::{Transform, visit_instances};
@@ -82,7 +83,7 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
     })?;
     let mut mesh =
         IndexedMesh { appearance: appearance::appearance(document, warnings)?, ..IndexedMesh::default() };
-    mesh.origin = plan.move_to_origin(document)?;
+    mesh.origin = plan.move_to_origin(document);
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
     for block in &plan.blocks {
@@ -197,30 +198,20 @@ impl<'a> Plan<'a> {
 
     /// Chooses the origin of a scene whose nodes place meshes far from zero, and makes all transforms relative
     /// to it. Skins have transforms of their own, and keep an origin of zero.
-    fn move_to_origin(&mut self, document: &Document<'_>) -> Result<[f64; 3], Fault> {
-        /// Number of vertices of each block that the origin is chosen from.
-        const SAMPLES: usize = 256;
+    fn move_to_origin(&mut self, document: &Document<'_>) -> [f64; 3] {
         let has_skins = self.blocks.iter().any(|block| block.pose.has_skin());
         if has_skins || self.blocks.iter().all(|block| block.transform.is_none()) {
-            return Ok([0.0; 3]);
+            return [0.0; 3];
         }
-        let mut sample = Vec::new();
-        for block in &self.blocks {
-            let numbers = block.primitive.positions(document)?.floats();
-            let (points, _) = numbers.as_chunks::<3>();
-            let points = points.iter().step_by(points.len().div_ceil(SAMPLES).max(1));
-            sample.extend(points.map(|&p| match &block.transform {
-                Some(transform) => transform.exact_point(p),
-                None => p.map(f64::from),
-            }));
-        }
-        let origin = origin_of(&sample);
+        let corners =
+            |block: &Block<'_>| placed_corners(document, &block.primitive, block.transform.as_ref());
+        let origin = origin_of_corners(self.blocks.iter().flat_map(corners).collect());
         if origin != [0.0; 3] {
             for block in &mut self.blocks {
                 block.transform = Some(block.transform.unwrap_or_default().relative_to(origin));
             }
         }
-        Ok(origin)
+        origin
     }
 
     fn positions(&self, document: &Document<'_>) -> Result<Vec<[f32; 3]>, Fault> {

@@ -33,6 +33,7 @@ mod document;
 mod draco;
 mod draco_mesh;
 mod extensions;
+mod far_origin;
 mod gpu_instancing;
 mod json;
 mod layers;
@@ -71,6 +72,7 @@ pub(crate) mod parts {
     pub(crate) use super::container::chunk_ranges;
     pub(crate) use super::document::{Document, check_requirements};
     pub(crate) use super::draco::{DracoKey, DracoLink};
+    pub(crate) use super::far_origin::{origin_of_corners, placed_corners};
     pub(crate) use super::json::{JsonNode, parse};
     pub(crate) use super::layers::{LayerFormats, add_vertices, append, fill};
     pub(crate) use super::node_tree::{Instance, Transform, visit_instances};

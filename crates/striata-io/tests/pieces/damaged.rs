@@ -34,5 +34,5 @@ fn damaged_stl_files_are_refused() {
     let folder = Folder::new();
     let bytes = bytes_of(Format::Stl, &shapes::torus(15, 10, 2.0, 0.5), false);
     assert!(folder.error("cut.stl", &bytes[..bytes.len() - 1]).contains("the header declares 300 triangles"));
-    assert!(folder.error("unknown.xyz", b"hello").contains("neither the content nor the extension"));
+    assert!(folder.error("unknown.qqq", b"hello").contains("neither the content nor the extension"));
 }

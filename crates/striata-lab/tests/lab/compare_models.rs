@@ -122,7 +122,7 @@ fn only_named_models_are_measured() {
 fn tiny_meshes_have_rows() {
     let bench = Workbench::new();
     bench.write("empty.off", "OFF\n0 0 0\n");
-    bench.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+    bench.write("points.off", "OFF\n0 0 0\n");
     bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     bench.write("nowhere.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n");
     for mesh in ["empty.off", "points.off", "one.off", "nowhere.off"] {

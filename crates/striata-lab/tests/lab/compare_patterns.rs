@@ -136,7 +136,7 @@ fn unsupported_meshes_report_the_reason() {
 fn tiny_meshes_have_patterns() {
     let bench = Workbench::with_ball();
     bench.write("empty.off", "OFF\n0 0 0\n");
-    bench.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+    bench.write("points.off", "OFF\n0 0 0\n");
     bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     bench.write("nowhere.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n");
     let line =

@@ -134,7 +134,7 @@ fn unsupported_meshes_report_the_reason() {
 fn tiny_meshes_have_views() {
     let bench = Workbench::new();
     bench.write("empty.off", "OFF\n0 0 0\n");
-    bench.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+    bench.write("points.off", "OFF\n0 0 0\n");
     bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     bench.write("nowhere.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n");
     let line = "compare empty.off points.off one.off nowhere.off --parts views";

@@ -47,14 +47,15 @@ impl GltfPieces {
         let mut warnings = Warnings::of_file(&input.name);
         let opened = OpenedDocument::open(input, format, &mut warnings)?;
         let outline = Outline::of(&opened, piece_size);
-        let read = outline.and_then(|outline| {
+        let read = outline.and_then(|mut outline| {
             let document = opened.document()?;
+            let origin = outline.move_to_origin(&document, options.origin)?;
             let appearance = appearance(&document, &mut warnings)?;
             check_triangles(&document, outline.triangle_count == 0)?;
             left_out(&document, &mut warnings)?;
-            Ok((outline, appearance))
+            Ok((outline, appearance, origin))
         });
-        let (mut outline, appearance) = read.map_err(|fault| fault.in_file(opened.name()))?;
+        let (mut outline, appearance, origin) = read.map_err(|fault| fault.in_file(opened.name()))?;
         let mut groups = std::mem::take(&mut outline.groups);
         let counts = outline.shown.iter().map(|shown| outline.triangle_count_of(shown));
         if groups.is_empty() {
@@ -62,7 +63,7 @@ impl GltfPieces {
         }
         let layers = outline.formats.iter().map(|(semantic, format)| format.layer(semantic, 0));
         let summary = PieceSummary {
-            origin: [0.0; 3],
+            origin,
             name: opened.name().to_owned(),
             layers: layers.map(|layer| LayerKind::of(&layer)).collect(),
             groups,

@@ -1,17 +1,17 @@
 //! What a scene shows: every primitive with its place, its group and its number of triangles. The data are
 //! only read to count the triangles of strips, fans and compressed meshes.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use glam::DMat4;
+use glam::{DMat4, DVec3};
 use striata::mesh::Semantic;
 
 use super::opened::OpenedDocument;
 use crate::error::Fault;
 use crate::gltf::parts::{
     Document, DracoKey, DracoLink, Instance, LayerFormats, Primitive, RestPose, Transform, TriangleCount,
-    add_vertices, document_fault, visit_instances,
+    add_vertices, document_fault, origin_of_corners, placed_corners, visit_instances,
 };
 use crate::pieces::PieceGroup;
 
@@ -102,6 +102,43 @@ impl Shown {
 }
 
 impl Outline {
+    /// Makes all placements relative to an origin: the given one, or one near the scene if it is far from zero.
+    /// Skins have transforms of their own, and keep an origin of zero.
+    pub(super) fn move_to_origin(
+        &mut self,
+        document: &Document<'_>,
+        given: Option<[f64; 3]>,
+    ) -> Result<[f64; 3], Fault> {
+        if self.placements.iter().any(|placement| placement.pose.has_skin()) {
+            return Ok([0.0; 3]);
+        }
+        let origin = match given {
+            Some(origin) => origin,
+            None if self.placements.iter().all(|placement| placement.transform().is_none()) => [0.0; 3],
+            None => origin_of_corners(self.corners(document)?),
+        };
+        if origin != [0.0; 3] {
+            for placement in &mut self.placements {
+                placement.matrix = DMat4::from_translation(-DVec3::from_array(origin)) * placement.matrix;
+            }
+        }
+        Ok(origin)
+    }
+
+    fn corners(&self, document: &Document<'_>) -> Result<Vec<[f64; 3]>, Fault> {
+        let mut corners = Vec::new();
+        let mut known = BTreeSet::new();
+        for shown in self.shown.iter().filter(|shown| known.insert((shown.primitive, shown.placement))) {
+            let outline = &self.primitives[shown.primitive as usize];
+            let mesh = document.item("meshes", outline.mesh, &document.root)?;
+            if let Some(primitive) = Primitive::parse(document, mesh.entry("primitives", outline.index)?)? {
+                let transform = self.placements[shown.placement as usize].transform();
+                corners.extend(placed_corners(document, &primitive, transform.as_ref()));
+            }
+        }
+        Ok(corners)
+    }
+
     /// Walks through the default scene. Runs are what pieces of large primitives will be.
     pub(super) fn of(opened: &OpenedDocument, run_size: usize) -> Result<Self, Fault> {
         let mut walk = Walk {
