@@ -39,7 +39,7 @@ fn largest_move(points: &[[f64; 3]], from: &[[f64; 3]]) -> f64 {
 #[test]
 fn points_stay_where_they_are() {
     let bench = Workbench::new();
-    bench.write("a.obj", &survey());
+    bench.write("a.obj", survey());
     let input = points(&bench, "a.obj");
     // A ten-millionth of the diagonal.
     let allowed = 1.7e-7;
@@ -68,7 +68,7 @@ fn points_stay_where_they_are() {
 #[test]
 fn reports_views_and_distances_use_the_coordinates_of_the_file() {
     let bench = Workbench::new();
-    bench.write("a.obj", &survey());
+    bench.write("a.obj", survey());
     let info = bench.json("info a.obj");
     assert_eq!(info["bounds"]["min"], serde_json::json!([500_000.0, 5_000_000.0, 100.0]));
     assert_eq!((&info["degenerate_triangle_count"], info["origin"].is_array()), (&0.into(), true));
