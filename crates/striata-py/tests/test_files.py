@@ -59,7 +59,7 @@ def test_files_far_from_the_origin_keep_their_place(tmp_path, torus):
         else:
             assert striata.distance((points, torus[1]), opened, samples=2000).max < (1e-6 if name == "f.striata" else 1e-3)
     view = striata.open(tmp_path / "f.striata").view()
-    view.update(eye=points.mean(0) + [0, 0, 5], pixels=1.0)
+    view.update(eye=points.mean(0) + [0, 0, 5], target=points.mean(0), pixels=1.0)
     assert len(view.faces) > 100
 
 

@@ -7,6 +7,7 @@ with equal coordinates differ, what a collapse costs, and what a file stores.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -163,19 +164,19 @@ def _plain(name: str, values: AnyArray) -> Layer:
     kind = values.dtype.kind
     if rows.shape[1] > 255 or kind not in "fiub":
         return _ids(name, rows)
-    dtype: type[np.generic] | None = None
+    dtype: np.dtype[Any] | type[np.generic] | None = None
     if kind == "f":
         dtype = np.float32
-    elif kind == "b" or values.dtype == np.uint8:
+    elif kind == "b":
         dtype = np.uint8
-    elif values.dtype == np.uint16:
-        dtype = np.uint16
+    elif values.dtype.itemsize <= 4:
+        dtype = values.dtype.newbyteorder("=")
     elif rows.size:
         low, high = int(rows.min()), int(rows.max())
         if 0 <= low and high < 2**32:
             dtype = np.uint32
-        elif -(2**24) <= low and high <= 2**24:
-            dtype = np.float32
+        elif -(2**31) <= low and high < 2**31:
+            dtype = np.int32
     if dtype is None:
         return _ids(name, rows)
     with np.errstate(over="ignore", invalid="ignore"):
