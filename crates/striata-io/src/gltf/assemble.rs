@@ -208,7 +208,7 @@ impl<'a> Plan<'a> {
         let origin = origin_of_corners(self.blocks.iter().flat_map(corners).collect());
         if origin != [0.0; 3] {
             for block in &mut self.blocks {
-                block.transform = Some(block.transform.unwrap_or_default().relative_to(origin));
+                block.transform = block.transform.unwrap_or_default().relative_to(origin);
             }
         }
         origin

@@ -71,9 +71,9 @@ impl Transform {
         self.matrix.transform_point3(wide(point)).to_array()
     }
 
-    /// Returns the transform followed by a move of `origin` to zero.
-    pub(crate) fn relative_to(&self, origin: [f64; 3]) -> Self {
-        Self { matrix: DMat4::from_translation(-DVec3::from_array(origin)) * self.matrix, ..*self }
+    /// Returns the transform followed by a move of `origin` to zero; [`None`] if that is the identity.
+    pub(crate) fn relative_to(&self, origin: [f64; 3]) -> Option<Self> {
+        Self::new(DMat4::from_translation(-DVec3::from_array(origin)) * self.matrix)
     }
 
     /// Transforms a displacement of a point.
