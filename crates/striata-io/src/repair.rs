@@ -27,7 +27,8 @@ pub(crate) fn repair(mesh: &mut IndexedMesh, warnings: &mut Warnings) {
     }
 }
 
-/// Whether a mesh or piece needs any repair.
+/// Whether a piece needs any repair.
+#[cfg(feature = "pieces")]
 pub(crate) fn needs_repair(positions: &[[f32; 3]], layers: &[AttributeLayer]) -> bool {
     has_strange(positions.as_flattened()) || layers.iter().any(is_strange)
 }

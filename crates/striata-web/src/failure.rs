@@ -121,6 +121,8 @@ impl From<ReadError> for Failure {
                 Self::unsupported(error).with_hint("`striata convert IN OUT.glb` decompresses the file")
             }
             ReadError::FeatureOff { .. }
+            | ReadError::NeedsConversion { .. }
+            | ReadError::NoTriangles { .. }
             | ReadError::UnsupportedExtension { .. }
             | ReadError::Unsupported { .. } => Self::unsupported(error),
             _ => Self::corrupt(error),

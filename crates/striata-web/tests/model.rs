@@ -281,7 +281,7 @@ fn files_that_are_not_meshes_are_rejected() {
     assert_eq!(read(b"hello", "hello.txt").code(), "format");
     assert!(read(b"hello", "hello.txt").hint().unwrap().contains(".ply"));
     assert_eq!(read(b"ply\nformat ascii 1.0\nelement vertex x\n", "x.ply").code(), "corrupt");
-    assert_eq!(read(b"v 0 0 0\n", "points.obj").code(), "corrupt");
+    assert_eq!(read(b"v 0 0 0\n", "points.obj").code(), "unsupported");
     let mut model = Model::new();
     assert_eq!(model.push(b"hello, world").unwrap_err().code(), "format");
 }

@@ -1,9 +1,9 @@
 //! STL, binary and ASCII; the reader builds an indexed mesh.
 //!
 //! STL has no shared vertices: corners with equal coordinates become one vertex, in the order in which they
-//! first occur. Normals are dropped, because the triangles imply them; colors of facets are kept (`facet_colors`). Own parser: the binary form is 84 +
-//! 50 n bytes, and welding, the main work, is done in the same pass. Cost: O(n) expected time, 4 to 8 bytes
-//! of hash table per vertex besides the mesh.
+//! first occur. Normals are dropped, because the triangles imply them; colors of facets are kept
+//! (`facet_colors`). Own parser: the binary form is 84 + 50 n bytes, and welding, the main work, is done in
+//! the same pass. Cost: O(n) expected time, 4 to 8 bytes of hash table per vertex besides the mesh.
 
 use striata::mesh::{IndexedMesh, Semantic};
 
@@ -21,6 +21,7 @@ mod text_form;
 
 pub(crate) use facet_colors::is_exact;
 
+#[cfg(feature = "pieces")]
 pub(crate) use text_form::{Statement, visit_ascii};
 
 pub(crate) const HEADER_BYTES: usize = 84;
