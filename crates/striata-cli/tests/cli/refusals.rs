@@ -72,6 +72,11 @@ fn a_file_of_which_nothing_is_left_is_refused() {
         );
     }
     assert_eq!(bench.names(), ["nan.off"]);
+    bench.write("half.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 0 1 3\n");
+    let info = bench.json("info half.off");
+    assert_eq!(info["triangle_count"], 1);
+    assert!(info["warnings"].to_string().contains("1 triangle left out"), "{info}");
+    assert!(info["warnings"].to_string().contains("NaN"), "{info}");
 }
 
 #[test]
