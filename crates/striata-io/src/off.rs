@@ -42,15 +42,17 @@ pub(crate) struct Columns {
 /// Reads a mesh from the bytes of an OFF file.
 pub(crate) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let (mut columns, mut triangles) = (Columns::default(), Vec::new());
-    let mut colors = PolygonColors::default();
+    let (mut colors, mut color_values) = (PolygonColors::default(), Vec::new());
     let vertex = |layout: &Layout, row: &[f32]| columns.push(layout, row);
     let text = plain(bytes);
     let layout = read_rows(&text, warnings, vertex, |triangle, color| {
         triangles.push(triangle);
-        colors.push(color, triangles.len());
+        colors.push(color, triangles.len(), |values| color_values.push(values));
     })?;
     let (positions, layers) = columns.into_mesh(&layout);
-    let triangle_layers = colors.into_layer(triangles.len(), warnings).into_iter().collect();
+    colors.warn(triangles.len(), warnings);
+    let has_colors = !color_values.is_empty();
+    let triangle_layers = has_colors.then(|| colors.layer(color_values.into_iter())).into_iter().collect();
     let mut mesh = IndexedMesh { positions, layers, triangles, triangle_layers, ..IndexedMesh::default() };
     if layout.has_long_coordinates {
         let mut positions = Vec::with_capacity(mesh.positions.len());
@@ -316,51 +318,56 @@ impl Polygons {
     }
 }
 
-/// Colors of the triangles read so far: four numbers for each.
-#[derive(Default)]
-struct PolygonColors {
-    values: Vec<f32>,
-    has_alpha: bool,
+/// Colors of the triangles read so far: four numbers for each, which somebody else keeps.
+#[derive(Debug, Default)]
+pub(crate) struct PolygonColors {
+    /// Number of triangles with four numbers.
+    pub(crate) count: usize,
     bare_count: usize,
+    has_alpha: bool,
+    has_fractions: bool,
+    has_large: bool,
 }
 
 impl PolygonColors {
-    /// Adds the color of the last of `count` triangles; it may be empty.
-    fn push(&mut self, color: &[f32], count: usize) {
-        if color.is_empty() && self.values.is_empty() {
+    /// Number of values of a triangle that are kept.
+    pub(crate) const WIDTH: usize = 4;
+
+    /// Passes the color of the last of `count` triangles to `keep`, and white for those before it without one;
+    /// nothing before the first color.
+    pub(crate) fn push(&mut self, color: &[f32], count: usize, mut keep: impl FnMut([f32; Self::WIDTH])) {
+        if color.is_empty() && self.count == 0 {
             return;
         }
-        let before = count - 1 - self.values.len() / 4;
-        self.bare_count += before + usize::from(color.is_empty());
         // White, in both forms of numbers.
-        self.values.resize(4 * (count - 1), f32::INFINITY);
-        self.values.extend((0..4).map(|i| color.get(i).copied().unwrap_or(f32::INFINITY)));
+        let white = [f32::INFINITY; Self::WIDTH];
+        let before = count - 1 - self.count;
+        (0..before).for_each(|_| keep(white));
+        self.bare_count += before + usize::from(color.is_empty());
+        keep(std::array::from_fn(|i| color.get(i).copied().unwrap_or(f32::INFINITY)));
+        self.count = count;
         self.has_alpha |= color.len() == 4;
+        self.has_fractions |= color.iter().any(|x| x.is_finite() && x.fract() != 0.0);
+        self.has_large |= color.iter().any(|&x| x.is_finite() && x > 1.0);
     }
 
-    /// Returns the layer, if there is a color.
-    fn into_layer(self, triangle_count: usize, warnings: &mut Warnings) -> Option<AttributeLayer> {
-        if self.values.is_empty() {
-            return None;
-        }
+    /// Warns of triangles without a color.
+    pub(crate) fn warn(&self, triangle_count: usize, warnings: &mut Warnings) {
         if self.bare_count > 0 {
             let reason =
                 format!("{} of {triangle_count} faces have no color; they become white", self.bare_count);
             warnings.push(Place::File, reason);
         }
-        let finite = self.values.iter().filter(|x| x.is_finite());
-        let are_bytes = finite.clone().all(|x| x.fract() == 0.0) && finite.clone().any(|&x| x > 1.0);
-        let scale = if are_bytes { 1.0 } else { 255.0 };
-        let byte = |&x: &f32| (x * scale).clamp(0.0, 255.0).round() as u8;
+    }
+
+    /// Returns the layer of some triangles.
+    pub(crate) fn layer(&self, values: impl Iterator<Item = [f32; Self::WIDTH]>) -> AttributeLayer {
+        let scale = if self.has_large && !self.has_fractions { 1.0 } else { 255.0 };
+        let byte = |x: f32| (x * scale).clamp(0.0, 255.0).round() as u8;
         let width = if self.has_alpha { 4 } else { 3 };
-        let rows = self.values.chunks_exact(4).flat_map(|color| color[..width].iter().map(byte));
-        let data = LayerData::U8(rows.collect());
-        Some(AttributeLayer {
-            semantic: Semantic::Color(0),
-            component_count: width as u8,
-            normalized: true,
-            data,
-        })
+        let data = LayerData::U8(values.flat_map(|color| color.into_iter().take(width).map(byte)).collect());
+        let (semantic, component_count) = (Semantic::Color(0), width as u8);
+        AttributeLayer { semantic, component_count, normalized: true, data }
     }
 }
 

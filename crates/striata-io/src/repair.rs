@@ -67,9 +67,9 @@ pub(crate) fn is_lost(position: &[f32; 3]) -> bool {
 /// values at a time.
 pub(crate) fn has_strange(values: &[f32]) -> bool {
     const BLOCK: usize = 1 << 12;
-    const INFINITE: i32 = 0x7f80_0000;
-    let magnitude = |x: &f32| (x.to_bits() & 0x7fff_ffff) as i32;
-    values.chunks(BLOCK).any(|block| block.iter().map(magnitude).fold(0, i32::max) >= INFINITE)
+    const EXPONENT: u32 = 0x7f80_0000;
+    let is_strange = |x: &f32| x.to_bits() & EXPONENT == EXPONENT;
+    values.chunks(BLOCK).any(|block| block.iter().fold(false, |any, x| any | is_strange(x)))
 }
 
 fn is_strange(layer: &AttributeLayer) -> bool {

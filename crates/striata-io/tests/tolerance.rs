@@ -1,7 +1,5 @@
 //! The rule of all readers, as one table: what is kept, what is left out with a warning, what is an error.
 
-use std::fs;
-
 use serde_json::{Value, json};
 use striata::mesh::IndexedMesh;
 use striata_io::{Source, read_bytes_with_report};
@@ -547,7 +545,7 @@ fn files_in_pieces_follow_the_rule() {
     // Pieces cannot compute normals that some faces lack: they leave out all of them.
     for (name, bytes, outcome) in cases().into_iter().filter(|case| case.0 != "few-normals.obj") {
         let path = folder.path().join(name);
-        fs::write(&path, bytes).unwrap();
+        std::fs::write(&path, bytes).unwrap();
         let file = path.display().to_string();
         let found = open_pieces(&path, &PieceOptions::default()).and_then(|source| {
             let mut counts = (0, 0);

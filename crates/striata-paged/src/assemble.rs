@@ -3,7 +3,7 @@
 use striata::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
 
 use crate::loaded::{LoadedPages, Place, coarse_vertices};
-use crate::mesh_parts::{appearance, gathered_layers, grouped};
+use crate::mesh_parts::{Triangles, appearance, gathered_layers, grouped};
 use crate::replaced::Replaced;
 use crate::{Metadata, Page, PagedError};
 
@@ -37,10 +37,10 @@ impl Assembled {
 pub fn assemble(pages: &[(u32, &Page)], metadata: &Metadata) -> Result<Assembled, PagedError> {
     let loaded = LoadedPages::new(pages)?;
     let order = Order::new(&loaded);
-    let (groups, triangles) = grouped(full_triangles(&loaded, &order), metadata);
+    let (groups, triangles, triangle_layers) = grouped(full_triangles(&loaded, &order), metadata);
     let sequence = sequence(&order, order.targets(&loaded), &triangles)?;
     let mesh = IndexedMesh {
-        triangle_layers: Vec::new(),
+        triangle_layers,
         positions: order
             .vertices
             .iter()
@@ -140,21 +140,23 @@ impl Order {
     }
 }
 
-/// All triangles at the full detail of the pages, with their groups: those of each page that no finer page replaces.
-fn full_triangles(loaded: &LoadedPages<'_>, order: &Order) -> Vec<([u32; 3], u32)> {
+/// All triangles at the full detail of the pages: those of each page that no finer page replaces.
+fn full_triangles(loaded: &LoadedPages<'_>, order: &Order) -> Triangles {
     let mut replaced: Vec<Replaced> = (0..loaded.len()).map(|_| Replaced::default()).collect();
-    let mut runs: Vec<Vec<([u32; 3], u32)>> = Vec::with_capacity(loaded.len());
+    let mut runs = Vec::with_capacity(loaded.len());
     for slot in (0..loaded.len() as u32).rev() {
         let page = loaded.page(slot);
         let owned = page.positions.len() as u32;
         let coarse = coarse_vertices(page);
         let mut own = std::mem::take(&mut replaced[slot as usize]);
         let mut run = Vec::with_capacity(page.triangles.len());
+        let mut places = Vec::new();
         for (t, corners) in page.triangles.iter().enumerate() {
-            let group = page.groups.get(t).copied().unwrap_or(0);
+            let tag = page.tag_of(t);
             let numbers = corners.map(|v| loaded.number_in(slot, v));
-            if own.is_empty() || !own.take(numbers, group) {
-                run.push((numbers.map(|v| order.rank[v as usize]), group));
+            if own.is_empty() || !own.take(numbers, tag) {
+                run.push((numbers.map(|v| order.rank[v as usize]), page.group_of(t)));
+                places.push(t as u32);
             }
             if page.targets.is_empty() {
                 continue;
@@ -164,12 +166,16 @@ fn full_triangles(loaded: &LoadedPages<'_>, order: &Order) -> Vec<([u32; 3], u32
             let numbers = coarse.map(|v| loaded.number_in(slot, v));
             let [a, b, c] = numbers.map(|v| order.position_of(v));
             if a != b && b != c && c != a {
-                replaced[owner[0].max(owner[1]).max(owner[2]) as usize].add(numbers, group);
+                replaced[owner[0].max(owner[1]).max(owner[2]) as usize].add(numbers, tag);
             }
         }
-        runs.push(run);
+        runs.push((run, (page, places)));
     }
-    runs.into_iter().rev().flatten().collect()
+    let mut triangles = Triangles::default();
+    for (run, (page, places)) in runs.into_iter().rev() {
+        triangles.extend(run, (page, &places));
+    }
+    triangles
 }
 
 /// The sequence of steps, with the number of triangles that each removes.

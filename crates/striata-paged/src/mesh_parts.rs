@@ -3,18 +3,48 @@
 use serde_json::Value;
 use striata::mesh::{Appearance, AttributeLayer, Image, Material, TriangleGroup};
 
-use crate::Metadata;
 use crate::loaded::{LoadedPages, Place};
+use crate::{Metadata, Page};
 
-/// Sorts triangles by group; returns the groups and the corners.
+/// Triangles of a mesh that is made of pages.
+#[derive(Debug, Default)]
+pub(crate) struct Triangles {
+    /// Corners and group.
+    pub(crate) list: Vec<([u32; 3], u32)>,
+    /// Their data.
+    pub(crate) layers: Vec<AttributeLayer>,
+}
+
+impl Triangles {
+    /// Adds triangles of a page, with the places where it has them.
+    pub(crate) fn extend(&mut self, list: Vec<([u32; 3], u32)>, (page, places): (&Page, &[u32])) {
+        self.list.extend(list);
+        let rows = page.triangle_rows(places);
+        if self.layers.is_empty() {
+            self.layers = rows;
+            return;
+        }
+        for (layer, more) in self.layers.iter_mut().zip(&rows) {
+            layer.data.extend_from(&more.data);
+        }
+    }
+}
+
+/// Groups, triangles and their data, as a mesh has them: sorted by group.
 pub(crate) fn grouped(
-    mut triangles: Vec<([u32; 3], u32)>,
+    triangles: Triangles,
     metadata: &Metadata,
-) -> (Vec<TriangleGroup>, Vec<[u32; 3]>) {
+) -> (Vec<TriangleGroup>, Vec<[u32; 3]>, Vec<AttributeLayer>) {
+    let Triangles { list: mut triangles, mut layers } = triangles;
     let is_plain = metadata.groups.len() < 2
         && metadata.groups.iter().all(|group| group.name.is_empty() && group.material.is_none());
     if is_plain {
-        return (Vec::new(), triangles.into_iter().map(|(corners, _)| corners).collect());
+        return (Vec::new(), triangles.into_iter().map(|(corners, _)| corners).collect(), layers);
+    }
+    if !layers.is_empty() {
+        let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
+        order.sort_by_key(|&t| triangles[t as usize].1);
+        layers = layers.iter().map(|layer| layer.gather(&order)).collect();
     }
     triangles.sort_by_key(|&(_, group)| group);
     let mut groups: Vec<TriangleGroup> = Vec::with_capacity(metadata.groups.len());
@@ -25,7 +55,7 @@ pub(crate) fn grouped(
         groups.push(TriangleGroup { name: group.name.clone(), material: group.material, first, count });
         first = end;
     }
-    (groups, triangles.into_iter().map(|(corners, _)| corners).collect())
+    (groups, triangles.into_iter().map(|(corners, _)| corners).collect(), layers)
 }
 
 /// Attribute layers of some vertices, without the layer that only tells materials apart.
@@ -34,7 +64,7 @@ pub(crate) fn gathered_layers(
     vertices: &[Place],
     metadata: &Metadata,
 ) -> Vec<AttributeLayer> {
-    let layers = metadata.empty_layers().into_iter().enumerate();
+    let layers = metadata.empty_mesh().layers.into_iter().enumerate();
     let layers = layers.filter(|(_, layer)| !Metadata::is_material_layer(layer));
     layers.map(|(index, layer)| gathered(loaded, vertices, (index, layer))).collect()
 }

@@ -61,6 +61,9 @@ pub struct Metadata {
     pub grid: Option<Grid>,
     /// Attribute layers.
     pub layers: Vec<PagedLayer>,
+    /// Attribute layers of the triangles; all are exact.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub triangle_layers: Vec<PagedLayer>,
     /// Groups that triangles refer to.
     pub groups: Vec<PagedGroup>,
     /// glTF materials as JSON objects, one per material, with textures by index and images by address.
@@ -204,7 +207,7 @@ impl Metadata {
         if self.cell_counts.is_empty() || self.cell_counts.len() > 64 {
             return Err(format!("{} levels", self.cell_counts.len()));
         }
-        for layer in &self.layers {
+        for layer in self.layers.iter().chain(&self.triangle_layers) {
             if layer.component_count == 0 || layer.step.is_some_and(|step| !(step > 0.0 && step.is_finite()))
             {
                 return Err(format!("layer {} has no components or an impossible step", layer.semantic));
@@ -216,9 +219,14 @@ impl Metadata {
         Ok(())
     }
 
-    /// Layers without values.
-    pub fn empty_layers(&self) -> Vec<AttributeLayer> {
-        self.layers.iter().map(PagedLayer::empty_layer).collect()
+    /// A mesh without vertices and triangles, but with all layers.
+    pub fn empty_mesh(&self) -> CellMesh {
+        let empty = |layers: &[PagedLayer]| layers.iter().map(PagedLayer::empty_layer).collect();
+        CellMesh {
+            layers: empty(&self.layers),
+            triangle_layers: empty(&self.triangle_layers),
+            ..CellMesh::default()
+        }
     }
 
     /// Whether a layer only tells wedges of different materials apart.

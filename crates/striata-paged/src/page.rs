@@ -53,9 +53,33 @@ pub struct Page {
     pub triangles: Vec<[u32; 3]>,
     /// Group of each triangle; empty if all belong to group 0.
     pub groups: Vec<u32>,
+    /// Attribute layers of the triangles, each with a row for every triangle.
+    pub triangle_layers: Vec<AttributeLayer>,
 }
 
 impl Page {
+    /// Group of a triangle.
+    pub(crate) fn group_of(&self, triangle: usize) -> u32 {
+        self.groups.get(triangle).copied().unwrap_or(0)
+    }
+
+    /// What tells triangles with the same corners apart: the group, and the data of the triangle.
+    pub(crate) fn tag_of(&self, triangle: usize) -> u32 {
+        let mut tag = self.group_of(triangle);
+        for layer in &self.triangle_layers {
+            let width = layer.vertex_bytes();
+            for &byte in &layer.data.as_bytes()[triangle * width..][..width] {
+                tag = (tag ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+            }
+        }
+        tag
+    }
+
+    /// Data of some triangles.
+    pub(crate) fn triangle_rows(&self, triangles: &[u32]) -> Vec<AttributeLayer> {
+        self.triangle_layers.iter().map(|layer| layer.gather(triangles)).collect()
+    }
+
     /// Checks that the page is consistent in itself.
     ///
     /// # Errors
@@ -73,12 +97,14 @@ impl Page {
             ("keys", self.keys.len(), steps(position_count)),
             ("errors", self.errors.len(), steps(position_count)),
             ("layers", self.layers.len(), metadata.layers.len()),
+            ("triangle layers", self.triangle_layers.len(), metadata.triangle_layers.len()),
             ("groups", self.groups.len(), if self.groups.is_empty() { 0 } else { self.triangles.len() }),
         ];
-        let layers = self
-            .layers
-            .iter()
-            .map(|layer| ("layers", layer.data.len(), owned * layer.component_count as usize));
+        let of_rows = |rows: usize| {
+            move |layer: &AttributeLayer| ("layers", layer.data.len(), rows * layer.component_count as usize)
+        };
+        let layers = self.layers.iter().map(of_rows(owned));
+        let layers = layers.chain(self.triangle_layers.iter().map(of_rows(self.triangles.len())));
         let wrong = lengths.into_iter().chain(layers).find(|&(_, found, expected)| found != expected);
         if let Some((what, found, expected)) = wrong {
             return Some(PageDefect::Length { what, found, expected });

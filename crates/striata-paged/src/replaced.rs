@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use crate::hash::IndexHash;
 
-/// Corners in the numbering of all loaded pages, beginning with the smallest, and the group.
+/// Corners in the numbering of all loaded pages, beginning with the smallest, and the [tag](crate::Page::tag_of).
 type Key = [u32; 4];
 
 /// Triangles of one page that finer pages have replaced, with their number.
@@ -16,14 +16,14 @@ pub(crate) struct Replaced(HashMap<Key, u32, IndexHash>);
 
 impl Replaced {
     /// Adds a triangle.
-    pub(crate) fn add(&mut self, corners: [u32; 3], group: u32) {
-        *self.0.entry(key_of(corners, group)).or_default() += 1;
+    pub(crate) fn add(&mut self, corners: [u32; 3], tag: u32) {
+        *self.0.entry(key_of(corners, tag)).or_default() += 1;
     }
 
     /// Adds the triangles that another finer page has replaced.
     pub(crate) fn add_all(&mut self, triangles: &[([u32; 3], u32)]) {
         self.0.reserve(triangles.len());
-        triangles.iter().for_each(|&(corners, group)| self.add(corners, group));
+        triangles.iter().for_each(|&(corners, tag)| self.add(corners, tag));
     }
 
     /// Whether there are none.
@@ -32,8 +32,8 @@ impl Replaced {
     }
 
     /// Whether a triangle has been replaced. Of equal triangles, as many are as have been added.
-    pub(crate) fn take(&mut self, corners: [u32; 3], group: u32) -> bool {
-        match self.0.get_mut(&key_of(corners, group)) {
+    pub(crate) fn take(&mut self, corners: [u32; 3], tag: u32) -> bool {
+        match self.0.get_mut(&key_of(corners, tag)) {
             Some(count) if *count > 0 => {
                 *count -= 1;
                 true
@@ -43,14 +43,14 @@ impl Replaced {
     }
 }
 
-/// Corners beginning with the smallest, and the group.
-fn key_of([a, b, c]: [u32; 3], group: u32) -> Key {
+/// Corners beginning with the smallest, and the tag.
+fn key_of([a, b, c]: [u32; 3], tag: u32) -> Key {
     if a <= b && a <= c {
-        [a, b, c, group]
+        [a, b, c, tag]
     } else if b <= a && b <= c {
-        [b, c, a, group]
+        [b, c, a, tag]
     } else {
-        [c, a, b, group]
+        [c, a, b, tag]
     }
 }
 

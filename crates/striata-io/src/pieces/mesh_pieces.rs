@@ -7,7 +7,6 @@ use striata::mesh::IndexedMesh;
 use super::local::localize;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::error::Place;
-use crate::report::Warnings;
 use crate::{ReadError, Warning};
 
 /// A mesh in memory that is served piece by piece.
@@ -29,6 +28,7 @@ impl MeshPieces {
             name: "mesh in memory".to_owned(),
             origin: mesh.origin,
             layers: mesh.layers.iter().map(LayerKind::of).collect(),
+            triangle_layers: mesh.triangle_layers.iter().map(LayerKind::of).collect(),
             groups: whole.map(|group| PieceGroup { name: group.name, material: group.material }).collect(),
             appearance: mesh.appearance.clone(),
             triangle_count: mesh.triangle_count() as u64,
@@ -54,13 +54,7 @@ impl MeshPieces {
 
     /// Sets the size of the file and the remarks on it.
     pub(super) fn with_file(mut self, byte_count: u64, warnings: Vec<Warning>) -> Self {
-        let mut all = Warnings::of_list(&self.summary.name, warnings);
-        for layer in &self.mesh.triangle_layers {
-            let reason =
-                format!("the property {} of faces is left out: pages cannot store it", layer.semantic);
-            all.push(Place::File, reason);
-        }
-        (self.summary.byte_count, self.summary.warnings) = (byte_count, all.into_list());
+        (self.summary.byte_count, self.summary.warnings) = (byte_count, warnings);
         self
     }
 
@@ -115,6 +109,10 @@ impl PieceSource for MeshPieces {
             positions: vertices.iter().map(|&v| self.mesh.positions[v as usize]).collect(),
             layers: self.mesh.layers.iter().map(|layer| layer.gather(&vertices)).collect(),
             triangles,
+            triangle_layers: {
+                let rows: Vec<u32> = (range.start as u32..range.end as u32).collect();
+                self.mesh.triangle_layers.iter().map(|layer| layer.gather(&rows)).collect()
+            },
             groups: self.groups(range),
         })
     }

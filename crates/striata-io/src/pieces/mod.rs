@@ -95,6 +95,8 @@ pub struct PieceSummary {
     pub origin: [f64; 3],
     /// Layers of every piece, in this order.
     pub layers: Vec<LayerKind>,
+    /// Layers of the triangles of every piece, in this order.
+    pub triangle_layers: Vec<LayerKind>,
     /// Groups, which triangles refer to by index; at least one.
     pub groups: Vec<PieceGroup>,
     /// Materials and images.
@@ -120,6 +122,8 @@ pub struct Piece {
     pub triangles: Vec<[u32; 3]>,
     /// Group of each triangle, an index into the summary's groups; empty if all belong to group 0.
     pub groups: Vec<u32>,
+    /// The layers of triangles of the summary, with a row for every triangle.
+    pub triangle_layers: Vec<AttributeLayer>,
 }
 
 /// An input that is read piece by piece.

@@ -136,6 +136,7 @@ impl ObjPieces {
             triangles: triangles.collect(),
             positions: vertices.iter().map(|v| floats(&self.tables.positions, v[0])).collect(),
             layers: self.summary.layers.iter().map(|kind| self.layer(kind, &vertices)).collect(),
+            triangle_layers: Vec::new(),
             groups: self.groups(first, end),
         }
     }

@@ -8,7 +8,7 @@ use super::spool::Spool;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
-use crate::off::{Columns, Layout, read_rows, visit_coordinates};
+use crate::off::{Columns, Layout, PolygonColors, read_rows, visit_coordinates};
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 use crate::text::trimmed;
@@ -23,6 +23,8 @@ pub(crate) struct OffPieces {
     /// Positions of all vertices, if they are relative to an origin.
     relative: Option<Mapped>,
     triangles: Mapped,
+    /// Colors of the polygons of all triangles, and their numbers.
+    colors: Option<(PolygonColors, Mapped)>,
     summary: PieceSummary,
     piece_size: usize,
 }
@@ -33,19 +35,20 @@ impl OffPieces {
         input.make_plain_text(options)?;
         let mut warnings = Warnings::of_file(&input.name);
         let (mut rows, mut triangles) = (Spool::new(options)?, Spool::new(options)?);
-        let mut has_colors = false;
+        let (mut colors, mut color_rows) = (PolygonColors::default(), Spool::new(options)?);
+        let mut count = 0;
         let vertex = |_: &Layout, row: &[f32]| rows.write(bytemuck::cast_slice(row));
         let layout = read_rows(trimmed(&input.bytes), &mut warnings, vertex, |triangle, color| {
             triangles.write(bytemuck::cast_slice(&triangle));
-            has_colors |= !color.is_empty();
+            count += 1;
+            colors.push(color, count, |values| color_rows.write(bytemuck::cast_slice(&values)));
         })
         .map_err(|fault| fault.in_file(&input.name))?;
         let (rows, triangles) = (rows.finish(options)?, triangles.finish(options)?);
-        let count = triangles.len() / TRIANGLE_BYTES;
+        let color_rows = color_rows.finish(options)?;
         check_triangles([rows.len() / (4 * layout.row_length()), count], count, &warnings)?;
-        if has_colors {
-            warnings.push(Place::File, "the property color_0 of faces is left out: pages cannot store it");
-        }
+        colors.warn(count, &mut warnings);
+        let colors = (colors.count > 0).then_some((colors, color_rows));
         let origin = options.origin.unwrap_or_else(|| match layout.has_long_coordinates {
             true => origin_near(&rows, 4 * layout.row_length()),
             false => [0.0; 3],
@@ -59,13 +62,17 @@ impl OffPieces {
             name: input.name.clone(),
             origin,
             layers: layers.iter().map(LayerKind::of).collect(),
+            triangle_layers: colors
+                .iter()
+                .map(|(colors, _)| LayerKind::of(&colors.layer([].into_iter())))
+                .collect(),
             groups: vec![PieceGroup::default()],
             triangle_count: count as u64,
             byte_count: input.file_bytes,
             warnings: warnings.into_list(),
             ..PieceSummary::default()
         };
-        Ok(Self { layout, rows, relative, triangles, summary, piece_size: options.piece_size() })
+        Ok(Self { layout, rows, relative, triangles, colors, summary, piece_size: options.piece_size() })
     }
 
     /// Number of vertices.
@@ -110,7 +117,14 @@ impl OffPieces {
             triangles_in(&self.triangles[first * TRIANGLE_BYTES..end]).collect();
         let numbers = localize(&mut triangles);
         let (positions, layers) = self.vertices(numbers);
-        Piece { positions, layers, triangles, groups: Vec::new() }
+        let triangle_layers = self.colors.iter().map(|(colors, rows)| {
+            let (words, _) = rows.as_chunks::<4>();
+            let (rows, _) = words.as_chunks::<{ PolygonColors::WIDTH }>();
+            let rows = rows[first..first + triangles.len()].iter();
+            colors.layer(rows.map(|row| row.map(f32::from_ne_bytes)))
+        });
+        let triangle_layers = triangle_layers.collect();
+        Piece { positions, layers, triangles, triangle_layers, groups: Vec::new() }
     }
 }
 

@@ -80,6 +80,7 @@ impl PlyPieces {
         let mut summary = PieceSummary {
             name: input.name.clone(),
             layers,
+            triangle_layers: faces.as_ref().map_or(Vec::new(), |faces| faces.layer_kinds(&header)),
             origin,
             triangle_count: faces.as_ref().map_or(0, |faces| faces.triangle_count),
             byte_count: input.file_bytes,
@@ -96,10 +97,10 @@ impl PlyPieces {
         let Some(faces) = self.faces.as_ref().filter(|faces| (run as u64) < faces.run_count()) else {
             return Err(Fault::Malformed(Place::File, format!("piece {run} does not exist")));
         };
-        let (triangles, numbers) = faces.read(&self.input.bytes, run)?;
+        let (triangles, triangle_layers, numbers) = faces.read(&self.input.bytes, run, &self.header)?;
         let rows = self.vertices.rows(&self.input.bytes, &numbers);
         let (positions, layers) = self.vertices.values(&rows, &self.header, self.summary.origin)?;
-        Ok(Piece { positions, layers, triangles, groups: Vec::new() })
+        Ok(Piece { positions, layers, triangles, triangle_layers, groups: Vec::new() })
     }
 }
 
@@ -175,11 +176,6 @@ fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, v
     let group = |group| PieceGroup { material: group, ..PieceGroup::default() };
     summary.groups = mesh.groups_or_whole().iter().map(|g| group(g.material)).collect();
     summary.appearance = mesh.appearance;
-    let faces = header.elements.iter().filter(|element| element.name == "face");
-    for property in faces.flat_map(|face| &face.properties).filter(|p| p.list.is_none()) {
-        let reason = format!("the property `{}` of faces is left out: pages cannot store it", property.name);
-        warnings.push(Place::File, reason);
-    }
     for remark in left_out(header) {
         warnings.push(Place::File, remark);
     }

@@ -1,9 +1,13 @@
 //! Places of the faces of a binary PLY file.
 
+use striata::mesh::AttributeLayer;
+
+use super::LayerKind;
 use super::local::localize;
 use crate::error::Fault;
 use crate::ply::body::{Faces, list_length, read_faces, skip_property};
-use crate::ply::header::{Element, Property};
+use crate::ply::face_data::FaceData;
+use crate::ply::header::{Element, Header, Property};
 use crate::ply::rows::{BinaryRows, Rows};
 
 /// Where runs of faces begin.
@@ -78,8 +82,20 @@ impl FaceRuns {
         }
     }
 
-    /// Reads a run; returns its triangles over its own vertices, and the numbers of those.
-    pub(super) fn read(&self, bytes: &[u8], run: usize) -> Result<(Vec<[u32; 3]>, Vec<u32>), Fault> {
+    /// Layers of the triangles, without values.
+    pub(super) fn layer_kinds(&self, header: &Header) -> Vec<LayerKind> {
+        let mut data = FaceData::new(header, 0);
+        data.begin(&self.element, 0);
+        data.into_layers(header, 0).0.iter().map(LayerKind::of).collect()
+    }
+
+    /// Reads a run; returns its triangles over its own vertices with their data, and the numbers of the vertices.
+    pub(super) fn read(
+        &self,
+        bytes: &[u8],
+        run: usize,
+        header: &Header,
+    ) -> Result<(Vec<[u32; 3]>, Vec<AttributeLayer>, Vec<u32>), Fault> {
         let (start, end, face_count) = match &self.starts {
             Starts::Even { first, row_bytes, faces_per_run } => {
                 let face = run * faces_per_run;
@@ -93,6 +109,7 @@ impl FaceRuns {
         };
         let element = Element { count: face_count, ..self.element.clone() };
         let mut faces = Faces::default();
+        faces.data = FaceData::new(header, bytes.len());
         // Rows past the end would belong to the next run: a face that is too long is found there.
         let bytes = &bytes[..end];
         let stopped = if self.is_big {
@@ -108,8 +125,9 @@ impl FaceRuns {
             return Err(Fault::at_byte(start, reason));
         }
         let mut triangles = faces.triangles;
+        let (layers, _) = faces.data.into_layers(header, triangles.len());
         let vertices = localize(&mut triangles);
-        Ok((triangles, vertices))
+        Ok((triangles, layers, vertices))
     }
 }
 

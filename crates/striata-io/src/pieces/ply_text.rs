@@ -44,6 +44,9 @@ fn write_head(header: &Header, spool: &mut Spool) -> Result<u64, Fault> {
     for name in &header.normalized {
         head += &format!("comment normalized {name}\n");
     }
+    for name in &header.normalized_faces {
+        head += &format!("comment normalized_face {name}\n");
+    }
     for texture in &header.texture_files {
         head += &format!("comment TextureFile {}\n", texture.name);
     }
@@ -54,7 +57,13 @@ fn write_head(header: &Header, spool: &mut Spool) -> Result<u64, Fault> {
     }
     head += "element face ";
     let count_at = head.len() as u64;
-    head += &format!("{:0DIGITS$}\nproperty list uchar uint vertex_indices\nend_header\n", 0);
+    head += &format!("{:0DIGITS$}\nproperty list uchar uint vertex_indices\n", 0);
+    let faces =
+        header.elements.iter().find(|element| element.name == "face" && index_list(element).is_some());
+    for property in faces.iter().flat_map(|face| &face.properties).filter(|p| p.list.is_none()) {
+        head += &format!("property {} {}\n", property.scalar.name(), property.name);
+    }
+    head += "end_header\n";
     spool.write(head.as_bytes());
     Ok(count_at)
 }
@@ -76,8 +85,10 @@ fn write_body(rows: &mut AsciiRows<'_>, header: &Header, spool: &mut Spool) -> R
         match (element.name.as_str(), index_list(element)) {
             ("vertex", _) => write_vertices(element, rows, spool)?,
             ("face", Some(list)) => {
+                let mut face = Face::default();
                 for _ in 0..element.count {
-                    let count = write_face((element, list), vertex_count, rows, spool)?;
+                    face.read((element, list), vertex_count, rows)?;
+                    let count = face.write(spool);
                     triangle_count = triangle_count
                         .checked_add(count)
                         .ok_or_else(|| rows.fault("there are too many triangles".to_owned()))?;
@@ -108,50 +119,70 @@ fn write_vertices(element: &Element, rows: &mut AsciiRows<'_>, spool: &mut Spool
     Ok(())
 }
 
-/// Writes the triangles of a face; returns their number.
-fn write_face(
-    (element, list): (&Element, usize),
-    vertex_count: usize,
-    rows: &mut AsciiRows<'_>,
-    spool: &mut Spool,
-) -> Result<u32, Fault> {
-    let mut count = 0;
-    for (place, property) in element.properties.iter().enumerate() {
-        match property.list.filter(|_| place == list) {
-            Some(length) => count += write_polygon(property, length, vertex_count, rows, spool)?,
-            None => skip_property(property, rows)?,
-        }
-    }
-    Ok(count)
+/// A face; the lists are kept only for their memory.
+#[derive(Default)]
+struct Face {
+    /// Rows of indices of its triangles.
+    triangles: Vec<[u8; 13]>,
+    /// Its other numbers.
+    values: Vec<u8>,
 }
 
-fn write_polygon(
-    property: &Property,
-    length: Scalar,
-    vertex_count: usize,
-    rows: &mut AsciiRows<'_>,
-    spool: &mut Spool,
-) -> Result<u32, Fault> {
-    let length = list_length(length, rows)?;
-    let (mut first, mut last, mut count) = (0, 0, 0);
-    for corner in 0..length {
-        let index = rows.integer(property.scalar)?;
-        let Some(vertex) = u32::try_from(index).ok().filter(|&v| (v as usize) < vertex_count) else {
-            return Err(rows.fault(format!("vertex {index} does not exist: there are {vertex_count}")));
-        };
-        match corner {
-            0 => first = vertex,
-            1 => {}
-            _ => {
-                let mut row = [3; 13];
-                for (bytes, vertex) in row[1..].chunks_exact_mut(4).zip([first, last, vertex]) {
-                    bytes.copy_from_slice(&vertex.to_le_bytes());
-                }
-                spool.write(&row);
-                count += 1;
+impl Face {
+    fn read(
+        &mut self,
+        (element, list): (&Element, usize),
+        vertex_count: usize,
+        rows: &mut AsciiRows<'_>,
+    ) -> Result<(), Fault> {
+        self.triangles.clear();
+        self.values.clear();
+        for (place, property) in element.properties.iter().enumerate() {
+            match property.list {
+                Some(length) if place == list => self.read_polygon(property, length, vertex_count, rows)?,
+                Some(_) => skip_property(property, rows)?,
+                None => rows.copy(property.scalar, &mut self.values)?,
             }
         }
-        last = vertex;
+        Ok(())
     }
-    Ok(count)
+
+    fn read_polygon(
+        &mut self,
+        property: &Property,
+        length: Scalar,
+        vertex_count: usize,
+        rows: &mut AsciiRows<'_>,
+    ) -> Result<(), Fault> {
+        let length = list_length(length, rows)?;
+        let (mut first, mut last) = (0, 0);
+        for corner in 0..length {
+            let index = rows.integer(property.scalar)?;
+            let Some(vertex) = u32::try_from(index).ok().filter(|&v| (v as usize) < vertex_count) else {
+                return Err(rows.fault(format!("vertex {index} does not exist: there are {vertex_count}")));
+            };
+            match corner {
+                0 => first = vertex,
+                1 => {}
+                _ => {
+                    let mut row = [3; 13];
+                    for (bytes, vertex) in row[1..].chunks_exact_mut(4).zip([first, last, vertex]) {
+                        bytes.copy_from_slice(&vertex.to_le_bytes());
+                    }
+                    self.triangles.push(row);
+                }
+            }
+            last = vertex;
+        }
+        Ok(())
+    }
+
+    /// Writes the triangles, each with the numbers of the face; returns their count.
+    fn write(&self, spool: &mut Spool) -> u32 {
+        for row in &self.triangles {
+            spool.write(row);
+            spool.write(&self.values);
+        }
+        self.triangles.len() as u32
+    }
 }

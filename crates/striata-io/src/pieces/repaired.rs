@@ -61,14 +61,19 @@ impl<S: PieceSource> PieceSource for Repaired<S> {
 }
 
 fn repaired(mut piece: Piece, warnings: &mut Warnings) -> Piece {
-    let Piece { positions, layers, triangles, groups } = &mut piece;
+    let Piece { positions, layers, triangles, groups, triangle_layers } = &mut piece;
     if !groups.is_empty() {
         let is_kept = |t: &[u32; 3]| !t.iter().any(|&v| is_lost(&positions[v as usize]));
         let mut kept = triangles.iter().map(is_kept);
         groups.retain(|_| kept.next() != Some(false));
     }
     let (positions, triangles) = (std::mem::take(positions), std::mem::take(triangles));
-    let mut mesh = IndexedMesh { layers: std::mem::take(layers), ..IndexedMesh::new(positions, triangles) };
+    let mut mesh = IndexedMesh {
+        layers: std::mem::take(layers),
+        triangle_layers: std::mem::take(triangle_layers),
+        ..IndexedMesh::new(positions, triangles)
+    };
     repair(&mut mesh, warnings);
-    Piece { positions: mesh.positions, triangles: mesh.triangles, layers: mesh.layers, ..piece }
+    let IndexedMesh { positions, triangles, layers, triangle_layers, .. } = mesh;
+    Piece { positions, triangles, layers, triangle_layers, ..piece }
 }

@@ -24,8 +24,8 @@ struct Part {
     first_piece: u64,
     /// Number of groups of the inputs before this one.
     first_group: u32,
-    /// Index of each common layer among the layers of this input.
-    layers: Vec<usize>,
+    /// Index of each common layer among the layers of this input, of vertices and of triangles.
+    layers: [Vec<usize>; 2],
 }
 
 /// Opens files as one input; groups without names get those of their files.
@@ -73,9 +73,13 @@ impl Several {
         }
         summary.origin = first.summary().origin;
         summary.georeference = first.summary().georeference.clone();
-        let has = |source: &dyn PieceSource, kind: &LayerKind| source.summary().layers.contains(kind);
-        summary.layers = first.summary().layers.clone();
-        summary.layers.retain(|kind| sources.iter().all(|(source, _)| has(&**source, kind)));
+        let common = |layers: fn(&PieceSummary) -> &Vec<LayerKind>| -> Vec<LayerKind> {
+            let is_common =
+                |kind: &&LayerKind| sources.iter().all(|(source, _)| layers(source.summary()).contains(kind));
+            layers(first.summary()).iter().filter(is_common).cloned().collect()
+        };
+        summary.layers = common(|summary| &summary.layers);
+        summary.triangle_layers = common(|summary| &summary.triangle_layers);
         let (mut inputs, mut first_piece) = (Vec::with_capacity(sources.len()), 0);
         for (source, name) in sources {
             let first_group = summary.groups.len() as u32;
@@ -89,7 +93,7 @@ impl Several {
 }
 
 /// Adds one input to the summary; returns the places of the common layers in it.
-fn add(to: &mut PieceSummary, from: &PieceSummary, name: &str) -> Vec<usize> {
+fn add(to: &mut PieceSummary, from: &PieceSummary, name: &str) -> [Vec<usize>; 2] {
     let first_material = appearances::append(&mut to.appearance, &from.appearance);
     let is_bare = matches!(&from.groups[..], [only] if only.name.is_empty());
     for group in &from.groups {
@@ -103,14 +107,26 @@ fn add(to: &mut PieceSummary, from: &PieceSummary, name: &str) -> Vec<usize> {
     to.triangle_count += from.triangle_count;
     to.byte_count += from.byte_count;
     to.warnings.extend(from.warnings.iter().cloned());
-    for kind in from.layers.iter().filter(|kind| !to.layers.contains(kind)) {
-        let reason = format!("the layer {} is left out: not all files have it", kind.semantic);
-        let mut warnings = Warnings::of_list(&from.name, std::mem::take(&mut to.warnings));
-        warnings.push(Place::File, reason);
-        to.warnings = warnings.into_list();
-    }
-    let place = |kind: &LayerKind| from.layers.iter().position(|own| own == kind);
-    to.layers.iter().filter_map(place).collect()
+    let mut warnings = Warnings::of_list(&from.name, std::mem::take(&mut to.warnings));
+    let kinds = [
+        ("layer", &to.layers, &from.layers),
+        ("layer of triangles", &to.triangle_layers, &from.triangle_layers),
+    ];
+    let places = kinds.map(|(what, common, own)| {
+        for kind in own.iter().filter(|kind| !common.contains(kind)) {
+            let reason = format!("the {what} {} is left out: not all files have it", kind.semantic);
+            warnings.push(Place::File, reason);
+        }
+        common.iter().filter_map(|kind| own.iter().position(|other| other == kind)).collect()
+    });
+    to.warnings = warnings.into_list();
+    places
+}
+
+/// Takes the layers at some places.
+fn taken(layers: Vec<AttributeLayer>, places: &[usize]) -> Vec<AttributeLayer> {
+    let mut layers: Vec<Option<AttributeLayer>> = layers.into_iter().map(Some).collect();
+    places.iter().filter_map(|&place| layers.get_mut(place)?.take()).collect()
 }
 
 impl PieceSource for Several {
@@ -136,8 +152,9 @@ impl PieceSource for Several {
         let after = self.inputs.partition_point(|input| input.first_piece <= index);
         let input = &self.inputs[after - 1];
         let mut piece = input.source.read_piece(index - input.first_piece)?;
-        let mut layers: Vec<Option<AttributeLayer>> = piece.layers.into_iter().map(Some).collect();
-        piece.layers = input.layers.iter().filter_map(|&place| layers.get_mut(place)?.take()).collect();
+        let [of_vertices, of_triangles] = &input.layers;
+        piece.layers = taken(piece.layers, of_vertices);
+        piece.triangle_layers = taken(piece.triangle_layers, of_triangles);
         if piece.groups.is_empty() && self.summary.groups.len() > 1 {
             piece.groups = vec![0; piece.triangles.len()];
         }

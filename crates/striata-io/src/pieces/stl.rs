@@ -4,11 +4,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::input::Input;
 use super::stl_text::{self, Solids};
-use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
+use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::error::{Fault, Place};
 use crate::report::Warnings;
-use crate::stl::{FACET_BYTES, HEADER_BYTES, VertexTable, facet_count, is_ascii, position_at};
+use crate::stl::{
+    FACET_BYTES, FacetForm, HEADER_BYTES, VertexTable, facet_count, is_ascii, position_at, word_of,
+};
 use crate::{ReadError, Warning};
+
+/// Largest number of facets whose attribute words are read to find what they mean.
+const MAX_SAMPLES: usize = 1 << 16;
 
 /// Binary STL file.
 pub(crate) struct StlPieces {
@@ -18,8 +23,10 @@ pub(crate) struct StlPieces {
     solid_starts: Vec<usize>,
     facet_count: usize,
     piece_size: usize,
-    /// Whether a facet that has been read has a color or another attribute.
-    has_facet_data: AtomicBool,
+    /// Meaning of the attribute words, if the sample has any.
+    facet_form: Option<FacetForm>,
+    /// Whether a facet that has been read has a word although the sample has none.
+    has_lost_words: AtomicBool,
 }
 
 impl StlPieces {
@@ -37,7 +44,15 @@ impl StlPieces {
         }
         let facet_count = facet_count(&input.bytes, &mut warnings);
         let facet_count = facet_count.map_err(|fault| fault.in_file(&input.name))?;
+        let words = || {
+            let facets = input.bytes[HEADER_BYTES..].chunks_exact(FACET_BYTES).take(facet_count);
+            facets.step_by(facet_count.div_ceil(MAX_SAMPLES).max(1)).map(word_of)
+        };
+        let facet_form = FacetForm::of(&input.bytes, words());
+        facet_form.inspect(|form| form.warn(words(), &mut warnings));
+        let kind = |form: FacetForm| LayerKind::of(&form.layer([].into_iter()));
         let summary = PieceSummary {
+            triangle_layers: facet_form.map(kind).into_iter().collect(),
             name: input.name.clone(),
             origin,
             groups: std::mem::take(&mut solids.groups),
@@ -52,7 +67,8 @@ impl StlPieces {
             solid_starts: solids.starts,
             facet_count,
             piece_size: options.piece_size(),
-            has_facet_data: AtomicBool::new(false),
+            facet_form,
+            has_lost_words: AtomicBool::new(false),
         })
     }
 
@@ -66,17 +82,19 @@ impl StlPieces {
         let start = HEADER_BYTES + first * FACET_BYTES;
         let bytes = &self.input.bytes[start..start + count * FACET_BYTES];
         let mut vertices = VertexTable::with_capacity(count / 2 + 2);
-        let (mut triangles, mut has_data) = (Vec::with_capacity(count), false);
+        let (mut triangles, mut all_words) = (Vec::with_capacity(count), 0);
         for bytes in bytes.chunks_exact(FACET_BYTES) {
             triangles.push([12, 24, 36].map(|at| vertices.vertex(position_at(bytes, at))));
-            has_data |= bytes[48..] != [0, 0];
+            all_words |= word_of(bytes);
         }
-        self.has_facet_data.fetch_or(has_data, Ordering::Relaxed);
+        let words = bytes.chunks_exact(FACET_BYTES).map(word_of);
+        let triangle_layers = self.facet_form.map(|form| form.layer(words)).into_iter().collect();
+        self.has_lost_words.fetch_or(all_words != 0 && self.facet_form.is_none(), Ordering::Relaxed);
         let groups = match self.summary.groups.len() {
             1 => Vec::new(),
             _ => (first..first + count).map(|facet| self.solid_of(facet)).collect(),
         };
-        Piece { positions: vertices.positions, layers: Vec::new(), triangles, groups }
+        Piece { positions: vertices.positions, layers: Vec::new(), triangles, groups, triangle_layers }
     }
 }
 
@@ -99,11 +117,8 @@ impl PieceSource for StlPieces {
 
     fn warnings(&self) -> Vec<Warning> {
         let mut all = Warnings::of_list(&self.summary.name, self.summary.warnings.clone());
-        if self.has_facet_data.load(Ordering::Relaxed) {
-            all.push(
-                Place::File,
-                "the colors and attributes of facets are left out: pages cannot store them",
-            );
+        if self.has_lost_words.load(Ordering::Relaxed) {
+            all.push(Place::File, "the attribute words of few facets are left out: a sample of all has none");
         }
         all.into_list()
     }

@@ -7,7 +7,6 @@
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
-use super::{FACET_BYTES, HEADER_BYTES};
 use crate::error::Place;
 use crate::report::Warnings;
 
@@ -18,37 +17,63 @@ const WORDS: &str = "attribute";
 
 /// The attribute word of a facet.
 #[inline]
-pub(super) fn word_of(facet: &[u8]) -> u16 {
+pub(crate) fn word_of(facet: &[u8]) -> u16 {
     u16::from_le_bytes([facet[48], facet[49]])
 }
 
-/// Returns the layer that the words of a file mean, if one of them is not zero.
-#[cold]
-pub(super) fn layer_of(bytes: &[u8], count: usize, warnings: &mut Warnings) -> AttributeLayer {
-    let words = || bytes[HEADER_BYTES..].chunks_exact(FACET_BYTES).take(count).map(word_of);
-    let body = body_color(&bytes[..80]);
-    let layer = |semantic, component_count, normalized, data| AttributeLayer {
-        semantic,
-        component_count,
-        normalized,
-        data,
-    };
-    if body.is_none() && words().all(|word| word & MARK == 0) {
-        let semantic = Semantic::Generic(WORDS.to_owned());
-        return layer(semantic, 1, false, LayerData::U16(words().collect()));
+/// What the words of a file mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum FacetForm {
+    /// Numbers.
+    Words,
+    /// Colors; those of facets without one are white.
+    Colors,
+    /// Colors; that of the body belongs to facets without one.
+    BodyColors([u8; 3]),
+}
+
+impl FacetForm {
+    /// Returns the form of a file; [`None`] if all words are zero.
+    pub(crate) fn of(bytes: &[u8], words: impl Iterator<Item = u16>) -> Option<Self> {
+        let all_words = words.fold(0, |all, word| all | word);
+        match body_color(&bytes[..80]) {
+            _ if all_words == 0 => None,
+            Some(body) => Some(Self::BodyColors(body)),
+            None if all_words & MARK == 0 => Some(Self::Words),
+            None => Some(Self::Colors),
+        }
     }
-    let colors = words().flat_map(|word| match body {
-        Some(body) if word & MARK != 0 => body,
-        Some(_) => [word, word >> 5, word >> 10].map(byte_of),
-        None if word & MARK == 0 => [u8::MAX; 3],
-        None => [word >> 10, word >> 5, word].map(byte_of),
-    });
-    let bare_count = words().filter(|word| word & MARK == 0).count();
-    if body.is_none() && bare_count > 0 {
-        let reason = format!("{bare_count} of {count} facets have no color; they become white");
-        warnings.push(Place::File, reason);
+
+    /// Returns the layer of some facets.
+    pub(crate) fn layer(self, words: impl Iterator<Item = u16>) -> AttributeLayer {
+        let (semantic, component_count, normalized, data) = match self {
+            Self::Words => (Semantic::Generic(WORDS.to_owned()), 1, false, LayerData::U16(words.collect())),
+            _ => {
+                let colors = words.flat_map(|word| self.color(word));
+                (Semantic::Color(0), 3, true, LayerData::U8(colors.collect()))
+            }
+        };
+        AttributeLayer { semantic, component_count, normalized, data }
     }
-    layer(Semantic::Color(0), 3, true, LayerData::U8(colors.collect()))
+
+    fn color(self, word: u16) -> [u8; 3] {
+        match self {
+            Self::BodyColors(body) if word & MARK != 0 => body,
+            Self::BodyColors(_) => [word, word >> 5, word >> 10].map(byte_of),
+            _ if word & MARK == 0 => [u8::MAX; 3],
+            _ => [word >> 10, word >> 5, word].map(byte_of),
+        }
+    }
+
+    /// Warns of facets without a color.
+    pub(crate) fn warn(self, words: impl ExactSizeIterator<Item = u16>, warnings: &mut Warnings) {
+        let count = words.len();
+        let bare_count = words.filter(|word| word & MARK == 0).count();
+        if self == Self::Colors && bare_count > 0 {
+            let reason = format!("{bare_count} of {count} facets have no color; they become white");
+            warnings.push(Place::File, reason);
+        }
+    }
 }
 
 /// The color of the body in a header of Magics.

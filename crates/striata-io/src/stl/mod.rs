@@ -13,13 +13,13 @@ use crate::normals;
 use crate::report::Warnings;
 use crate::text::{plain, trimmed};
 use crate::{Format, losses};
-use facet_colors::{layer_of, stored, word_of, word_to_store};
+use facet_colors::{stored, word_to_store};
 use text_form::read_ascii;
 
 mod facet_colors;
 mod text_form;
 
-pub(crate) use facet_colors::is_exact;
+pub(crate) use facet_colors::{FacetForm, is_exact, word_of};
 
 #[cfg(feature = "pieces")]
 pub(crate) use text_form::{Statement, visit_ascii};
@@ -150,7 +150,11 @@ fn read_binary(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fau
     }
     let mut mesh = IndexedMesh::new(vertices.positions, triangles);
     if all_words != 0 {
-        mesh.triangle_layers.push(layer_of(bytes, count, warnings));
+        let words = || body.chunks_exact(FACET_BYTES).take(count).map(word_of);
+        if let Some(form) = FacetForm::of(bytes, words()) {
+            form.warn(words(), warnings);
+            mesh.triangle_layers.push(form.layer(words()));
+        }
     }
     Ok(mesh)
 }

@@ -59,8 +59,10 @@ impl EncodeInputs {
         }
         let Some((part, segment)) = self.steps.find(id).next() else { return Ok(None) };
         let bytes = part.read(segment)?;
-        let layers = plan.metadata.empty_layers();
-        Reader::new(&bytes, &layers).steps(id).map(Some).map_err(|error| part.named(error))
+        Reader::new(&bytes, &plan.metadata.empty_mesh())
+            .steps(id)
+            .map(Some)
+            .map_err(|error| part.named(error))
     }
 }
 

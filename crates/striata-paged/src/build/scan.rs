@@ -100,6 +100,11 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
             .iter()
             .map(|kind| PagedLayer::of(&kind.empty_layer(), options.exact))
             .collect(),
+        triangle_layers: summary
+            .triangle_layers
+            .iter()
+            .map(|kind| PagedLayer::of(&kind.empty_layer(), true))
+            .collect(),
         groups,
         appearance: appearance(source),
         georeference: summary.georeference.clone(),

@@ -17,37 +17,33 @@ pub(super) fn run(plan: &Plan, task: &Task, level: u8, parts: &PartIndex) -> Res
     let partition = plan.partition()?;
     let is_last = level + 1 == plan.level_count();
     let options = plan.options.cell_options(&plan.metadata, is_last);
-    let layers = plan.metadata.empty_layers();
+    let like = plan.metadata.empty_mesh();
     let mut left = CellMesh::default();
     let mut writer = PartWriter::create(&plan.steps_path(level, task.first))?;
     for cell in task.first..task.first + task.count {
         let id = PageId { level, cell: cell as u32 };
-        let cell = read_cell(parts, id, &layers)?;
+        let cell = read_cell(parts, id, &like)?;
         let simplified =
             simplify_cell(&cell, &options).map_err(|source| BuildError::Simplify { id, source })?;
         left.append(&simplified.survivors);
         if !simplified.steps.keys.is_empty() {
-            let mut bytes = Writer::new(layers.len());
+            let mut bytes = Writer::new(&like);
             bytes.steps(&pending_page(id, simplified.steps));
             writer.write(id, &bytes.bytes)?;
         }
     }
     writer.finish()?;
     let mut writer = PartWriter::create(&plan.triangles_path(task))?;
-    write_cells(&mut writer, &send(partition, level + 1, left), layers.len())?;
+    write_cells(&mut writer, &send(partition, level + 1, left), &like)?;
     writer.finish()
 }
 
 /// Reads everything that was sent to a cell.
-pub(super) fn read_cell(
-    parts: &PartIndex,
-    id: PageId,
-    layers: &[AttributeLayer],
-) -> Result<Cell, BuildError> {
+pub(super) fn read_cell(parts: &PartIndex, id: PageId, like: &CellMesh) -> Result<Cell, BuildError> {
     let mut whole = Cell::default();
     for (part, segment) in parts.find(id) {
         let bytes = part.read(segment)?;
-        let cell = Reader::new(&bytes, layers).cell().map_err(|error| part.named(error))?;
+        let cell = Reader::new(&bytes, like).cell().map_err(|error| part.named(error))?;
         whole.inside.append(&cell.inside);
         whole.border.append(&cell.border);
         whole.is_within.extend(cell.is_within);
@@ -72,6 +68,7 @@ fn pending_page(id: PageId, steps: CellSteps) -> PendingPage {
             .collect(),
         triangles: steps.triangles,
         groups: steps.groups,
+        triangle_layers: steps.triangle_layers,
     };
     page.normalize();
     let others: Vec<u32> = page.imports.iter().map(|import| import.vertex + owned as u32).collect();
@@ -85,7 +82,12 @@ fn pending_page(id: PageId, steps: CellSteps) -> PendingPage {
 /// The base page: all that is left.
 pub(super) fn base_page(plan: &Plan, parts: &PartIndex) -> Result<PendingPage, BuildError> {
     let id = PageId { level: plan.level_count(), cell: 0 };
-    let mesh = read_cell(parts, id, &plan.metadata.empty_layers())?.inside;
+    let like = plan.metadata.empty_mesh();
+    let mut mesh = read_cell(parts, id, &like)?.inside;
+    if mesh.triangles.is_empty() {
+        // Nothing was sent to the base.
+        mesh.triangle_layers.clone_from(&like.triangle_layers);
+    }
     let value = |v: u32| {
         let layer_bytes = |layer: &AttributeLayer| {
             let n = layer.vertex_bytes();
@@ -120,7 +122,8 @@ pub(super) fn base_page(plan: &Plan, parts: &PartIndex) -> Result<PendingPage, B
         imports: Vec::new(),
         triangles: mesh.triangles.iter().map(|t| t.map(|v| number[v as usize])).collect(),
         groups: mesh.groups,
+        triangle_layers: mesh.triangle_layers,
     };
     page.normalize();
-    Ok(PendingPage { page, others: Vec::new(), other_layers: plan.metadata.empty_layers() })
+    Ok(PendingPage { page, others: Vec::new(), other_layers: like.layers })
 }

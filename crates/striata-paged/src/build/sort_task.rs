@@ -18,7 +18,7 @@ pub(super) fn run(plan: &Plan, task: &Task, source: &dyn PieceSource) -> Result<
         mesh.append(&rounded(source.read_piece(index)?, &plan.metadata));
     }
     let mut writer = PartWriter::create(&plan.triangles_path(task))?;
-    write_cells(&mut writer, &send(plan.partition()?, 0, mesh), plan.metadata.layers.len())?;
+    write_cells(&mut writer, &send(plan.partition()?, 0, mesh), &plan.metadata.empty_mesh())?;
     writer.finish()
 }
 
@@ -29,6 +29,7 @@ fn rounded(piece: Piece, metadata: &Metadata) -> CellMesh {
         layers: piece.layers,
         triangles: piece.triangles,
         groups: piece.groups,
+        triangle_layers: piece.triangle_layers,
         ..CellMesh::default()
     };
     for position in &mut mesh.positions {
@@ -69,10 +70,10 @@ pub(super) fn send(partition: &Partition, level: u8, mesh: CellMesh) -> BTreeMap
 pub(super) fn write_cells(
     writer: &mut PartWriter,
     cells: &BTreeMap<PageId, Cell>,
-    layer_count: usize,
+    like: &CellMesh,
 ) -> Result<(), BuildError> {
     for (&id, cell) in cells {
-        let mut bytes = Writer::new(layer_count);
+        let mut bytes = Writer::new(like);
         bytes.cell(cell);
         writer.write(id, &bytes.bytes)?;
     }

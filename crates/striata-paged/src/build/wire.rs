@@ -15,13 +15,14 @@ const ERROR_BITS: u32 = 17;
 #[derive(Debug)]
 pub(super) struct Writer {
     pub(super) bytes: Vec<u8>,
-    layer_count: usize,
+    /// Numbers of layers of vertices and of triangles.
+    layer_counts: [usize; 2],
 }
 
 impl Writer {
-    /// Creates a writer for meshes with this many layers.
-    pub(super) fn new(layer_count: usize) -> Self {
-        Self { bytes: Vec::new(), layer_count }
+    /// Creates a writer for meshes with the layers of this one.
+    pub(super) fn new(like: &CellMesh) -> Self {
+        Self { bytes: Vec::new(), layer_counts: [like.layers.len(), like.triangle_layers.len()] }
     }
 
     pub(super) fn u32(&mut self, x: u32) {
@@ -34,8 +35,16 @@ impl Writer {
     }
 
     fn layers(&mut self, layers: &[AttributeLayer]) {
-        // A part without vertices may have no layers either.
-        for i in 0..self.layer_count {
+        self.layers_of(layers, self.layer_counts[0]);
+    }
+
+    fn triangle_layers(&mut self, layers: &[AttributeLayer]) {
+        self.layers_of(layers, self.layer_counts[1]);
+    }
+
+    fn layers_of(&mut self, layers: &[AttributeLayer], count: usize) {
+        // A part without rows may have no layers either.
+        for i in 0..count {
             self.array(layers.get(i).map_or(&[][..], |layer| layer.data.as_bytes()));
         }
     }
@@ -64,6 +73,7 @@ impl Writer {
         self.triangles(&mesh.triangles, mesh.positions.len());
         let groups: Vec<u32> = mesh.groups.clone();
         self.array(&groups);
+        self.triangle_layers(&mesh.triangle_layers);
         self.histories(&mesh.histories);
         self.array(&mesh.waits.iter().map(|(v, _)| *v).collect::<Vec<u32>>());
         self.histories(&mesh.waits.iter().map(|(_, h)| *h).collect::<Vec<History>>());
@@ -86,6 +96,7 @@ impl Writer {
         self.array(&page.errors);
         self.array(&page.triangles);
         self.array(&page.groups);
+        self.triangle_layers(&page.triangle_layers);
         self.array(&steps.others);
         self.layers(&steps.other_layers);
     }
@@ -106,12 +117,12 @@ pub(super) struct PendingPage {
 pub(super) struct Reader<'a> {
     bytes: &'a [u8],
     /// Layers without values, as all meshes of a build have them.
-    layers: &'a [AttributeLayer],
+    like: &'a CellMesh,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(bytes: &'a [u8], layers: &'a [AttributeLayer]) -> Self {
-        Self { bytes, layers }
+    pub(super) fn new(bytes: &'a [u8], like: &'a CellMesh) -> Self {
+        Self { bytes, like }
     }
 
     fn take(&mut self, count: usize) -> Result<&'a [u8], BuildError> {
@@ -135,7 +146,14 @@ impl<'a> Reader<'a> {
     }
 
     fn layers(&mut self) -> Result<Vec<AttributeLayer>, BuildError> {
-        let layers = self.layers;
+        self.layers_like(&self.like.layers)
+    }
+
+    fn triangle_layers(&mut self) -> Result<Vec<AttributeLayer>, BuildError> {
+        self.layers_like(&self.like.triangle_layers)
+    }
+
+    fn layers_like(&mut self, layers: &[AttributeLayer]) -> Result<Vec<AttributeLayer>, BuildError> {
         layers
             .iter()
             .map(|layer| {
@@ -168,10 +186,11 @@ impl<'a> Reader<'a> {
         let layers = self.layers()?;
         let triangles = self.triangles(positions.len())?;
         let groups = self.array()?;
+        let triangle_layers = self.triangle_layers()?;
         let histories = self.histories()?;
         let waiting: Vec<u32> = self.array()?;
         let waits = waiting.into_iter().zip(self.histories()?).collect();
-        Ok(CellMesh { positions, layers, triangles, groups, histories, waits })
+        Ok(CellMesh { positions, layers, triangles, groups, triangle_layers, histories, waits })
     }
 
     pub(super) fn cell(&mut self) -> Result<Cell, BuildError> {
@@ -192,6 +211,7 @@ impl<'a> Reader<'a> {
             imports: Vec::new(),
             triangles: self.array()?,
             groups: self.array()?,
+            triangle_layers: self.triangle_layers()?,
         };
         let others: Vec<[f32; 3]> = self.array()?;
         page.imports = (0..others.len() as u32).map(|vertex| Import { page: 0, vertex }).collect();

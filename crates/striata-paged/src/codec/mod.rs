@@ -192,6 +192,7 @@ impl Shape {
             keys,
             imports: self.imports.clone(),
             triangles: self.triangles.iter().map(|t| t.map(rename)).collect(),
+            triangle_layers: self.triangle_layers,
             groups: if self.groups.iter().all(|&group| group == 0) { Vec::new() } else { self.groups },
         })
     }

@@ -26,6 +26,10 @@ impl Page {
         let order = grown(&self.triangles, &node_of);
         let triangles: Vec<[u32; 3]> =
             order.iter().map(|&(t, turn)| rotated(self.triangles[t as usize], turn)).collect();
+        if !self.triangle_layers.is_empty() {
+            let order: Vec<u32> = order.iter().map(|&(t, _)| t).collect();
+            self.triangle_layers = self.triangle_rows(&order);
+        }
         if !self.groups.is_empty() {
             self.groups = order.iter().map(|&(t, _)| self.groups[t as usize]).collect();
         }

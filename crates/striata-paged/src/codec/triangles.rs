@@ -2,6 +2,7 @@
 //! the values that it passes.
 
 use striata::mesh::AttributeLayer;
+use striata::simplify::cells::CellMesh;
 use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate, code_uniform};
 
 use super::border::{Border, Gate};
@@ -33,6 +34,7 @@ pub(super) struct Shape {
     pub(super) imports: Vec<Import>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) groups: Vec<u32>,
+    pub(super) triangle_layers: Vec<AttributeLayer>,
 }
 
 impl Shape {
@@ -66,7 +68,8 @@ const UNMET: u32 = u32::MAX;
 impl<'a> TriangleCoder<'a> {
     pub(super) fn new(counts: &'a Counts, metadata: &'a Metadata, is_base: bool) -> Self {
         let bit = AdaptiveBit::new(Rate::Quick);
-        let shape = Shape { layers: metadata.empty_layers(), ..Shape::default() };
+        let CellMesh { layers, triangle_layers, .. } = metadata.empty_mesh();
+        let shape = Shape { layers, triangle_layers, ..Shape::default() };
         Self {
             counts,
             metadata,
@@ -102,6 +105,7 @@ impl<'a> TriangleCoder<'a> {
         if !self.is_base {
             self.targets(coder, page);
         }
+        self.triangle_layers(coder, page);
     }
 
     /// The page that has been read.

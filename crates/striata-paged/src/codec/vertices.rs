@@ -152,19 +152,26 @@ impl TriangleCoder<'_> {
                 let expected = near.map_or(0, |v| place(data, v));
                 let value = actual.map_or(0, |(page, v)| place(&page.layers[i].data, v));
                 let slot = 2 * context + usize::from(known.is_none());
-                let place = match self.shape.layers[i].data {
-                    // The difference of two doubles has up to 64 bits, more than a number of the codec.
-                    LayerData::F64(_) => {
-                        let mut half = |value: i64, expected: i64| {
-                            expected + self.models.layers.signed(coder, slot, value - expected)
-                        };
-                        let high = half(value >> 32, expected >> 32);
-                        high << 32 | half(value & LOW_HALF, expected & LOW_HALF) & LOW_HALF
-                    }
-                    _ => expected + self.models.layers.signed(coder, slot, value - expected),
-                };
-                push_place(kind, &mut self.shape.layers[i].data, place);
+                let data = &mut self.shape.layers[i].data;
+                push_coded((coder, &mut self.models.layers, slot), (kind, data), [value, expected]);
                 context += 1;
+            }
+        }
+    }
+
+    /// Codes the data of all triangles, each expected to equal those of the triangle before it.
+    pub(super) fn triangle_layers<C: Coder>(&mut self, coder: &mut C, page: Option<&Page>) {
+        for (i, kind) in self.metadata.triangle_layers.iter().enumerate() {
+            let width = kind.component_count as usize;
+            let mut model = QuickNumber::new(width, Rate::Quick);
+            let data = &mut self.shape.triangle_layers[i].data;
+            for index in 0..self.shape.triangles.len() * width {
+                if coder.overran() {
+                    return;
+                }
+                let expected = index.checked_sub(width).map_or(0, |before| place_of(kind, data, before));
+                let value = page.map_or(0, |page| place_of(kind, &page.triangle_layers[i].data, index));
+                push_coded((coder, &mut model, index % width), (kind, data), [value, expected]);
             }
         }
     }
@@ -203,6 +210,25 @@ const LOW_HALF: i64 = 0xFFFF_FFFF;
 /// Class of the largest finite number.
 fn largest_class(bits: u32) -> i32 {
     (f32::MAX.to_bits() >> bits) as i32
+}
+
+/// Codes a value as the difference from what is expected, both as integers, and appends it.
+fn push_coded<C: Coder>(
+    (coder, model, context): (&mut C, &mut QuickNumber, usize),
+    (kind, data): (&PagedLayer, &mut LayerData),
+    [value, expected]: [i64; 2],
+) {
+    let mut coded =
+        |value: i64, expected: i64| expected.wrapping_add(model.signed(coder, context, value - expected));
+    let place = match data {
+        // The difference of two doubles has up to 64 bits, more than a number of the codec.
+        LayerData::F64(_) => {
+            let high = coded(value >> 32, expected >> 32);
+            high << 32 | coded(value & LOW_HALF, expected & LOW_HALF) & LOW_HALF
+        }
+        _ => coded(value, expected),
+    };
+    push_place(kind, data, place);
 }
 
 /// A value as an integer: multiples of the step, or ordered bits.

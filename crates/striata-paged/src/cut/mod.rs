@@ -25,7 +25,7 @@ use striata::mesh::IndexedMesh;
 use striata::view::Part;
 
 use crate::loaded::{LoadedPages, coarse_vertices, position_of};
-use crate::mesh_parts::{appearance, gathered_layers, grouped};
+use crate::mesh_parts::{Triangles, appearance, gathered_layers, grouped};
 use crate::parallel::map_in_parallel;
 use crate::replaced::Replaced;
 use crate::{Metadata, Page, PagedError};
@@ -65,6 +65,8 @@ struct Messages {
 struct Contribution {
     /// Corners in the numbering of all pages, and group.
     triangles: Vec<([u32; 3], u32)>,
+    /// Where the page has each of these triangles.
+    places: Vec<u32>,
     refined_count: usize,
     error: f32,
 }
@@ -122,7 +124,7 @@ impl<'a> CutPages<'a> {
         }
         self.pass_needs_on(slot, &surface, (&is_kept, messages));
         self.pass_replaced_on(slot, &surface, messages);
-        contribution.triangles = self.triangles(slot, &surface, (&is_kept, messages));
+        (contribution.triangles, contribution.places) = self.triangles(slot, &surface, (&is_kept, messages));
         contribution
     }
 
@@ -159,7 +161,7 @@ impl<'a> CutPages<'a> {
             let imports = self.loaded.imports_of(slot);
             let owner = corners.map(|v| imports[v as usize - page.positions.len()].slot);
             let owner = owner[0].max(owner[1]).max(owner[2]);
-            by_owner.push((owner, (corners.map(|v| self.loaded.number_in(slot, v)), group_of(page, t))));
+            by_owner.push((owner, (corners.map(|v| self.loaded.number_in(slot, v)), page.tag_of(t))));
         }
         by_owner.sort_unstable_by_key(|&(owner, _)| owner);
         for run in by_owner.chunk_by(|a, b| a.0 == b.0) {
@@ -170,17 +172,17 @@ impl<'a> CutPages<'a> {
         }
     }
 
-    /// The triangles of the level of which this page is the finest owner.
+    /// The triangles of the level of which this page is the finest owner, and where it has them.
     fn triangles(
         &self,
         slot: u32,
         surface: &PageSurface<'_>,
         (is_kept, messages): (&[bool], &Messages),
-    ) -> Vec<([u32; 3], u32)> {
+    ) -> (Vec<([u32; 3], u32)>, Vec<u32>) {
         let page = self.loaded.page(slot);
         let replaced = messages.replaced[slot as usize].lock();
         let mut replaced = replaced.map(|mut replaced| std::mem::take(&mut *replaced)).unwrap_or_default();
-        let mut triangles = Vec::new();
+        let (mut triangles, mut places) = (Vec::new(), Vec::new());
         for (t, corners) in surface.corners.iter().enumerate() {
             if !surface.is_alive[t] || !corners.iter().any(|&v| surface.owns(v)) {
                 continue;
@@ -189,11 +191,12 @@ impl<'a> CutPages<'a> {
             // A finer page that replaces a triangle needs its corners. The base page keeps all of its own.
             let may_be_replaced =
                 !replaced.is_empty() && corners.iter().all(|&v| is_kept[surface.node(v) as usize]);
-            if !(may_be_replaced && replaced.take(numbers, group_of(page, t))) {
-                triangles.push((numbers, group_of(page, t)));
+            if !(may_be_replaced && replaced.take(numbers, page.tag_of(t))) {
+                triangles.push((numbers, page.group_of(t)));
+                places.push(t as u32);
             }
         }
-        triangles
+        (triangles, places)
     }
 
     /// One mesh of what all pages contribute.
@@ -212,15 +215,17 @@ impl<'a> CutPages<'a> {
         }
         let refined_count = contributions.iter().map(|contribution| contribution.refined_count).sum();
         let error = contributions.iter().map(|contribution| contribution.error).fold(0.0, f32::max);
-        let triangles = contributions.into_iter().flat_map(|contribution| contribution.triangles);
-        let triangles =
-            triangles.map(|(corners, group)| (corners.map(|v| number[v as usize]), group)).collect();
-        let (groups, triangles) = grouped(triangles, self.metadata);
+        let mut triangles = Triangles::default();
+        for (slot, mut own) in loaded.levels().into_iter().flatten().zip(contributions) {
+            own.triangles.iter_mut().for_each(|(corners, _)| *corners = corners.map(|v| number[v as usize]));
+            triangles.extend(own.triangles, (loaded.page(slot), &own.places));
+        }
+        let (groups, triangles, triangle_layers) = grouped(triangles, self.metadata);
         let mesh = IndexedMesh {
             positions: used.iter().map(|at| loaded.page(at.slot).positions[at.vertex as usize]).collect(),
             layers: gathered_layers(loaded, &used, self.metadata),
             triangles,
-            triangle_layers: Vec::new(),
+            triangle_layers,
             groups,
             appearance: appearance(self.metadata),
             origin: self.metadata.origin,
@@ -230,9 +235,4 @@ impl<'a> CutPages<'a> {
         let step_count = loaded.pages().map(|page| page.keys.len()).sum();
         Cut { mesh, page_of_vertex, refined_count, step_count, error }
     }
-}
-
-/// Group of a triangle of a page.
-fn group_of(page: &Page, triangle: usize) -> u32 {
-    page.groups.get(triangle).copied().unwrap_or(0)
 }

@@ -1,9 +1,9 @@
 //! One mesh with levels, whatever is read.
 
-use striata::mesh::{Random, replay};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Random, Semantic, replay};
 use striata_io::WriteOptions;
 use striata_paged::build::{BuildInput, BuildOptions};
-use striata_paged::{Assembled, Page, assemble};
+use striata_paged::{Assembled, CutPages, Page, assemble};
 use tempfile::TempDir;
 
 use crate::workshop::{attributed, borders, build, check_levels, full, open, options, soup};
@@ -133,6 +133,92 @@ fn damaged_pages_are_named_or_read() {
             if let Ok(read) = Page::from_bytes(page.id, &damaged, metadata) {
                 read.check(metadata).unwrap();
             }
+        }
+    }
+}
+
+/// A torus whose triangles have numbers and doubles that follow from them, and whose vertices have doubles.
+fn numbered() -> IndexedMesh {
+    let mut mesh = attributed();
+    let generic = |name: &str, data| AttributeLayer {
+        semantic: Semantic::Generic(name.to_owned()),
+        component_count: 1,
+        normalized: false,
+        data,
+    };
+    let ids = 0..mesh.triangle_count() as u32;
+    let doubles = ids.clone().map(|id| f64::from(id) / 3.0).collect();
+    let labels = ids.clone().map(|id| id as i16 - 3000).collect();
+    mesh.triangle_layers = vec![
+        generic("id", LayerData::U32(ids.collect())),
+        generic("share", LayerData::F64(doubles)),
+        generic("label", LayerData::I16(labels)),
+    ];
+    let heights = mesh.positions.iter().map(|p| f64::from(p[2]) * 0.1 + 1e-9).collect();
+    mesh.layers.push(generic("height", LayerData::F64(heights)));
+    mesh
+}
+
+fn data_of(mesh: &IndexedMesh) -> Vec<(u32, f64, i16)> {
+    let [LayerData::U32(ids), LayerData::F64(shares), LayerData::I16(labels)] =
+        [0, 1, 2].map(|i| mesh.triangle_layers[i].data.clone())
+    else {
+        panic!("types are kept")
+    };
+    ids.into_iter().zip(shares).zip(labels).map(|((id, share), label)| (id, share, label)).collect()
+}
+
+#[test]
+fn data_of_triangles_and_doubles_survive() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("torus.ply");
+    let mut mesh = numbered();
+    // PLY has no groups.
+    mesh.groups.clear();
+    mesh.appearance = Default::default();
+    striata_io::write(&path, &mesh, &WriteOptions::default()).unwrap();
+    for tasks in [1, 3] {
+        let options = BuildOptions { exact: true, ..options() };
+        let mut file = open(&build(&folder, BuildInput::Files(vec![path.clone()]), options, tasks));
+        let all = full(&mut file);
+        check_levels(&all);
+        let read = &all.refinable.mesh;
+        let data = data_of(read);
+        let mut ids: Vec<u32> = data.iter().map(|row| row.0).collect();
+        ids.sort_unstable();
+        assert_eq!(ids, (0..mesh.triangle_count() as u32).collect::<Vec<_>>());
+        let corners = |mesh: &IndexedMesh, t: usize| {
+            let mut corners =
+                mesh.triangles[t].map(|v| mesh.positions[v as usize].map(|x| (x + 0.0).to_bits()));
+            corners.sort_unstable();
+            corners
+        };
+        for (t, &(id, share, label)) in data.iter().enumerate() {
+            assert_eq!((share, label), (f64::from(id) / 3.0, id as i16 - 3000));
+            assert_eq!(corners(read, t), corners(&mesh, id as usize));
+        }
+        let height = |mesh: &IndexedMesh| {
+            let layer = mesh.layers.iter().find(|layer| layer.semantic.to_string() == "generic_height");
+            let LayerData::F64(values) = &layer.unwrap().data else { panic!("doubles stay doubles") };
+            let mut all: Vec<u64> = values.iter().map(|x| x.to_bits()).collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        assert_eq!(height(read), height(&mesh));
+        // Triangles of a level keep the data of one triangle each.
+        let pages: Vec<(u32, &Page)> = file.reader().pages().collect();
+        for limit in [0.0, 0.01, 0.1, f32::INFINITY] {
+            let cut = CutPages::new(&pages, file.metadata()).unwrap().cut(|part| part.error > limit);
+            cut.mesh.check().unwrap();
+            let mut data = data_of(&cut.mesh);
+            assert!(
+                data.iter()
+                    .all(|&(id, share, label)| (share, label) == (f64::from(id) / 3.0, id as i16 - 3000))
+            );
+            data.sort_by_key(|row| row.0);
+            data.dedup_by_key(|row| row.0);
+            assert_eq!(data.len(), cut.mesh.triangle_count(), "{limit}");
         }
     }
 }

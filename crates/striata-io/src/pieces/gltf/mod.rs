@@ -64,6 +64,7 @@ impl GltfPieces {
         let layers = outline.formats.iter().map(|(semantic, format)| format.layer(semantic, 0));
         let summary = PieceSummary {
             origin,
+            triangle_layers: Vec::new(),
             name: opened.name().to_owned(),
             layers: layers.map(|layer| LayerKind::of(&layer)).collect(),
             groups,
@@ -99,7 +100,7 @@ impl GltfPieces {
         if self.summary.groups.len() < 2 {
             groups.clear();
         }
-        Ok(Piece { positions, layers, triangles, groups })
+        Ok(Piece { positions, layers, triangles, groups, ..Piece::default() })
     }
 }
 

@@ -34,6 +34,8 @@ pub struct CellMesh {
     pub triangles: Vec<[u32; 3]>,
     /// Group of each triangle; empty if all belong to group 0.
     pub groups: Vec<u32>,
+    /// Attribute layers of the triangles, each with a row for every triangle.
+    pub triangle_layers: Vec<AttributeLayer>,
     /// History of each triangle; empty if no triangle has been changed.
     pub histories: Vec<History>,
     /// Steps that must precede the removal of a vertex although they left no triangle at it, by vertex.

@@ -57,6 +57,8 @@ pub struct CellSteps {
     pub triangles: Vec<[u32; 3]>,
     /// Group of each triangle; empty if all belong to group 0.
     pub groups: Vec<u32>,
+    /// Attribute layers of the triangles, each with a row for every triangle.
+    pub triangle_layers: Vec<AttributeLayer>,
 }
 
 /// Result of a cell task.

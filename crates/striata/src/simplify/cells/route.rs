@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::union::append;
 use super::{Cell, CellMesh, PartitionLevel};
+use crate::mesh::{AttributeLayer, gather_layers};
 
 /// Triangles that have been sent to the cells of a level.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -95,6 +96,7 @@ impl CellMesh {
             } else {
                 triangles.iter().map(|t| self.groups[of(t)]).collect()
             },
+            triangle_layers: gather_layers(&self.triangle_layers, triangles),
             histories: if self.histories.is_empty() {
                 Vec::new()
             } else {
@@ -108,12 +110,8 @@ impl CellMesh {
     /// Appends another part of the same mesh.
     pub fn append(&mut self, other: &Self) {
         let offset = self.positions.len() as u32;
-        if self.layers.is_empty() {
-            self.layers = other.layers.iter().map(|layer| layer.gather(&[])).collect();
-        }
-        for (layer, more) in self.layers.iter_mut().zip(&other.layers) {
-            append(&mut layer.data, &more.data);
-        }
+        append_layers(&mut self.layers, &other.layers);
+        append_layers(&mut self.triangle_layers, &other.triangle_layers);
         let before = self.triangles.len();
         self.positions.extend_from_slice(&other.positions);
         self.triangles.extend(other.triangles.iter().map(|t| t.map(|v| v + offset)));
@@ -121,6 +119,16 @@ impl CellMesh {
         append_per_triangle(&mut self.groups, &other.groups, (before, after));
         append_per_triangle(&mut self.histories, &other.histories, (before, after));
         self.waits.extend(other.waits.iter().map(|&(v, history)| (v + offset, history)));
+    }
+}
+
+/// Appends rows of layers; no layers stand for those of the other part without rows.
+fn append_layers(layers: &mut Vec<AttributeLayer>, more: &[AttributeLayer]) {
+    if layers.is_empty() {
+        *layers = gather_layers(more, &[]);
+    }
+    for (layer, more) in layers.iter_mut().zip(more) {
+        append(&mut layer.data, &more.data);
     }
 }
 

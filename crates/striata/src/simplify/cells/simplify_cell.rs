@@ -4,7 +4,7 @@ use super::trace::Trace;
 use super::union::{BORDER, CellUnion, append};
 use super::{Cell, CellMesh, CellOptions, CellSteps, SimplifiedCell};
 use crate::ignore_progress;
-use crate::mesh::AttributeLayer;
+use crate::mesh::{AttributeLayer, gather_layers};
 use crate::simplify::collapse::refinement_order::CollapseRecord;
 use crate::simplify::collapse::simplifier::Simplifier;
 use crate::simplify::{SequenceOptions, SimplifyError};
@@ -167,12 +167,15 @@ fn cell_steps(parts: &Parts<'_>, trace: &Trace<'_>, targets: &[u32]) -> CellStep
         steps.keys.push(trace.steps[i].key);
         steps.errors.push(trace.steps[i].error);
     }
+    let mut stems_from = Vec::new();
     for (t, corners) in mesh.triangles.iter().enumerate() {
         if corners.iter().any(|&v| numbering.owned[v as usize] != NONE) {
             steps.triangles.push(corners.map(|v| number_of(v, &mut sources)));
             steps.groups.extend(cell.inside.groups.get(union.inside_of[t] as usize));
+            stems_from.push(union.inside_of[t]);
         }
     }
+    steps.triangle_layers = gather_layers(&cell.inside.triangle_layers, &stems_from);
     (steps.positions, steps.layers) = gather(parts, &sources);
     steps
 }
@@ -190,13 +193,16 @@ fn survivors(parts: &Parts<'_>, trace: &Trace<'_>) -> CellMesh {
         number[v as usize]
     };
     let mut out = CellMesh::default();
+    let mut stems_from = Vec::new();
     for (t, &inside) in union.inside_of.iter().enumerate() {
         if inside != BORDER && trace.is_alive[t] {
             out.triangles.push(trace.corners[t].map(|v| number_of(v, &mut sources)));
             out.groups.extend(cell.inside.groups.get(inside as usize));
             out.histories.push(trace.history(t));
+            stems_from.push(inside);
         }
     }
+    out.triangle_layers = gather_layers(&cell.inside.triangle_layers, &stems_from);
     let mut is_left = union.is_within.clone();
     for &p in &record.removed {
         is_left[p as usize] = false;
