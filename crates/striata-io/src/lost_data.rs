@@ -9,6 +9,7 @@ use crate::report::Warnings;
 /// Warns of data of triangles that a file of this format will not contain, and of numbers that it rounds.
 pub(crate) fn warn(format: Format, mesh: &IndexedMesh, warnings: &mut Warnings) {
     for layer in &mesh.layers {
+        warn_of_gaps(format, layer, warnings);
         if let Some(what) = vertex_loss(format, mesh, layer) {
             warnings.push(Place::File, format!("the property {} of vertices {what}", name_of(layer)));
         }
@@ -21,10 +22,31 @@ pub(crate) fn warn(format: Format, mesh: &IndexedMesh, warnings: &mut Warnings) 
 }
 
 /// Name for messages: that of the file for layers without a meaning of their own.
-fn name_of(layer: &AttributeLayer) -> String {
+pub(crate) fn name_of(layer: &AttributeLayer) -> String {
     match &layer.semantic {
         Semantic::Generic(name) => format!("`{name}`"),
         semantic => semantic.to_string(),
+    }
+}
+
+/// Warns of values that are no numbers, where they may be and the format has no place for them.
+fn warn_of_gaps(format: Format, layer: &AttributeLayer, warnings: &mut Warnings) {
+    let is_generic = matches!(layer.semantic, Semantic::Generic(_));
+    if !is_generic || !matches!(format, Format::Gltf | Format::Glb) {
+        return;
+    }
+    let is_gap = |index: &usize| !layer.data.number(*index).is_finite();
+    let count = match &layer.data {
+        LayerData::F32(_) | LayerData::F64(_) => (0..layer.data.len()).filter(is_gap).count(),
+        _ => 0,
+    };
+    if count > 0 {
+        let reason = format!(
+            "the property {} of vertices has values that are not finite, which {format} cannot store; they \
+             are written as 0",
+            name_of(layer)
+        );
+        warnings.push(Place::File, reason);
     }
 }
 

@@ -164,9 +164,9 @@ fn weights_of(layer: &mut AttributeLayer, vertex: usize) -> Option<&mut [f32]> {
 
 /// Vertices with a value that is not finite, in increasing order.
 fn strange_vertices(layer: &AttributeLayer) -> Vec<usize> {
-    let LayerData::F32(values) = &layer.data else { return Vec::new() };
-    let rows = values.chunks(usize::from(layer.component_count).max(1)).enumerate();
-    rows.filter(|(_, row)| has_strange(row)).map(|(vertex, _)| vertex).collect()
+    let width = usize::from(layer.component_count);
+    let is_finite = |vertex: usize| (0..width).all(|component| layer.get(vertex, component).is_finite());
+    (0..layer.data.len() / width.max(1)).filter(|&vertex| !is_finite(vertex)).collect()
 }
 
 #[cfg(test)]
@@ -220,6 +220,8 @@ mod tests {
         with(Semantic::Weights(0), 4, &[NAN, 0.25, 0.25, 0.0], &[1.0, 0.0, 0.0, 0.0]);
         with(Semantic::MorphPosition(0), 3, &[1.0, 2.0, f32::NEG_INFINITY], &[1.0; 3]);
         with(Semantic::Generic("heat".to_owned()), 1, &[NAN], &[1.0]);
+        let doubles = LayerData::F64(vec![0.5, f64::NAN, 0.5, 1.0, 0.0, 0.0, 0.0, 0.0]);
+        mesh.layers.push(AttributeLayer { data: doubles, ..layer(Semantic::TexCoord(1), 2, Vec::new()) });
         let (mesh, warnings) = repaired(mesh);
         let row = |layer: usize| -> Vec<f32> {
             (0..usize::from(mesh.layers[layer].component_count))
@@ -234,7 +236,13 @@ mod tests {
         assert_eq!(row(4), [0.0, 0.5, 0.5, 0.0]);
         assert_eq!(row(5), [1.0, 2.0, 0.0]);
         assert!(row(6)[0].is_nan(), "NaN means no value");
-        assert_eq!(warnings.len(), 6);
+        assert_eq!(row(7), [0.5, 0.0]);
+        assert_eq!(warnings.len(), 6, "{warnings:?}");
+        assert!(
+            warnings
+                .iter()
+                .any(|w| w.starts_with("a: 2 texture coordinates set to 0, the first is vertex 0"))
+        );
         let expected = "a: 1 color made white, vertex 0: the layer color_0 has a value that is not finite";
         assert_eq!(warnings[3], expected);
     }

@@ -478,3 +478,45 @@ fn restarts_separate_the_strips_of_a_ply() {
     restart_triangles_into(&words[1..], &mut triangles);
     assert_eq!((words.len() - 1, triangles.len()), (report.cost.index_count, 20));
 }
+
+/// Sorted coordinates in the file, in micrometers if they are meters.
+fn sorted_coordinates(mesh: &IndexedMesh) -> Vec<[i64; 3]> {
+    let round = |vertex: usize| mesh.file_position(vertex).map(|x| (x * 1e6).round() as i64);
+    let mut all: Vec<_> = (0..mesh.vertex_count()).map(round).collect();
+    all.sort_unstable();
+    all
+}
+
+#[test]
+fn positions_far_from_the_origin_stay_and_lost_data_is_named() {
+    let mut mesh = with_layers(shapes::terrain(12, 3));
+    mesh.origin = [500_000.0, 5_000_000.0, 100.0];
+    mesh.positions.iter_mut().for_each(|p| *p = p.map(|x| (x * 256.0).round() / 256.0));
+    let LayerData::F32(heat) = &mut mesh.layers[1].data else { unreachable!() };
+    heat[3] = f32::NAN;
+    let labels = LayerData::I32((0..mesh.triangle_count() as i32).collect());
+    let label = AttributeLayer::from_f32(Semantic::Generic("label".to_owned()), 1, Vec::new());
+    mesh.triangle_layers.push(AttributeLayer { data: labels, ..label });
+    let text = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
+    let inputs = [
+        ("mesh.ply", ply(&mesh), true),
+        ("text.ply", text, true),
+        ("mesh.off", to_bytes(Format::Off, &mesh, &WriteOptions::default()).unwrap(), false),
+        ("mesh.obj", to_bytes(Format::Obj, &mesh, &WriteOptions::default()).unwrap(), false),
+        ("mesh.glb", to_bytes(Format::Glb, &mesh, &WriteOptions::default()).unwrap(), false),
+    ];
+    for (name, bytes, has_labels) in inputs {
+        let input = test_folder(name, &bytes);
+        for format in [Format::Ply, Format::Glb] {
+            let out = input.scratch.with_extension(format.extension());
+            strip_to(&input, 50, format, &out);
+            let back = read(&out).unwrap();
+            assert_eq!(sorted_coordinates(&back), sorted_coordinates(&mesh), "{name} to {format}");
+            let losses = input.open(50).unwrap().losses(format).unwrap();
+            let losses: Vec<String> = losses.iter().map(|loss| loss.reason.clone()).collect();
+            assert_eq!(losses.iter().any(|loss| loss.contains("`label`")), has_labels, "{name}: {losses:?}");
+            let has_gaps = has_labels && format == Format::Glb;
+            assert_eq!(losses.iter().any(|loss| loss.contains("`heat`")), has_gaps, "{name}: {losses:?}");
+        }
+    }
+}

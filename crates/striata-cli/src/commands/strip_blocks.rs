@@ -74,14 +74,17 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
         stripify_blocks_with_progress(&mut blocks, &options, &mut write, &mut |progress| bar.show(progress))
             .map_err(failure_of)?;
     let stripify_secs = started.elapsed().as_secs_f64() - read_secs;
+    let mut losses = Vec::new();
     let written_index_count = match (spool, &args.output) {
         (Some(spool), Some(path)) => {
             bar.phase("write");
+            losses = blocks.losses(format.unwrap_or(Format::Glb))?;
             Some(spool.write(path, &blocks)?)
         }
         _ => None,
     };
     drop(bar);
+    output.warn_of_losses(&losses);
     let report = Report {
         written_index_count,
         read_secs,

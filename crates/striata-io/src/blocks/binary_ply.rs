@@ -3,6 +3,8 @@
 use std::fs::File;
 use std::path::Path;
 
+use striata::mesh::AttributeLayer;
+
 use super::obj_triangles::ObjTriangles;
 use super::piece_triangles::PieceTriangles;
 use super::ply_writer::PlyWriter;
@@ -16,6 +18,7 @@ use crate::pieces::ply::must_be_read_at_once;
 use crate::pieces::repaired::Repaired;
 use crate::pieces::stl::StlPieces;
 use crate::pieces::{PieceOptions, PieceSource, PieceSummary, ply_text};
+use crate::ply::face_data::{FaceData, left_out};
 use crate::ply::header::{Encoding, Header};
 use crate::ply::{PlyStream, push_row};
 use crate::report::Warnings;
@@ -25,13 +28,15 @@ use crate::{Format, Place, ReadError, Warning};
 pub(super) struct BinaryPly {
     pub(super) stream: PlyStream,
     pub(super) warnings: Vec<Warning>,
+    /// Layers of the triangles, without values.
+    pub(super) triangle_layers: Vec<AttributeLayer>,
 }
 
 impl BinaryPly {
     /// Opens a binary PLY file, or converts a text file, a compressed file, an STL, an OBJ, an OFF, a glTF or a
     /// terrain.
     pub(super) fn open(path: &Path, scratch: &ScratchFolder) -> Result<Self, ReadError> {
-        let options = PieceOptions::default().with_scratch(scratch.folder.clone()).with_origin([0.0; 3]);
+        let options = PieceOptions::default().with_scratch(scratch.folder.clone());
         #[cfg(feature = "terrain")]
         if crate::pieces::is_raster(path) {
             return Self::of_pieces(&*crate::pieces::open_pieces(path, &options)?, scratch);
@@ -77,7 +82,15 @@ impl BinaryPly {
         };
         let mut stream = PlyStream::open(file, input.name)?;
         stream.header.has_top_origin = header.encoding == Encoding::Ascii;
-        Ok(Self { stream, warnings: Vec::new() })
+        stream.choose_origin()?;
+        let mut warnings = Warnings::of_file(stream.name());
+        left_out(&header).into_iter().for_each(|remark| warnings.push(Place::File, remark));
+        let mut data = FaceData::new(&header, 0);
+        if let Some(faces) = header.elements.iter().find(|element| element.name == "face") {
+            data.begin(faces, 0);
+        }
+        let triangle_layers = data.into_layers(&header, 0).0;
+        Ok(Self { stream, warnings: warnings.into_list(), triangle_layers })
     }
 
     fn of_obj(pieces: &ObjPieces, scratch: &ScratchFolder) -> Result<Self, ReadError> {
@@ -118,6 +131,8 @@ impl BinaryPly {
         }
         let mut stream = PlyStream::open(file, summary.name.clone())?;
         stream.header.has_top_origin = true;
-        Ok(Self { stream, warnings: warnings.into_list() })
+        (stream.origin, stream.is_relative) = (summary.origin, true);
+        let triangle_layers = summary.triangle_layers.iter().map(|kind| kind.empty_layer()).collect();
+        Ok(Self { stream, warnings: warnings.into_list(), triangle_layers })
     }
 }

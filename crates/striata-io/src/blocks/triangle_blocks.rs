@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use std::sync::Arc;
 
-use striata::mesh::Bounds;
+use striata::mesh::{AttributeLayer, Bounds};
 use striata_strip::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
 
 use super::binary_ply::BinaryPly;
@@ -14,17 +14,20 @@ use super::scratch::ScratchFolder;
 use super::sorter::{Record, SortedRecords, Sorter};
 use crate::error::{Fault, Place};
 use crate::file_view::FileView;
+use crate::lost_data::{self, name_of};
 use crate::pieces::PieceSource;
 use crate::ply::PlyStream;
 use crate::repair::check_triangles;
 use crate::report::Warnings;
-use crate::{ReadError, Warning};
+use crate::{Format, ReadError, Warning};
 
 /// Mesh of a file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
 #[derive(Debug)]
 pub struct TriangleBlocks {
     pub(super) stream: PlyStream,
     warnings: Vec<Warning>,
+    /// Layers of the triangles, without values.
+    triangle_layers: Vec<AttributeLayer>,
     scratch: ScratchFolder,
     /// Corners of all triangles, block by block.
     triangles: File,
@@ -78,7 +81,7 @@ impl TriangleBlocks {
         block_triangles: usize,
         scratch: ScratchFolder,
     ) -> Result<Self, ReadError> {
-        let BinaryPly { stream, warnings } = ply;
+        let BinaryPly { stream, warnings, triangle_layers } = ply;
         let sorted = sorted_triangles(&stream, bounds, &scratch)?;
         let cutter = BlockCutter::new(&stream, &scratch)?;
         let Blocks { triangles, starts, last_blocks } =
@@ -86,7 +89,7 @@ impl TriangleBlocks {
         let triangle_count = starts.last().copied().unwrap_or(0) as usize;
         let known = Warnings::of_list(stream.name(), warnings.clone());
         check_triangles([stream.vertex_count as usize, triangle_count], triangle_count, &known)?;
-        Ok(Self { stream, warnings, scratch, triangles, starts, last_blocks, bounds })
+        Ok(Self { stream, warnings, triangle_layers, scratch, triangles, starts, last_blocks, bounds })
     }
 
     /// Returns remarks on what was left out, such as materials.
@@ -104,7 +107,31 @@ impl TriangleBlocks {
         self.starts.last().copied().unwrap_or(0)
     }
 
-    /// Returns the bounds of the mesh, or [`None`] if it has no vertices.
+    /// Returns the point of the file's coordinates that positions are relative to.
+    pub fn origin(&self) -> [f64; 3] {
+        self.stream.origin
+    }
+
+    /// Returns remarks on what a file of strips in this format cannot store: data of triangles, and values
+    /// of attributes that the format has no place for.
+    ///
+    /// # Errors
+    /// Returns [`ReadError`] if the vertices cannot be read.
+    pub fn losses(&self, format: Format) -> Result<Vec<Warning>, ReadError> {
+        let mut warnings = Warnings::of_file(self.stream.name());
+        for layer in &self.triangle_layers {
+            let reason = format!("the property {} of faces is left out: strips have none", name_of(layer));
+            warnings.push(Place::File, reason);
+        }
+        self.stream.for_each_row_batch(|_, rows| {
+            lost_data::warn(format, &self.stream.vertices(rows)?, &mut warnings);
+            Ok::<_, ReadError>(())
+        })?;
+        Ok(warnings.into_list())
+    }
+
+    /// Returns the bounds of the mesh relative to its [`origin`](Self::origin), or [`None`] if it has no
+    /// vertices.
     pub fn bounds(&self) -> Option<Bounds> {
         self.bounds
     }

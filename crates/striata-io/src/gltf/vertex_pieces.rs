@@ -21,6 +21,7 @@ pub(crate) struct VertexPieces {
     views: Vec<Value>,
     accessors: Vec<Value>,
     vertex_count: u64,
+    origin: [f64; 3],
 }
 
 impl VertexPieces {
@@ -31,6 +32,7 @@ impl VertexPieces {
         if self.vertex_count == 0 {
             (self.attributes, self.targets) = (found.attributes, found.targets);
             (self.views, self.accessors) = (builder.views, builder.accessors);
+            self.origin = piece.origin;
         } else {
             let is_alike = self.attributes == found.attributes && self.targets == found.targets;
             if !is_alike || self.accessors.len() != builder.accessors.len() {
@@ -124,6 +126,9 @@ impl VertexPieces {
         }
         root["scenes"] = json!([{ "nodes": [0] }]);
         root["nodes"] = json!([{ "mesh": 0 }]);
+        if self.origin != [0.0; 3] {
+            root["nodes"][0]["translation"] = json!(self.origin);
+        }
         root["meshes"] = json!([{ "primitives": [primitive] }]);
         root["accessors"] = json!(accessors);
         root["bufferViews"] = json!(views);

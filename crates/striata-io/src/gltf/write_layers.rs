@@ -182,15 +182,19 @@ fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String
     Ok((name, push(builder, &encoded, width, normalized)))
 }
 
-/// Returns a layer's numbers as floats; fails if one is not finite.
+/// Returns a layer's numbers as floats; fails if one is not finite. Generic attributes may lack values, which
+/// become 0; [`lost_data`](crate::lost_data) says so.
 fn floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusal> {
-    let numbers: Vec<f32> = match &layer.data {
+    let mut numbers: Vec<f32> = match &layer.data {
         LayerData::F32(numbers) => numbers.clone(),
         data => {
             let vertex_count = data.len() / width.max(1);
             (0..vertex_count).flat_map(|v| (0..width).map(move |c| layer.get(v, c))).collect()
         }
     };
+    if matches!(layer.semantic, Semantic::Generic(_)) {
+        numbers.iter_mut().filter(|x| !x.is_finite()).for_each(|x| *x = 0.0);
+    }
     check_finite(&numbers, width, &layer.semantic.to_string())?;
     Ok(numbers)
 }

@@ -3,10 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use striata::mesh::{AttributeLayer, Semantic, origin_of, relative_position};
+use striata::mesh::{AttributeLayer, Semantic, relative_position};
 
 use super::input::{Input, Mapped};
-use super::spool::Spool;
+use super::spool::{Spool, origin_near};
 use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
@@ -99,7 +99,7 @@ impl ObjPieces {
         check_triangles([tables.positions.len() / 12, count], count, &warnings)?;
         let origin = match options.origin {
             Some(origin) => origin,
-            None if outline.has_long_coordinates => origin_near(&tables.positions),
+            None if outline.has_long_coordinates => origin_near(&tables.positions, 12),
             None => [0.0; 3],
         };
         if origin != [0.0; 3] {
@@ -228,14 +228,6 @@ fn count_missing(corners: &[u8], kind: usize, used: &mut Usage) -> u64 {
         used.lacking |= is_missing;
     }
     missing
-}
-
-/// Chooses an origin from positions in single precision: it need not be exact, only near them.
-fn origin_near(positions: &[u8]) -> [f64; 3] {
-    let count = positions.len() / 12;
-    let sample = (0..count).step_by(count.div_ceil(1 << 16).max(1));
-    let sample: Vec<[f64; 3]> = sample.map(|at| floats::<3>(positions, at as u32).map(f64::from)).collect();
-    origin_of(&sample)
 }
 
 /// Reads the coordinates of the vertices again, in doubles, and writes them relative to an origin.

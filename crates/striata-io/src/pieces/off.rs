@@ -1,10 +1,10 @@
 //! OFF in pieces: one pass writes the rows of vertices and the triangles to temporary files.
 
-use striata::mesh::{AttributeLayer, origin_of, relative_position};
+use striata::mesh::{AttributeLayer, relative_position};
 
 use super::input::{Input, Mapped};
 use super::local::localize;
-use super::spool::Spool;
+use super::spool::{Spool, origin_near};
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
@@ -126,15 +126,6 @@ impl OffPieces {
         let triangle_layers = triangle_layers.collect();
         Piece { positions, layers, triangles, triangle_layers, groups: Vec::new() }
     }
-}
-
-/// Chooses an origin from rows that begin with positions in single precision.
-fn origin_near(rows: &[u8], row_bytes: usize) -> [f64; 3] {
-    let count = rows.len() / row_bytes.max(1);
-    let sample = rows.chunks_exact(row_bytes.max(1)).step_by(count.div_ceil(1 << 16).max(1));
-    let number = |bytes: &[u8]| f64::from(f32::from_ne_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
-    let sample: Vec<[f64; 3]> = sample.map(|row| [0, 4, 8].map(|at| number(&row[at..]))).collect();
-    origin_of(&sample)
 }
 
 /// Reads the coordinates of the vertices again, in doubles, and writes them relative to an origin.

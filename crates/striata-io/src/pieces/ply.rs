@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use striata::mesh::{AttributeLayer, IndexedMesh, origin_of};
 
 use super::input::Input;
-use super::ply_faces::{FaceOptions, FaceRuns};
+use super::ply_faces::{FaceOptions, FaceRuns, Run};
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
 use crate::ReadError;
 use crate::error::{Fault, Place};
@@ -53,6 +53,7 @@ impl PlyPieces {
         if is_repeated || header.elements.iter().any(must_be_read_at_once) {
             return Ok(Err(input));
         }
+        let remarks = left_out(&header);
         if header.encoding == Encoding::Ascii {
             ply_text::convert(&mut input, &header, options)?;
             let comments = std::mem::take(&mut header.texture_files);
@@ -86,7 +87,7 @@ impl PlyPieces {
             byte_count: input.file_bytes,
             ..PieceSummary::default()
         };
-        attach_textures(&mut summary, &input, &header, &vertices);
+        attach_textures(&mut summary, &input, (&header, remarks), &vertices);
         let count = summary.triangle_count as usize;
         let warnings = Warnings::of_list(&input.name, summary.warnings.clone());
         check_triangles([vertices.element.count, count], count, &warnings)?;
@@ -97,8 +98,9 @@ impl PlyPieces {
         let Some(faces) = self.faces.as_ref().filter(|faces| (run as u64) < faces.run_count()) else {
             return Err(Fault::Malformed(Place::File, format!("piece {run} does not exist")));
         };
-        let (triangles, triangle_layers, numbers) = faces.read(&self.input.bytes, run, &self.header)?;
-        let rows = self.vertices.rows(&self.input.bytes, &numbers);
+        let Run { triangles, triangle_layers, vertices } =
+            faces.read(&self.input.bytes, run, &self.header)?;
+        let rows = self.vertices.rows(&self.input.bytes, &vertices);
         let (positions, layers) = self.vertices.values(&rows, &self.header, self.summary.origin)?;
         Ok(Piece { positions, layers, triangles, triangle_layers, groups: Vec::new() })
     }
@@ -164,8 +166,13 @@ fn skip(bytes: &[u8], at: usize, element: &Element, is_big: bool) -> Result<usiz
     skip_element(element, &mut rows).map(|()| rows.at())
 }
 
-/// Gives the summary the images that the header names.
-fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, vertices: &VertexRows) {
+/// Gives the summary the images that the header names, and remarks on what was left out.
+fn attach_textures(
+    summary: &mut PieceSummary,
+    input: &Input,
+    (header, remarks): (&Header, Vec<String>),
+    vertices: &VertexRows,
+) {
     let mut warnings = Warnings::of_file(&input.name);
     let set = TextureSet::new(&input.source(), input.unpacked_bytes);
     // A stand-in for the whole mesh: its layers decide whether there are textures, its triangle gets the
@@ -176,7 +183,7 @@ fn attach_textures(summary: &mut PieceSummary, input: &Input, header: &Header, v
     let group = |group| PieceGroup { material: group, ..PieceGroup::default() };
     summary.groups = mesh.groups_or_whole().iter().map(|g| group(g.material)).collect();
     summary.appearance = mesh.appearance;
-    for remark in left_out(header) {
+    for remark in remarks {
         warnings.push(Place::File, remark);
     }
     summary.warnings = warnings.into_list();

@@ -10,6 +10,14 @@ use crate::ply::face_data::FaceData;
 use crate::ply::header::{Element, Header, Property};
 use crate::ply::rows::{BinaryRows, Rows};
 
+/// Triangles of a run over its own vertices, with their data.
+pub(super) struct Run {
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) triangle_layers: Vec<AttributeLayer>,
+    /// Numbers of the vertices in the file.
+    pub(super) vertices: Vec<u32>,
+}
+
 /// Where runs of faces begin.
 #[derive(Clone, Debug)]
 pub(super) struct FaceRuns {
@@ -89,13 +97,8 @@ impl FaceRuns {
         data.into_layers(header, 0).0.iter().map(LayerKind::of).collect()
     }
 
-    /// Reads a run; returns its triangles over its own vertices with their data, and the numbers of the vertices.
-    pub(super) fn read(
-        &self,
-        bytes: &[u8],
-        run: usize,
-        header: &Header,
-    ) -> Result<(Vec<[u32; 3]>, Vec<AttributeLayer>, Vec<u32>), Fault> {
+    /// Reads a run.
+    pub(super) fn read(&self, bytes: &[u8], run: usize, header: &Header) -> Result<Run, Fault> {
         let (start, end, face_count) = match &self.starts {
             Starts::Even { first, row_bytes, faces_per_run } => {
                 let face = run * faces_per_run;
@@ -125,9 +128,9 @@ impl FaceRuns {
             return Err(Fault::at_byte(start, reason));
         }
         let mut triangles = faces.triangles;
-        let (layers, _) = faces.data.into_layers(header, triangles.len());
+        let (triangle_layers, _) = faces.data.into_layers(header, triangles.len());
         let vertices = localize(&mut triangles);
-        Ok((triangles, layers, vertices))
+        Ok(Run { triangles, triangle_layers, vertices })
     }
 }
 

@@ -3,6 +3,8 @@
 use std::fs::File;
 use std::io::{self, BufWriter, Seek as _, SeekFrom, Write as _};
 
+use striata::mesh::origin_of;
+
 use super::PieceOptions;
 use super::input::{Mapped, scratch_error, scratch_file};
 use crate::ReadError;
@@ -50,4 +52,14 @@ impl Spool {
         };
         done.map_err(|source| scratch_error(options, source))
     }
+}
+
+/// Chooses an origin from rows that begin with positions in single precision: it need not be exact, only near
+/// them.
+pub(super) fn origin_near(rows: &[u8], row_bytes: usize) -> [f64; 3] {
+    let count = rows.len() / row_bytes.max(1);
+    let sample = rows.chunks_exact(row_bytes.max(1)).step_by(count.div_ceil(1 << 16).max(1));
+    let number = |bytes: &[u8]| f64::from(f32::from_ne_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+    let sample: Vec<[f64; 3]> = sample.map(|row| [0, 4, 8].map(|at| number(&row[at..]))).collect();
+    origin_of(&sample)
 }

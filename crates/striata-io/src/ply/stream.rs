@@ -10,13 +10,13 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::sync::Arc;
 
-use striata::mesh::{AttributeLayer, IndexedMesh};
+use striata::mesh::{AttributeLayer, IndexedMesh, origin_of, relative_position};
 
 use super::body::{Vertices, index_list};
 use super::header::{Element, Encoding, Header, Property, Scalar};
 use super::rows::integer_from_bytes;
 use super::texcoords::{has_origin, with_bottom_origin};
-use super::write::{push_row, vertex_header};
+use super::write::{push_row, push_values, vertex_header};
 use crate::ReadError;
 use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
@@ -46,6 +46,10 @@ pub(crate) struct PlyStream {
     /// Offset of the first face.
     faces_offset: u64,
     file_bytes: u64,
+    /// Positions are relative to this point of the file's coordinates.
+    pub(crate) origin: [f64; 3],
+    /// Whether the rows have positions relative to the origin already, as those of temporary files have.
+    pub(crate) is_relative: bool,
 }
 
 impl PlyStream {
@@ -77,7 +81,32 @@ impl PlyStream {
             axes,
             faces_offset,
             file_bytes,
+            origin: [0.0; 3],
+            is_relative: false,
         })
+    }
+
+    /// Chooses the origin from evenly spaced vertices, if single precision cannot hold the coordinates.
+    pub(crate) fn choose_origin(&mut self) -> Result<(), ReadError> {
+        /// Number of vertices that the origin is chosen from.
+        const SAMPLES: u32 = 1 << 12;
+        if !self.has_doubles() {
+            return Ok(());
+        }
+        let (mut file, mut row, mut sample) = (self.file(), vec![0; self.stride], Vec::new());
+        for vertex in (0..self.vertex_count).step_by(self.vertex_count.div_ceil(SAMPLES).max(1) as usize) {
+            let at = self.vertices_offset + u64::from(vertex) * self.stride as u64;
+            file.seek(SeekFrom::Start(at)).map_err(|e| self.io(e))?;
+            file.read_exact(&mut row).map_err(|e| self.io(e))?;
+            sample.push(self.coordinates(&row));
+        }
+        self.origin = origin_of(&sample);
+        Ok(())
+    }
+
+    /// Whether single precision cannot hold the type of a coordinate.
+    fn has_doubles(&self) -> bool {
+        self.axes.iter().any(|(_, scalar)| matches!(scalar, Scalar::F64 | Scalar::I32 | Scalar::U32))
     }
 
     /// Returns the file's name for messages.
@@ -99,8 +128,14 @@ impl PlyStream {
         self.header.encoding == Encoding::BigEndian
     }
 
-    /// Returns the position in one vertex row.
+    /// Returns the position in one vertex row, relative to the origin.
     pub(crate) fn position(&self, row: &[u8]) -> [f32; 3] {
+        let written = self.coordinates(row);
+        if self.is_relative { written.map(|x| x as f32) } else { relative_position(written, self.origin) }
+    }
+
+    /// Returns the coordinates in one vertex row as they are.
+    fn coordinates(&self, row: &[u8]) -> [f64; 3] {
         self.axes.map(|(offset, scalar)| {
             let taken = &row[offset..offset + scalar.bytes()];
             let mut word = [0; 8];
@@ -108,14 +143,14 @@ impl PlyStream {
                 word[if self.is_big_endian() { taken.len() - 1 - i } else { i }] = byte;
             }
             match scalar {
-                Scalar::F32 => f32::from_bits(u64::from_le_bytes(word) as u32),
-                Scalar::F64 => f64::from_le_bytes(word) as f32,
-                _ => integer_from_bytes(taken, scalar, self.is_big_endian()) as f32,
+                Scalar::F32 => f64::from(f32::from_bits(u64::from_le_bytes(word) as u32)),
+                Scalar::F64 => f64::from_le_bytes(word),
+                _ => integer_from_bytes(taken, scalar, self.is_big_endian()) as f64,
             }
         })
     }
 
-    /// Converts whole vertex rows to a mesh without triangles, with all layers.
+    /// Converts whole vertex rows to a mesh without triangles, with all layers and the origin.
     pub(crate) fn vertices(&self, rows: &[u8]) -> Result<IndexedMesh, ReadError> {
         let in_file = |fault: Fault| fault.in_file(&self.name);
         let vertex = self.header.vertex().map_err(in_file)?;
@@ -130,8 +165,10 @@ impl PlyStream {
             }
         }
         let vertices = Vertices::of_rows(vertex, rows, self.header.has_top_origin);
-        let positions = vertices.positions(&self.header, [0.0; 3]).map_err(in_file)?;
-        Ok(IndexedMesh { layers: vertices.layers(&self.header), ..IndexedMesh::new(positions, Vec::new()) })
+        let taken = if self.is_relative { [0.0; 3] } else { self.origin };
+        let positions = vertices.positions(&self.header, taken).map_err(in_file)?;
+        let layers = vertices.layers(&self.header);
+        Ok(IndexedMesh { layers, origin: self.origin, ..IndexedMesh::new(positions, Vec::new()) })
     }
 
     /// Writes the header of a file whose triangles are strips, and copies the vertex rows: unchanged, unless
@@ -161,15 +198,16 @@ impl PlyStream {
         out.write_all(&self.u32_bytes(index_count))
     }
 
-    /// Returns the layers of a temporary file without values, if they differ in the file that is written: in
-    /// the origin of texture coordinates, or in the type of colors.
+    /// Returns the layers of a temporary file without values, if the file that is written differs: in the
+    /// origin of positions or of texture coordinates, or in the type of colors.
     fn changed_layers(&self) -> Result<Option<Vec<AttributeLayer>>, ReadError> {
         if !self.header.has_top_origin {
             return Ok(None);
         }
         let layers = self.vertices(&[])?.layers;
         let written: Vec<AttributeLayer> = self.written(&layers).map(Cow::into_owned).collect();
-        let is_changed = layers.iter().any(has_origin) || written != layers;
+        let is_moved = self.is_relative && self.origin != [0.0; 3];
+        let is_changed = is_moved || layers.iter().any(has_origin) || written != layers;
         Ok(is_changed.then_some(written))
     }
 
@@ -194,7 +232,9 @@ impl PlyStream {
     ) -> io::Result<()> {
         let names: Vec<&str> = self.header.texture_files.iter().map(|file| file.name.as_str()).collect();
         let vertex_count = self.vertex_count.to_string();
-        let head = vertex_header(Scalar::F32, layers, &names, "binary_little_endian", &vertex_count);
+        let has_doubles = self.has_doubles() || self.origin != [0.0; 3];
+        let coordinate = if has_doubles { Scalar::F64 } else { Scalar::F32 };
+        let head = vertex_header(coordinate, layers, &names, "binary_little_endian", &vertex_count);
         let head = head.map_err(|refusal| io::Error::other(refusal.into_reason()))?;
         out.write_all((head + STRIPS).as_bytes())?;
         let mut written = Vec::new();
@@ -202,11 +242,26 @@ impl PlyStream {
             let mesh = self.vertices(rows)?;
             let layers: Vec<_> = self.written(&mesh.layers).collect();
             written.clear();
-            (0..mesh.positions.len())
-                .for_each(|vertex| push_row(&mesh.positions, &layers, vertex, &mut written));
+            for (vertex, row) in rows.chunks_exact(self.stride).enumerate() {
+                if has_doubles {
+                    written.extend_from_slice(bytemuck::cast_slice(&self.file_position(row)));
+                    push_values(&layers, vertex, &mut written);
+                } else {
+                    push_row(&mesh.positions, &layers, vertex, &mut written);
+                }
+            }
             out.write_all(&written).map_err(CopyError::Write)
         })?;
         out.write_all(&index_count.to_le_bytes())
+    }
+
+    /// Returns the coordinates of one vertex row in the file that was read first.
+    fn file_position(&self, row: &[u8]) -> [f64; 3] {
+        let written = self.coordinates(row);
+        if !self.is_relative {
+            return written;
+        }
+        std::array::from_fn(|axis| written[axis] + self.origin[axis])
     }
 
     /// Returns a four-byte integer in this file's byte order.

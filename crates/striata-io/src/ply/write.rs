@@ -180,7 +180,7 @@ pub(crate) fn push_row(
 
 /// Appends the values of a vertex or triangle in all layers.
 #[inline]
-fn push_values(layers: &[impl Borrow<AttributeLayer>], index: usize, out: &mut Vec<u8>) {
+pub(crate) fn push_values(layers: &[impl Borrow<AttributeLayer>], index: usize, out: &mut Vec<u8>) {
     for layer in layers.iter().map(Borrow::borrow) {
         let length = layer.vertex_bytes();
         out.extend_from_slice(&layer.data.as_bytes()[index * length..][..length]);
