@@ -200,16 +200,6 @@ impl Input {
         Failure::from(error).with_excerpt(excerpt)
     }
 
-    /// Converts the vertex colors of a mesh from this input to those of the format that it will be written
-    /// in: linear for glTF, sRGB for PLY, OBJ and OFF.
-    pub fn convert_colors(&self, mesh: &mut IndexedMesh, to: Format) {
-        if let Content::File(file) = &self.content {
-            // The meshes of scenes have colors as in glTF.
-            let from = if self.has_scene_levels() { Format::Glb } else { file.format };
-            striata_io::convert_colors(mesh, from, to);
-        }
-    }
-
     /// Warns the user if the stream of a file is cut off.
     ///
     /// # Errors

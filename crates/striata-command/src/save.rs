@@ -1,10 +1,12 @@
 //! Writes meshes to stdout, or to files that appear complete or not at all.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use striata::mesh::IndexedMesh;
 use striata_io::{
-    EncodedMesh, FileBatch, Format, Scene, WriteOptions, encode_mesh, encode_scene, write_atomically,
+    EncodedMesh, FileBatch, Format, Scene, WriteOptions, convert_colors, encode_mesh, encode_scene,
+    needs_other_colors, write_atomically,
 };
 
 use crate::args::{FormatArg, FormatArgs};
@@ -84,13 +86,17 @@ fn encoded(
     (args, output): (&FormatArgs, &Output),
 ) -> Result<EncodedMesh, Failure> {
     let format = format_of(path, args)?;
+    let mut mesh = Cow::Borrowed(mesh);
+    if needs_other_colors(&mesh, format) {
+        convert_colors(mesh.to_mut(), format);
+    }
     let mut options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
     match primitives {
         Primitives::Triangles => {}
         Primitives::Strips(strips) => options = options.with_strips(strips),
         Primitives::Fans(fans) => options = options.with_fans(fans),
     }
-    with_warnings(encode_mesh(format, mesh, &options, folder_path(path))?, output)
+    with_warnings(encode_mesh(format, &mesh, &options, folder_path(path))?, output)
 }
 
 /// Returns the path whose folder gets images and material libraries; those of stdout get none.

@@ -361,7 +361,6 @@ fn say_textures(report: &TextureReport, output: &Output) {
 /// # Errors
 /// If the input is malformed.
 pub fn flat_scene(input: &Input, output: &Output) -> Result<Scene, Failure> {
-    let mut mesh = input.mesh(output)?;
-    input.convert_colors(&mut mesh, Format::Glb);
+    let mesh = input.mesh(output)?;
     Scene::from_mesh(mesh).map_err(|error| Failure::user(format!("{}: {error}", input.name)))
 }

@@ -59,6 +59,17 @@ impl DecodedStream {
         Ok(Self { facts, decoder, read_bytes, is_cut, decode_secs })
     }
 
+    /// Reads as far as some levels need; to the end if triangles have data, which are there.
+    ///
+    /// # Errors
+    /// Under the same conditions as [`read`](Self::read).
+    pub fn read_levels(
+        bytes: &[u8],
+        has_levels: impl Fn(&StreamDecoder) -> bool,
+    ) -> Result<Self, DecodeError> {
+        Self::read(bytes, |decoder| has_levels(decoder) && !decoder.lacks_triangle_data())
+    }
+
     /// Reads all bytes.
     ///
     /// # Errors
@@ -80,7 +91,9 @@ impl DecodedStream {
     /// Returns a message for the user if the stream is cut off.
     pub fn truncation_note(&self, name: &str) -> Option<String> {
         let counts = [self.decoder.split_count(), self.facts.step_count];
-        self.is_cut.then(|| truncation_text(name, [self.read_bytes as u64, self.facts.stream_bytes], counts))
+        let read = [self.read_bytes as u64, self.facts.stream_bytes];
+        let lost = if self.decoder.lacks_triangle_data() { ", and no data of faces" } else { "" };
+        self.is_cut.then(|| truncation_text(name, read, counts) + lost)
     }
 }
 

@@ -1,11 +1,10 @@
 //! Conversion of vertex colors between sRGB and linear light.
 //!
 //! PLY, OBJ, OFF and VTK store colors as they are shown (sRGB), by convention. glTF stores them linear, and 3MF is
-//! read and written as glTF. A mesh
-//! does not know where its colors come from, and reading and writing must not change them: a file that is
-//! read and written in its own format keeps every bit. So readers and writers keep the numbers, and whoever
-//! crosses formats converts them: [`convert_colors`] for two formats, [`srgb_to_linear_colors`] and
-//! [`linear_to_srgb_colors`] for a mesh.
+//! read and written as glTF. Reading and writing must not change them: a file that is
+//! read and written in its own format keeps every bit. So readers keep the numbers and note the color space in
+//! the [`Appearance`](striata::mesh::Appearance), writers keep them too, and whoever crosses formats calls
+//! [`convert_colors`].
 //!
 //! Linear colors take 16 bits per channel. Adjacent 8-bit sRGB values are at least 19 apart there, so that
 //! converting 8-bit colors to linear ones and back changes nothing. Alpha has the same meaning in both
@@ -13,18 +12,11 @@
 
 use std::borrow::Cow;
 
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+use striata::mesh::{AttributeLayer, ColorSpace, IndexedMesh, LayerData, Semantic};
 
 use crate::Format;
 use crate::error::Place;
 use crate::report::Warnings;
-
-/// Meaning of the numbers of colors.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum ColorSpace {
-    Srgb,
-    Linear,
-}
 
 /// Returns the color space of a format; [`None`] if it has no colors, or keeps those of its source.
 fn color_space(format: Format) -> Option<ColorSpace> {
@@ -37,15 +29,32 @@ fn color_space(format: Format) -> Option<ColorSpace> {
     }
 }
 
-/// Converts the vertex colors of a mesh that was read from one format and will be written to another.
+/// Converts the vertex colors of a mesh to those of the format that it will be written in.
 ///
-/// Colors change only between glTF, whose colors are linear (and 3MF), and PLY, OBJ, OFF or VTK, whose colors are sRGB.
-/// `.striata` files and streams keep the colors of their source, so nothing changes for them.
-pub fn convert_colors(mesh: &mut IndexedMesh, from: Format, to: Format) {
-    match (color_space(from), color_space(to)) {
-        (Some(ColorSpace::Srgb), Some(ColorSpace::Linear)) => srgb_to_linear_colors(mesh),
-        (Some(ColorSpace::Linear), Some(ColorSpace::Srgb)) => linear_to_srgb_colors(mesh),
+/// Colors change only between glTF, whose colors are linear (and 3MF), and PLY, OBJ, OFF or VTK, whose colors
+/// are sRGB. `.striata` files and streams say which they have, so nothing changes for them.
+pub fn convert_colors(mesh: &mut IndexedMesh, to: Format) {
+    match (mesh.appearance.color_space, color_space(to)) {
+        (ColorSpace::Srgb, Some(ColorSpace::Linear)) => srgb_to_linear_colors(mesh),
+        (ColorSpace::Linear, Some(ColorSpace::Srgb)) => linear_to_srgb_colors(mesh),
         _ => {}
+    }
+}
+
+/// Whether the format has colors in the other color space.
+pub fn needs_other_colors(mesh: &IndexedMesh, to: Format) -> bool {
+    let is_color = |layer: &AttributeLayer| matches!(layer.semantic, Semantic::Color(_));
+    color_space(to).is_some_and(|to| to != mesh.appearance.color_space) && mesh.layers.iter().any(is_color)
+}
+
+/// Notes that the colors of a file are linear, if there are any.
+#[cfg(feature = "gltf")]
+pub(crate) fn set_linear(
+    appearance: &mut striata::mesh::Appearance,
+    mut semantics: impl Iterator<Item = Semantic>,
+) {
+    if semantics.any(|semantic| matches!(semantic, Semantic::Color(_))) {
+        appearance.color_space = ColorSpace::Linear;
     }
 }
 
@@ -53,6 +62,7 @@ pub fn convert_colors(mesh: &mut IndexedMesh, from: Format, to: Format) {
 ///
 /// Colors outside 0 to 1 are clamped; NaN becomes 0. Alpha is kept.
 pub fn srgb_to_linear_colors(mesh: &mut IndexedMesh) {
+    mesh.appearance.color_space = linear_if_any(mesh);
     for layer in color_layers(mesh) {
         let word = |value: f32, is_alpha: bool| {
             quantized(if is_alpha { value } else { srgb_to_linear(value) }, 65535.0) as u16
@@ -67,6 +77,7 @@ pub fn srgb_to_linear_colors(mesh: &mut IndexedMesh) {
 ///
 /// Colors outside 0 to 1 are clamped; NaN becomes 0. Alpha is kept, rounded to 8 bits for integers.
 pub fn linear_to_srgb_colors(mesh: &mut IndexedMesh) {
+    mesh.appearance.color_space = ColorSpace::Srgb;
     for layer in color_layers(mesh) {
         let encode = |value: f32, is_alpha: bool| if is_alpha { value } else { linear_to_srgb(value) };
         if matches!(layer.data, LayerData::F32(_)) {
@@ -77,6 +88,12 @@ pub fn linear_to_srgb_colors(mesh: &mut IndexedMesh) {
             layer.normalized = true;
         }
     }
+}
+
+/// A mesh without colors has no color space of its own.
+fn linear_if_any(mesh: &IndexedMesh) -> ColorSpace {
+    let is_color = |layer: &AttributeLayer| matches!(layer.semantic, Semantic::Color(_));
+    if mesh.layers.iter().any(is_color) { ColorSpace::Linear } else { ColorSpace::Srgb }
 }
 
 fn color_layers(mesh: &mut IndexedMesh) -> impl Iterator<Item = &mut AttributeLayer> {
@@ -179,10 +196,10 @@ mod tests {
         let bytes: Vec<u8> = (0..=255).flat_map(|i| [i, 255 - i, i / 2, i]).collect();
         let mesh = mesh_with(4, true, LayerData::U8(bytes));
         let mut linear = mesh.clone();
-        convert_colors(&mut linear, Format::Ply, Format::Glb);
+        convert_colors(&mut linear, Format::Glb);
         let LayerData::U16(words) = &linear.layers[0].data else { panic!("{linear:?}") };
         assert_eq!(words[128 * 4..][..4], [14146, 13909, 3360, 128 * 257]);
-        convert_colors(&mut linear, Format::Gltf, Format::Off);
+        convert_colors(&mut linear, Format::Off);
         assert_eq!(linear, mesh);
     }
 

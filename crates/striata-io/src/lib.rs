@@ -62,7 +62,8 @@
 //!   flipped when read and when written: in decimal in text, within 2^-25 in binary PLY (exactly for pixels
 //!   and short decimals).
 //! * **Vertex colors are never converted** by reading and writing, so that round trips are exact. They are
-//!   linear in glTF and sRGB in PLY, OBJ, OFF and VTK: call [`convert_colors`] between these. 3MF is read and
+//!   linear in glTF and sRGB in PLY, OBJ, OFF and VTK, which the mesh's appearance notes: call
+//!   [`convert_colors`] before writing to the other kind. 3MF is read and
 //!   written as a scene, with linear colors. The exception: PLY, OFF, VTK and 3MF store the first color set as bytes, because other programs take anything else for black; values
 //!   outside 0 to 1 are clamped, and 16-bit values rounded, with a warning.
 //! * **Files that the source refers to** are found under their names, with `\` as `/`, without a query, in
@@ -169,7 +170,7 @@ mod write_options;
 pub use atomic::{FileBatch, write_atomically};
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub use blocks::{StripSpool, TriangleBlocks};
-pub use color_space::{convert_colors, linear_to_srgb_colors, srgb_to_linear_colors};
+pub use color_space::{convert_colors, linear_to_srgb_colors, needs_other_colors, srgb_to_linear_colors};
 pub use compressed::decompressed;
 pub use encoded::{CompanionFile, EncodedMesh, encode_mesh};
 pub use error::{Place, ReadError, WriteError};

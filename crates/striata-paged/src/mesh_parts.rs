@@ -1,7 +1,7 @@
 //! Parts of a mesh that is made of pages: groups, attribute layers, materials.
 
 use serde_json::Value;
-use striata::mesh::{Appearance, AttributeLayer, Image, Material, TriangleGroup};
+use striata::mesh::{Appearance, AttributeLayer, ColorSpace, Image, Material, TriangleGroup};
 
 use crate::loaded::{LoadedPages, Place};
 use crate::{Metadata, Page};
@@ -98,6 +98,10 @@ pub(crate) fn appearance(metadata: &Metadata) -> Appearance {
         images: list("images").iter().map(image).collect(),
         textures_json: list("textures").iter().map(Value::to_string).collect(),
         samplers_json: list("samplers").iter().map(Value::to_string).collect(),
+        color_space: match text(&metadata.appearance, "color_space").as_str() {
+            "linear" => ColorSpace::Linear,
+            _ => ColorSpace::Srgb,
+        },
         ..Appearance::default()
     }
 }

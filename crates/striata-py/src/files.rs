@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use striata::ProgressFn;
-use striata_io::{Format, Source, WriteOptions, write_atomically};
+use striata_io::{Format, Source, WriteOptions, convert_colors, needs_other_colors, write_atomically};
 use striata_scene::glb_stream::{GlbStreamReadError, read_glb_with_stream_and_progress};
 
 use crate::content::Content;
@@ -79,9 +79,14 @@ pub(crate) fn write_mesh(
     mesh: &MeshData,
     ascii: bool,
 ) -> Outcome<Vec<String>> {
-    let mesh = Arc::clone(&mesh.mesh);
+    let mut mesh = Arc::clone(&mesh.mesh);
     job::run(py, UNKNOWN_SIZE, None, move |_| {
         let options = WriteOptions::default().with_ascii(ascii);
+        if let Some(format) = Format::from_extension(&path)
+            && needs_other_colors(&mesh, format)
+        {
+            convert_colors(Arc::make_mut(&mut mesh), format);
+        }
         let warnings = striata_io::write_with_report(&path, &mesh, &options).map_err(write_error)?;
         Ok(warnings.iter().map(ToString::to_string).collect())
     })

@@ -28,8 +28,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     if format.has_scenes() && input.scene_kind().is_some() && !args.scene.flat {
         return scene::convert(args, &input, (path, format.extension()), output);
     }
-    let mut mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
-    input.convert_colors(&mut mesh, format);
+    let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     write_mesh(&mesh, Primitives::Triangles, path, (&args.format, output))?;
     let report = Report {
         vertex_count: mesh.vertex_count(),

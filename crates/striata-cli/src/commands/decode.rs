@@ -61,7 +61,7 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let target = args.level.level.target(full_mesh(&args.level.level, &file, &input)?);
     let target = target.map(|target| detail_to_splits(target, step_count));
     let received =
-        DecodedStream::read(stream, |decoder| target.is_some_and(|target| has_level(decoder, target)));
+        DecodedStream::read_levels(stream, |decoder| target.is_some_and(|target| has_level(decoder, target)));
     let received = received.map_err(|error| input.damaged(&error))?;
     let refinable = received.refinable().map_err(|error| input.damaged(&error))?;
     let decoded = match target {

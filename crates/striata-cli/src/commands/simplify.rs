@@ -19,7 +19,7 @@ use striata_command::level::{
     shortfall_note, table_of_levels,
 };
 use striata_command::output::{Bar, Output, format_count, format_duration, format_length};
-use striata_command::save::{LevelFiles, Primitives, display_name, format_of, is_stdout};
+use striata_command::save::{LevelFiles, Primitives, display_name, is_stdout};
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
 
@@ -104,13 +104,12 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
     for request in &requests {
         let level_started = Instant::now();
-        let mut simplified =
+        let simplified =
             level_maker.level(request.target, &mut bar).map_err(|error| in_file(error.into()))?;
         simplify_secs += level_started.elapsed().as_secs_f64();
         let mut level = LevelReport::new(request, &simplified, &coarsening_limit);
         check_strict(args.strict, request.name.as_deref(), level.shortfall.as_deref())?;
         bar.phase("write");
-        input.convert_colors(&mut simplified.mesh, format_of(&request.path, &args.output.format)?);
         files.write(&simplified.mesh, Primitives::Triangles, &request.path)?;
         if plan.guarantees_errors() {
             bar.phase("distance");

@@ -69,7 +69,6 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     };
     if let Some(path) = &args.output {
         bar.phase("write");
-        input.convert_colors(&mut mesh, format_of(path, &format)?);
         let StripLists { lists, index_count, plain_group_count } = StripLists::new(&mesh, &stripped.strips);
         report.stitched_index_count = Some(index_count);
         report.plain_group_count = Some(plain_group_count);

@@ -157,3 +157,39 @@ fn attribute_bits_of_streams_can_be_chosen() {
         without a stream"
     ));
 }
+
+#[test]
+fn colors_mean_the_same_in_every_kind_of_file() {
+    let bench = Workbench::new();
+    let mut text = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n\
+                    property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n\
+                    element face 6\nproperty list uchar int vertex_indices\nend_header\n"
+        .to_owned();
+    for corner in ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0.5 0.5 1"] {
+        text += &format!("{corner} 128 64 200\n");
+    }
+    text += "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 0 2 1\n3 0 3 2\n";
+    bench.write("srgb.ply", text);
+    bench.run("convert srgb.ply linear.glb --quiet").success();
+    let color = |name: &str| {
+        let mesh = striata_io::read(bench.path(name)).unwrap();
+        let layer = mesh.layer(&striata::mesh::Semantic::Color(0)).unwrap().clone();
+        [0, 1, 2].map(|channel| (layer.get(0, channel) * 255.0).round())
+    };
+    let (shown, light) = ([128.0, 64.0, 200.0], [55.0, 13.0, 147.0]);
+    assert_eq!((color("srgb.ply"), color("linear.glb")), (shown, light));
+    for input in ["srgb.ply", "linear.glb"] {
+        for (verb, name) in [
+            ("build --flat", "levels.striata"),
+            ("build --paged --flat", "pages.striata"),
+            ("encode --flat --lossless", "stream.stri"),
+            ("build", "scene.striata"),
+        ] {
+            bench.run(&format!("{verb} {input} -o {name} --quiet")).success();
+            for (output, expected) in [("out.ply", shown), ("out.obj", shown), ("out.glb", light)] {
+                bench.run(&format!("extract {name} -o {output} --ratio 1 --quiet")).success();
+                assert_eq!(color(output), expected, "{input}: {verb}, {output}");
+            }
+        }
+    }
+}

@@ -17,6 +17,7 @@ use super::layers::{LayerFormats, add_vertices, append, fill};
 use super::node_tree::{Transform, visit_instances};
 use super::primitive::{Primitive, document_fault};
 use super::rest_pose::{PoseKey, RestPose};
+use crate::color_space::set_linear;
 use crate::error::Fault;
 use crate::normals;
 use crate::report::Warnings;
@@ -86,6 +87,7 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
     mesh.origin = plan.move_to_origin(document);
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
+    set_linear(&mut mesh.appearance, mesh.layers.iter().map(|layer| layer.semantic.clone()));
     for block in &plan.blocks {
         block.pose.apply(&mut mesh, block.first_vertex..block.first_vertex + block.vertex_count);
     }

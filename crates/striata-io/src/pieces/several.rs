@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use striata::mesh::AttributeLayer;
+use striata::mesh::{AttributeLayer, Semantic};
 
 use super::{LayerKind, Piece, PieceOptions, PieceSource, PieceSummary, appearances, open_pieces};
 use crate::error::Place;
@@ -73,9 +73,14 @@ impl Several {
         }
         summary.origin = first.summary().origin;
         summary.georeference = first.summary().georeference.clone();
+        let color_space = |source: &dyn PieceSource| source.summary().appearance.color_space;
+        let have_one_space =
+            sources.iter().all(|(source, _)| color_space(&**source) == color_space(&**first));
         let common = |layers: fn(&PieceSummary) -> &Vec<LayerKind>| -> Vec<LayerKind> {
-            let is_common =
-                |kind: &&LayerKind| sources.iter().all(|(source, _)| layers(source.summary()).contains(kind));
+            let is_common = |kind: &&LayerKind| {
+                (have_one_space || !matches!(kind.semantic, Semantic::Color(_)))
+                    && sources.iter().all(|(source, _)| layers(source.summary()).contains(kind))
+            };
             layers(first.summary()).iter().filter(is_common).cloned().collect()
         };
         summary.layers = common(|summary| &summary.layers);
@@ -114,7 +119,8 @@ fn add(to: &mut PieceSummary, from: &PieceSummary, name: &str) -> [Vec<usize>; 2
     ];
     let places = kinds.map(|(what, common, own)| {
         for kind in own.iter().filter(|kind| !common.contains(kind)) {
-            let reason = format!("the {what} {} is left out: not all files have it", kind.semantic);
+            let reason =
+                format!("the {what} {} is left out: not all files have it in this form", kind.semantic);
             warnings.push(Place::File, reason);
         }
         common.iter().filter_map(|kind| own.iter().position(|other| other == kind)).collect()

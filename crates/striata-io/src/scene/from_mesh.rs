@@ -7,14 +7,17 @@ use striata::mesh::{IndexedMesh, Material, Semantic, TriangleGroup};
 
 use super::{Scene, SceneError, SceneParts};
 use crate::gltf::{attribute_name, image_entry, insert, looks};
+use crate::{Format, convert_colors};
 
 impl Scene {
-    /// Creates a scene with one node that shows a mesh, moved by the mesh's origin; triangles of one material become one primitive.
+    /// Creates a scene with one node that shows a mesh, moved by the mesh's origin; triangles of one material
+    /// become one primitive, and colors become linear.
     ///
     /// # Errors
     /// [`SceneError`] if the mesh is inconsistent, or the JSON of its materials is broken.
     pub fn from_mesh(mut mesh: IndexedMesh) -> Result<Self, SceneError> {
         mesh.check().map_err(|error| SceneError::at("meshes[0]", error.to_string()))?;
+        convert_colors(&mut mesh, Format::Glb);
         let appearance = std::mem::take(&mut mesh.appearance);
         let mut root = Map::new();
         root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));

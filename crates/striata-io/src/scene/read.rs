@@ -9,7 +9,7 @@ use crate::read::read_bytes_with_report;
 #[cfg(not(target_family = "wasm"))]
 use crate::read::with_file;
 use crate::report::{ReadReport, Warnings};
-use crate::{Format, ReadError, Source, convert_colors, decompressed};
+use crate::{Format, ReadError, Source, decompressed};
 
 /// Reads a scene from a file of any known format.
 ///
@@ -43,12 +43,9 @@ pub fn read_scene_bytes(bytes: &[u8], source: &Source<'_>) -> Result<Scene, Read
             let scene = scene.map_err(|fault| fault.in_file(source.name))?;
             Ok(scene.with_warnings(warnings.into_list()))
         }
-        format => {
-            let ReadReport { mut mesh, warnings } =
+        _ => {
+            let ReadReport { mesh, warnings } =
                 read_bytes_with_report(&unpacked, &Source { name: &name, ..*source })?;
-            if let Some(format) = format {
-                convert_colors(&mut mesh, format, Format::Glb);
-            }
             let scene = Scene::from_mesh(mesh).map_err(|error| error.in_file(source.name))?;
             Ok(scene.with_warnings(warnings))
         }

@@ -49,7 +49,7 @@ pub fn encode_scene(
 ) -> Result<EncodedMesh, WriteError> {
     if !format.has_scenes() {
         let mut mesh = scene.flattened()?;
-        convert_colors(&mut mesh, Format::Glb, format);
+        convert_colors(&mut mesh, format);
         return encode_mesh(format, &mesh, options, path);
     }
     #[allow(unused_mut, reason = "only writing 3MF warns")]

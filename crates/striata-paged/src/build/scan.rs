@@ -2,6 +2,7 @@
 
 use std::sync::Mutex;
 
+use striata::mesh::ColorSpace;
 use striata::simplify::cells::Partition;
 use striata::{Progress, ProgressFn};
 use striata_io::pieces::{Piece, PieceSource};
@@ -144,10 +145,14 @@ fn appearance(source: &dyn PieceSource) -> serde_json::Value {
     });
     let images =
         appearance.images.iter().map(|image| serde_json::json!({"name": image.name, "uri": image.uri}));
-    serde_json::json!({
+    let mut value = serde_json::json!({
         "materials": materials.collect::<Vec<_>>(),
         "images": images.collect::<Vec<_>>(),
         "textures": appearance.textures_json.iter().map(|t| parsed(t)).collect::<Vec<_>>(),
         "samplers": appearance.samplers_json.iter().map(|t| parsed(t)).collect::<Vec<_>>(),
-    })
+    });
+    if appearance.color_space == ColorSpace::Linear {
+        value["color_space"] = "linear".into();
+    }
+    value
 }

@@ -166,7 +166,7 @@ def _plain(name: str, values: AnyArray) -> Layer:
         return _ids(name, rows)
     dtype: np.dtype[Any] | type[np.generic] | None = None
     if kind == "f":
-        dtype = np.float32
+        dtype = np.float64 if values.dtype.itemsize > 4 else np.float32
     elif kind == "b":
         dtype = np.uint8
     elif values.dtype.itemsize <= 4:

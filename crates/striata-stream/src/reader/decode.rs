@@ -420,9 +420,14 @@ impl StreamDecoder {
 
     /// Whether the whole stream has been decoded.
     pub fn is_complete(&self) -> bool {
-        let data = self.header.as_ref().map(|header| header.triangle_data.is_some());
-        data.is_some_and(|has_data| !has_data || self.triangle_layers.is_some())
-            && self.next_entry().is_none()
+        self.header.is_some() && !self.lacks_triangle_data() && self.next_entry().is_none()
+    }
+
+    /// Whether the triangles have data that have not arrived. They are at the end of a stream, so only a
+    /// complete one gives them to its levels.
+    pub fn lacks_triangle_data(&self) -> bool {
+        let has_data = self.header.as_ref().is_some_and(|header| header.triangle_data.is_some());
+        has_data && self.triangle_layers.is_none()
     }
 
     /// Number of bytes from the beginning of the stream needed to decode a level. `None` before the header

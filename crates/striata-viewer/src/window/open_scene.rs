@@ -7,7 +7,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
 use striata_command::scene::SceneKind;
-use striata_io::{Format, Scene};
+use striata_io::Scene;
 use striata_scene::LodScene;
 
 use super::loader::Reporter;
@@ -42,14 +42,10 @@ impl SceneContent {
     ///
     /// # Errors
     /// If the materials are malformed.
-    pub(super) fn of_mesh(
-        input: &Input,
-        mut mesh: IndexedMesh,
-    ) -> Result<Result<Self, IndexedMesh>, Failure> {
+    pub(super) fn of_mesh(input: &Input, mesh: IndexedMesh) -> Result<Result<Self, IndexedMesh>, Failure> {
         if !has_materials(&mesh) {
             return Ok(Err(mesh));
         }
-        input.convert_colors(&mut mesh, Format::Glb);
         let scene = Scene::from_mesh(mesh);
         let scene = scene.map_err(|error| Failure::user(format!("{}: {error}", input.name)))?;
         Ok(Ok(Self::DoubleSided(Box::new(scene))))

@@ -64,8 +64,12 @@ impl<'a> ByteReader<'a> {
         (0..count).map(|_| self.text()).collect()
     }
 
+    pub(super) fn is_at_end(&self) -> bool {
+        self.at == self.bytes.len()
+    }
+
     pub(super) fn end(self) -> Result<(), DecodeError> {
-        if self.at == self.bytes.len() { Ok(()) } else { Err(self.malformed("bytes are left over")) }
+        if self.is_at_end() { Ok(()) } else { Err(self.malformed("bytes are left over")) }
     }
 }
 

@@ -2,7 +2,9 @@
 
 use super::byte_reader::{ByteReader, put_block, put_texts, put_u32};
 use super::{DecodeError, EncodeError, SectionKind};
-use crate::mesh::{Appearance, AttributeLayer, Image, LayerData, Material, Semantic, TriangleGroup};
+use crate::mesh::{
+    Appearance, AttributeLayer, ColorSpace, Image, LayerData, Material, Semantic, TriangleGroup,
+};
 
 /// Value that means "no material" in a group.
 const NO_MATERIAL: u32 = u32::MAX;
@@ -137,6 +139,9 @@ pub(super) fn groups_from_bytes(bytes: &[u8]) -> Result<Vec<TriangleGroup>, Deco
     Ok(groups)
 }
 
+/// Last number of an appearance whose vertex colors are linear; sRGB has none.
+const LINEAR: u32 = 1;
+
 /// Encodes materials, images and the rest of the appearance, as used in files and in the heads of streams.
 ///
 /// # Errors
@@ -159,6 +164,9 @@ pub fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeErr
     put_texts("a sampler", &appearance.samplers_json, &mut out)?;
     put_texts("an extension's name", &appearance.extensions_used, &mut out)?;
     put_texts("a material library's name", &appearance.material_libraries, &mut out)?;
+    if appearance.color_space == ColorSpace::Linear {
+        put_u32(LINEAR, &mut out);
+    }
     Ok(out)
 }
 
@@ -184,6 +192,12 @@ pub fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
     appearance.samplers_json = reader.texts()?;
     appearance.extensions_used = reader.texts()?;
     appearance.material_libraries = reader.texts()?;
+    if !reader.is_at_end() {
+        if reader.u32()? != LINEAR {
+            return Err(reader.malformed("the color space is unknown"));
+        }
+        appearance.color_space = ColorSpace::Linear;
+    }
     reader.end()?;
     Ok(appearance)
 }

@@ -22,6 +22,16 @@ pub struct Image {
     pub bytes: Vec<u8>,
 }
 
+/// Meaning of the numbers of vertex colors, which the formats of files decide.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ColorSpace {
+    /// As they are shown: PLY, OBJ, OFF, VTK, and arrays of programs.
+    #[default]
+    Srgb,
+    /// Amounts of light: glTF and 3MF.
+    Linear,
+}
+
 /// Everything a mesh carries along for its appearance; striata does not interpret it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Appearance {
@@ -37,6 +47,8 @@ pub struct Appearance {
     pub extensions_used: Vec<String>,
     /// File names of OBJ material libraries.
     pub material_libraries: Vec<String>,
+    /// Meaning of the numbers of vertex colors.
+    pub color_space: ColorSpace,
 }
 
 impl Appearance {

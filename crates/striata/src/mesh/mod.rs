@@ -30,7 +30,7 @@ mod validate;
 mod weld;
 
 pub use adjacency::{Adjacency, Edge, is_proper};
-pub use appearance::{Appearance, Image, Material};
+pub use appearance::{Appearance, ColorSpace, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 pub(crate) use box_tree::{AxisBox, BoxTree};
 pub use defect::{Defect, DefectKind};

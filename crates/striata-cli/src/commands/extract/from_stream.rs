@@ -80,7 +80,7 @@ pub(super) fn run(
     let targets = requests.iter().map(target).collect::<Result<Vec<_>, Failure>>()?;
     // One pass, as far as the finest level needs.
     let are_enough = |decoder: &StreamDecoder| targets.iter().all(|&target| has_level(decoder, target));
-    let received = DecodedStream::read(stream, are_enough).map_err(damaged)?;
+    let received = DecodedStream::read_levels(stream, are_enough).map_err(damaged)?;
     let refinable = received.refinable().map_err(damaged)?;
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
     let mut reports = Vec::new();

@@ -21,6 +21,7 @@ use self::opened::OpenedDocument;
 use self::outline::Outline;
 use super::input::Input;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
+use crate::color_space::set_linear;
 use crate::error::{Fault, Place};
 use crate::gltf::parts::{SharedCache, appearance, check_triangles, left_out};
 use crate::report::Warnings;
@@ -55,13 +56,14 @@ impl GltfPieces {
             left_out(&document, &mut warnings)?;
             Ok((outline, appearance, origin))
         });
-        let (mut outline, appearance, origin) = read.map_err(|fault| fault.in_file(opened.name()))?;
+        let (mut outline, mut appearance, origin) = read.map_err(|fault| fault.in_file(opened.name()))?;
         let mut groups = std::mem::take(&mut outline.groups);
         let counts = outline.shown.iter().map(|shown| outline.triangle_count_of(shown));
         if groups.is_empty() {
             groups.push(PieceGroup::default());
         }
         let layers = outline.formats.iter().map(|(semantic, format)| format.layer(semantic, 0));
+        set_linear(&mut appearance, outline.formats.keys().cloned());
         let summary = PieceSummary {
             origin,
             triangle_layers: Vec::new(),
