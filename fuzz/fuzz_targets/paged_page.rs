@@ -14,7 +14,7 @@ fn metadata() -> Metadata {
     };
     Metadata {
         cell_counts: vec![4, 1],
-        grid: Some(Grid { origin: [0.0; 3], step: 0.25 }),
+        grid: Some(Grid { origin: [0.0; 3], step: [0.25; 3] }),
         layers: vec![layer("texcoord_0", "f32", Some(0.001)), layer("generic_a", "u8", None)],
         ..Metadata::default()
     }

@@ -1,4 +1,4 @@
-//! Input files, which are memory-mapped, decompressed and recognized, and built-in shapes.
+//! Input files, which are memory-mapped, decompressed and recognized, rasters of heights, and built-in shapes.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use memmap2::Mmap;
 use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
-use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes_with_report};
+use striata_io::pieces::is_raster;
+use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes_with_report, read_with_report};
 
 use crate::failure::{Excerpt, Failure};
 use crate::output::Output;
@@ -27,6 +28,8 @@ pub struct Input {
 enum Content {
     File(FileContent),
     Shape(Shape),
+    /// Raster of heights.
+    Raster(PathBuf),
 }
 
 #[derive(Debug)]
@@ -64,6 +67,10 @@ impl Input {
     pub fn open(path: &Path) -> Result<Self, Failure> {
         if let Some(shape) = Shape::from_input_name(path)? {
             return Ok(Self { name: path.display().to_string(), content: Content::Shape(shape) });
+        }
+        if is_raster(path) {
+            Self::check_exists(path)?;
+            return Ok(Self { name: path.display().to_string(), content: Content::Raster(path.to_owned()) });
         }
         let is_stdin = path == Path::new("-");
         let name = if is_stdin { "stdin".to_owned() } else { path.display().to_string() };
@@ -126,6 +133,7 @@ impl Input {
         match &self.content {
             Content::File(file) => file.format.extension(),
             Content::Shape(_) => "shape",
+            Content::Raster(_) => "raster",
         }
     }
 
@@ -138,7 +146,7 @@ impl Input {
     pub(crate) fn bytes(&self) -> Option<(Format, &[u8])> {
         match &self.content {
             Content::File(file) => Some((file.format, file.bytes.as_slice())),
-            Content::Shape(_) => None,
+            Content::Shape(_) | Content::Raster(_) => None,
         }
     }
 
@@ -158,6 +166,7 @@ impl Input {
         match &self.content {
             Content::File(file) => Some(file.file_bytes),
             Content::Shape(_) => None,
+            Content::Raster(path) => usize::try_from(std::fs::metadata(path).ok()?.len()).ok(),
         }
     }
 
@@ -178,6 +187,11 @@ impl Input {
         let file = match &self.content {
             Content::File(file) => file,
             Content::Shape(shape) => return Ok(shape.mesh()),
+            Content::Raster(path) => {
+                let report = read_with_report(path)?;
+                output.warn(&report.warnings)?;
+                return Ok(report.mesh);
+            }
         };
         if self.has_scene_levels() {
             return Ok(self.scene(output)?.flattened()?);

@@ -13,13 +13,13 @@ use crate::error::Place;
 #[cfg(any(feature = "compressed", feature = "threemf"))]
 const MAX_BYTES: u64 = 4 << 30;
 
-/// Size of the output from which it may be at most [`MAX_RATIO`] times the input, in bytes.
+/// Size of the output from which its ratio to the input is limited, in bytes.
 #[cfg(any(feature = "compressed", feature = "threemf"))]
 const RATIO_CHECK_BYTES: u64 = 64 << 20;
 
-/// Largest ratio of output to input; real meshes stay below 200, even flat ones.
+/// A file may begin with this many zeros: STL has 80 bytes for a title.
 #[cfg(feature = "compressed")]
-const MAX_RATIO: u64 = 2000;
+const MAX_LEADING_ZEROS: u64 = 4096;
 
 /// Largest number of nested compressions that are unpacked.
 const MAX_LAYERS: usize = 3;
@@ -56,6 +56,15 @@ impl Compression {
         }
     }
 
+    /// Largest ratio of output to input; real meshes stay below 200, even flat ones. No gzip file exceeds 1,032.
+    #[cfg(feature = "compressed")]
+    fn largest_ratio(self) -> u64 {
+        match self {
+            Self::Gzip => 400,
+            Self::Zstd => 2000,
+        }
+    }
+
     pub(crate) fn as_str(self) -> &'static str {
         match self {
             Self::Gzip => "gzip",
@@ -68,7 +77,7 @@ impl Compression {
 ///
 /// # Errors
 /// Returns [`ReadError::Malformed`] if the compressed data are damaged or truncated, or unpack to more than
-/// 4 GiB or 2,000 times their size, and [`ReadError::FeatureOff`] without the feature `compressed`.
+/// 4 GiB or a multiple of their size that no mesh reaches (400 for gzip, 2,000 for zstd), and [`ReadError::FeatureOff`] without the feature `compressed`.
 pub fn decompressed<'a>(bytes: Cow<'a, [u8]>, name: &str) -> Result<(Cow<'a, [u8]>, String), ReadError> {
     let (mut bytes, mut inner_name) = (bytes, name.to_owned());
     for _ in 0..MAX_LAYERS {
@@ -93,70 +102,85 @@ fn unpack(_bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>
 
 #[cfg(feature = "compressed")]
 fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>, ReadError> {
-    use std::io::Read as _;
-    let limit = unpacked_limit(bytes.len() as u64, MAX_RATIO);
     let mut out = Vec::new();
-    let read = match compression {
-        Compression::Gzip => {
-            flate2::bufread::MultiGzDecoder::new(bytes).take(limit + 1).read_to_end(&mut out)
-        }
-        Compression::Zstd => unpack_zstd(bytes, limit + 1, &mut out),
-    };
-    let reason = match read {
-        Err(error) => format!("the {} data are damaged or truncated: {error}", compression.as_str()),
-        Ok(_) if out.len() as u64 > limit => format!(
-            "{} bytes of {} unpack to more than {limit} bytes, which no mesh does",
-            bytes.len(),
-            compression.as_str()
-        ),
-        Ok(_) => return Ok(out),
-    };
-    Err(ReadError::Malformed { file: name.to_owned(), place: Place::File, reason })
+    unpack_into(bytes, compression, name, &mut out).map(|()| out)
 }
 
 /// Unpacks a whole file into another one, under the limits of [`decompressed`].
-#[cfg(all(feature = "pieces", feature = "compressed", not(target_family = "wasm")))]
+#[cfg(feature = "compressed")]
 pub(crate) fn unpack_into(
     bytes: &[u8],
     compression: Compression,
     name: &str,
     out: &mut dyn std::io::Write,
 ) -> Result<(), ReadError> {
-    use std::io::Read as _;
-    let limit = unpacked_limit(bytes.len() as u64, MAX_RATIO);
-    let mut decoder: Box<dyn std::io::Read + '_> = match compression {
-        Compression::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(bytes).take(limit + 1)),
-        Compression::Zstd => match zstd::stream::read::Decoder::with_buffer(bytes) {
-            Ok(decoder) => Box::new(decoder.take(limit + 1)),
-            Err(source) => return Err(ReadError::Io { file: name.to_owned(), source }),
-        },
-    };
-    let reason = match std::io::copy(&mut decoder, out) {
-        Err(error) => format!("the {} data are damaged or truncated: {error}", compression.as_str()),
-        Ok(count) if count > limit => {
-            format!("the {} data unpack to more than {limit} bytes, which no mesh does", compression.as_str())
+    let limit = unpacked_limit(bytes.len() as u64, compression.largest_ratio());
+    let mut guarded = Guarded { out, limit, count: 0, has_content: false, refusal: None, failure: None };
+    let unpacked = match compression {
+        Compression::Gzip => {
+            std::io::copy(&mut flate2::bufread::MultiGzDecoder::new(bytes), &mut guarded).map(drop)
         }
-        Ok(_) => return Ok(()),
+        Compression::Zstd => unpack_zstd(bytes, &mut guarded),
+    };
+    let (Err(error), compression) = (unpacked, compression.as_str()) else { return Ok(()) };
+    if let Some(source) = guarded.failure {
+        return Err(ReadError::Io { file: name.to_owned(), source });
+    }
+    let reason = match guarded.refusal {
+        Some(refusal) => format!("{} bytes of {compression} unpack to {refusal}", bytes.len()),
+        None => format!("the {compression} data are damaged or truncated: {error}"),
     };
     Err(ReadError::Malformed { file: name.to_owned(), place: Place::File, reason })
 }
 
-/// Unpacks at most `limit` bytes.
-#[cfg(all(feature = "compressed", not(target_family = "wasm")))]
-fn unpack_zstd(bytes: &[u8], limit: u64, out: &mut Vec<u8>) -> std::io::Result<usize> {
-    use std::io::Read as _;
-    zstd::stream::read::Decoder::with_buffer(bytes)?.take(limit).read_to_end(out)
+/// Output of a decompression that stops it as soon as the result cannot be a mesh.
+#[cfg(feature = "compressed")]
+struct Guarded<'a> {
+    out: &'a mut dyn std::io::Write,
+    limit: u64,
+    count: u64,
+    /// Whether a byte was not zero.
+    has_content: bool,
+    refusal: Option<String>,
+    /// Failure of the output itself.
+    failure: Option<std::io::Error>,
 }
 
-/// Unpacks at most `limit` bytes, frame by frame, for targets on which zstd's own library does not compile.
-#[cfg(all(feature = "compressed", target_family = "wasm"))]
-fn unpack_zstd(mut bytes: &[u8], limit: u64, out: &mut Vec<u8>) -> std::io::Result<usize> {
-    use std::io::Read as _;
-    while !bytes.is_empty() && (out.len() as u64) < limit {
-        let decoder = ruzstd::decoding::StreamingDecoder::new(&mut bytes).map_err(std::io::Error::other)?;
-        decoder.take(limit - out.len() as u64).read_to_end(out)?;
+#[cfg(feature = "compressed")]
+impl std::io::Write for Guarded<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.count += bytes.len() as u64;
+        self.has_content = self.has_content || bytes.iter().any(|&byte| byte != 0);
+        if self.count > self.limit {
+            self.refusal = Some(format!("more than {} bytes, which no mesh does", self.limit));
+        } else if !self.has_content && self.count > MAX_LEADING_ZEROS {
+            self.refusal = Some("zeros, with which no format begins".to_owned());
+        }
+        if self.refusal.is_none() {
+            self.failure = self.out.write_all(bytes).err();
+        }
+        let is_written = self.refusal.is_none() && self.failure.is_none();
+        is_written.then_some(bytes.len()).ok_or_else(|| std::io::Error::other("not written"))
     }
-    Ok(out.len())
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.out.flush()
+    }
+}
+
+#[cfg(all(feature = "compressed", not(target_family = "wasm")))]
+fn unpack_zstd(bytes: &[u8], out: &mut Guarded<'_>) -> std::io::Result<()> {
+    std::io::copy(&mut zstd::stream::read::Decoder::with_buffer(bytes)?, out).map(drop)
+}
+
+/// Unpacks frame by frame, for targets on which zstd's own library does not compile.
+#[cfg(all(feature = "compressed", target_family = "wasm"))]
+fn unpack_zstd(mut bytes: &[u8], out: &mut Guarded<'_>) -> std::io::Result<()> {
+    while !bytes.is_empty() {
+        let decoder = ruzstd::decoding::StreamingDecoder::new(&mut bytes).map_err(std::io::Error::other)?;
+        std::io::copy(&mut { decoder }, out)?;
+    }
+    Ok(())
 }
 
 /// Compresses a whole file.

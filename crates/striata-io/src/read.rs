@@ -17,7 +17,8 @@ use crate::{Format, ReadError, decompressed};
 /// Reads a mesh file of any known format.
 ///
 /// The content decides the format; the extension is only used if the content is inconclusive. Buffers, images
-/// and material libraries are read from the folders that the file names, next to it or above it.
+/// and material libraries are read from the folders that the file names, next to it or above it. With the
+/// feature `terrain`, a raster of heights (`.tif`, `.hgt`, gray `.png`) is a mesh as well.
 ///
 /// # Errors
 /// Returns [`ReadError`] with the file, the place and the reason.
@@ -32,7 +33,15 @@ pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
 /// Returns [`ReadError`] with the file, the place and the reason.
 #[cfg(not(target_family = "wasm"))]
 pub fn read_with_report(path: impl AsRef<Path>) -> Result<ReadReport, ReadError> {
-    with_file(path.as_ref(), read_bytes_with_report)
+    let path = path.as_ref();
+    #[cfg(feature = "terrain")]
+    if crate::pieces::is_raster(path) {
+        use crate::pieces::PieceSource as _;
+        let terrain = crate::pieces::Terrain::open(&[path.to_owned()], 1.0)?;
+        let (mesh, warnings) = (terrain.mesh()?, terrain.warnings());
+        return Ok(ReadReport { mesh, warnings });
+    }
+    with_file(path, read_bytes_with_report)
 }
 
 /// Calls a reader with the bytes of a file.

@@ -76,10 +76,22 @@ fn damaged_compressed_files_are_refused() {
         }
     }
     assert_eq!(read("x.gz.zst", &zstd::bulk::compress(&gzip, 3).unwrap()).unwrap(), mesh);
-    // Decompression bombs: a gigabyte of zeros in a few kilobytes.
-    let bomb = zstd::stream::encode_all(std::io::Read::take(std::io::repeat(0), 1 << 30), 1).unwrap();
-    let message = meshes::refused("x.ply.zst", &bomb);
-    assert!(message.contains("unpack to more than"), "{message}");
+    // Decompression bombs: hundreds of megabytes in a few of them.
+    let letters = || std::io::Read::take(std::io::repeat(b'v'), 1 << 28);
+    let zeros = || std::io::Read::take(std::io::repeat(0), 1 << 28);
+    let gzipped = |mut content: std::io::Take<std::io::Repeat>| {
+        let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+        std::io::copy(&mut content, &mut gzip).unwrap();
+        gzip.finish().unwrap()
+    };
+    for bomb in [zstd::stream::encode_all(letters(), 1).unwrap(), gzipped(letters())] {
+        let message = meshes::refused("x.ply", &bomb);
+        assert!(message.contains("unpack to more than"), "{message}");
+    }
+    for bomb in [zstd::stream::encode_all(zeros(), 1).unwrap(), gzipped(zeros())] {
+        let message = meshes::refused("x.ply", &bomb);
+        assert!(message.contains("unpack to zeros, with which no format begins"), "{message}");
+    }
 }
 
 #[test]

@@ -171,3 +171,62 @@ fn damaged_rasters_are_errors() {
         }
     }
 }
+
+/// Writes a raster of floats with these tags.
+fn write_floats(path: &Path, heights: &[f32], tags: &[(Tag, &[f64])], metadata: Option<&str>) {
+    let mut encoder = TiffEncoder::new(fs::File::create(path).unwrap()).unwrap();
+    let mut image = encoder.new_image::<colortype::Gray32Float>(4, 3).unwrap();
+    for (tag, numbers) in tags {
+        image.encoder().write_tag(*tag, *numbers).unwrap();
+    }
+    if let Some(xml) = metadata {
+        image.encoder().write_tag(Tag::Unknown(42_112), xml).unwrap();
+    }
+    image.write_data(heights).unwrap();
+}
+
+/// The height at a place, in the coordinates of the file.
+fn height_at(mesh: &striata::mesh::IndexedMesh, [x, y]: [f64; 2]) -> Option<f64> {
+    let all = (0..mesh.vertex_count()).map(|vertex| mesh.file_position(vertex));
+    all.filter(|p| (p[0] - x).abs() < 1e-6 && (p[1] - y).abs() < 1e-6).map(|p| p[2]).next()
+}
+
+#[test]
+fn files_of_other_programs_are_read_as_meshes() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.tif");
+    let heights: Vec<f32> = (0..12).map(|i| i as f32).collect();
+    let read = || striata_io::read(&path).unwrap();
+    // The first row is the northernmost, and a pixel is an area: its sample is in the middle.
+    let north_up = [10.0, 0.0, 0.0, 500.0, 0.0, -10.0, 0.0, 900.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    write_floats(&path, &heights, &[(Tag::ModelTransformationTag, &north_up)], None);
+    let mesh = read();
+    assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (12, 12));
+    assert_eq!([height_at(&mesh, [505.0, 895.0]), height_at(&mesh, [535.0, 875.0])], [Some(0.0), Some(11.0)]);
+    let mut south_up = north_up;
+    (south_up[5], south_up[7]) = (10.0, 870.0);
+    write_floats(&path, &heights, &[(Tag::ModelTransformationTag, &south_up)], None);
+    let mesh = read();
+    assert_eq!([height_at(&mesh, [505.0, 875.0]), height_at(&mesh, [535.0, 895.0])], [Some(0.0), Some(11.0)]);
+    check_winding(&all(open_pieces(&path, &PieceOptions::default()).unwrap().as_ref()));
+    let mut identity = [0.0; 16];
+    (0..4).for_each(|i| identity[5 * i] = 1.0);
+    write_floats(&path, &heights, &[(Tag::ModelTransformationTag, &identity)], None);
+    assert_eq!(height_at(&read(), [0.0, 2.0]), Some(0.0), "pixels from the lower left");
+    // Samples that are scaled, and the largest negative float for samples that are none.
+    let mut scaled = heights.clone();
+    scaled[0] = f32::MIN;
+    let xml = "<GDALMetadata>\n<Item name=\"SCALE\" sample=\"0\" role=\"scale\">0.5</Item>\n\
+               <Item name=\"OFFSET\" sample=\"0\" role=\"offset\">1500</Item>\n</GDALMetadata>";
+    write_floats(&path, &scaled, &[], Some(xml));
+    let mesh = read();
+    assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (11, 11));
+    assert_eq!(height_at(&mesh, [3.0, 0.0]), Some(1505.5));
+    write_floats(&path, &[f32::NAN; 12], &[], None);
+    let message = striata_io::read(&path).unwrap_err().to_string();
+    assert!(message.contains("no four neighboring samples have heights"), "{message}");
+    let zero = "<Item role=\"scale\">0</Item>";
+    write_floats(&path, &heights, &[], Some(zero));
+    let message = striata_io::read(&path).unwrap_err().to_string();
+    assert!(message.contains("samples times 0"), "{message}");
+}

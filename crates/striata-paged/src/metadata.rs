@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use striata::mesh::{AttributeLayer, LayerData, Semantic};
 use striata::simplify::cells::CellMesh;
 
@@ -11,8 +11,30 @@ use striata::simplify::cells::CellMesh;
 pub struct Grid {
     /// Position of the integers 0, in mesh units.
     pub origin: [f64; 3],
-    /// Distance of neighboring positions, in mesh units.
-    pub step: f64,
+    /// Distance of neighboring positions along each axis, in mesh units.
+    #[serde(serialize_with = "one_if_equal", deserialize_with = "one_or_three")]
+    pub step: [f64; 3],
+}
+
+/// Writes one number if the axes have the same.
+fn one_if_equal<S: Serializer>(step: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
+    if step[0] == step[1] && step[1] == step[2] {
+        return serializer.serialize_f64(step[0]);
+    }
+    step.serialize(serializer)
+}
+
+fn one_or_three<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 3], D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Steps {
+        One(f64),
+        Three([f64; 3]),
+    }
+    Ok(match Steps::deserialize(deserializer)? {
+        Steps::One(step) => [step; 3],
+        Steps::Three(steps) => steps,
+    })
 }
 
 /// Kind of an attribute layer, and how its values are rounded.
@@ -77,7 +99,7 @@ pub struct Metadata {
 }
 
 /// Largest magnitude of a grid index: differences of indices stay exact.
-const MAX_INDEX: f64 = (1u64 << 40) as f64;
+const MAX_INDEX: f64 = (1u64 << 48) as f64;
 /// Largest multiple of the step of a layer.
 const LARGEST_MULTIPLE: f64 = (1u64 << 52) as f64;
 /// The multiple of a step that is nearest to a value; very large ones are clamped.
@@ -89,22 +111,27 @@ pub(crate) fn index_of(value: f32, step: f64) -> i64 {
 const MATERIAL: &str = "generic_material";
 
 impl Grid {
-    /// A grid that covers a box; a step of 0 or a step too fine for the box is replaced by a coarser one.
-    pub fn of(min: [f32; 3], max: [f32; 3], step: f64) -> Self {
-        let extent = (0..3).map(|a| f64::from(max[a]) - f64::from(min[a])).fold(0.0, f64::max);
-        let finest = (extent / MAX_INDEX).max(f64::from(f32::MIN_POSITIVE)).log2().ceil().exp2();
-        let step = step.max(finest);
-        Self { origin: min.map(|x| (f64::from(x) / step).floor() * step), step }
+    /// A grid that covers a box, with a step for each axis; a step of 0 becomes the smallest one possible.
+    /// `None` if a step is too fine for the box.
+    pub fn of(min: [f32; 3], max: [f32; 3], step: [f64; 3]) -> Option<Self> {
+        let finest = |axis: usize| {
+            let extent = f64::from(max[axis]) - f64::from(min[axis]);
+            (extent / MAX_INDEX).max(f64::from(f32::MIN_POSITIVE)).log2().ceil().exp2()
+        };
+        let is_possible = (0..3).all(|axis| step[axis] == 0.0 || step[axis] >= finest(axis));
+        let step: [f64; 3] = std::array::from_fn(|axis| step[axis].max(finest(axis)));
+        let origin = std::array::from_fn(|axis| (f64::from(min[axis]) / step[axis]).floor() * step[axis]);
+        is_possible.then_some(Self { origin, step })
     }
 
     /// Indices of the nearest grid position.
     pub fn index_of(&self, position: [f32; 3]) -> [i64; 3] {
-        std::array::from_fn(|a| ((f64::from(position[a]) - self.origin[a]) / self.step).round() as i64)
+        std::array::from_fn(|a| ((f64::from(position[a]) - self.origin[a]) / self.step[a]).round() as i64)
     }
 
     /// The position with these indices, in mesh units.
     pub fn position_of(&self, index: [i64; 3]) -> [f32; 3] {
-        std::array::from_fn(|a| (self.origin[a] + self.step * index[a] as f64) as f32)
+        std::array::from_fn(|a| (self.origin[a] + self.step[a] * index[a] as f64) as f32)
     }
 
     /// The nearest grid position, in mesh units.
@@ -200,7 +227,8 @@ impl Metadata {
     /// Checks what sizes are computed from.
     pub(crate) fn check(&self) -> Result<(), String> {
         if let Some(grid) = &self.grid
-            && !(grid.step > 0.0 && grid.step.is_finite() && grid.origin.iter().all(|x| x.is_finite()))
+            && !(grid.step.iter().all(|&step| step > 0.0 && step.is_finite())
+                && grid.origin.iter().all(|x| x.is_finite()))
         {
             return Err("the grid has a step or origin that is not a positive number".to_owned());
         }
@@ -290,13 +318,24 @@ mod tests {
         for (min, max, step) in
             [(-1.0f32, 3.0, 1e-4), (1e6, 1e6 + 10.0, 1e-6), (0.0, 0.0, 0.0), (-3e4, 5e4, 0.125)]
         {
-            let grid = Grid::of([min; 3], [max; 3], step);
+            let grid = Grid::of([min; 3], [max; 3], [step, 2.0 * step, step]).unwrap();
             for i in 0..1000 {
                 let p = [min + (max - min) * i as f32 / 999.0; 3];
                 let snapped = grid.snap(p);
                 assert_eq!(grid.snap(snapped), snapped, "{grid:?} {p:?}");
             }
         }
+    }
+
+    #[test]
+    fn steps_are_one_number_or_three() {
+        let json = |step| serde_json::to_value(Grid { origin: [0.0; 3], step }).unwrap();
+        for step in [[0.25; 3], [0.25, 0.5, 0.25]] {
+            let again: Grid = serde_json::from_value(json(step)).unwrap();
+            assert_eq!(again.step, step);
+        }
+        assert_eq!(json([0.25; 3])["step"], 0.25);
+        assert_eq!(Grid::of([0.0; 3], [1.0, 1.0, 1e15], [1e-3; 3]), None, "too fine for one axis");
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use striata::ProgressFn;
+use striata_io::pieces::is_raster;
 use striata_io::{Format, Source, WriteOptions, convert_colors, needs_other_colors, write_atomically};
 use striata_scene::glb_stream::{GlbStreamReadError, read_glb_with_stream_and_progress};
 
@@ -31,6 +32,10 @@ fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(Content, Vec<S
     let name = path.display().to_string();
     if is_paged(path) {
         return Ok((Content::PagedLod(PagedLodData::open(path)?), Vec::new()));
+    }
+    if is_raster(path) {
+        let report = striata_io::read_with_report(path).map_err(read_error)?;
+        return Ok((Content::Mesh(MeshData::from(report.mesh)), warning_texts(&report.warnings)));
     }
     let bytes = fs::read(path).map_err(|error| os_error(&error, name.clone()))?;
     let (bytes, inner_name) = striata_io::decompressed(bytes.into(), &name).map_err(read_error)?;

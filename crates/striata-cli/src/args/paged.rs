@@ -44,6 +44,9 @@ pub(crate) struct CellArgs {
     /// Keep positions and attributes bit for bit instead of rounding them to 1/256 of an edge
     #[arg(long, conflicts_with = "weld_distance", help_heading = PAGED)]
     pub(crate) exact: bool,
+    /// Build even if rounding positions merges more than one in a thousand vertices
+    #[arg(long, conflicts_with = "exact", help_heading = PAGED)]
+    pub(crate) allow_merging: bool,
     /// Multiply the heights of a terrain
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, help_heading = PAGED)]
     pub(crate) z_scale: Option<f64>,
@@ -52,7 +55,7 @@ pub(crate) struct CellArgs {
 impl PagedArgs {
     /// Whether any flag asks for a paged file.
     pub(crate) fn is_given(&self) -> bool {
-        let CellArgs { cell, weld_distance, exact, z_scale } = &self.cells;
+        let CellArgs { cell, weld_distance, exact, allow_merging, z_scale } = &self.cells;
         self.paged
             || self.memory.is_some()
             || self.work.is_some()
@@ -60,6 +63,7 @@ impl PagedArgs {
             || cell.is_some()
             || weld_distance.is_some()
             || *exact
+            || *allow_merging
             || z_scale.is_some()
     }
 }

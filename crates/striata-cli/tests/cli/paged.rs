@@ -169,3 +169,113 @@ fn mistakes_have_messages() {
     fs::write(bench.path("short.striata"), &bytes[..40]).unwrap();
     assert!(stderr(&bench.run("info short.striata").failure()).contains("cut off"));
 }
+
+/// A bumpy grid of `n` by `n` points as PLY with doubles.
+fn terrain(n: usize, place: impl Fn(usize, usize) -> [f64; 3]) -> Vec<u8> {
+    let mut text = format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        n * n,
+        2 * (n - 1) * (n - 1)
+    );
+    for i in 0..n * n {
+        let [x, y, z] = place(i % n, i / n);
+        text += &format!("{x} {y} {z}\n");
+    }
+    for i in (0..n * (n - 1)).filter(|i| i % n < n - 1) {
+        text += &format!("3 {i} {} {}\n3 {} {} {}\n", i + 1, i + n, i + 1, i + n + 1, i + n);
+    }
+    text.into_bytes()
+}
+
+fn bump(x: usize, y: usize) -> f64 {
+    40.0 * (x as f64 / 9.0).sin() * (y as f64 / 13.0).cos() + ((x * 7 + y * 13) % 11) as f64
+}
+
+#[test]
+fn rounding_keeps_vertices_apart_or_is_refused() {
+    let bench = Workbench::new();
+    let count = |name: &str| {
+        bench.run(&format!("build {name} --paged -o t.striata --quiet")).success();
+        bench.run("extract t.striata -o full.ply --ratio 1 --quiet").success();
+        mesh(&bench, "full.ply").vertex_count()
+    };
+    // Degrees, with heights in meters.
+    bench.write(
+        "degrees.ply",
+        terrain(60, |x, y| [138.0 + x as f64 / 1200.0, 35.0 + y as f64 / 1200.0, 9.0 * bump(x, y)]),
+    );
+    assert_eq!(count("degrees.ply"), 3600);
+    // One vertex far away.
+    let stray = |x, y| if (x, y) == (30, 30) { 1e12 } else { bump(x, y) };
+    bench.write("stray.ply", terrain(60, |x, y| [x as f64 * 30.0, y as f64 * 30.0, stray(x, y)]));
+    assert_eq!(count("stray.ply"), 3600);
+    // A part that is a thousand times finer than the rest.
+    let fine = |x: usize| if x < 6 { x as f64 * 1e-4 } else { x as f64 * 10.0 };
+    bench.write("fine.ply", terrain(60, |x, y| [fine(x), y as f64 * 10.0, 0.0]));
+    let message = stderr(&bench.run("build fine.ply --paged -o fine.striata").failure());
+    assert!(message.contains("merges 300 of 3600 vertices that are apart"), "{message}");
+    assert!(message.contains("hint: ") && message.contains("--exact"), "{message}");
+    assert!(!bench.path("fine.striata").exists() && !bench.path("fine.striata.work").exists());
+    bench.run("build fine.ply --paged -o fine.striata --allow-merging --quiet").success();
+    bench.run("build fine.ply --exact -o fine.striata --quiet").success();
+}
+
+#[test]
+fn options_hold_for_paged_files_or_are_refused() {
+    let bench = Workbench::new();
+    bench.write("grid.ply", terrain(90, |x, y| [x as f64, y as f64, bump(x, y)]));
+    let border = |flags: &str| {
+        bench.run(&format!("build grid.ply --cell 2000 {flags} -o t.striata --quiet")).success();
+        bench.run("extract t.striata -o level.ply --triangles 1500 --quiet").success();
+        let level = mesh(&bench, "level.ply");
+        let mut edges = std::collections::BTreeMap::<[u32; 2], u32>::new();
+        for t in &level.triangles {
+            for i in 0..3 {
+                let (a, b) = (t[i], t[(i + 1) % 3]);
+                *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
+            }
+        }
+        edges.values().filter(|&&count| count == 1).count()
+    };
+    assert_eq!(border("--lock-boundary"), 4 * 89);
+    assert!(border("") < 300);
+    for flag in [
+        "--max-error 0.01",
+        "--certify",
+        "--base 5000",
+        "--order hausdorff",
+        "--cost accumulated",
+        "--models fans",
+        "--stream",
+        "--strips cheapest",
+        "--pair-distance 1",
+    ] {
+        let name = flag.split(' ').next().unwrap().replace("--stream", "--models");
+        let message = stderr(&bench.run(&format!("build grid.ply --paged {flag} -o no.striata")).failure());
+        assert!(message.contains(&format!("a paged file does not support {name}")), "{flag}: {message}");
+        assert!(!bench.path("no.striata").exists(), "{flag}");
+    }
+}
+
+#[test]
+fn rasters_are_inputs_like_any_other() {
+    let bench = Workbench::new();
+    let heights: Vec<u8> =
+        (0..61 * 61).flat_map(|i| (bump(i % 61, i / 61) as i16 * 20 + 900).to_be_bytes()).collect();
+    bench.write("N47E011.hgt", heights);
+    assert_eq!(json(&bench, "info N47E011.hgt")["triangle_count"], 7200);
+    assert_eq!(json(&bench, "simplify N47E011.hgt -o tin.ply --ratio 0.1")["triangle_count"], 720);
+    assert_eq!(mesh(&bench, "tin.ply").triangle_count(), 720);
+    for line in [
+        "convert N47E011.hgt full.glb",
+        "encode N47E011.hgt -o terrain.stri",
+        "render N47E011.hgt -o terrain.png --size 80x60 --flat",
+        "strip N47E011.hgt",
+    ] {
+        bench.run(line).success();
+    }
+    assert_eq!(mesh(&bench, "full.glb").vertex_count(), 61 * 61);
+    let message = stderr(&bench.run("info none.tif").failure());
+    assert!(message.contains("none.tif"), "{message}");
+}

@@ -32,9 +32,7 @@ pub use open::{open_all, open_pieces};
 pub use options::PieceOptions;
 pub use several::{Several, open_several};
 #[cfg(feature = "terrain")]
-pub use terrain::Terrain;
-#[cfg(all(feature = "terrain", feature = "blocks"))]
-pub(crate) use terrain::is_raster;
+pub use terrain::{Terrain, is_raster};
 pub use tiles::Tiles;
 
 use serde::{Deserialize, Serialize};

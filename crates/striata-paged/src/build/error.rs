@@ -59,6 +59,20 @@ pub enum BuildError {
         /// The input.
         input: String,
     },
+    /// Rounding would change the mesh.
+    #[error(
+        "{input}: rounding positions to multiples of {step:e} merges {merged} of {total} vertices that are apart"
+    )]
+    Merging {
+        /// The input.
+        input: String,
+        /// The smallest step of the three axes, in mesh units.
+        step: f64,
+        /// Number of vertices that would be lost, in one task.
+        merged: u64,
+        /// Number of different positions before.
+        total: u64,
+    },
     /// Not enough room on the disk.
     #[error("{}: {:.2} GB are needed, {:.2} GB are free", path.display(), gigabytes(*needed), gigabytes(*available))]
     DiskSpace {

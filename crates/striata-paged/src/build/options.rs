@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use striata::simplify::cells::CellOptions;
-use striata::simplify::{AttributeWeights, SequenceOptions, TopologyRule};
+use striata::simplify::{AttributeWeights, BoundaryRule, SeamRule, SequenceOptions, TopologyRule};
 
 use crate::Metadata;
 
@@ -25,8 +25,19 @@ pub struct BuildOptions {
     pub texcoord_weight: f32,
     /// Weight of colors.
     pub color_weight: f32,
+    /// Whether rounding may merge more than one in a thousand vertices; default no, which is an error.
+    /// A weld distance implies it.
+    pub allow_merging: bool,
     /// Whether the topology may change, so that small parts vanish; default yes.
     pub change_topology: bool,
+    /// Whether every connected part keeps a triangle, although the topology may change; default no.
+    pub keep_parts: bool,
+    /// Whether all vertices on boundaries stay; default no.
+    pub lock_boundary: bool,
+    /// Whether all vertices on borders between groups stay; default no.
+    pub lock_groups: bool,
+    /// Whether seams only collapse along themselves; default no.
+    pub keep_seams: bool,
     /// Pieces that one task sorts; default 8, about 800,000 triangles.
     pub pieces_per_task: u64,
     /// Cells that one task simplifies or encodes; default 16, about a million triangles.
@@ -44,7 +55,12 @@ impl Default for BuildOptions {
             normal_weight: weights.normal,
             texcoord_weight: weights.texcoord,
             color_weight: weights.color,
+            allow_merging: false,
             change_topology: true,
+            keep_parts: false,
+            lock_boundary: false,
+            lock_groups: false,
+            keep_seams: false,
             pieces_per_task: 8,
             cells_per_task: 16,
         }
@@ -60,8 +76,18 @@ impl BuildOptions {
             color: self.color_weight,
             ..AttributeWeights::default()
         };
-        let topology = if self.change_topology { TopologyRule::Change } else { TopologyRule::Keep };
-        let sequence = SequenceOptions::default().with_attribute_weights(weights).with_topology(topology);
+        let topology = match (self.change_topology, self.keep_parts) {
+            (false, _) => TopologyRule::Keep,
+            (true, true) => TopologyRule::KeepParts,
+            (true, false) => TopologyRule::Change,
+        };
+        let rule = |is_locked| if is_locked { BoundaryRule::Locked } else { BoundaryRule::Kept };
+        let sequence = SequenceOptions::default()
+            .with_attribute_weights(weights)
+            .with_topology(topology)
+            .with_boundary(rule(self.lock_boundary))
+            .with_group_borders(rule(self.lock_groups))
+            .with_seams(if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross });
         let options = CellOptions::new(metadata.diagonal())
             .with_sequence(sequence)
             .with_materials(metadata.groups.iter().map(|group| group.material).collect());

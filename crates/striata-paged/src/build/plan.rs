@@ -93,6 +93,9 @@ pub struct Plan {
     /// What was left out of the input when it was read for the plan; empty for a plan that is opened again.
     #[serde(skip)]
     pub warnings: Vec<striata_io::Warning>,
+    /// Remark on how positions are kept; none for a plan that is opened again.
+    #[serde(skip)]
+    pub note: Option<&'static str>,
     #[serde(skip)]
     partition: Option<Partition>,
 }
@@ -102,6 +105,8 @@ pub(super) struct Scanned {
     pub(super) metadata: Metadata,
     pub(super) partition: Partition,
     pub(super) piece_count: u64,
+    /// Remark on how positions are kept.
+    pub(super) note: Option<&'static str>,
 }
 
 impl Plan {
@@ -110,7 +115,7 @@ impl Plan {
         scanned: Scanned,
         (output, folder): (PathBuf, PathBuf),
     ) -> Self {
-        let Scanned { metadata, partition, piece_count } = scanned;
+        let Scanned { metadata, partition, piece_count, note } = scanned;
         let mut tasks = Vec::new();
         let mut bundle = |kind: TaskKind, count: u64, size: u64| {
             for first in (0..count).step_by(size as usize) {
@@ -131,7 +136,7 @@ impl Plan {
         }
         bundle(TaskKind::Finish, 1, 1);
         let (version, partition, warnings) = (VERSION, Some(partition), Vec::new());
-        Self { version, input, options, metadata, output, tasks, folder, warnings, partition }
+        Self { version, input, options, metadata, output, tasks, folder, warnings, note, partition }
     }
 
     /// Writes the plan into its folder.

@@ -15,13 +15,17 @@ use crate::{Grid, Metadata, PagedGroup, PagedLayer};
 /// One triangle in this many is a sample for the partition.
 const SAMPLE_STRIDE: usize = 32;
 
+/// Largest number of edges of a piece that are measured.
+const EDGES_PER_PIECE: usize = 512;
+
 /// What is known about one piece.
 #[derive(Default)]
 struct PieceScan {
     min: [f32; 3],
     max: [f32; 3],
     triangle_count: u64,
-    edge_sum: f64,
+    /// Lengths of some edges.
+    edges: Vec<f32>,
     samples: Vec<[f32; 3]>,
 }
 
@@ -45,12 +49,12 @@ pub(super) fn scan(
     let full = scans.iter().filter(|scan| scan.triangle_count > 0);
     let mut total = PieceScan { min: [f32::MAX; 3], max: [f32::MIN; 3], ..PieceScan::default() };
     for scan in full {
+        total.edges.extend(&scan.edges);
         for axis in 0..3 {
             total.min[axis] = total.min[axis].min(scan.min[axis]);
             total.max[axis] = total.max[axis].max(scan.max[axis]);
         }
         total.triangle_count += scan.triangle_count;
-        total.edge_sum += scan.edge_sum;
     }
     if total.triangle_count == 0 {
         return Err(BuildError::Empty { input: source.summary().name.clone() });
@@ -60,19 +64,26 @@ pub(super) fn scan(
     let partition = Partition::new(&samples, per_sample, options.cell);
     let mut metadata = describe(source, options, &total);
     metadata.cell_counts = partition.levels().iter().map(|level| level.cell_count()).collect();
-    Ok(Scanned { metadata, partition, piece_count: count })
+    let is_too_large = !options.exact && metadata.grid.is_none();
+    let note =
+        is_too_large.then_some("positions are kept bit for bit: the bounds are too large to round them");
+    Ok(Scanned { metadata, partition, piece_count: count, note })
 }
 
 fn scan_piece(piece: &Piece) -> PieceScan {
     let mut scan = PieceScan { min: [f32::MAX; 3], max: [f32::MIN; 3], ..PieceScan::default() };
+    let stride = piece.triangles.len().div_ceil(EDGES_PER_PIECE).max(1);
     for (index, corners) in piece.triangles.iter().enumerate() {
         let at = corners.map(|v| piece.positions[v as usize]);
         for (axis, &x) in at.iter().flat_map(|p| p.iter().enumerate()) {
             scan.min[axis] = scan.min[axis].min(x);
             scan.max[axis] = scan.max[axis].max(x);
         }
-        let edge: f64 = (0..3).map(|a| f64::from(at[0][a] - at[1][a]).powi(2)).sum();
-        scan.edge_sum += edge.sqrt();
+        if index % stride == 0 {
+            let [from, to] = [at[index / stride % 3], at[(index / stride + 1) % 3]];
+            let square: f64 = (0..3).map(|a| f64::from(from[a] - to[a]).powi(2)).sum();
+            scan.edges.push(square.sqrt() as f32);
+        }
         if index % SAMPLE_STRIDE == 0 {
             scan.samples.push(at[0]);
         }
@@ -83,7 +94,6 @@ fn scan_piece(piece: &Piece) -> PieceScan {
 
 fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan) -> Metadata {
     let summary = source.summary();
-    let mean_edge = total.edge_sum / total.triangle_count as f64;
     let groups: Vec<PagedGroup> = summary
         .groups
         .iter()
@@ -95,7 +105,7 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
         origin: summary.origin,
         min: total.min,
         max: total.max,
-        grid: (!options.exact).then(|| Grid::of(total.min, total.max, grid_step(options, mean_edge))),
+        grid: grid_of(options, total),
         layers: summary
             .layers
             .iter()
@@ -125,10 +135,38 @@ fn stored_options(options: &BuildOptions) -> serde_json::Value {
     value
 }
 
-/// Distance of neighboring positions: a power of two.
-fn grid_step(options: &BuildOptions, mean_edge: f64) -> f64 {
-    let most = options.weld_distance.unwrap_or(mean_edge / 256.0);
-    if most > 0.0 { most.log2().floor().exp2() } else { 0.0 }
+/// Where positions are rounded to; `None` if they are kept.
+///
+/// The median edge has 256 steps or more; a few large triangles, or one stray vertex, do not coarsen it. If
+/// another axis has other units, as heights in meters above degrees, its extent gives its step: `n` triangles
+/// have about `sqrt(n)` positions along it.
+fn grid_of(options: &BuildOptions, total: &PieceScan) -> Option<Grid> {
+    const STEPS_PER_EDGE: f64 = 256.0;
+    const STEPS_PER_POSITION: f64 = 64.0;
+    if options.exact {
+        return None;
+    }
+    let floor = |most: f64| if most > 0.0 { most.log2().floor().exp2() } else { 0.0 };
+    let step = std::array::from_fn(|axis| match options.weld_distance {
+        Some(distance) => floor(distance),
+        None => {
+            let extent = f64::from(total.max[axis]) - f64::from(total.min[axis]);
+            let along = extent / (STEPS_PER_POSITION * (total.triangle_count as f64).sqrt());
+            let edge = median(&total.edges) / STEPS_PER_EDGE;
+            floor(if along > 0.0 { edge.min(along) } else { edge })
+        }
+    });
+    Grid::of(total.min, total.max, step)
+}
+
+/// The median of the lengths that are not zero; 0 if there are none.
+fn median(lengths: &[f32]) -> f64 {
+    let mut lengths: Vec<f32> = lengths.iter().copied().filter(|&length| length > 0.0).collect();
+    let middle = lengths.len() / 2;
+    if lengths.is_empty() {
+        return 0.0;
+    }
+    f64::from(*lengths.select_nth_unstable_by(middle, f32::total_cmp).1)
 }
 
 /// Materials as JSON; images by address.

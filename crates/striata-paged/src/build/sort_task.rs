@@ -13,17 +13,64 @@ use crate::{Metadata, PageId};
 
 /// Runs a task of the first stage.
 pub(super) fn run(plan: &Plan, task: &Task, source: &dyn PieceSource) -> Result<(), BuildError> {
-    let mut mesh = CellMesh::default();
+    let (mut mesh, mut merging) = (CellMesh::default(), Merging::default());
     for index in task.first..task.first + task.count {
-        mesh.append(&rounded(source.read_piece(index)?, &plan.metadata));
+        mesh.append(&rounded(source.read_piece(index)?, &plan.metadata, &mut merging));
     }
+    merging.check(plan)?;
     let mut writer = PartWriter::create(&plan.triangles_path(task))?;
     write_cells(&mut writer, &send(plan.partition()?, 0, mesh), &plan.metadata.empty_mesh())?;
     writer.finish()
 }
 
+/// Vertices that rounding merges.
+#[derive(Default)]
+struct Merging {
+    /// Number of different positions before.
+    total: u64,
+    merged: u64,
+}
+
+impl Merging {
+    /// Counts the vertices of a piece whose positions were different before rounding. Positions are only
+    /// compared if a triangle shrank to nothing, since that takes a while.
+    fn add(&mut self, before: &[[f32; 3]], mesh: &CellMesh) {
+        let is_flat = |positions: &[[f32; 3]], t: &[u32; 3]| {
+            let [a, b, c] = t.map(|v| positions[v as usize]);
+            a == b || b == c || c == a
+        };
+        let shrank = |t: &[u32; 3]| is_flat(&mesh.positions, t) && !is_flat(before, t);
+        if !mesh.triangles.iter().any(shrank) {
+            self.total += before.len() as u64;
+            return;
+        }
+        let total = distinct(before);
+        self.total += total;
+        self.merged += total.saturating_sub(distinct(&mesh.positions));
+    }
+
+    /// Refuses to merge more than one in a thousand, unless that is wanted.
+    fn check(&self, plan: &Plan) -> Result<(), BuildError> {
+        let is_wanted = plan.options.allow_merging || plan.options.weld_distance.is_some();
+        let Some(grid) = plan.metadata.grid.filter(|_| !is_wanted && self.merged * 1000 > self.total) else {
+            return Ok(());
+        };
+        let (input, step) = (plan.metadata.source.clone(), grid.step.into_iter().fold(f64::MAX, f64::min));
+        Err(BuildError::Merging { input, step, merged: self.merged, total: self.total })
+    }
+}
+
+/// Number of different positions.
+fn distinct(positions: &[[f32; 3]]) -> u64 {
+    let key = |p: &[f32; 3]| p.map(|x| (x + 0.0).to_bits());
+    let mut keys: Vec<[u32; 3]> = positions.iter().map(key).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    keys.len() as u64
+}
+
 /// Rounds a piece as the metadata say, and drops triangles that are degenerate afterwards.
-fn rounded(piece: Piece, metadata: &Metadata) -> CellMesh {
+fn rounded(piece: Piece, metadata: &Metadata, merging: &mut Merging) -> CellMesh {
     let mut mesh = CellMesh {
         positions: piece.positions,
         layers: piece.layers,
@@ -32,9 +79,13 @@ fn rounded(piece: Piece, metadata: &Metadata) -> CellMesh {
         triangle_layers: piece.triangle_layers,
         ..CellMesh::default()
     };
+    let before = if metadata.grid.is_some() { mesh.positions.clone() } else { Vec::new() };
     for position in &mut mesh.positions {
         // Adding zero turns -0 into 0.
         *position = metadata.grid.as_ref().map_or(*position, |grid| grid.snap(*position)).map(|x| x + 0.0);
+    }
+    if metadata.grid.is_some() {
+        merging.add(&before, &mesh);
     }
     metadata.add_material_layer(&mut mesh);
     for (layer, kind) in mesh.layers.iter_mut().zip(&metadata.layers) {

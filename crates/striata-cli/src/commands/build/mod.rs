@@ -41,7 +41,8 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     };
     if is_paged(args) {
         let inputs: Vec<PathBuf> = std::iter::once(&args.input).chain(&args.more).cloned().collect();
-        return paged::build(&inputs, (&args.paged, &path), output);
+        check_paged_flags(args)?;
+        return paged::build(&inputs, (&args.paged, &args.sequence, &path), output);
     }
     output.check_stdout_is_free(is_stdout(&path))?;
     let models = models_of_names(&args.model_names())?;
@@ -108,6 +109,45 @@ fn is_paged(args: &BuildArgs) -> bool {
         || !args.more.is_empty()
         || paged::is_streamed_only(&args.input)
         || paged::is_too_large(&args.input)
+}
+
+/// Checks that no flag is given that has no meaning for a paged file.
+///
+/// # Errors
+/// If there is one: what a user asks for must not be dropped in silence.
+fn check_paged_flags(args: &BuildArgs) -> Result<(), Failure> {
+    let sequence = &args.sequence;
+    let is_default = args.model_names() == ["lodstrips"];
+    let flags = [
+        ("--models", !is_default),
+        ("--overlap-errors", args.overlap_errors),
+        ("--base", args.base.is_some()),
+        ("--max-error", args.max_error.is_some()),
+        ("--order", sequence.order.of_removals().is_some()),
+        ("--certify", sequence.certify),
+        ("--cost", sequence.cost.is_some()),
+        ("--pair-distance", sequence.pair_distance.is_some()),
+        ("--new-vertices", sequence.new_vertices.is_some()),
+        ("--uv-contrast", sequence.weights.uv_contrast),
+    ];
+    let given = flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag);
+    let given = given
+        .or_else(|| sequence.removal.first_given_flag())
+        .or_else(|| args.strip_flag())
+        .or_else(|| args.stream_encoding.first_given_flag())
+        .or_else(|| args.textures.first_given_flag());
+    let Some(flag) = given else { return Ok(()) };
+    let name = args.input.display();
+    let (reason, hint) = if args.paged.is_given() {
+        ("", format!("remove {flag}, or the flags of paged files"))
+    } else if !args.more.is_empty() {
+        (" (several files become one)", format!("remove {flag}, or name one file"))
+    } else if paged::is_streamed_only(&args.input) {
+        (" (inputs of this kind are built paged)", format!("remove {flag}"))
+    } else {
+        (" (the input is too large for memory)", format!("remove {flag}"))
+    };
+    Err(Failure::user(format!("{name}: a paged file{reason} does not support {flag}")).with_hint(hint))
 }
 
 /// Returns the largest number of triangles of the base mesh, if limited.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use serde::Serialize;
+use striata_command::args::SequenceArgs;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
 use striata_paged::build::{
@@ -34,12 +35,12 @@ struct Report {
 /// If an input cannot be read or something cannot be written; what has been completed stays for the next run.
 pub(crate) fn build(
     inputs: &[PathBuf],
-    (args, path): (&PagedArgs, &Path),
+    (args, sequence, path): (&PagedArgs, &SequenceArgs, &Path),
     output: &Output,
 ) -> Result<(), Failure> {
     let start = Instant::now();
     let input = build_input(inputs)?;
-    let options = build_options(&args.cells, output)?;
+    let options = sequenced(build_options(&args.cells, output)?, sequence);
     let folder = work_folder(path, args.work.as_deref());
     let memory_threads = args.memory.map_or(usize::MAX, |size| threads_for_memory(size.0, options.cell));
     let threads = args.threads.unwrap_or_else(core_count).clamp(1, memory_threads);
@@ -61,8 +62,16 @@ pub(crate) fn build(
         plan.remove_work().map_err(failure)?;
         return Err(refused);
     }
+    if let Some(note) = plan.note {
+        output.say(&format!("note: {note}"));
+    }
     check_space(&plan)?;
-    run_all(&plan, threads, &mut |p| bar.show(p)).map_err(failure)?;
+    let run = run_all(&plan, threads, &mut |p| bar.show(p));
+    if matches!(run, Err(BuildError::Merging { .. })) {
+        // The plan cannot be completed.
+        plan.remove_work().map_err(failure)?;
+    }
+    run.map_err(failure)?;
     drop(bar);
     plan.remove_work().map_err(failure)?;
     let seconds = start.elapsed().as_secs_f64();
@@ -89,6 +98,21 @@ pub(crate) fn build(
         if resumed { ", going on where an earlier run ended" } else { "" },
     );
     output.summary(&report, &text)
+}
+
+/// The options of the cells, with what the user said about the order of collapses.
+fn sequenced(options: BuildOptions, sequence: &SequenceArgs) -> BuildOptions {
+    let weights = sequence.weights.weights();
+    BuildOptions {
+        normal_weight: weights.normal,
+        texcoord_weight: weights.texcoord,
+        color_weight: weights.color,
+        keep_parts: sequence.keep_parts,
+        lock_boundary: sequence.lock_boundary,
+        lock_groups: sequence.lock_groups,
+        keep_seams: sequence.keep_seams,
+        ..options
+    }
 }
 
 /// The plan of an interrupted build of the same input with the same options.

@@ -77,7 +77,7 @@ fn text(path: &Path, report: &Report) -> String {
     }
     let layers: Vec<&str> = metadata.layers.iter().map(|layer| layer.semantic.as_str()).collect();
     let precision =
-        metadata.grid.map_or("exact".to_owned(), |grid| format!("multiples of {}", format_length(grid.step)));
+        metadata.grid.map_or("exact".to_owned(), |grid| format!("multiples of {}", steps_text(grid.step)));
     format!(
         "{}: paged file of {}\n{} triangles, {} vertices; diagonal {}; positions {}; attributes: {}\n\
         {} pages, {} ({:.2} bytes per triangle)\n\n{}",
@@ -93,4 +93,12 @@ fn text(path: &Path, report: &Report) -> String {
         report.page_bytes as f64 / metadata.triangle_count.max(1) as f64,
         table.to_text(),
     )
+}
+
+/// Distances of neighboring positions: one number if all axes have the same.
+fn steps_text([x, y, z]: [f64; 3]) -> String {
+    if x == y && y == z {
+        return format_length(x);
+    }
+    [x, y, z].map(format_length).join(" x ")
 }

@@ -111,7 +111,8 @@ pub(super) fn build_input(paths: &[PathBuf]) -> Result<BuildInput, Failure> {
 /// # Errors
 /// If one is out of range.
 pub(super) fn build_options(args: &CellArgs, output: &Output) -> Result<BuildOptions, Failure> {
-    let mut options = BuildOptions { exact: args.exact, ..BuildOptions::default() };
+    let (exact, allow_merging) = (args.exact, args.allow_merging);
+    let mut options = BuildOptions { exact, allow_merging, ..BuildOptions::default() };
     if let Some(cell) = args.cell {
         if !(1000..=1_000_000).contains(&cell) {
             return Err(Failure::user(format!("--cell is {cell}, but must be 1000 to 1000000")));

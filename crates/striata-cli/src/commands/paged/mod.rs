@@ -25,6 +25,8 @@ fn failure(error: BuildError) -> Failure {
         BuildError::Simplify { .. } | BuildError::NoOwner { .. } => Failure::internal(error.to_string()),
         BuildError::DiskSpace { .. } => Failure::user(error.to_string())
             .with_hint("put the work folder on another disk with --work, or free some space"),
+        BuildError::Merging { .. } => Failure::user(error.to_string())
+            .with_hint("keep positions with --exact, or build it anyway with --allow-merging"),
         BuildError::TaskOrder { .. } => Failure::user(error.to_string())
             .with_hint("tasks of a stage may run in any order, but only when the stages before are complete"),
         other => Failure::user(other.to_string()),

@@ -19,6 +19,10 @@ const MODEL_TYPE: u64 = 1024;
 const RASTER_TYPE: u64 = 1025;
 const GEOGRAPHIC_TYPE: u64 = 2048;
 const PROJECTED_TYPE: u64 = 3072;
+/// Metadata of GDAL, as XML.
+const GDAL_METADATA: Tag = Tag::Unknown(42_112);
+/// Larger heights stand for none in files that do not name a value for that, such as -3.4e38.
+const LARGEST_HEIGHT: f32 = 1e30;
 
 /// A GeoTIFF file.
 pub(super) struct GeoTiff {
@@ -28,6 +32,10 @@ pub(super) struct GeoTiff {
     chunk: [u64; 2],
     chunks_across: u64,
     nodata: Option<f64>,
+    /// Factor and summand that make heights of samples.
+    scale: [f64; 2],
+    /// Whether the first row of the file is the southernmost.
+    is_from_south: bool,
     placement: Placement,
     state: Mutex<State>,
 }
@@ -61,8 +69,17 @@ impl GeoTiff {
         let size = [u64::from(width), u64::from(height)];
         let chunk = [u64::from(chunk_width.max(1)), u64::from(chunk_height.max(1))];
         let nodata = decoder.get_tag_ascii_string(Tag::GdalNodata).ok();
-        let placement = placement(&mut decoder, &name, size)?;
+        let (placement, is_from_south) = placement(&mut decoder, &name, size)?;
+        let items = decoder.get_tag_ascii_string(GDAL_METADATA).unwrap_or_default();
+        let scale = [item(&items, "scale").unwrap_or(1.0), item(&items, "offset").unwrap_or(0.0)];
+        if !(scale[0] != 0.0 && scale.iter().all(|x| x.is_finite())) {
+            let reason =
+                format!("heights are samples times {} plus {}, which is no height", scale[0], scale[1]);
+            return Err(malformed(&name, reason));
+        }
         Ok(Self {
+            scale,
+            is_from_south,
             nodata: nodata.and_then(|text| text.trim_matches(['\0', ' ']).parse().ok()),
             chunks_across: size[0].div_ceil(chunk[0]),
             name,
@@ -110,15 +127,25 @@ fn values(result: DecodingResult) -> Option<Vec<f32>> {
     })
 }
 
-/// Where the samples are; one unit apart if the file does not say.
+/// The number of the item with a role in the metadata of GDAL.
+fn item(xml: &str, role: &str) -> Option<f64> {
+    let (_, after) = xml.split_once(&format!("role=\"{role}\""))?;
+    let (_, content) = after.split_once('>')?;
+    content.split_once('<')?.0.trim().parse().ok()
+}
+
+/// Where the samples are, and whether rows begin in the south; one unit apart if the file does not say.
 fn placement(
     decoder: &mut Decoder<BufReader<File>>,
     name: &str,
     size: [u64; 2],
-) -> Result<Placement, ReadError> {
+) -> Result<(Placement, bool), ReadError> {
     let scale = decoder.get_tag_f64_vec(Tag::ModelPixelScaleTag).ok();
     let tie = decoder.get_tag_f64_vec(Tag::ModelTiepointTag).ok();
+    // The identity is what programs write that know no place.
+    let is_identity = |t: &[f64]| matches!(t, [1.0, 0.0, _, 0.0, 0.0, 1.0, _, 0.0, ..]);
     let transform = decoder.get_tag_f64_vec(Tag::ModelTransformationTag).ok();
+    let transform = transform.filter(|transform| !is_identity(transform));
     let keys = decoder.get_tag_u64_vec(Tag::GeoKeyDirectoryTag).unwrap_or_default();
     let key = |id: u64| keys.chunks_exact(4).skip(1).find(|entry| entry[0] == id).map(|entry| entry[3]);
     let is_geographic = key(MODEL_TYPE) == Some(2);
@@ -134,12 +161,18 @@ fn placement(
         }
         _ => (0.0, (size[1] - 1) as f64, [1.0; 2]),
     };
+    let is_from_south = step[1] < 0.0;
+    // The first row is then the southernmost.
+    let north = if is_from_south { north - step[1] * (size[1] - 1) as f64 } else { north };
+    let step = [step[0], step[1].abs()];
     if !(step.iter().all(|s| *s > 0.0 && s.is_finite()) && west.is_finite() && north.is_finite()) {
         return Err(malformed(name, "the distance of its samples is not a positive number"));
     }
     // Coordinates of a pixel that is an area are those of its corner; the sample is in its middle.
     let half = if key(RASTER_TYPE) == Some(2) || scale.is_none() && transform.is_none() { 0.0 } else { 0.5 };
-    Ok(Placement { west: west + half * step[0], north: north - half * step[1], step, is_geographic, epsg })
+    let down = if is_from_south { -half } else { half };
+    let (west, north) = (west + half * step[0], north - down * step[1]);
+    Ok((Placement { west, north, step, is_geographic, epsg }, is_from_south))
 }
 
 impl Raster for GeoTiff {
@@ -157,6 +190,9 @@ impl Raster for GeoTiff {
 
     fn read(&self, at: [u64; 2], [width, height]: [u64; 2]) -> Result<Vec<f32>, ReadError> {
         let mut heights = vec![f32::NAN; (width * height) as usize];
+        let top = at[1];
+        let at = if self.is_from_south { [at[0], self.size[1] - at[1] - height] } else { at };
+        let row_of = |y: u64| if self.is_from_south { self.size[1] - 1 - y - top } else { y - top };
         let first = [at[0] / self.chunk[0], at[1] / self.chunk[1]];
         let last = [(at[0] + width - 1) / self.chunk[0], (at[1] + height - 1) / self.chunk[1]];
         for cy in first[1]..=last[1] {
@@ -168,10 +204,12 @@ impl Raster for GeoTiff {
                     for x in at[0].max(corner[0])..(at[0] + width).min(corner[0] + chunk.width) {
                         let from = (y - corner[1]) * chunk.width + x - corner[0];
                         let Some(&value) = chunk.values.get(from as usize) else { continue };
-                        let is_void =
-                            !value.is_finite() || self.nodata.is_some_and(|n| f64::from(value) == n);
+                        let is_void = !value.is_finite()
+                            || value.abs() > LARGEST_HEIGHT
+                            || self.nodata.is_some_and(|n| f64::from(value) == n);
                         if !is_void {
-                            heights[((y - at[1]) * width + x - at[0]) as usize] = value;
+                            let value = f64::from(value) * self.scale[0] + self.scale[1];
+                            heights[(row_of(y) * width + x - at[0]) as usize] = value as f32;
                         }
                     }
                 }

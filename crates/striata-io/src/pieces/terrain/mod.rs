@@ -12,6 +12,7 @@ mod raster;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
+use striata::mesh::IndexedMesh;
 
 use super::{Piece, PieceGroup, PieceSource, PieceSummary};
 use crate::ReadError;
@@ -20,6 +21,8 @@ use raster::{Placement, Raster};
 
 /// Quads along each side of a piece.
 const BLOCK: u64 = 224;
+/// Largest number of samples that are read as one mesh, which takes 36 bytes for each.
+const MAX_SAMPLES_IN_MEMORY: u64 = 1 << 27;
 /// Length of a degree of latitude, in meters.
 const METERS_PER_DEGREE: f64 = 111_319.490_793;
 /// Rasters lie on one grid if their offsets differ by less than this share of a sample.
@@ -43,7 +46,7 @@ struct PlacedRaster {
 }
 
 /// Whether a file is a raster of heights, by its extension.
-pub(crate) fn is_raster(path: &Path) -> bool {
+pub fn is_raster(path: &Path) -> bool {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     ["tif", "tiff", "hgt", "png"].iter().any(|&raster| extension == raster)
 }
@@ -98,6 +101,7 @@ impl Terrain {
             groups: vec![PieceGroup::default()],
             triangle_count: 2 * size[0].saturating_sub(1) * size[1].saturating_sub(1),
             byte_count: paths.iter().filter_map(|path| std::fs::metadata(path).ok()).map(|m| m.len()).sum(),
+            origin: if first.is_geographic { [0.0; 3] } else { [corner[0], corner[1], 0.0] },
             georeference: Some(georeference(&first, corner, (step, z_scale))),
             ..PieceSummary::default()
         };
@@ -191,6 +195,36 @@ impl PieceSource for Terrain {
         let columns = self.blocks()[0].max(1);
         let at = [index % columns * BLOCK, index / columns * BLOCK];
         let count = [0, 1].map(|axis| BLOCK.min(self.size[axis] - 1 - at[axis]) + 1);
+        self.block(at, count)
+    }
+}
+
+impl Terrain {
+    /// Reads all samples as one mesh, in the coordinates of the projection, or in meters from the lower left
+    /// corner if those are degrees.
+    ///
+    /// # Errors
+    /// [`ReadError`] if a raster is damaged, has no heights, or has more samples than a mesh in memory.
+    pub fn mesh(&self) -> Result<IndexedMesh, ReadError> {
+        let name = &self.summary.name;
+        if self.size[0].saturating_mul(self.size[1]) > MAX_SAMPLES_IN_MEMORY {
+            let [width, height] = self.size;
+            let reason = format!(
+                "{width} by {height} samples are too many for memory; build a paged file: striata build"
+            );
+            return Err(misplaced(name, &reason));
+        }
+        let block = self.block([0; 2], self.size)?;
+        if block.triangles.is_empty() {
+            return Err(misplaced(name, "no four neighboring samples have heights"));
+        }
+        let mut mesh = IndexedMesh::new(block.positions, block.triangles);
+        mesh.origin = self.summary.origin;
+        Ok(mesh)
+    }
+
+    /// Reads a block of samples.
+    fn block(&self, at: [u64; 2], count: [u64; 2]) -> Result<Piece, ReadError> {
         let heights = self.heights(at, count)?;
         let [width, height] = count;
         let mut number = vec![u32::MAX; heights.len()];
