@@ -21,6 +21,10 @@ use crate::simplify::scaled_space::ScaledSpace;
 /// Cost of merging two parts: this share of their squared distance, times the area that moves.
 const PAIR_WEIGHT: f32 = 0.1;
 
+/// A position with more triangles than this stays until enough of its neighbors are gone: evaluating all
+/// its targets takes cubic time, again after each collapse of a neighbor.
+const MAX_STAR_TRIANGLES: usize = 255;
+
 /// Factor by which the full cost nearly always exceeds its quadratic part, at least. Scaling the bounds
 /// by it saves over a quarter of the time on the bunny, since fewer positions reach the top only to go
 /// back. A rare position whose full cost is less is collapsed late, by at most this factor in cost. Over
@@ -272,9 +276,11 @@ impl<'a> CostEvaluator<'a> {
         (0..self.positions.len() as u32).all(|p| is_closed(p) || is_cut(p))
     }
 
-    /// Whether `v` may not be removed because the options lock it or because it has no triangles.
+    /// Whether `v` may not be removed now: because the options lock it, because it has no triangles, or
+    /// because it has too many.
     pub(in crate::simplify) fn is_fixed(&self, v: u32) -> bool {
         self.is_locked[v as usize]
+            || self.links.triangle_count(v) > MAX_STAR_TRIANGLES
             || self.links.kind(v) == LinkKind::Empty
             || (self.locks_boundary && self.links.is_boundary(v))
     }

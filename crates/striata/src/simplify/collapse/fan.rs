@@ -5,6 +5,8 @@
 use glam::Vec3;
 use wide::f32x8;
 
+use super::flat_fold::NOISE;
+
 /// Squared distance of the origin from the triangle `(a, b, c)`, which may be degenerate.
 ///
 /// The regions of the triangle are distinguished as in Ericson, Real-Time Collision Detection, 5.1.5.
@@ -69,6 +71,8 @@ const FLIP_COSINE: f32 = 0.2;
 const SLIVER_QUALITY: f32 = 0.01;
 /// Below this quality, the normal of a triangle is noise.
 const NEEDLE_QUALITY: f32 = 0.02;
+/// Squared height, in scaled units, below which single precision determines no orientation.
+const NOISE_SQUARED: f32 = (NOISE * NOISE) as f32;
 
 /// Length of the sum of a star's normals.
 #[derive(Clone, Copy)]
@@ -81,6 +85,15 @@ impl StarNormal {
     pub(in crate::simplify) fn new(mean: Vec3) -> Self {
         Self { length: f32x8::splat(mean.length()) }
     }
+}
+
+/// Lane masks of eight triangles.
+#[derive(Clone, Copy)]
+pub(in crate::simplify) struct Verdict {
+    /// Triangles that keep their orientation and do not become slivers, as far as their own normals show.
+    pub(in crate::simplify) is_allowed: f32x8,
+    /// Allowed triangles whose own old normal does not rule out that they turn over within a flat surface.
+    pub(in crate::simplify) may_turn: f32x8,
 }
 
 /// Eight triangles `(v, a, b)` and the fan triangles `(u, a, b)` that would replace them.
@@ -99,15 +112,17 @@ pub(in crate::simplify) struct Change {
 }
 
 impl Change {
-    /// Lane mask of the triangles that keep their orientation and do not become slivers.
+    /// Tests whether the triangles keep their orientation and do not become slivers.
     ///
-    /// The normal of a needle is meaningless, so its replacement must agree with the mean normal of the
+    /// The normal of a needle is unreliable, so its replacement must agree with the mean normal of the
     /// star, or stay as small. Scans are full of needles, and locking them would lock their neighbors.
+    /// Needles of a flat surface are not allowed to turn over, though: see `flat_fold.rs`.
     #[inline]
-    pub(in crate::simplify) fn is_allowed(self, star: StarNormal) -> f32x8 {
+    pub(in crate::simplify) fn verdict(self, star: StarNormal) -> Verdict {
         let splat = f32x8::splat;
         let was_needle =
             (splat(TWICE_ROOT_3) * self.old_length).simd_le(splat(NEEDLE_QUALITY) * self.old_edges);
+        let was_noise = (self.old_length * self.old_length).simd_le(splat(NOISE_SQUARED) * self.old_edges);
         let follows_mean = self.new_on_mean.simd_gt(f32x8::ZERO);
         let stays_small = self.new_length.simd_le(self.old_length + self.old_length);
         let flips = self.new_on_old.simd_le(splat(FLIP_COSINE) * self.new_length * self.old_length);
@@ -117,7 +132,8 @@ impl Change {
         let is_sound = (splat(TWICE_ROOT_3) * self.new_length)
             .simd_ge(splat(SLIVER_QUALITY) * self.new_edges)
             | (self.new_length * self.old_edges).simd_ge(self.old_length * self.new_edges);
-        was_needle.bitselect(follows_mean | stays_small, flips.bitselect(unfolds, is_sound))
+        let is_allowed = was_needle.bitselect(follows_mean | stays_small, flips.bitselect(unfolds, is_sound));
+        Verdict { is_allowed, may_turn: is_allowed & (flips | was_noise) }
     }
 }
 
@@ -238,7 +254,7 @@ mod tests {
                 old_edges: edges(Vec3::ZERO),
                 new_edges: edges(u),
             };
-            change.is_allowed(StarNormal::new(normal)).all()
+            change.verdict(StarNormal::new(normal)).is_allowed.all()
         };
         assert!(may(-1.0, -1.0));
         assert!(!may(2.0, 2.0));

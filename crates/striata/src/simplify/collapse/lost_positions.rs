@@ -138,7 +138,7 @@ impl CostEvaluator<'_> {
         if bound * bound <= worst {
             return None;
         }
-        links.edges_into(u, &mut relaxed.edges);
+        links.sampled_edges_into(u, &mut relaxed.edges);
         Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
     }
 

@@ -36,6 +36,7 @@
 //! | --- | --- |
 //! | `links/`, `legality.rs` | the link of each position; whether a collapse preserves the surface |
 //! | `star/`, `fan.rs` | the star of one position, its quadratic form, the fan each candidate would leave |
+//! | `flat_fold.rs` | whether a triangle would turn over within a flat surface |
 //! | `wedges.rs`, `attributes.rs`, `seam_cost.rs`, `charts.rs` | pairing of wedges, cost of attributes |
 //! | `collapse_choice.rs`, `cost_evaluator.rs` | bound and full cost of a position's candidates |
 //! | `quadric.rs`, `tracked.rs`, `pairs.rs` | data of the other two costs; contraction of separate parts |
@@ -53,6 +54,7 @@ pub(super) mod collapse_choice;
 pub(super) mod cost_evaluator;
 pub(super) mod executor;
 pub(super) mod fan;
+pub(super) mod flat_fold;
 pub(super) mod foliage;
 pub(super) mod heap;
 pub(super) mod legality;

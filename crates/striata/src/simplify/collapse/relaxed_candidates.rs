@@ -212,7 +212,7 @@ impl CostEvaluator<'_> {
     fn fin_choice(&mut self, v: u32, k: usize) -> Option<CollapseChoice> {
         let u = self.star.ids[k];
         let mut edges = std::mem::take(&mut self.relaxed.as_mut()?.edges);
-        self.links.edges_into(u, &mut edges);
+        self.links.sampled_edges_into(u, &mut edges);
         edges.retain(|e| e.a != v && e.b != v);
         let (mut sum, mut area_sum, mut least) = (0.0, 0.0, f32::INFINITY);
         for t in 0..self.star.triangle_count() {

@@ -177,7 +177,7 @@ impl RelaxedState<'_> {
                 if std::mem::replace(&mut stamps[at as usize], *search) == *search || !is_counted(at) {
                     continue;
                 }
-                links.edges_into(at, edges);
+                links.sampled_edges_into(at, edges);
                 for e in edges.iter() {
                     let [a, b, c] = [at, e.a, e.b].map(|p| point(positions, p) - from);
                     let [x, y, z] = nearest(a, b, c);

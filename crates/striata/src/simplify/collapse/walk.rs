@@ -24,7 +24,7 @@ pub(in crate::simplify) fn walk_to_nearest(
     let mut least = f32::INFINITY;
     for _ in 0..MAX_VISITED_STARS {
         let center = offset(position);
-        links.edges_into(position, edges);
+        links.sampled_edges_into(position, edges);
         // If the nearest point is on the rim, the star beyond the rim may be nearer still.
         let mut beyond = NONE;
         let before = least;

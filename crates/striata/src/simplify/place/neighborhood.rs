@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::quadratic_form::{BORDER_WEIGHT, SharedTriangles, StarForm};
+use crate::simplify::collapse::flat_fold::{NOISE, TriangleNormal, turns_over};
 use crate::simplify::collapse::links::{LinkEdge, LinkKind, Links};
 
 /// Least squared cosine between the normals of an old triangle and its replacement.
@@ -141,33 +142,35 @@ impl Neighborhood {
     fn kept_triangles(&self, other: u32) -> impl Iterator<Item = KeptTriangle> {
         let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
         let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
-        self.triangles.iter().zip(&self.normals).filter(move |(t, _)| stays(t)).map(|(t, &normal)| {
-            KeptTriangle { a: self.offsets[t.a as usize], b: self.offsets[t.b as usize], normal }
+        let triangles = self.triangles.iter().zip(&self.normals).enumerate();
+        triangles.filter(move |(_, (t, _))| stays(t)).map(|(index, (t, &normal))| {
+            let [a, b] = [t.a, t.b].map(|i| self.offsets[i as usize]);
+            KeptTriangle { index, a, b, normal }
         })
     }
 
     /// Whether all kept triangles stay unflipped and do not become slivers with the center at `position`.
     ///
-    /// `mean` is the summed normal of both stars. The normal of a needle is meaningless, so its replacement
-    /// must agree with the mean, or stay as small; a triangle that was folded over may unfold.
+    /// `mean` is the summed normal of both stars. The normal of a needle is unreliable, so its replacement
+    /// must agree with the mean, or stay as small; a triangle that was folded over may unfold. Neither may
+    /// turn over within a flat surface.
     pub(super) fn may_move(&self, position: DVec3, other: u32, mean: DVec3) -> bool {
         let x = position - self.center;
-        self.kept_triangles(other).all(|KeptTriangle { a, b, normal: old }| {
-            let new = (a - x).cross(b - x);
-            let (old_squared, new_squared) = (old.length_squared(), new.length_squared());
-            let side = (b - a).length_squared();
-            let old_sides = a.length_squared() + b.length_squared() + side;
-            let new_sides = (a - x).length_squared() + (b - x).length_squared() + side;
-            let (old_length, new_length) = (old_squared.sqrt(), new_squared.sqrt());
-            if TWICE_ROOT_3 * old_length <= NEEDLE_QUALITY * old_sides {
-                return new.dot(mean) > 0.0 || new_length <= 2.0 * old_length;
-            }
-            if !faces(new, old) {
-                return old.dot(mean) <= 0.0 && faces(new, mean);
-            }
-            TWICE_ROOT_3 * new_length >= SLIVER_QUALITY * new_sides
-                || new_length * old_sides >= old_length * new_sides
+        self.kept_triangles(other).all(|triangle| match triangle.verdict_at(x, mean) {
+            Verdict::Refused => false,
+            Verdict::Allowed => true,
+            Verdict::MayTurn => !self.turns_over(triangle, x),
         })
+    }
+
+    /// Whether a kept triangle turns over within a flat surface if the center moves by `x`.
+    #[cold]
+    fn turns_over(&self, KeptTriangle { index, a, b, .. }: KeptTriangle, x: DVec3) -> bool {
+        let others = self.triangles.iter().enumerate().filter(|&(i, _)| i != index).map(|(_, t)| {
+            let [a, b] = [t.a, t.b].map(|i| self.offsets[i as usize]);
+            TriangleNormal::new([DVec3::ZERO, a, b])
+        });
+        turns_over(TriangleNormal::new([DVec3::ZERO, a, b]), TriangleNormal::new([x, a, b]), others)
     }
 
     /// Squared distance of the center from the kept triangles after it has moved to `position`.
@@ -180,11 +183,49 @@ impl Neighborhood {
     }
 }
 
-/// A kept triangle: its corners besides the center, and its old normal.
+/// A kept triangle: its index, its corners besides the center, and its old normal.
+#[derive(Clone, Copy)]
 struct KeptTriangle {
+    index: usize,
     a: DVec3,
     b: DVec3,
     normal: DVec3,
+}
+
+/// What the normals of a moved triangle show.
+enum Verdict {
+    /// It would be flipped, or a sliver.
+    Refused,
+    Allowed,
+    /// Allowed unless it turns over within a flat surface.
+    MayTurn,
+}
+
+impl KeptTriangle {
+    /// Tests the triangle with its center moved by `x`; `mean` is the summed normal of both stars.
+    fn verdict_at(self, x: DVec3, mean: DVec3) -> Verdict {
+        let Self { a, b, normal: old, .. } = self;
+        let new = (a - x).cross(b - x);
+        let side = (b - a).length_squared();
+        let old_sides = a.length_squared() + b.length_squared() + side;
+        let new_sides = (a - x).length_squared() + (b - x).length_squared() + side;
+        let (old_length, new_length) = (old.length(), new.length());
+        let was_noise = old_length * old_length <= NOISE * NOISE * old_sides;
+        let flips = !faces(new, old);
+        let is_allowed = if TWICE_ROOT_3 * old_length <= NEEDLE_QUALITY * old_sides {
+            new.dot(mean) > 0.0 || new_length <= 2.0 * old_length
+        } else if flips {
+            old.dot(mean) <= 0.0 && faces(new, mean)
+        } else {
+            TWICE_ROOT_3 * new_length >= SLIVER_QUALITY * new_sides
+                || new_length * old_sides >= old_length * new_sides
+        };
+        match is_allowed {
+            false => Verdict::Refused,
+            true if flips || was_noise => Verdict::MayTurn,
+            true => Verdict::Allowed,
+        }
+    }
 }
 
 /// Whether two normals of any length clearly point the same way.

@@ -71,6 +71,10 @@ impl Chain {
 
     /// Orders many edges by a sorted list of their tails, for the hubs of large fans.
     fn order_many(&mut self, edges: &[LinkEdge]) -> LinkKind {
+        if edges.windows(2).any(|w| w[0].a == w[1].a || w[0].b == w[1].b) {
+            // Many triangles at one edge are usually listed one after another; this saves sorting them.
+            return LinkKind::Edges;
+        }
         self.order.clear();
         self.order.extend(0..edges.len() as u32);
         self.order.sort_unstable_by_key(|&i| (edges[i as usize].a, i));

@@ -48,6 +48,9 @@ pub(in crate::simplify) struct Links {
     chain: Chain,
 }
 
+/// Maximum number of triangles around one position among which the nearest one is searched.
+const MAX_SAMPLED_EDGES: usize = 256;
+
 /// Number of entries that a new slab can grow by.
 const SLACK: u32 = 2;
 
@@ -113,8 +116,9 @@ impl Links {
         match self.kind(v) {
             LinkKind::Open => true,
             LinkKind::Edges => {
-                let entries = self.entries(v);
-                entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1)
+                let mut sorted = self.entries(v).to_vec();
+                sorted.sort_unstable();
+                sorted.chunk_by(|a, b| a == b).any(|run| run.len() == 1)
             }
             _ => false,
         }
@@ -178,6 +182,35 @@ impl Links {
                 b: entries[2 * i + 1],
                 triangle: triangle(2 * i),
             })),
+        }
+    }
+
+    /// Collects the edges of the link of `v` into `out`; of very many edges, only some, evenly spread.
+    ///
+    /// This is for measuring distances. Visiting every triangle of a hub after each collapse of one of its
+    /// neighbors would take quadratic time; the nearest of some triangles is never too near.
+    pub(in crate::simplify) fn sampled_edges_into(&self, v: u32, out: &mut Vec<LinkEdge>) {
+        let count = self.triangle_count(v);
+        if count <= MAX_SAMPLED_EDGES {
+            return self.edges_into(v, out);
+        }
+        out.clear();
+        let stride = count.div_ceil(MAX_SAMPLED_EDGES);
+        out.extend((0..count).step_by(stride).map(|i| self.edge(v, i)));
+    }
+
+    /// Returns edge `i` of the link of `v`.
+    fn edge(&self, v: u32, i: usize) -> LinkEdge {
+        let slab = self.slabs[v as usize];
+        let (first, second) = match slab.kind {
+            LinkKind::Edges => (2 * i, 2 * i + 1),
+            _ => (i, if i + 1 == slab.len as usize { 0 } else { i + 1 }),
+        };
+        let start = slab.start as usize;
+        LinkEdge {
+            a: self.entries[start + first],
+            b: self.entries[start + second],
+            triangle: if self.follows_triangles { self.triangles[start + first] } else { 0 },
         }
     }
 

@@ -179,8 +179,8 @@ impl Links {
         let (start, n) = (slab.start as usize, slab.len as usize);
         let ring = &mut self.entries[start..start + n];
         if slab.kind != LinkKind::Edges {
-            let Some(i) = ring.iter().position(|&x| x == v) else { return };
-            let Some(other) = ring.iter().position(|&x| x == u) else {
+            let Some(i) = find(ring, v) else { return };
+            let Some(other) = find(ring, u) else {
                 ring[i] = u;
                 return;
             };
@@ -216,4 +216,14 @@ impl Links {
         self.set(w, &edges);
         self.edges = edges;
     }
+}
+
+/// Index of a position in a ring. Blocks are compared as a whole, which is several times faster at hubs.
+fn find(ring: &[u32], p: u32) -> Option<usize> {
+    const BLOCK: usize = 32;
+    let has = |block: &[u32]| block.iter().fold(false, |found, &x| found | (x == p));
+    let block = ring.chunks(BLOCK).position(has)?;
+    let start = block * BLOCK;
+    let within = ring[start..].iter().position(|&x| x == p)?;
+    Some(start + within)
 }

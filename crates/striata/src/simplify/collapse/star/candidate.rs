@@ -1,11 +1,12 @@
 //! Geometric tests of one candidate: whether its fan is valid, and how far the old and new surface are apart.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use wide::f32x8;
 
 use super::Star;
 use super::lanes::{LANES, NO_TRIANGLE, Vec3x8, ensure_len, lane_min, load_lanes, slices, vector_starts};
 use crate::simplify::collapse::fan;
+use crate::simplify::collapse::flat_fold::{TriangleNormal, turns_over};
 
 impl Star {
     /// Squared distance of `v` from the fan that neighbor `k` as the target would leave; `None` if a
@@ -31,8 +32,8 @@ impl Star {
         self.distance_squared_from(to)
     }
 
-    fn distance_squared_from(&self, u: Vec3) -> Option<f32> {
-        let u = Vec3x8::splat(u);
+    fn distance_squared_from(&self, to: Vec3) -> Option<f32> {
+        let u = Vec3x8::splat(to);
         let uu = u.dot(u);
         let star = fan::StarNormal::new(self.mean_normal);
         let [a, b] = self.corners();
@@ -55,7 +56,8 @@ impl Star {
                 old_edges: aa + bb + (aa + bb - ab - ab),
                 new_edges: (aa + uu - ua - ua) + (bb + uu - ub - ub) + (aa + bb - ab - ab),
             };
-            if !(change.is_allowed(star) | vanishes).all() {
+            let fan::Verdict { is_allowed, may_turn } = change.verdict(star);
+            if !(is_allowed | vanishes).all() || self.any_turns_over(t, may_turn & !vanishes, to) {
                 return None;
             }
             // The origin against the triangle (u, a, b); u dot the old normal is the height for all of them.
@@ -70,6 +72,25 @@ impl Star {
             least = least.fast_min(distance_squared);
         }
         Some(lane_min(least))
+    }
+
+    /// Whether one of the masked triangles from `first` on turns over within a flat surface if the center
+    /// moves to `to`.
+    fn any_turns_over(&self, first: usize, mask: f32x8, to: Vec3) -> bool {
+        let lanes = mask.to_bitmask();
+        (0..LANES).filter(|lane| lanes >> lane & 1 != 0).any(|lane| self.turns_over(first + lane, to))
+    }
+
+    /// Whether triangle `t` turns over within a flat surface if the center moves to `to`.
+    #[cold]
+    fn turns_over(&self, t: usize, to: Vec3) -> bool {
+        let [a, b] = self.triangle(t).map(|i| self.offset(i).as_dvec3());
+        let to = to.as_dvec3();
+        let others = (0..self.triangle_count).filter(|&other| other != t).map(|other| {
+            let [a, b] = self.triangle(other).map(|i| self.offset(i).as_dvec3());
+            TriangleNormal::new([DVec3::ZERO, a, b])
+        });
+        turns_over(TriangleNormal::new([DVec3::ZERO, a, b]), TriangleNormal::new([to, a, b]), others)
     }
 
     /// Squared distance of the point `p` from the fan of the last [`Self::mark_vanishing`], with
