@@ -219,15 +219,18 @@ mod tests {
     #[test]
     fn other_formats_and_layers_are_left_alone() {
         let mesh = mesh_with(3, true, LayerData::U8(vec![1, 2, 3]));
-        for (from, to) in [
-            (Format::Ply, Format::Obj),
-            (Format::Glb, Format::Gltf),
-            (Format::Stream, Format::Glb),
-            (Format::Ply, Format::Striata),
+        for (own, to) in [
+            (ColorSpace::Srgb, Format::Obj),
+            (ColorSpace::Linear, Format::Gltf),
+            (ColorSpace::Linear, Format::Stream),
+            (ColorSpace::Srgb, Format::Striata),
         ] {
-            let mut same = mesh.clone();
-            convert_colors(&mut same, from, to);
-            assert_eq!(same, mesh);
+            let mut mesh = mesh.clone();
+            mesh.appearance.color_space = own;
+            let before = mesh.clone();
+            convert_colors(&mut mesh, to);
+            assert_eq!(mesh, before);
+            assert!(!needs_other_colors(&mesh, to));
         }
         let mut generic = mesh.clone();
         generic.layers[0].semantic = Semantic::Normal;
