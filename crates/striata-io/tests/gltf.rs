@@ -4,7 +4,7 @@ mod meshes;
 
 use meshes::{group, read, refused, round_trip, sheet, soup, square, square_with_everything, written};
 use serde_json::{Value, json};
-use striata::mesh::{AttributeLayer, Image, IndexedMesh, LayerData, Material, Semantic};
+use striata::mesh::{AttributeLayer, ColorSpace, Image, IndexedMesh, LayerData, Material, Semantic};
 use striata_io::{Format, Source, WriteOptions, read_bytes, to_bytes};
 
 /// Builds a glTF whose only buffer contains the parts one after another, each in a view of its own.
@@ -47,6 +47,7 @@ fn everything() -> IndexedMesh {
     let mut mesh = square_with_everything();
     mesh.groups = vec![group("a", Some(1), 0, 1), group("b", None, 1, 1)];
     let looks = &mut mesh.appearance;
+    looks.color_space = ColorSpace::Linear;
     let gltf_json = json!({
         "name": "lacquer",
         "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 }, "roughnessFactor": 0.1 },
