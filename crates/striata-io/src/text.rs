@@ -324,6 +324,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
+    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     #[cold]
     fn slow_coordinate(&mut self) -> Result<f32, Fault> {
         let number = self.number()?;
@@ -441,7 +442,6 @@ impl Number<'_> {
     }
 
     /// Returns the nearest `f64`.
-    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     pub(crate) fn to_f64(self) -> f64 {
         match self.decimal.and_then(|d| Some((d, d.magnitude()?))) {
             Some((decimal, magnitude)) => {
@@ -457,7 +457,6 @@ impl Number<'_> {
 
     /// Whether the text has digits that `value`, the nearest `f32`, does not give back: printed with as many
     /// places, it would be another number. Six-digit texts of single-precision programs have none.
-    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     #[inline]
     pub(crate) fn has_more_digits_than(self, value: f32) -> bool {
         // Half a unit in the last place of an f32 is less than half a unit of the last digit here.
@@ -465,7 +464,6 @@ impl Number<'_> {
         self.decimal.is_none_or(|d| d.mantissa >= SHORT) && self.differs_from(value)
     }
 
-    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     fn differs_from(self, value: f32) -> bool {
         let exact = self.to_f64();
         // The double is rounded too.
@@ -477,7 +475,6 @@ impl Number<'_> {
     }
 
     /// Returns the number that the last digit of a long text must be multiplied by to be an integer.
-    #[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
     #[cold]
     fn power_of_last_place(self) -> Option<f64> {
         let text = std::str::from_utf8(self.text).ok()?;
