@@ -276,11 +276,16 @@ impl<'a> CostEvaluator<'a> {
         (0..self.positions.len() as u32).all(|p| is_closed(p) || is_cut(p))
     }
 
+    /// Whether `v` has too many triangles to be evaluated.
+    pub(in crate::simplify) fn is_hub(&self, v: u32) -> bool {
+        self.links.triangle_count(v) > MAX_STAR_TRIANGLES
+    }
+
     /// Whether `v` may not be removed now: because the options lock it, because it has no triangles, or
     /// because it has too many.
     pub(in crate::simplify) fn is_fixed(&self, v: u32) -> bool {
         self.is_locked[v as usize]
-            || self.links.triangle_count(v) > MAX_STAR_TRIANGLES
+            || self.is_hub(v)
             || self.links.kind(v) == LinkKind::Empty
             || (self.locks_boundary && self.links.is_boundary(v))
     }

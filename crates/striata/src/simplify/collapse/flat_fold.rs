@@ -23,7 +23,7 @@ use glam::DVec3;
 /// Height of a triangle, in scaled units, below which single precision determines no orientation.
 pub(in crate::simplify) const NOISE: f64 = 1e-6;
 /// Triangles lie in one plane if the cosine between their normals is at least this, or at most its negative.
-const FLAT_COSINE: f64 = 0.98;
+const FLAT_COSINE: f64 = 0.998;
 
 /// Normal of a triangle, with the size of its edges.
 #[derive(Clone, Copy)]

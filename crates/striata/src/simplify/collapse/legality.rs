@@ -35,7 +35,7 @@ impl Legality {
 
     fn edges_allow(&mut self, links: &Links, v: u32, u: u32) -> bool {
         links.edges_into(v, &mut self.edges);
-        links.edges_into(u, &mut self.other);
+        let other_count = links.triangle_count(u);
         self.apexes.clear();
         let mut removed = 0;
         for e in &self.edges {
@@ -45,11 +45,8 @@ impl Legality {
             }
         }
         self.apexes.sort_unstable();
-        let kept = self.edges.len() + self.other.len() - 2 * removed;
-        if (kept == 0 && !self.may_vanish)
-            || removed > MAX_REMOVED
-            || kept > MAX_VALENCE.max(self.other.len())
-        {
+        let kept = self.edges.len() + other_count - 2 * removed;
+        if (kept == 0 && !self.may_vanish) || removed > MAX_REMOVED || kept > MAX_VALENCE.max(other_count) {
             return false;
         }
         if self.may_merge {
@@ -57,13 +54,16 @@ impl Legality {
             return true;
         }
         let is_apex = |x: u32| self.apexes.binary_search(&x).is_ok();
-        let near_u = |x: u32| self.other.iter().any(|e| e.a == x || e.b == x);
         let mut neighbors = self.edges.iter().flat_map(|e| [e.a, e.b]).filter(|&x| x != u);
-        if neighbors.any(|x| !is_apex(x) && near_u(x)) {
+        if neighbors.any(|x| !is_apex(x) && links.are_neighbors(x, u)) {
             return false;
         }
         // Two apexes joined on both sides: the collapse would fold a tetrahedron flat.
         let both = |e: &&LinkEdge| is_apex(e.a) && is_apex(e.b);
+        self.other.clear();
+        if self.edges.iter().any(|e| both(&e)) {
+            links.edges_into(u, &mut self.other);
+        }
         let folds = self
             .edges
             .iter()

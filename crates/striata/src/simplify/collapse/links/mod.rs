@@ -199,6 +199,12 @@ impl Links {
         out.extend((0..count).step_by(stride).map(|i| self.edge(v, i)));
     }
 
+    /// Whether two positions have a triangle in common.
+    pub(in crate::simplify) fn are_neighbors(&self, p: u32, q: u32) -> bool {
+        let (few, many) = if self.entries(p).len() < self.entries(q).len() { (p, q) } else { (q, p) };
+        self.entries(few).contains(&many)
+    }
+
     /// Returns edge `i` of the link of `v`.
     fn edge(&self, v: u32, i: usize) -> LinkEdge {
         let slab = self.slabs[v as usize];

@@ -2,8 +2,11 @@
 
 use std::ops::Range;
 
-use super::Links;
 use super::edge::{LinkEdge, LinkKind};
+use super::{Links, Slab};
+
+/// Lists of more edges than this stay lists.
+const MAX_ORDERED_EDGES: usize = 256;
 
 impl Links {
     /// Replaces `v` by `u` in every link and drops the triangles that lose a corner; the link of `v`
@@ -164,6 +167,15 @@ impl Links {
     /// Updates the link of `u` for the collapse, for links of any kind.
     fn merge(&mut self, v: u32, u: u32) {
         let mut edges = std::mem::take(&mut self.edges);
+        if self.is_hub(u) {
+            self.edges_into(v, &mut edges);
+            edges.retain(|e| e.a != u && e.b != u);
+            let is_merged = self.merge_into_hub(v, u, &edges);
+            if is_merged {
+                self.edges = edges;
+                return;
+            }
+        }
         let mut all = Vec::new();
         self.edges_into(u, &mut edges);
         all.extend(edges.iter().filter(|e| e.a != v && e.b != v));
@@ -173,6 +185,55 @@ impl Links {
         self.edges = edges;
     }
 
+    /// Whether `v` has so many triangles in a list of edges that the list is edited in place. It is not
+    /// ordered into a ring before it is shorter, since that would take quadratic time in total.
+    fn is_hub(&self, v: u32) -> bool {
+        let Slab { len, kind, .. } = self.slabs[v as usize];
+        kind == LinkKind::Edges && len as usize > 2 * MAX_ORDERED_EDGES
+    }
+
+    /// Replaces or drops every edge in the list of `w`.
+    fn edit_hub(&mut self, w: u32, edit: impl Fn([u32; 2]) -> Option<[u32; 2]>) {
+        let Slab { start, len, .. } = self.slabs[w as usize];
+        let (start, end) = (start as usize, (start + len) as usize);
+        let mut kept = start;
+        for i in (start..end).step_by(2) {
+            if let Some([a, b]) = edit([self.entries[i], self.entries[i + 1]]) {
+                (self.entries[kept], self.entries[kept + 1]) = (a, b);
+                if self.follows_triangles {
+                    self.triangles.copy_within(i..i + 2, kept);
+                }
+                kept += 2;
+            }
+        }
+        self.slabs[w as usize].len = (kept - start) as u32;
+    }
+
+    /// Replaces the edges at `v` in the list of `u` by `added`; returns false, having changed nothing, if
+    /// there may be no room.
+    fn merge_into_hub(&mut self, v: u32, u: u32, added: &[LinkEdge]) -> bool {
+        let slab = self.slabs[u as usize];
+        let removed = self.entries[slab.start as usize..][..slab.len as usize]
+            .chunks_exact(2)
+            .filter(|pair| pair.contains(&v))
+            .count();
+        let len = slab.len as usize - 2 * removed;
+        if len + 2 * added.len() > slab.capacity as usize || len <= 2 * MAX_ORDERED_EDGES {
+            return false;
+        }
+        self.edit_hub(u, |pair| (!pair.contains(&v)).then_some(pair));
+        let mut at = slab.start as usize + len;
+        for e in added {
+            (self.entries[at], self.entries[at + 1]) = (e.a, e.b);
+            if self.follows_triangles {
+                self.triangles[at..at + 2].fill(e.triangle);
+            }
+            at += 2;
+        }
+        self.slabs[u as usize].len = (at - slab.start as usize) as u32;
+        true
+    }
+
     /// Replaces `v` by `u` in the link of `w`, a neighbor of v.
     fn substitute(&mut self, w: u32, v: u32, u: u32) {
         let slab = self.slabs[w as usize];
@@ -180,11 +241,13 @@ impl Links {
         let ring = &mut self.entries[start..start + n];
         if slab.kind != LinkKind::Edges {
             let Some(i) = find(ring, v) else { return };
-            let Some(other) = find(ring, u) else {
+            let (next, last) = (if i + 1 == n { 0 } else { i + 1 }, if i == 0 { n - 1 } else { i - 1 });
+            // They are usually adjacent.
+            let adjacent = [next, last].into_iter().find(|&k| ring[k] == u);
+            let Some(other) = adjacent.or_else(|| find(ring, u)) else {
                 ring[i] = u;
                 return;
             };
-            let (next, last) = (if i + 1 == n { 0 } else { i + 1 }, if i == 0 { n - 1 } else { i - 1 });
             let is_closed = slab.kind == LinkKind::Closed;
             let follows = other == next && (is_closed || next == i + 1);
             let precedes = other == last && (is_closed || last + 1 == i);
@@ -202,6 +265,13 @@ impl Links {
                 }
                 return;
             }
+        }
+        if self.is_hub(w) {
+            self.edit_hub(w, |[a, b]| {
+                let [a, b] = [a, b].map(|x| if x == v { u } else { x });
+                (a != b).then_some([a, b])
+            });
+            return;
         }
         let mut edges = std::mem::take(&mut self.edges);
         self.edges_into(w, &mut edges);

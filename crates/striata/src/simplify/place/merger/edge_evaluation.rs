@@ -27,6 +27,9 @@ impl Merger<'_> {
 
     /// Lower bound of the cost of collapsing an edge of `v`; infinite if no edge may be collapsed.
     pub(super) fn provisional_cost(&mut self, v: u32) -> f32 {
+        if self.evaluator.is_hub(v) {
+            return f32::INFINITY;
+        }
         self.gather(v);
         self.fill_costs(v);
         let least = self.costs.iter().copied().fold(f32::INFINITY, f32::min);
@@ -65,6 +68,9 @@ impl Merger<'_> {
     /// Returns where the edge from the gathered `v` to its neighbor `i` may place its new vertex.
     fn placement(&self, v: u32, i: usize) -> EdgePlacement {
         let u = self.neighborhood.ids[i];
+        if self.evaluator.is_hub(u) {
+            return EdgePlacement::Forbidden;
+        }
         let borders = [v, u].map(|p| self.stars[p as usize].border_count);
         let locked = [v, u].map(|p| self.evaluator.is_locked[p as usize]);
         let stays = if self.neighborhood.is_border(i) {

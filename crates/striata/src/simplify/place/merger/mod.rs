@@ -222,8 +222,13 @@ impl<'a> Merger<'a> {
         is_valid
     }
 
-    /// Recomputes the star of `v` after a change.
+    /// Recomputes the star of `v` after a change. That of a hub, which no edge may be collapsed to, waits.
     fn update_star(&mut self, v: u32) {
+        if self.evaluator.is_hub(v) {
+            self.stars[v as usize].version += 1;
+            self.choices[v as usize] = NO_CHOICE;
+            return;
+        }
         self.gather(v);
         let star = &mut self.stars[v as usize];
         star.form = self.neighborhood.form();
