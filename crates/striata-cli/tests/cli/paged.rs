@@ -279,3 +279,48 @@ fn rasters_are_inputs_like_any_other() {
     let message = stderr(&bench.run("info none.tif").failure());
     assert!(message.contains("none.tif"), "{message}");
 }
+
+#[test]
+fn a_changed_input_is_noticed() {
+    let bench = Workbench::new();
+    let grid = |height: f64| terrain(70, move |x, y| [x as f64, y as f64, height + bump(x, y)]);
+    bench.write("grid.ply", grid(10.0));
+    bench.run("plan grid.ply -o t.striata --cell 1000 --quiet").success();
+    // A copy with another time is the same file.
+    bench.write("grid.ply", grid(10.0));
+    bench.run("run t.striata.work --task 0 --quiet").success();
+    bench.write("grid.ply", grid(11.0));
+    let message = stderr(&bench.run("run t.striata.work").failure());
+    assert!(message.contains("grid.ply: the file has changed since the build was planned"), "{message}");
+    let message = stderr(&bench.run("build grid.ply --cell 1000 -o t.striata").failure());
+    assert!(message.contains("has changed") && message.contains("--restart"), "{message}");
+    assert!(!bench.path("t.striata").exists());
+    bench.run("build grid.ply --cell 1000 -o t.striata --restart --quiet").success();
+    assert!(!bench.path("t.striata.work").exists());
+}
+
+#[test]
+fn two_builds_do_not_share_a_folder() {
+    let bench = Workbench::new();
+    fs::create_dir(bench.path("t.striata.work")).unwrap();
+    let lock = fs::File::create(bench.path("t.striata.work/lock")).unwrap();
+    lock.lock().unwrap();
+    for flags in ["", "--restart"] {
+        let message = stderr(&bench.run(&format!("{BUILD} -o t.striata {flags}")).failure());
+        assert!(message.contains("another build is working in this folder"), "{message}");
+    }
+    drop(lock);
+    bench.run(&format!("{BUILD} -o t.striata --quiet")).success();
+    assert!(!bench.path("t.striata.work").exists());
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_folder() {
+    let bench = Workbench::new();
+    fs::create_dir(bench.path("sub")).unwrap();
+    for name in ["grid.ply", "sub/grid.ply"] {
+        bench.write(name, terrain(50, |x, y| [x as f64, y as f64, bump(x, y)]));
+        bench.run(&format!("build {name} --paged -o {name}.striata --quiet")).success();
+    }
+    assert!(bench.read("grid.ply.striata") == bench.read("sub/grid.ply.striata"));
+}

@@ -59,6 +59,18 @@ pub enum BuildError {
         /// The input.
         input: String,
     },
+    /// A file of the input is not what it was when the plan was made.
+    #[error("{}: the file has changed since the build was planned", path.display())]
+    InputChanged {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Another build works in the same folder.
+    #[error("{}: another build is working in this folder", path.display())]
+    InUse {
+        /// The folder.
+        path: PathBuf,
+    },
     /// Rounding would change the mesh.
     #[error(
         "{input}: rounding positions to multiples of {step:e} merges {merged} of {total} vertices that are apart"

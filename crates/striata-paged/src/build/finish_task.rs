@@ -110,6 +110,8 @@ fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), Bui
     file.write_all(head).map_err(failed)?;
     each(&mut |_, bytes| file.write_all(bytes).map_err(failed))?;
     let file = file.into_inner().map_err(|error| failed(error.into_error()))?;
+    // A name must not be seen before what it names, even if the power fails.
+    file.as_file().sync_all().map_err(failed)?;
     file.persist(output).map_err(|error| failed(error.error))?;
     Ok(())
 }

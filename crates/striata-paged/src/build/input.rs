@@ -1,6 +1,9 @@
 //! What a build reads.
 
-use std::path::PathBuf;
+use std::fs::File;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
 
 use serde::{Deserialize, Serialize};
 use striata_io::pieces::{FractalTerrain, PieceOptions, PieceSource, Tiles, open_all, open_pieces};
@@ -24,7 +27,66 @@ pub enum BuildInput {
     },
 }
 
+/// A file of the input, as it was when the plan was made.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct InputState {
+    path: PathBuf,
+    bytes: u64,
+    /// Time of the last change, in nanoseconds since 1970; `None` if the system does not say.
+    modified: Option<u64>,
+    /// CRC-32 of the content.
+    checksum: u32,
+}
+
+impl InputState {
+    fn of(path: &Path) -> Result<Self, BuildError> {
+        let (bytes, modified) = size_and_time(path)?;
+        Ok(Self { path: path.to_owned(), bytes, modified, checksum: checksum_of(path)? })
+    }
+
+    /// Compares the file with what it was. Its content is only read if the time differs, as that of a copy on
+    /// another machine does.
+    fn check(&self) -> Result<(), BuildError> {
+        let (bytes, modified) = size_and_time(&self.path)?;
+        let is_same = bytes == self.bytes
+            && (modified.is_some() && modified == self.modified || checksum_of(&self.path)? == self.checksum);
+        if is_same { Ok(()) } else { Err(BuildError::InputChanged { path: self.path.clone() }) }
+    }
+}
+
+fn size_and_time(path: &Path) -> Result<(u64, Option<u64>), BuildError> {
+    let metadata = std::fs::metadata(path).map_err(|source| BuildError::io(path, source))?;
+    let modified = metadata.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+    Ok((metadata.len(), modified.and_then(|time| u64::try_from(time.as_nanos()).ok())))
+}
+
+fn checksum_of(path: &Path) -> Result<u32, BuildError> {
+    let failed = |source| BuildError::io(path, source);
+    let (mut file, mut hasher) = (File::open(path).map_err(failed)?, crc32fast::Hasher::new());
+    let mut block = vec![0; 1 << 20];
+    loop {
+        match file.read(&mut block).map_err(failed)? {
+            0 => return Ok(hasher.finalize()),
+            count => hasher.update(&block[..count]),
+        }
+    }
+}
+
+/// Compares all files with what they were when the plan was made.
+pub(super) fn check_inputs(states: &[InputState]) -> Result<(), BuildError> {
+    states.iter().try_for_each(InputState::check)
+}
+
 impl BuildInput {
+    /// The files that are named, as they are now; those that they refer to are not among them.
+    pub(super) fn states(&self) -> Result<Vec<InputState>, BuildError> {
+        match self {
+            Self::Files(paths) => paths.iter().map(|path| InputState::of(path)).collect(),
+            Self::Tiles { path, .. } => Ok(vec![InputState::of(path)?]),
+            Self::Terrain(_) => Ok(Vec::new()),
+        }
+    }
+
     /// Opens the input.
     ///
     /// # Errors

@@ -74,9 +74,12 @@ impl Plan {
         fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
         let piece_options =
             PieceOptions::default().with_scratch(folder.to_owned()).with_z_scale(options.z_scale);
+        let inputs = input.states()?;
         let source = input.open(&piece_options)?;
         let scanned = scan::scan(source.as_ref(), &options, (threads, progress))?;
-        let mut plan = Self::new((input, options), scanned, (output.to_owned(), folder.to_owned()));
+        input::check_inputs(&inputs)?;
+        let paths = (output.to_owned(), folder.to_owned());
+        let mut plan = Self::new((input, inputs, options), scanned, paths);
         plan.warnings = source.warnings();
         plan.save()?;
         Ok(plan)
@@ -109,6 +112,33 @@ pub fn threads_for_memory(memory: u64, cell: usize) -> usize {
     (memory / per_thread).clamp(1, cores) as usize
 }
 
+/// Name of the file by which a build claims its work folder.
+const LOCK_NAME: &str = "lock";
+
+/// Claim on a work folder, which ends when it is dropped.
+#[derive(Debug)]
+pub struct WorkLock {
+    _file: Option<fs::File>,
+}
+
+impl WorkLock {
+    /// Claims a work folder, which is created if it does not exist. Where the file system has no locks, nothing
+    /// is claimed.
+    ///
+    /// # Errors
+    /// [`BuildError::InUse`] if another build works in it, [`BuildError::Io`] if it cannot be created.
+    pub fn claim(folder: &Path) -> Result<Self, BuildError> {
+        fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
+        let path = folder.join(LOCK_NAME);
+        let file = fs::File::create(&path).map_err(|source| BuildError::io(&path, source))?;
+        match file.try_lock() {
+            Ok(()) => Ok(Self { _file: Some(file) }),
+            Err(fs::TryLockError::WouldBlock) => Err(BuildError::InUse { path: folder.to_owned() }),
+            Err(fs::TryLockError::Error(_)) => Ok(Self { _file: None }),
+        }
+    }
+}
+
 /// Removes the files of a build from its work folder.
 ///
 /// # Errors
@@ -117,7 +147,7 @@ pub fn remove_work(folder: &Path) -> Result<(), BuildError> {
     let Ok(files) = fs::read_dir(folder) else { return Ok(()) };
     let is_ours = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        ["plan.json", "partition.bin", "finished"].contains(&name.as_str())
+        ["plan.json", "partition.bin", "finished", LOCK_NAME].contains(&name.as_str())
             || name.ends_with(".part")
             || name.starts_with(".part-")
     };

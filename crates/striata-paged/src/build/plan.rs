@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use striata::simplify::cells::Partition;
 
+use super::input::{InputState, check_inputs};
 use super::{BuildError, BuildInput, BuildOptions};
 use crate::Metadata;
 
@@ -79,6 +80,8 @@ pub struct Plan {
     version: u32,
     /// What is read.
     pub input: BuildInput,
+    /// The files of the input when it was read first.
+    inputs: Vec<InputState>,
     /// How it is built.
     pub options: BuildOptions,
     /// What the result says about the mesh.
@@ -111,7 +114,7 @@ pub(super) struct Scanned {
 
 impl Plan {
     pub(super) fn new(
-        (input, options): (BuildInput, BuildOptions),
+        (input, inputs, options): (BuildInput, Vec<InputState>, BuildOptions),
         scanned: Scanned,
         (output, folder): (PathBuf, PathBuf),
     ) -> Self {
@@ -136,7 +139,7 @@ impl Plan {
         }
         bundle(TaskKind::Finish, 1, 1);
         let (version, partition, warnings) = (VERSION, Some(partition), Vec::new());
-        Self { version, input, options, metadata, output, tasks, folder, warnings, note, partition }
+        Self { version, input, inputs, options, metadata, output, tasks, folder, warnings, note, partition }
     }
 
     /// Writes the plan into its folder.
@@ -169,6 +172,14 @@ impl Plan {
             return Err(BuildError::Damaged { path: partition_path });
         }
         Ok(plan)
+    }
+
+    /// Compares the files of the input with what they were when the plan was made.
+    ///
+    /// # Errors
+    /// [`BuildError::InputChanged`] with the first file that differs.
+    pub fn check_inputs(&self) -> Result<(), BuildError> {
+        check_inputs(&self.inputs)
     }
 
     /// The cells of all levels.

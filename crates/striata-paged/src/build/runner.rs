@@ -83,7 +83,9 @@ pub fn run_stage(
     let (name, before, total) = progress_of(plan, stage);
     let before = before + (tasks.len() - open.len()) as u64;
     let mut report = |done: u64| Progress { phase: name, done: before + done, total }.report(progress);
-    in_parallel(open.len(), (threads, &mut report), |index| inputs.run(plan, open[index]))
+    in_parallel(open.len(), (threads, &mut report), |index| inputs.run(plan, open[index]))?;
+    // What was read while a file changed would be of both.
+    if matches!(inputs, StageInputs::Sort(_)) { plan.check_inputs() } else { Ok(()) }
 }
 
 /// Runs one task, whether or not it has been run before. The result is the same.
@@ -135,7 +137,10 @@ enum StageInputs {
 impl StageInputs {
     fn open(plan: &Plan, kind: TaskKind) -> Result<Self, BuildError> {
         Ok(match kind {
-            TaskKind::Sort => Self::Sort(plan.input.open(&piece_options(plan))?),
+            TaskKind::Sort => {
+                plan.check_inputs()?;
+                Self::Sort(plan.input.open(&piece_options(plan))?)
+            }
             TaskKind::Level(level) => {
                 let is_earlier = |task: &&Task| match task.kind {
                     TaskKind::Sort => true,

@@ -100,7 +100,7 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
         .map(|group| PagedGroup { name: group.name.clone(), material: group.material })
         .collect();
     let mut metadata = Metadata {
-        source: summary.name.clone(),
+        source: without_folder(&summary.name).to_owned(),
         triangle_count: total.triangle_count,
         origin: summary.origin,
         min: total.min,
@@ -124,6 +124,11 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
     };
     metadata.declare_material_layer();
     metadata
+}
+
+/// A name without the folder, which the result must not depend on, nor tell.
+fn without_folder(name: &str) -> &str {
+    name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
 
 /// The options that the result depends on.

@@ -8,7 +8,7 @@ use striata_command::args::SequenceArgs;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
 use striata_paged::build::{
-    BuildError, BuildInput, BuildOptions, Plan, is_address, remove_work, run_all, threads_for_memory,
+    BuildError, BuildInput, BuildOptions, Plan, WorkLock, is_address, remove_work, run_all, threads_for_memory,
 };
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};
@@ -45,17 +45,24 @@ pub(crate) fn build(
     let memory_threads = args.memory.map_or(usize::MAX, |size| threads_for_memory(size.0, options.cell));
     let threads = args.threads.unwrap_or_else(core_count).clamp(1, memory_threads);
     check_output(path)?;
+    check_input_space(&input, &folder)?;
+    let mut lock = WorkLock::claim(&folder).map_err(failure)?;
     if args.restart {
         remove_work(&folder).map_err(failure)?;
+        lock = WorkLock::claim(&folder).map_err(failure)?;
     }
     let mut bar = output.bar();
-    check_input_space(&input, &folder)?;
     let known = known_plan(&folder, (&input, &options), path)?;
     let resumed = known.is_some();
     let plan = match known {
         Some(plan) => plan,
         None => {
-            Plan::make((input, options), path, &folder, (threads, &mut |p| bar.show(p))).map_err(failure)?
+            let made = Plan::make((input, options), path, &folder, (threads, &mut |p| bar.show(p)));
+            if made.is_err() {
+                // The error itself is more important.
+                let _ = remove_work(&folder);
+            }
+            made.map_err(failure)?
         }
     };
     if let Err(refused) = output.warn(&plan.warnings) {
@@ -74,6 +81,7 @@ pub(crate) fn build(
     run.map_err(failure)?;
     drop(bar);
     plan.remove_work().map_err(failure)?;
+    drop(lock);
     let seconds = start.elapsed().as_secs_f64();
     let triangles = plan.metadata.triangle_count;
     let report = Report {
@@ -128,6 +136,7 @@ fn known_plan(
     if (&plan.input, &plan.options, plan.output.as_path()) != (input, options, path) {
         return Err(failure(BuildError::OtherBuild { path: folder.to_owned() }));
     }
+    plan.check_inputs().map_err(failure)?;
     Ok(Some(plan))
 }
 
