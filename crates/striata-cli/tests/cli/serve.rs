@@ -91,6 +91,59 @@ fn the_list_contains_all_visible_models_and_nothing_else() {
 }
 
 #[test]
+fn the_list_is_sent_in_parts_and_compressed() {
+    let bench = Workbench::new();
+    for number in 0..40 {
+        bench.write(&format!("model-{number:02}.obj"), sphere(3, 3));
+    }
+    let server = serve(&bench, ".", &[]);
+    let whole = get(&server, "/models.json", "");
+    let packed = get(&server, "/models.json", "accept-encoding: gzip\r\n");
+    assert_eq!(packed.header("content-encoding"), "gzip");
+    assert!(packed.body.len() * 4 < whole.body.len());
+    let mut unpacked = Vec::new();
+    flate2::read::GzDecoder::new(&packed.body[..]).read_to_end(&mut unpacked).expect("gzip");
+    assert_eq!(unpacked, whole.body);
+    let names = |path: &str| -> (Vec<String>, Value) {
+        let list: Value = serde_json::from_slice(&get(&server, path, "").body).expect("JSON");
+        let models = list["models"].as_array().expect("models");
+        let names = models.iter().filter_map(|model| model["name"].as_str()).map(str::to_owned);
+        (names.collect(), list["total"].clone())
+    };
+    assert_eq!(
+        names("/models.json?from=38&count=5"),
+        (vec!["model-38.obj".to_owned(), "model-39.obj".to_owned()], 40.into())
+    );
+    assert_eq!(names("/models.json?count=1").0, ["model-00.obj"]);
+    assert!(names("/models.json?from=99").0.is_empty());
+    assert_eq!(get(&server, "/models.json?from=x", "").status, 400);
+}
+
+#[test]
+fn requests_for_another_version_fail() {
+    let bench = folder();
+    let server = serve(&bench, "sub folder", &[]);
+    let path = "/models/buffer.bin";
+    let tag = get(&server, path, "").header("etag").to_owned();
+    assert_eq!(get(&server, path, &format!("if-match: {tag}\r\nrange: bytes=0-3\r\n")).status, 206);
+    assert_eq!(get(&server, path, "if-match: \"other\"\r\nrange: bytes=0-3\r\n").status, 412);
+    let past = "if-unmodified-since: Thu, 01 Jan 1970 00:00:01 GMT\r\n";
+    assert_eq!(get(&server, path, past).status, 412);
+}
+
+#[test]
+fn silent_clients_do_not_keep_others_out() {
+    let bench = Workbench::with_ball();
+    let server = serve(&bench, ".", &["--max-connections", "4", "--time-out", "600"]);
+    let mut silent: Vec<Connection> = (0..40).map(|_| connect(&server)).collect();
+    for client in &mut silent {
+        // Some may have been closed already.
+        let _ = client.say("GET /models.json HTTP/1.1\r\n");
+    }
+    assert_eq!(get(&server, "/models.json", "").status, 200);
+}
+
+#[test]
 fn the_list_follows_the_folder() {
     let bench = Workbench::with_ball();
     let server = serve(&bench, ".", &[]);

@@ -29,7 +29,8 @@ pub struct ServeArgs {
         value_parser = clap::value_parser!(u32).range(1..=100_000)
     )]
     pub max_connections: u32,
-    /// Close a connection after this many seconds without a request or progress on a response
+    /// Close a connection after this many seconds without progress on a response; without a request, after 10
+    /// seconds at most
     #[arg(
         long, value_name = "SECS", default_value_t = 60,
         value_parser = clap::value_parser!(u64).range(1..=86_400)

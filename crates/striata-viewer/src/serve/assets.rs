@@ -91,7 +91,7 @@ pub(super) async fn handle(State(assets): State<Arc<Assets>>, uri: Uri, request:
     let offers: Vec<Coding> = ready.iter().filter(|(_, b)| b.is_some()).map(|&(coding, _)| coding).collect();
     let coding = Coding::chosen(&request, &offers);
     let validators = Validators::new(&asset.tag, coding, None);
-    if let Some(mut response) = validators.not_modified(&request) {
+    if let Some(mut response) = validators.answered(&request) {
         asset.apply(&validators, &mut response);
         return response;
     }

@@ -81,7 +81,7 @@ async fn send(
     let offers: &[Coding] = if is_text && !has_range { &[Coding::Gzip] } else { &[] };
     let coding = Coding::chosen(request, offers);
     let validators = Validators::new(&stamp.tag(), coding, Some(stamp.modified));
-    if let Some(response) = validators.not_modified(request) {
+    if let Some(response) = validators.answered(request) {
         return Ok(response);
     }
     let part = match method {

@@ -1,5 +1,7 @@
 //! `models.json`: the list of models.
 //!
+//! A request may ask for a part of it, `models.json?from=100&count=50`, and for gzip.
+//!
 //! The folder is walked again on request, at most once per second, and headers are read only from new or
 //! changed files. Cost: a stat of each entry; a few hundred bytes of memory per model.
 
@@ -8,13 +10,16 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use async_compression::Level;
+use async_compression::tokio::bufread::GzipEncoder;
 use axum::body::Bytes;
-use axum::extract::State;
-use axum::http::header::CONTENT_TYPE;
+use axum::extract::{Query, State};
+use axum::http::header::{CONTENT_ENCODING, CONTENT_TYPE};
 use axum::http::{HeaderMap, HeaderValue};
 use axum::response::{IntoResponse, Response};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use striata_io::Format;
+use tokio::io::AsyncReadExt as _;
 use tokio::sync::Mutex;
 
 use super::folder::{Folder, Stamp, encoded};
@@ -43,16 +48,29 @@ struct Cache {
 pub(super) struct List {
     /// Number of models.
     pub(super) model_count: usize,
+    name: String,
+    models: Arc<[(String, Stamp, HeaderFacts)]>,
+    is_cut: bool,
     json: Bytes,
     tag: String,
 }
 
 #[derive(Serialize)]
 struct Document<'a> {
-    name: String,
+    name: &'a str,
     models: Vec<Model<'a>>,
+    /// Number of models in the whole list.
+    total: usize,
     /// Whether the list was truncated.
     is_cut: bool,
+}
+
+/// The part of the list that a request asks for: `models.json?from=100&count=50`.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+pub(super) struct Wanted {
+    #[serde(default)]
+    from: usize,
+    count: Option<usize>,
 }
 
 #[derive(Serialize)]
@@ -70,16 +88,57 @@ struct Model<'a> {
 }
 
 /// Handles requests for `models.json`.
-pub(super) async fn handle(State(listing): State<Arc<Listing>>, request: HeaderMap) -> Response {
+pub(super) async fn handle(
+    State(listing): State<Arc<Listing>>,
+    Query(wanted): Query<Wanted>,
+    request: HeaderMap,
+) -> Response {
     let list = listing.current().await;
-    let validators = Validators::new(&list.tag, Coding::Plain, None);
-    if let Some(response) = validators.not_modified(&request) {
+    let is_whole = wanted.from == 0 && wanted.count.is_none();
+    let (json, tag) = match is_whole {
+        true => (list.json.clone(), list.tag.clone()),
+        false => {
+            let part = format!("{}-{}-{}", list.tag, wanted.from, wanted.count.unwrap_or(usize::MAX));
+            (list.part(wanted), part)
+        }
+    };
+    let coding = Coding::chosen(&request, &[Coding::Gzip]);
+    let validators = Validators::new(&tag, coding, None);
+    if let Some(response) = validators.answered(&request) {
         return response;
     }
-    let mut response = list.json.into_response();
+    let mut response = match coding {
+        Coding::Plain => json.into_response(),
+        _ => {
+            let mut packed = Vec::new();
+            let mut encoder = GzipEncoder::with_quality(&json[..], Level::Fastest);
+            // Reading from memory does not fail.
+            let _ = encoder.read_to_end(&mut packed).await;
+            let mut response = packed.into_response();
+            response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+            response
+        }
+    };
     validators.apply(&mut response);
     response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static("application/json"));
     response
+}
+
+impl List {
+    /// The document with some of the models.
+    fn part(&self, Wanted { from, count }: Wanted) -> Bytes {
+        let from = from.min(self.models.len());
+        let to = from.saturating_add(count.unwrap_or(usize::MAX)).min(self.models.len());
+        let models = self.models[from..to].iter();
+        let document = Document {
+            name: &self.name,
+            models: models.map(|(path, stamp, head)| Model::new(path, *stamp, *head)).collect(),
+            total: self.models.len(),
+            is_cut: self.is_cut,
+        };
+        // The document contains only numbers and strings, so serialization cannot fail.
+        serde_json::to_vec(&document).unwrap_or_default().into()
+    }
 }
 
 impl Listing {
@@ -116,18 +175,18 @@ fn build_list(
         let head = known.map_or_else(|| read_header(folder, &name), |(_, head)| head);
         heads.insert(name, (stamp, head));
     }
-    let models = heads.iter().map(|(path, &(stamp, head))| Model::new(path, stamp, head)).collect();
-    let document = Document {
+    let mut list = List {
+        model_count: heads.len(),
         name: folder.only().map_or_else(|| folder.name(), str::to_owned),
-        models,
+        models: heads.iter().map(|(path, &(stamp, head))| (path.clone(), stamp, head)).collect(),
         is_cut: walked.is_truncated,
+        ..List::default()
     };
-    // The document contains only numbers and strings, so serialization cannot fail.
-    let json = serde_json::to_vec(&document).unwrap_or_default();
+    list.json = list.part(Wanted::default());
     let mut hasher = DefaultHasher::new();
-    json.hash(&mut hasher);
-    let tag = format!("{:x}-{:x}", json.len(), hasher.finish());
-    (List { model_count: heads.len(), json: json.into(), tag }, heads)
+    list.json.hash(&mut hasher);
+    list.tag = format!("{:x}-{:x}", list.json.len(), hasher.finish());
+    (list, heads)
 }
 
 fn read_header(folder: &Folder, name: &str) -> HeaderFacts {

@@ -11,6 +11,7 @@
 
 mod args;
 mod assets;
+mod connections;
 mod files;
 mod folder;
 mod guard;

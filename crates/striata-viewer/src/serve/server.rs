@@ -1,4 +1,4 @@
-//! Accepts connections: limits their number, drops idle ones, and shuts down gracefully.
+//! Accepts connections: limits their number, drops idle and silent ones, and shuts down gracefully.
 
 use std::pin::pin;
 use std::sync::Arc;
@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use axum::Router;
 use hyper::server::conn::http1;
+use hyper::service::{Service as _, service_fn};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::server::graceful::{GracefulShutdown, Watcher};
 use hyper_util::service::TowerToHyperService;
@@ -14,27 +15,35 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{sleep, timeout};
 use tokio_io_timeout::TimeoutStream;
 
+use super::connections::{Client, Connections};
 use super::options::Options;
 
 /// Buffer size per connection, which also limits the size of request headers.
 const BUFFER_BYTES: usize = 64 * 1024;
+/// How long a client may take for the headers of a request, and stay idle between requests.
+const HEADER_TIME_OUT: Duration = Duration::from_secs(10);
 /// How long responses may continue after shutdown begins.
 const GRACE: Duration = Duration::from_secs(3);
+/// Pause between attempts to find a place for a connection.
+const PLACE_RETRY_DELAY: Duration = Duration::from_millis(100);
 /// Pause after a failed accept, when the system has no resources for another connection.
 const ACCEPT_RETRY_DELAY: Duration = Duration::from_millis(50);
 
 /// Serves until the process receives a termination signal.
 pub(super) async fn run(listener: TcpListener, router: Router, options: &Options) {
     let permits = Arc::new(Semaphore::new(options.max_connections));
+    // Others find a place even if one address takes all it can.
+    let connections = Arc::new(Connections::new(options.max_connections.div_ceil(2)));
     let graceful = GracefulShutdown::new();
     let mut shutdown = pin!(termination_signal());
     loop {
         let stream = tokio::select! {
-            next = next_connection(&listener, &permits) => next,
+            next = next_connection(&listener, &permits, &connections) => next,
             () = &mut shutdown => break,
         };
-        let Some((stream, permit)) = stream else { continue };
-        tokio::spawn(serve_connection(stream, router.clone(), options.time_out, graceful.watcher(), permit));
+        let Some(accepted) = stream else { continue };
+        let (router, watcher) = (router.clone(), graceful.watcher());
+        tokio::spawn(serve_connection(accepted, router, options.time_out, watcher));
     }
     drop(listener);
     tokio::select! {
@@ -43,29 +52,57 @@ pub(super) async fn run(listener: TcpListener, router: Router, options: &Options
     }
 }
 
-/// Waits for a permit and accepts the next connection; further clients wait in the system's queue.
-async fn next_connection(
-    listener: &TcpListener,
-    permits: &Arc<Semaphore>,
-) -> Option<(TcpStream, OwnedSemaphorePermit)> {
-    let permit = permits.clone().acquire_owned().await.ok()?;
-    match listener.accept().await {
-        Ok((stream, _)) => Some((stream, permit)),
-        Err(_) => {
-            sleep(ACCEPT_RETRY_DELAY).await;
-            None
-        }
+/// An accepted connection, which is forgotten when this is dropped.
+struct Accepted {
+    stream: Option<TcpStream>,
+    client: Arc<Client>,
+    connections: Arc<Connections>,
+    _permit: OwnedSemaphorePermit,
+}
+
+impl Drop for Accepted {
+    fn drop(&mut self) {
+        self.connections.remove(&self.client);
     }
 }
 
+/// Accepts the next connection and waits for a permit, which a silent connection gives up; further clients wait
+/// in the system's queue. [`None`] if the connection is refused.
+async fn next_connection(
+    listener: &TcpListener,
+    permits: &Arc<Semaphore>,
+    connections: &Arc<Connections>,
+) -> Option<Accepted> {
+    let (stream, peer) = match listener.accept().await {
+        Ok(accepted) => accepted,
+        Err(_) => {
+            sleep(ACCEPT_RETRY_DELAY).await;
+            return None;
+        }
+    };
+    let permit = loop {
+        if permits.available_permits() == 0 {
+            connections.make_place();
+        }
+        // Connections become old enough to give way while this one waits.
+        if let Ok(permit) = timeout(PLACE_RETRY_DELAY, permits.clone().acquire_owned()).await {
+            break permit.ok()?;
+        }
+    };
+    let client = connections.add(peer.ip())?;
+    Some(Accepted { stream: Some(stream), client, connections: Arc::clone(connections), _permit: permit })
+}
+
 /// Handles the requests of one connection until either side closes it. Errors concern only this connection.
-async fn serve_connection(
-    stream: TcpStream,
-    router: Router,
-    time_out: Duration,
-    watcher: Watcher,
-    _permit: OwnedSemaphorePermit,
-) {
+async fn serve_connection(mut accepted: Accepted, router: Router, time_out: Duration, watcher: Watcher) {
+    let Some(stream) = accepted.stream.take() else { return };
+    let client = Arc::clone(&accepted.client);
+    let asked = Arc::clone(&accepted.client);
+    let service = TowerToHyperService::new(router);
+    let service = service_fn(move |request| {
+        asked.has_asked();
+        service.call(request)
+    });
     // If this fails, short responses are slightly delayed.
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
@@ -73,10 +110,13 @@ async fn serve_connection(
     stream.set_write_timeout(Some(time_out));
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
-        .header_read_timeout(time_out)
+        .header_read_timeout(time_out.min(HEADER_TIME_OUT))
         .max_buf_size(BUFFER_BYTES)
-        .serve_connection(TokioIo::new(Box::pin(stream)), TowerToHyperService::new(router));
-    let _ = watcher.watch(connection).await;
+        .serve_connection(TokioIo::new(Box::pin(stream)), service);
+    tokio::select! {
+        _ = watcher.watch(connection) => {}
+        () = client.end.notified() => {}
+    }
 }
 
 /// Completes on Ctrl-C or a termination signal.

@@ -116,7 +116,7 @@ pub(super) async fn handle(
     };
     let tag = format!("{}-{state}", found.stamp.tag());
     let validators = Validators::new(&tag, Coding::Plain, None);
-    if let Some(response) = validators.not_modified(&request) {
+    if let Some(response) = validators.answered(&request) {
         return response;
     }
     let mut response = png.into_response();

@@ -5,7 +5,9 @@ use std::time::SystemTime;
 use axum::http::header::{ACCEPT_ENCODING, CACHE_CONTROL, ETAG, LAST_MODIFIED, VARY};
 use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
-use headers::{ETag, HeaderMapExt, IfModifiedSince, IfNoneMatch, IfRange, LastModified};
+use headers::{
+    ETag, HeaderMapExt, IfMatch, IfModifiedSince, IfNoneMatch, IfRange, IfUnmodifiedSince, LastModified,
+};
 
 /// Content coding of a response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,8 +65,20 @@ impl Validators {
         Self { tag, modified }
     }
 
-    /// The 304 response, if the client's copy is current.
-    pub(super) fn not_modified(&self, request: &HeaderMap) -> Option<Response> {
+    /// The response to a request whose conditions answer it: 412 if it is for another version, 304 if the
+    /// client's copy is current.
+    pub(super) fn answered(&self, request: &HeaderMap) -> Option<Response> {
+        let is_wanted = match request.typed_get::<IfMatch>() {
+            Some(condition) => condition.precondition_passes(&self.etag()?),
+            None => match (request.typed_get::<IfUnmodifiedSince>(), self.modified) {
+                (Some(condition), Some(modified)) => condition.precondition_passes(modified),
+                _ => true,
+            },
+        };
+        if is_wanted { self.not_modified(request) } else { Some(StatusCode::PRECONDITION_FAILED.into_response()) }
+    }
+
+    fn not_modified(&self, request: &HeaderMap) -> Option<Response> {
         let is_current = match request.typed_get::<IfNoneMatch>() {
             Some(condition) => !condition.precondition_passes(&self.etag()?),
             // Dates are used only if no tags are given.

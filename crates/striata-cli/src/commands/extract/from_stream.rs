@@ -13,7 +13,6 @@ use super::stream_level::{
     INPUT_ENDED_TEXT, StreamStopReason, detail_to_splits, full_mesh, has_level, resolve, stream_of,
 };
 use crate::args::ExtractArgs;
-use crate::commands::build::errors_are_guaranteed;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
@@ -67,7 +66,7 @@ struct Report {
 pub(super) fn run(
     args: &ExtractArgs,
     (file, input): (&StriataFile<'_>, &Input),
-    started: Instant,
+    (started, error_is_guaranteed): (Instant, bool),
     output: &Output,
 ) -> Result<(), Failure> {
     let damaged = |error| input.damaged(&error);
@@ -113,7 +112,7 @@ pub(super) fn run(
                 Some(error) if is_last => error,
                 _ => refinable.sequence.error_at(split_count),
             },
-            error_is_guaranteed: errors_are_guaranteed(file).map_err(damaged)?,
+            error_is_guaranteed,
             stop_reason: end.as_str(),
             shortfall,
             is_complete: !received.is_cut,

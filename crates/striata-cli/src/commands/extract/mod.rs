@@ -61,11 +61,13 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
             .with_hint(format!("remove {flag}, or re-encode textures with `striata build` or `convert`")));
     }
     let file = input.striata()?;
+    // Damage that the report would find must be known before an output gets its name.
+    let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let is_named = args.model.as_deref() == Some(ModelKind::Progressive.as_str());
     let is_view_or_box = args.eye.eye.is_some() || args.detail_box.is_some();
     if !is_view_or_box && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only())
     {
-        return from_stream::run(args, (&file, &input), started, output);
+        return from_stream::run(args, (&file, &input), (started, error_is_guaranteed), output);
     }
     input.remark_on(&file, output)?;
     if let Some(eye) = args.eye.eye {
@@ -77,7 +79,6 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let levels = file.levels().map_err(|error| input.damaged(&error))?;
     let full = FullMesh::of_levels(&levels, diagonal_of(&args.level, &file, &input)?);
     let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
-    let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let resolve = |request: &LevelRequest| -> Result<_, Failure> {
         Ok(request.target.ok_or_else(no_level)?.resolve_in(&levels))
     };
