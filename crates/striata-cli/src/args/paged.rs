@@ -38,11 +38,11 @@ pub(crate) struct CellArgs {
     /// Triangles per page [default: 65536]
     #[arg(long, value_name = "N", help_heading = PAGED)]
     pub(crate) cell: Option<usize>,
-    /// Join files whose borders differ by less than this (mesh units): positions are rounded to it
+    /// Join files whose borders differ by less than this (mesh units)
     #[arg(long, value_name = "DISTANCE", help_heading = PAGED)]
     pub(crate) weld_distance: Option<Length>,
     /// Keep positions and attributes bit for bit instead of rounding them to 1/256 of an edge
-    #[arg(long, conflicts_with = "weld_distance", help_heading = PAGED)]
+    #[arg(long, help_heading = PAGED)]
     pub(crate) exact: bool,
     /// Build even if rounding positions merges more than one in a thousand vertices
     #[arg(long, conflicts_with = "exact", help_heading = PAGED)]

@@ -192,6 +192,44 @@ fn bump(x: usize, y: usize) -> f64 {
     40.0 * (x as f64 / 9.0).sin() * (y as f64 / 13.0).cos() + ((x * 7 + y * 13) % 11) as f64
 }
 
+/// Number of edges that one triangle has.
+fn border_edge_count(mesh: &IndexedMesh) -> usize {
+    let mut edges = std::collections::BTreeMap::<[u32; 2], u32>::new();
+    for t in &mesh.triangles {
+        for i in 0..3 {
+            let (a, b) = (t[i], t[(i + 1) % 3]);
+            *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
+        }
+    }
+    edges.values().filter(|&&count| count == 1).count()
+}
+
+#[test]
+fn borders_that_differ_a_little_are_joined() {
+    let bench = Workbench::new();
+    // Two exports of one survey differ by up to 0.0002 along their common border.
+    let noise = |seed: usize| ((seed * 7919 + 13) % 401) as f64 * 1e-6 - 2e-4;
+    let tile = |west: usize, seed: usize| {
+        terrain(50, move |x, y| {
+            let is_common = west + x == 49;
+            let off = |axis: usize| if is_common { noise(seed + 3 * y + axis) } else { 0.0 };
+            [(west + x) as f64 + off(0), y as f64 + off(1), bump(west + x, y) + off(2)]
+        })
+    };
+    bench.write("a.ply", tile(0, 1));
+    bench.write("b.ply", tile(49, 1000));
+    let joined = |flags: &str| {
+        bench.run(&format!("build a.ply b.ply -o ab.striata --quiet {flags}")).success();
+        bench.run("extract ab.striata -o ab.ply --ratio 1 --quiet").success();
+        border_edge_count(&mesh(&bench, "ab.ply"))
+    };
+    assert_eq!(joined(""), 8 * 49);
+    for distance in ["0.0008", "0.001", "0.05"] {
+        assert_eq!(joined(&format!("--weld-distance {distance}")), 6 * 49, "{distance}");
+    }
+    assert_eq!(joined("--weld-distance 0.001 --exact"), 6 * 49);
+}
+
 #[test]
 fn rounding_keeps_vertices_apart_or_is_refused() {
     let bench = Workbench::new();
@@ -228,15 +266,7 @@ fn options_hold_for_paged_files_or_are_refused() {
     let border = |flags: &str| {
         bench.run(&format!("build grid.ply --cell 2000 {flags} -o t.striata --quiet")).success();
         bench.run("extract t.striata -o level.ply --triangles 1500 --quiet").success();
-        let level = mesh(&bench, "level.ply");
-        let mut edges = std::collections::BTreeMap::<[u32; 2], u32>::new();
-        for t in &level.triangles {
-            for i in 0..3 {
-                let (a, b) = (t[i], t[(i + 1) % 3]);
-                *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
-            }
-        }
-        edges.values().filter(|&&count| count == 1).count()
+        border_edge_count(&mesh(&bench, "level.ply"))
     };
     assert_eq!(border("--lock-boundary"), 4 * 89);
     assert!(border("") < 300);

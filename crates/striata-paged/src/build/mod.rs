@@ -22,6 +22,7 @@ mod scan;
 mod simplify_task;
 mod simulation;
 mod sort_task;
+mod weld;
 mod wire;
 
 use std::fs;
@@ -147,7 +148,7 @@ pub fn remove_work(folder: &Path) -> Result<(), BuildError> {
     let Ok(files) = fs::read_dir(folder) else { return Ok(()) };
     let is_ours = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        ["plan.json", "partition.bin", "finished", LOCK_NAME].contains(&name.as_str())
+        ["plan.json", "partition.bin", "weld.bin", "finished", LOCK_NAME].contains(&name.as_str())
             || name.ends_with(".part")
             || name.starts_with(".part-")
     };

@@ -12,10 +12,11 @@ use crate::Metadata;
 pub struct BuildOptions {
     /// Triangles of a cell of the finest level; default 65,536.
     pub cell: usize,
-    /// Whether positions and attributes are kept bit for bit instead of being rounded; default no.
+    /// Whether positions and attributes are kept bit for bit instead of being rounded; default no, which rounds
+    /// positions to at most 1/256 of the median edge.
     pub exact: bool,
-    /// Positions are rounded to multiples of about this, in mesh units, so that files whose borders differ by
-    /// less are joined; default a power of two of at most 1/256 of the mean edge.
+    /// Positions of borders that are closer than this, in mesh units, become one, transitively up to twice as
+    /// far; default none.
     pub weld_distance: Option<f64>,
     /// Heights of a terrain are multiplied by this; default 1.
     pub z_scale: f64,
@@ -26,7 +27,6 @@ pub struct BuildOptions {
     /// Weight of colors.
     pub color_weight: f32,
     /// Whether rounding may merge more than one in a thousand vertices; default no, which is an error.
-    /// A weld distance implies it.
     pub allow_merging: bool,
     /// Whether the topology may change, so that small parts vanish; default yes.
     pub change_topology: bool,

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use striata::simplify::cells::Partition;
 
+use super::weld::WeldMap;
 use super::input::{InputState, check_inputs};
 use super::{BuildError, BuildInput, BuildOptions};
 use crate::Metadata;
@@ -16,6 +17,8 @@ const VERSION: u32 = 1;
 const MIN_TASKS: u64 = 16;
 /// Name of the plan in its folder.
 pub(super) const PLAN_NAME: &str = "plan.json";
+/// Name of the positions that become others, in the same folder.
+const WELD_NAME: &str = "weld.bin";
 /// Name of the partition in the same folder.
 const PARTITION_NAME: &str = "partition.bin";
 
@@ -101,6 +104,8 @@ pub struct Plan {
     pub note: Option<&'static str>,
     #[serde(skip)]
     partition: Option<Partition>,
+    #[serde(skip)]
+    weld: WeldMap,
 }
 
 /// What is known about an input once it has been read for the first time.
@@ -110,6 +115,8 @@ pub(super) struct Scanned {
     pub(super) piece_count: u64,
     /// Remark on how positions are kept.
     pub(super) note: Option<&'static str>,
+    /// Positions that become others, if a distance for that was given.
+    pub(super) weld: Option<WeldMap>,
 }
 
 impl Plan {
@@ -118,7 +125,7 @@ impl Plan {
         scanned: Scanned,
         (output, folder): (PathBuf, PathBuf),
     ) -> Self {
-        let Scanned { metadata, partition, piece_count, note } = scanned;
+        let Scanned { metadata, partition, piece_count, note, weld } = scanned;
         let mut tasks = Vec::new();
         let mut bundle = |kind: TaskKind, count: u64, size: u64| {
             for first in (0..count).step_by(size as usize) {
@@ -139,13 +146,17 @@ impl Plan {
         }
         bundle(TaskKind::Finish, 1, 1);
         let (version, partition, warnings) = (VERSION, Some(partition), Vec::new());
-        Self { version, input, inputs, options, metadata, output, tasks, folder, warnings, note, partition }
+        let weld = weld.unwrap_or_default();
+        Self { version, input, inputs, options, metadata, output, tasks, folder, warnings, note, partition, weld }
     }
 
     /// Writes the plan into its folder.
     pub(super) fn save(&self) -> Result<(), BuildError> {
         let partition_path = self.folder.join(PARTITION_NAME);
         write_whole(&partition_path, &self.partition()?.to_bytes())?;
+        if self.options.weld_distance.is_some() {
+            write_whole(&self.folder.join(WELD_NAME), &self.weld.to_bytes())?;
+        }
         let path = self.folder.join(PLAN_NAME);
         let json = serde_json::to_vec_pretty(self)
             .map_err(|error| BuildError::Plan { path: path.clone(), reason: error.to_string() })?;
@@ -171,6 +182,11 @@ impl Plan {
         if plan.partition.is_none() {
             return Err(BuildError::Damaged { path: partition_path });
         }
+        if plan.options.weld_distance.is_some() {
+            let path = plan.folder.join(WELD_NAME);
+            let bytes = fs::read(&path).map_err(|source| BuildError::io(&path, source))?;
+            plan.weld = WeldMap::from_bytes(&bytes).ok_or(BuildError::Damaged { path })?;
+        }
         Ok(plan)
     }
 
@@ -180,6 +196,11 @@ impl Plan {
     /// [`BuildError::InputChanged`] with the first file that differs.
     pub fn check_inputs(&self) -> Result<(), BuildError> {
         check_inputs(&self.inputs)
+    }
+
+    /// Positions that become others.
+    pub(super) fn weld(&self) -> &WeldMap {
+        &self.weld
     }
 
     /// The cells of all levels.

@@ -9,6 +9,7 @@ use striata_io::pieces::{Piece, PieceSource};
 
 use super::plan::Scanned;
 use super::runner::in_parallel;
+use super::weld::{WeldMap, border};
 use super::{BuildError, BuildOptions};
 use crate::{Grid, Metadata, PagedGroup, PagedLayer};
 
@@ -27,6 +28,8 @@ struct PieceScan {
     /// Lengths of some edges.
     edges: Vec<f32>,
     samples: Vec<[f32; 3]>,
+    /// Positions that may be joined with others.
+    border: Vec<[f32; 3]>,
 }
 
 /// Reads the whole input once.
@@ -39,7 +42,9 @@ pub(super) fn scan(
     let scans: Mutex<Vec<Option<PieceScan>>> = Mutex::new((0..count).map(|_| None).collect());
     let mut report = |done| Progress { phase: "read", done, total: count }.report(progress);
     in_parallel(count as usize, (threads, &mut report), |index| {
-        let scan = scan_piece(&source.read_piece(index as u64)?);
+        let piece = source.read_piece(index as u64)?;
+        let border = if options.weld_distance.is_some() { border(&piece) } else { Vec::new() };
+        let scan = PieceScan { border, ..scan_piece(&piece) };
         if let Ok(mut scans) = scans.lock() {
             scans[index] = Some(scan);
         }
@@ -59,6 +64,9 @@ pub(super) fn scan(
     if total.triangle_count == 0 {
         return Err(BuildError::Empty { input: source.summary().name.clone() });
     }
+    let weld = options.weld_distance.map(|distance| {
+        WeldMap::of(scans.iter().flat_map(|scan| scan.border.iter().copied()).collect(), distance)
+    });
     let samples: Vec<[f32; 3]> = scans.into_iter().flat_map(|scan| scan.samples).collect();
     let per_sample = total.triangle_count as f64 / samples.len().max(1) as f64;
     let partition = Partition::new(&samples, per_sample, options.cell);
@@ -67,7 +75,7 @@ pub(super) fn scan(
     let is_too_large = !options.exact && metadata.grid.is_none();
     let note =
         is_too_large.then_some("positions are kept bit for bit: the bounds are too large to round them");
-    Ok(Scanned { metadata, partition, piece_count: count, note })
+    Ok(Scanned { metadata, partition, piece_count: count, note, weld })
 }
 
 fn scan_piece(piece: &Piece) -> PieceScan {
@@ -152,14 +160,11 @@ fn grid_of(options: &BuildOptions, total: &PieceScan) -> Option<Grid> {
         return None;
     }
     let floor = |most: f64| if most > 0.0 { most.log2().floor().exp2() } else { 0.0 };
-    let step = std::array::from_fn(|axis| match options.weld_distance {
-        Some(distance) => floor(distance),
-        None => {
-            let extent = f64::from(total.max[axis]) - f64::from(total.min[axis]);
-            let along = extent / (STEPS_PER_POSITION * (total.triangle_count as f64).sqrt());
-            let edge = median(&total.edges) / STEPS_PER_EDGE;
-            floor(if along > 0.0 { edge.min(along) } else { edge })
-        }
+    let edge = median(&total.edges) / STEPS_PER_EDGE;
+    let step = std::array::from_fn(|axis| {
+        let extent = f64::from(total.max[axis]) - f64::from(total.min[axis]);
+        let along = extent / (STEPS_PER_POSITION * (total.triangle_count as f64).sqrt());
+        floor(if along > 0.0 { edge.min(along) } else { edge })
     });
     Grid::of(total.min, total.max, step)
 }

@@ -15,7 +15,11 @@ use crate::{Metadata, PageId};
 pub(super) fn run(plan: &Plan, task: &Task, source: &dyn PieceSource) -> Result<(), BuildError> {
     let (mut mesh, mut merging) = (CellMesh::default(), Merging::default());
     for index in task.first..task.first + task.count {
-        mesh.append(&rounded(source.read_piece(index)?, &plan.metadata, &mut merging));
+        let mut piece = source.read_piece(index)?;
+        if plan.options.weld_distance.is_some() {
+            piece.positions.iter_mut().for_each(|position| *position = plan.weld().get(*position));
+        }
+        mesh.append(&rounded(piece, &plan.metadata, &mut merging));
     }
     merging.check(plan)?;
     let mut writer = PartWriter::create(&plan.triangles_path(task))?;
@@ -51,7 +55,7 @@ impl Merging {
 
     /// Refuses to merge more than one in a thousand, unless that is wanted.
     fn check(&self, plan: &Plan) -> Result<(), BuildError> {
-        let is_wanted = plan.options.allow_merging || plan.options.weld_distance.is_some();
+        let is_wanted = plan.options.allow_merging;
         let Some(grid) = plan.metadata.grid.filter(|_| !is_wanted && self.merged * 1000 > self.total) else {
             return Ok(());
         };

@@ -164,7 +164,7 @@ def plan(
     exact : bool
         Keep positions and attributes bit for bit instead of rounding them to 1/256 of an edge.
     weld_distance : float, optional
-        Join files whose borders differ by less than this, in mesh units: positions are rounded to it.
+        Join files whose borders differ by less than this, in mesh units.
     z_scale : float
         Factor on the heights of a terrain.
     task_size : int
