@@ -37,7 +37,7 @@ pub fn read_with_report(path: impl AsRef<Path>) -> Result<ReadReport, ReadError>
     #[cfg(feature = "terrain")]
     if crate::pieces::is_raster(path) {
         use crate::pieces::PieceSource as _;
-        let terrain = crate::pieces::Terrain::open(&[path.to_owned()], 1.0)?;
+        let terrain = crate::pieces::Terrain::open(&[path.to_owned()], &Default::default())?;
         let (mesh, warnings) = (terrain.mesh()?, terrain.warnings());
         return Ok(ReadReport { mesh, warnings });
     }

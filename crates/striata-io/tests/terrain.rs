@@ -130,7 +130,7 @@ fn srtm_tiles_are_placed_by_their_names() {
         path
     };
     let paths = [tile("N35E138.hgt"), tile("N35E139.hgt")];
-    let source = Terrain::open(&paths, 1.0).unwrap();
+    let source = Terrain::open(&paths, &PieceOptions::default()).unwrap();
     let pieces = all(&source);
     assert_eq!(triangles(&pieces), 2 * 120 * 60);
     check_winding(&pieces);
@@ -222,6 +222,12 @@ fn files_of_other_programs_are_read_as_meshes() {
     let mesh = read();
     assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (11, 11));
     assert_eq!(height_at(&mesh, [3.0, 0.0]), Some(1505.5));
+    let options = PieceOptions::default().with_nodata(Some(11.0));
+    let holes = Terrain::open(std::slice::from_ref(&path), &options).unwrap().mesh().unwrap();
+    assert_eq!(holes.vertex_count(), 10, "the sample, not the height");
+    let options = PieceOptions::default().with_z_scale(1e38);
+    let message = Terrain::open(std::slice::from_ref(&path), &options).unwrap().mesh().unwrap_err().to_string();
+    assert!(message.contains("the sample in column 1, row 0"), "{message}");
     write_floats(&path, &[f32::NAN; 12], &[], None);
     let message = striata_io::read(&path).unwrap_err().to_string();
     assert!(message.contains("no four neighboring samples have heights"), "{message}");

@@ -38,6 +38,7 @@ pub(crate) struct PlanOptions {
     exact: bool,
     #[pyo3(item)]
     weld_distance: Option<f64>,
+    nodata: Option<f64>,
     #[pyo3(item)]
     z_scale: f64,
     #[pyo3(item)]
@@ -74,6 +75,7 @@ impl PlanOptions {
             cell: self.cell,
             exact: self.exact,
             weld_distance: self.weld_distance,
+            nodata: self.nodata,
             z_scale: self.z_scale,
             normal_weight,
             texcoord_weight,

@@ -50,12 +50,15 @@ pub(crate) struct CellArgs {
     /// Multiply the heights of a terrain
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, help_heading = PAGED)]
     pub(crate) z_scale: Option<f64>,
+    /// Take this sample of a raster for none, besides the one that the file names
+    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, help_heading = PAGED)]
+    pub(crate) nodata: Option<f64>,
 }
 
 impl PagedArgs {
     /// Whether any flag asks for a paged file.
     pub(crate) fn is_given(&self) -> bool {
-        let CellArgs { cell, weld_distance, exact, allow_merging, z_scale } = &self.cells;
+        let CellArgs { cell, weld_distance, exact, allow_merging, z_scale, nodata } = &self.cells;
         self.paged
             || self.memory.is_some()
             || self.work.is_some()
@@ -65,6 +68,7 @@ impl PagedArgs {
             || *exact
             || *allow_merging
             || z_scale.is_some()
+            || nodata.is_some()
     }
 }
 

@@ -27,7 +27,7 @@ use crate::{Format, ReadError, read_bytes_with_report};
 pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
     #[cfg(feature = "terrain")]
     if super::terrain::is_raster(path) {
-        return Ok(Box::new(super::Terrain::open(&[path.to_owned()], options.z_scale)?));
+        return Ok(Box::new(super::Terrain::open(&[path.to_owned()], options)?));
     }
     let mut input = Input::open(path, options)?;
     match Format::detect(&input.bytes, &input.inner_name) {
@@ -74,7 +74,7 @@ pub fn open_all(
 ) -> Result<Box<dyn PieceSource>, ReadError> {
     #[cfg(feature = "terrain")]
     if !paths.is_empty() && paths.iter().all(|path| super::terrain::is_raster(path)) {
-        return Ok(Box::new(super::Terrain::open(paths, options.z_scale)?));
+        return Ok(Box::new(super::Terrain::open(paths, options)?));
     }
     Ok(Box::new(super::open_several(paths, options)?))
 }

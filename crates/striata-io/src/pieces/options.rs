@@ -16,11 +16,13 @@ pub struct PieceOptions {
     pub origin: Option<[f64; 3]>,
     /// Factor of the heights of a terrain. Default: 1.
     pub z_scale: f64,
+    /// Sample of a raster that stands for no height, besides what the file says itself. Default: [`None`].
+    pub nodata: Option<f64>,
 }
 
 impl Default for PieceOptions {
     fn default() -> Self {
-        Self { piece_triangle_count: 100_000, scratch: None, origin: None, z_scale: 1.0 }
+        Self { piece_triangle_count: 100_000, scratch: None, origin: None, z_scale: 1.0, nodata: None }
     }
 }
 
@@ -47,6 +49,12 @@ impl PieceOptions {
     #[must_use]
     pub fn with_z_scale(self, z_scale: f64) -> Self {
         Self { z_scale, ..self }
+    }
+
+    /// Sets [`nodata`](Self::nodata).
+    #[must_use]
+    pub fn with_nodata(self, nodata: Option<f64>) -> Self {
+        Self { nodata, ..self }
     }
 
     /// Number of triangles per piece, never zero.

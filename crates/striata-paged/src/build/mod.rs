@@ -36,7 +36,6 @@ pub use plan::{Plan, Stage, Task, TaskKind};
 pub use runner::{run_all, run_stage, run_task};
 pub use simulation::{SimulatedStage, Simulation, SimulationOptions, TaskCosts};
 use striata::ProgressFn;
-use striata_io::pieces::PieceOptions;
 
 /// Bytes of a work folder per triangle of the input, measured on scans and terrains without attributes.
 const WORK_BYTES_PER_TRIANGLE: u64 = 60;
@@ -73,10 +72,8 @@ impl Plan {
         // An output that cannot be written must be known before hours of work.
         finish_task::Destination::of(output)?.check()?;
         fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
-        let piece_options =
-            PieceOptions::default().with_scratch(folder.to_owned()).with_z_scale(options.z_scale);
         let inputs = input.states()?;
-        let source = input.open(&piece_options)?;
+        let source = input.open(&options.piece_options(folder))?;
         let scanned = scan::scan(source.as_ref(), &options, (threads, progress))?;
         input::check_inputs(&inputs)?;
         let paths = (output.to_owned(), folder.to_owned());

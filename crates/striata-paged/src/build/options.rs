@@ -1,8 +1,12 @@
 //! Options of a build.
 
+use std::path::Path;
+
 use serde::{Deserialize, Serialize};
 use striata::simplify::cells::CellOptions;
 use striata::simplify::{AttributeWeights, BoundaryRule, SeamRule, SequenceOptions, TopologyRule};
+
+use striata_io::pieces::PieceOptions;
 
 use crate::Metadata;
 
@@ -20,6 +24,9 @@ pub struct BuildOptions {
     pub weld_distance: Option<f64>,
     /// Heights of a terrain are multiplied by this; default 1.
     pub z_scale: f64,
+    /// Sample of a raster that stands for no height, besides what the file says; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nodata: Option<f64>,
     /// Weight of normals; see [`AttributeWeights`].
     pub normal_weight: f32,
     /// Weight of texture coordinates.
@@ -52,6 +59,7 @@ impl Default for BuildOptions {
             exact: false,
             weld_distance: None,
             z_scale: 1.0,
+            nodata: None,
             normal_weight: weights.normal,
             texcoord_weight: weights.texcoord,
             color_weight: weights.color,
@@ -68,6 +76,12 @@ impl Default for BuildOptions {
 }
 
 impl BuildOptions {
+    /// How the input is opened; temporary files are in the work folder.
+    pub(super) fn piece_options(&self, folder: &Path) -> PieceOptions {
+        let options = PieceOptions::default().with_scratch(folder.to_owned());
+        options.with_z_scale(self.z_scale).with_nodata(self.nodata)
+    }
+
     /// Options of the cells of one level.
     pub(super) fn cell_options(&self, metadata: &Metadata, is_last: bool) -> CellOptions {
         let weights = AttributeWeights {

@@ -8,7 +8,6 @@ use super::part_file::PartIndex;
 use super::plan::{Plan, Stage, Task, TaskKind};
 use super::{BuildError, finish_task, simplify_task, sort_task};
 use striata::{Cancelled, Progress, ProgressFn};
-use striata_io::pieces::PieceOptions;
 
 /// Told how many tasks are done; may stop the others.
 pub(super) type TaskProgress<'p> = dyn FnMut(u64) -> Result<(), Cancelled> + 'p;
@@ -139,7 +138,7 @@ impl StageInputs {
         Ok(match kind {
             TaskKind::Sort => {
                 plan.check_inputs()?;
-                Self::Sort(plan.input.open(&piece_options(plan))?)
+                Self::Sort(plan.input.open(&plan.options.piece_options(&plan.folder))?)
             }
             TaskKind::Level(level) => {
                 let is_earlier = |task: &&Task| match task.kind {
@@ -168,7 +167,3 @@ impl StageInputs {
     }
 }
 
-/// How the input of a plan is opened.
-pub(super) fn piece_options(plan: &Plan) -> PieceOptions {
-    PieceOptions::default().with_scratch(plan.folder.clone()).with_z_scale(plan.options.z_scale)
-}

@@ -139,6 +139,7 @@ def plan(
     cell: int = 65_536,
     exact: bool = False,
     weld_distance: float | None = None,
+    nodata: float | None = None,
     z_scale: float = 1.0,
     task_size: int = 16,
     normal_weight: float = 0.007,
@@ -165,6 +166,8 @@ def plan(
         Keep positions and attributes bit for bit instead of rounding them to 1/256 of an edge.
     weld_distance : float, optional
         Join files whose borders differ by less than this, in mesh units.
+    nodata : float, optional
+        Sample of a raster that stands for no height, besides the one that the file names.
     z_scale : float
         Factor on the heights of a terrain.
     task_size : int
@@ -193,6 +196,7 @@ def plan(
         "cell": cell,
         "exact": exact,
         "weld_distance": weld_distance,
+        "nodata": nodata,
         "z_scale": z_scale,
         "task_size": task_size,
         "weights": (normal_weight, texcoord_weight, color_weight),

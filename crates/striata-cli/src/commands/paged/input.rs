@@ -135,6 +135,7 @@ pub(super) fn build_options(args: &CellArgs, output: &Output) -> Result<BuildOpt
         }
         options.z_scale = z_scale;
     }
+    options.nodata = args.nodata;
     Ok(options)
 }
 

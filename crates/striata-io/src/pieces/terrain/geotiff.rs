@@ -31,7 +31,8 @@ pub(super) struct GeoTiff {
     /// Size of a strip or tile, and how many there are in a row.
     chunk: [u64; 2],
     chunks_across: u64,
-    nodata: Option<f64>,
+    /// Samples that stand for no height: what the file says, and what the user says.
+    nodata: [Option<f64>; 2],
     /// Factor and summand that make heights of samples.
     scale: [f64; 2],
     /// Whether the first row of the file is the southernmost.
@@ -52,7 +53,7 @@ struct Chunk {
 }
 
 impl GeoTiff {
-    pub(super) fn open(path: &Path) -> Result<Self, ReadError> {
+    pub(super) fn open(path: &Path, nodata: Option<f64>) -> Result<Self, ReadError> {
         let name = path.display().to_string();
         let file = File::open(path).map_err(|source| ReadError::Io { file: name.clone(), source })?;
         let wrong = |error: tiff::TiffError| malformed(&name, error.to_string());
@@ -68,7 +69,8 @@ impl GeoTiff {
         let (chunk_width, chunk_height) = decoder.chunk_dimensions();
         let size = [u64::from(width), u64::from(height)];
         let chunk = [u64::from(chunk_width.max(1)), u64::from(chunk_height.max(1))];
-        let nodata = decoder.get_tag_ascii_string(Tag::GdalNodata).ok();
+        let own = decoder.get_tag_ascii_string(Tag::GdalNodata).ok();
+        let own = own.and_then(|text| text.trim_matches(['\0', ' ']).parse().ok());
         let (placement, is_from_south) = placement(&mut decoder, &name, size)?;
         let items = decoder.get_tag_ascii_string(GDAL_METADATA).unwrap_or_default();
         let scale = [item(&items, "scale").unwrap_or(1.0), item(&items, "offset").unwrap_or(0.0)];
@@ -80,7 +82,7 @@ impl GeoTiff {
         Ok(Self {
             scale,
             is_from_south,
-            nodata: nodata.and_then(|text| text.trim_matches(['\0', ' ']).parse().ok()),
+            nodata: [own, nodata],
             chunks_across: size[0].div_ceil(chunk[0]),
             name,
             size,
@@ -188,6 +190,10 @@ impl Raster for GeoTiff {
         &self.placement
     }
 
+    fn is_raw(&self) -> bool {
+        false
+    }
+
     fn read(&self, at: [u64; 2], [width, height]: [u64; 2]) -> Result<Vec<f32>, ReadError> {
         let mut heights = vec![f32::NAN; (width * height) as usize];
         let top = at[1];
@@ -206,7 +212,7 @@ impl Raster for GeoTiff {
                         let Some(&value) = chunk.values.get(from as usize) else { continue };
                         let is_void = !value.is_finite()
                             || value.abs() > LARGEST_HEIGHT
-                            || self.nodata.is_some_and(|n| f64::from(value) == n);
+                            || self.nodata.contains(&Some(f64::from(value)));
                         if !is_void {
                             let value = f64::from(value) * self.scale[0] + self.scale[1];
                             heights[(row_of(y) * width + x - at[0]) as usize] = value as f32;

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 use striata::mesh::IndexedMesh;
 
-use super::{Piece, PieceGroup, PieceSource, PieceSummary};
+use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::Place;
 use raster::{Placement, Raster};
@@ -36,6 +36,7 @@ pub struct Terrain {
     /// Distance of neighboring samples, mesh units.
     step: [f64; 2],
     z_scale: f64,
+    nodata: Option<f64>,
     summary: PieceSummary,
 }
 
@@ -51,7 +52,7 @@ pub fn is_raster(path: &Path) -> bool {
     ["tif", "tiff", "hgt", "png"].iter().any(|&raster| extension == raster)
 }
 
-fn open_raster(path: &Path) -> Result<Box<dyn Raster>, ReadError> {
+fn open_raster(path: &Path, nodata: Option<f64>) -> Result<Box<dyn Raster>, ReadError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     if extension == "hgt" {
         return Ok(Box::new(hgt::Hgt::open(path)?));
@@ -59,16 +60,18 @@ fn open_raster(path: &Path) -> Result<Box<dyn Raster>, ReadError> {
     if extension == "png" {
         return Ok(Box::new(png_heights::PngHeights::open(path)?));
     }
-    Ok(Box::new(geotiff::GeoTiff::open(path)?))
+    Ok(Box::new(geotiff::GeoTiff::open(path, nodata)?))
 }
 
 impl Terrain {
-    /// Opens GeoTIFF, SRTM (`.hgt`) and gray PNG files. Heights are multiplied by `z_scale`.
+    /// Opens GeoTIFF, SRTM (`.hgt`) and gray PNG files, with the factor of heights and the sample without
+    /// height that the options name.
     ///
     /// # Errors
     /// [`ReadError`] if a file cannot be read, or if the files do not lie on one grid.
-    pub fn open(paths: &[PathBuf], z_scale: f64) -> Result<Self, ReadError> {
-        let rasters: Result<Vec<_>, ReadError> = paths.iter().map(|path| open_raster(path)).collect();
+    pub fn open(paths: &[PathBuf], options: &PieceOptions) -> Result<Self, ReadError> {
+        let (z_scale, nodata) = (options.z_scale, options.nodata);
+        let rasters: Result<Vec<_>, ReadError> = paths.iter().map(|path| open_raster(path, nodata)).collect();
         let rasters = rasters?;
         let Some(first) = rasters.first().map(|raster| *raster.placement()) else {
             return Err(misplaced("", "no raster was given"));
@@ -92,6 +95,11 @@ impl Terrain {
         }
         let corner = [west, north - (size[1].max(1) - 1) as f64 * first.step[1]];
         let step = steps_in_units(&first, north, size[1]);
+        let extent = [0, 1].map(|axis| (step[axis] * size[axis] as f64) as f32);
+        if !extent.iter().all(|x| x.is_finite() && *x > 0.0) {
+            let reason = format!("samples that are {} by {} apart make no surface", step[0], step[1]);
+            return Err(misplaced(paths[0].to_string_lossy().as_ref(), &reason));
+        }
         let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
         let summary = PieceSummary {
             name: match names.len() {
@@ -105,7 +113,7 @@ impl Terrain {
             georeference: Some(georeference(&first, corner, (step, z_scale))),
             ..PieceSummary::default()
         };
-        Ok(Self { rasters: placed, size, step, z_scale, summary })
+        Ok(Self { rasters: placed, size, step, z_scale, nodata, summary })
     }
 
     /// Number of pieces along each axis.
@@ -130,8 +138,9 @@ impl Terrain {
                 for column in 0..count[0] {
                     let target = (from[1] - at[1] + row) * width + from[0] - at[0] + column;
                     let value = block[(row * count[0] + column) as usize];
+                    let is_void = placed.raster.is_raw() && self.nodata == Some(f64::from(value));
                     // The first file that knows a sample counts.
-                    if heights[target as usize].is_nan() {
+                    if heights[target as usize].is_nan() && !is_void {
                         heights[target as usize] = value;
                     }
                 }
@@ -227,6 +236,12 @@ impl Terrain {
     fn block(&self, at: [u64; 2], count: [u64; 2]) -> Result<Piece, ReadError> {
         let heights = self.heights(at, count)?;
         let [width, height] = count;
+        let is_too_high = |height: &f32| !height.is_nan() && !((f64::from(*height) * self.z_scale) as f32).is_finite();
+        if let Some(place) = heights.iter().position(is_too_high) {
+            let (column, row) = (at[0] + place as u64 % width, at[1] + place as u64 / width);
+            let reason = format!("the sample in column {column}, row {row} is {}, which is no height", heights[place]);
+            return Err(misplaced(&self.summary.name, &reason));
+        }
         let mut number = vec![u32::MAX; heights.len()];
         let mut piece = Piece::default();
         let is_known = |i: u64| !heights[i as usize].is_nan();

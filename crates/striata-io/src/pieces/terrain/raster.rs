@@ -25,6 +25,10 @@ pub(super) trait Raster: Send + Sync {
     fn size(&self) -> [u64; 2];
     /// Where the samples are.
     fn placement(&self) -> &Placement;
+    /// Whether heights are samples as they are; otherwise the raster itself leaves out samples without heights.
+    fn is_raw(&self) -> bool {
+        true
+    }
     /// Reads a block of samples, row by row from the north; NaN where there is no height.
     fn read(&self, at: [u64; 2], count: [u64; 2]) -> Result<Vec<f32>, ReadError>;
 }
