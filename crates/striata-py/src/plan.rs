@@ -38,6 +38,9 @@ pub(crate) struct PlanOptions {
     exact: bool,
     #[pyo3(item)]
     weld_distance: Option<f64>,
+    #[pyo3(item)]
+    allow_merging: bool,
+    #[pyo3(item)]
     nodata: Option<f64>,
     #[pyo3(item)]
     z_scale: f64,
@@ -75,6 +78,7 @@ impl PlanOptions {
             cell: self.cell,
             exact: self.exact,
             weld_distance: self.weld_distance,
+            allow_merging: self.allow_merging,
             nodata: self.nodata,
             z_scale: self.z_scale,
             normal_weight,

@@ -139,6 +139,7 @@ def plan(
     cell: int = 65_536,
     exact: bool = False,
     weld_distance: float | None = None,
+    allow_merging: bool = False,
     nodata: float | None = None,
     z_scale: float = 1.0,
     task_size: int = 16,
@@ -166,6 +167,8 @@ def plan(
         Keep positions and attributes bit for bit instead of rounding them to 1/256 of an edge.
     weld_distance : float, optional
         Join files whose borders differ by less than this, in mesh units.
+    allow_merging : bool
+        Build even if rounding positions merges more than one in a thousand vertices.
     nodata : float, optional
         Sample of a raster that stands for no height, besides the one that the file names.
     z_scale : float
@@ -196,6 +199,7 @@ def plan(
         "cell": cell,
         "exact": exact,
         "weld_distance": weld_distance,
+        "allow_merging": allow_merging,
         "nodata": nodata,
         "z_scale": z_scale,
         "task_size": task_size,
