@@ -226,7 +226,8 @@ fn files_of_other_programs_are_read_as_meshes() {
     let holes = Terrain::open(std::slice::from_ref(&path), &options).unwrap().mesh().unwrap();
     assert_eq!(holes.vertex_count(), 10, "the sample, not the height");
     let options = PieceOptions::default().with_z_scale(1e38);
-    let message = Terrain::open(std::slice::from_ref(&path), &options).unwrap().mesh().unwrap_err().to_string();
+    let message =
+        Terrain::open(std::slice::from_ref(&path), &options).unwrap().mesh().unwrap_err().to_string();
     assert!(message.contains("the sample in column 1, row 0"), "{message}");
     write_floats(&path, &[f32::NAN; 12], &[], None);
     let message = striata_io::read(&path).unwrap_err().to_string();

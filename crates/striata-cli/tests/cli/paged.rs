@@ -223,7 +223,8 @@ fn borders_that_differ_a_little_are_joined() {
         bench.run("extract ab.striata -o ab.ply --ratio 1 --quiet").success();
         border_edge_count(&mesh(&bench, "ab.ply"))
     };
-    assert_eq!(joined(""), 8 * 49);
+    assert_eq!(joined("--exact"), 8 * 49);
+    assert!(joined("") > 6 * 49, "rounding joins only some");
     for distance in ["0.0008", "0.001", "0.05"] {
         assert_eq!(joined(&format!("--weld-distance {distance}")), 6 * 49, "{distance}");
     }
@@ -318,15 +319,16 @@ fn a_changed_input_is_noticed() {
     bench.run("plan grid.ply -o t.striata --cell 1000 --quiet").success();
     // A copy with another time is the same file.
     bench.write("grid.ply", grid(10.0));
-    bench.run("run t.striata.work --task 0 --quiet").success();
+    bench.run("run t.striata.work --quiet").success();
+    bench.run("plan grid.ply -o u.striata --cell 1000 --quiet").success();
     bench.write("grid.ply", grid(11.0));
-    let message = stderr(&bench.run("run t.striata.work").failure());
+    let message = stderr(&bench.run("run u.striata.work").failure());
     assert!(message.contains("grid.ply: the file has changed since the build was planned"), "{message}");
-    let message = stderr(&bench.run("build grid.ply --cell 1000 -o t.striata").failure());
+    let message = stderr(&bench.run("build grid.ply --cell 1000 -o u.striata").failure());
     assert!(message.contains("has changed") && message.contains("--restart"), "{message}");
-    assert!(!bench.path("t.striata").exists());
-    bench.run("build grid.ply --cell 1000 -o t.striata --restart --quiet").success();
-    assert!(!bench.path("t.striata.work").exists());
+    assert!(!bench.path("u.striata").exists());
+    bench.run("build grid.ply --cell 1000 -o u.striata --restart --quiet").success();
+    assert!(!bench.path("u.striata.work").exists());
 }
 
 #[test]

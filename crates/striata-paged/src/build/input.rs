@@ -29,7 +29,7 @@ pub enum BuildInput {
 
 /// A file of the input, as it was when the plan was made.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct InputState {
+pub(super) struct InputState {
     path: PathBuf,
     bytes: u64,
     /// Time of the last change, in nanoseconds since 1970; `None` if the system does not say.

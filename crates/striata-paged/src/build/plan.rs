@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use striata::simplify::cells::Partition;
 
-use super::weld::WeldMap;
 use super::input::{InputState, check_inputs};
+use super::weld::WeldMap;
 use super::{BuildError, BuildInput, BuildOptions};
 use crate::Metadata;
 
@@ -147,7 +147,20 @@ impl Plan {
         bundle(TaskKind::Finish, 1, 1);
         let (version, partition, warnings) = (VERSION, Some(partition), Vec::new());
         let weld = weld.unwrap_or_default();
-        Self { version, input, inputs, options, metadata, output, tasks, folder, warnings, note, partition, weld }
+        Self {
+            version,
+            input,
+            inputs,
+            options,
+            metadata,
+            output,
+            tasks,
+            folder,
+            warnings,
+            note,
+            partition,
+            weld,
+        }
     }
 
     /// Writes the plan into its folder.

@@ -64,7 +64,8 @@ impl Connections {
         let mut open = self.list();
         let is_own = |client: &Arc<Client>| client.address == address;
         // A proxy on this machine stands for many clients.
-        if !address.is_loopback() && open.iter().filter(|client| is_own(client)).count() >= self.most_per_address
+        if !address.is_loopback()
+            && open.iter().filter(|client| is_own(client)).count() >= self.most_per_address
         {
             let at = open.iter().position(|client| is_own(client) && client.gives_way())?;
             open.remove(at).end.notify_one();

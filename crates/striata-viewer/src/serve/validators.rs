@@ -75,7 +75,11 @@ impl Validators {
                 _ => true,
             },
         };
-        if is_wanted { self.not_modified(request) } else { Some(StatusCode::PRECONDITION_FAILED.into_response()) }
+        if is_wanted {
+            self.not_modified(request)
+        } else {
+            Some(StatusCode::PRECONDITION_FAILED.into_response())
+        }
     }
 
     fn not_modified(&self, request: &HeaderMap) -> Option<Response> {

@@ -8,7 +8,8 @@ use striata_command::args::SequenceArgs;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
 use striata_paged::build::{
-    BuildError, BuildInput, BuildOptions, Plan, WorkLock, is_address, remove_work, run_all, threads_for_memory,
+    BuildError, BuildInput, BuildOptions, Plan, WorkLock, is_address, remove_work, run_all,
+    threads_for_memory,
 };
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};

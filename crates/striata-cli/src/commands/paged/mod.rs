@@ -27,8 +27,9 @@ fn failure(error: BuildError) -> Failure {
             .with_hint("put the work folder on another disk with --work, or free some space"),
         BuildError::Merging { .. } => Failure::user(error.to_string())
             .with_hint("keep positions with --exact, or build it anyway with --allow-merging"),
-        BuildError::InputChanged { .. } => Failure::user(error.to_string())
-            .with_hint("begin again: build with --restart, or plan it anew"),
+        BuildError::InputChanged { .. } => {
+            Failure::user(error.to_string()).with_hint("begin again: build with --restart, or plan it anew")
+        }
         BuildError::InUse { .. } => Failure::user(error.to_string())
             .with_hint("wait for it, or choose another output or another folder with --work"),
         BuildError::TaskOrder { .. } => Failure::user(error.to_string())

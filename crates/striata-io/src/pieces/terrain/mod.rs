@@ -236,10 +236,12 @@ impl Terrain {
     fn block(&self, at: [u64; 2], count: [u64; 2]) -> Result<Piece, ReadError> {
         let heights = self.heights(at, count)?;
         let [width, height] = count;
-        let is_too_high = |height: &f32| !height.is_nan() && !((f64::from(*height) * self.z_scale) as f32).is_finite();
+        let is_too_high =
+            |height: &f32| !height.is_nan() && !((f64::from(*height) * self.z_scale) as f32).is_finite();
         if let Some(place) = heights.iter().position(is_too_high) {
             let (column, row) = (at[0] + place as u64 % width, at[1] + place as u64 / width);
-            let reason = format!("the sample in column {column}, row {row} is {}, which is no height", heights[place]);
+            let reason =
+                format!("the sample in column {column}, row {row} is {}, which is no height", heights[place]);
             return Err(misplaced(&self.summary.name, &reason));
         }
         let mut number = vec![u32::MAX; heights.len()];
