@@ -185,7 +185,7 @@ fn write_floats(path: &Path, heights: &[f32], tags: &[(Tag, &[f64])], metadata: 
     image.write_data(heights).unwrap();
 }
 
-/// The height at a place, in the coordinates of the file.
+/// The height at a place, from the lower left corner.
 fn height_at(mesh: &striata::mesh::IndexedMesh, [x, y]: [f64; 2]) -> Option<f64> {
     let all = (0..mesh.vertex_count()).map(|vertex| mesh.file_position(vertex));
     all.filter(|p| (p[0] - x).abs() < 1e-6 && (p[1] - y).abs() < 1e-6).map(|p| p[2]).next()
@@ -202,12 +202,18 @@ fn files_of_other_programs_are_read_as_meshes() {
     write_floats(&path, &heights, &[(Tag::ModelTransformationTag, &north_up)], None);
     let mesh = read();
     assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (12, 12));
-    assert_eq!([height_at(&mesh, [505.0, 895.0]), height_at(&mesh, [535.0, 875.0])], [Some(0.0), Some(11.0)]);
+    assert_eq!([height_at(&mesh, [0.0, 20.0]), height_at(&mesh, [30.0, 0.0])], [Some(0.0), Some(11.0)]);
+    let corner = || {
+        let source = open_pieces(&path, &PieceOptions::default()).unwrap();
+        source.summary().georeference.as_ref().unwrap()["origin"].clone()
+    };
+    assert_eq!(corner(), serde_json::json!([505.0, 875.0]));
     let mut south_up = north_up;
     (south_up[5], south_up[7]) = (10.0, 870.0);
     write_floats(&path, &heights, &[(Tag::ModelTransformationTag, &south_up)], None);
     let mesh = read();
-    assert_eq!([height_at(&mesh, [505.0, 875.0]), height_at(&mesh, [535.0, 895.0])], [Some(0.0), Some(11.0)]);
+    assert_eq!([height_at(&mesh, [0.0, 0.0]), height_at(&mesh, [30.0, 20.0])], [Some(0.0), Some(11.0)]);
+    assert_eq!(corner(), serde_json::json!([505.0, 875.0]));
     check_winding(&all(open_pieces(&path, &PieceOptions::default()).unwrap().as_ref()));
     let mut identity = [0.0; 16];
     (0..4).for_each(|i| identity[5 * i] = 1.0);

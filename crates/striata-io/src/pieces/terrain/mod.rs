@@ -109,7 +109,6 @@ impl Terrain {
             groups: vec![PieceGroup::default()],
             triangle_count: 2 * size[0].saturating_sub(1) * size[1].saturating_sub(1),
             byte_count: paths.iter().filter_map(|path| std::fs::metadata(path).ok()).map(|m| m.len()).sum(),
-            origin: if first.is_geographic { [0.0; 3] } else { [corner[0], corner[1], 0.0] },
             georeference: Some(georeference(&first, corner, (step, z_scale))),
             ..PieceSummary::default()
         };
@@ -209,8 +208,7 @@ impl PieceSource for Terrain {
 }
 
 impl Terrain {
-    /// Reads all samples as one mesh, in the coordinates of the projection, or in meters from the lower left
-    /// corner if those are degrees.
+    /// Reads all samples as one mesh.
     ///
     /// # Errors
     /// [`ReadError`] if a raster is damaged, has no heights, or has more samples than a mesh in memory.
@@ -227,9 +225,7 @@ impl Terrain {
         if block.triangles.is_empty() {
             return Err(misplaced(name, "no four neighboring samples have heights"));
         }
-        let mut mesh = IndexedMesh::new(block.positions, block.triangles);
-        mesh.origin = self.summary.origin;
-        Ok(mesh)
+        Ok(IndexedMesh::new(block.positions, block.triangles))
     }
 
     /// Reads a block of samples.
