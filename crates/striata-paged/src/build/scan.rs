@@ -148,7 +148,7 @@ fn stored_options(options: &BuildOptions) -> serde_json::Value {
     value
 }
 
-/// Where positions are rounded to; `None` if they are kept.
+/// Grid of the positions; `None` if they are kept.
 ///
 /// The median edge has 256 steps or more; a few large triangles, or one stray vertex, do not coarsen it. If
 /// another axis has other units, as heights in meters above degrees, its extent gives its step: `n` triangles

@@ -40,7 +40,7 @@ pub(super) fn border(piece: &Piece) -> Vec<[f32; 3]> {
 /// Groups of positions, found by their place.
 struct Groups {
     distance: f64,
-    /// What stands for each group.
+    /// Position that stands for each group.
     centers: Vec<[f32; 3]>,
     /// Group that each group has joined, or itself.
     joined: Vec<u32>,

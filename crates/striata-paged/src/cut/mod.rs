@@ -65,7 +65,7 @@ struct Messages {
 struct Contribution {
     /// Corners in the numbering of all pages, and group.
     triangles: Vec<([u32; 3], u32)>,
-    /// Where the page has each of these triangles.
+    /// Numbers of these triangles in the page.
     places: Vec<u32>,
     refined_count: usize,
     error: f32,
