@@ -58,12 +58,12 @@ export class GrowingGeometry extends BufferGeometry {
   }
 
   /** Writes attribute values of vertices, starting at vertex `first`. */
-  #write(name: string, values: Float32Array | Uint8Array, width: number, first: number): void {
+  #write(name: string, values: Float32Array | Uint16Array, width: number, first: number): void {
     let attribute = this.getAttribute(name) as BufferAttribute | undefined;
     if (!attribute || (this.#hasCapacityChanged && attribute.count !== this.#vertexCapacity)) {
-      const array = values instanceof Uint8Array ? new Uint8Array(this.#vertexCapacity * width) : new Float32Array(this.#vertexCapacity * width);
+      const array = values instanceof Uint16Array ? new Uint16Array(this.#vertexCapacity * width) : new Float32Array(this.#vertexCapacity * width);
       if (attribute) array.set((attribute.array as TypedArray).subarray(0, first * width));
-      attribute = new BufferAttribute(array, width, values instanceof Uint8Array);
+      attribute = new BufferAttribute(array, width, values instanceof Uint16Array);
       this.setAttribute(name, attribute);
     } else {
       attribute.addUpdateRange(first * width, values.length);

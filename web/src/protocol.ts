@@ -41,7 +41,7 @@ export interface NewVertices {
   first: number;
   positions: Float32Array;
   normals: Float32Array | undefined;
-  colors: Uint8Array | undefined;
+  colors: Uint16Array | undefined;
   uvs: Float32Array | undefined;
 }
 

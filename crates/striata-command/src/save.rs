@@ -276,3 +276,8 @@ impl From<FormatArg> for Format {
         }
     }
 }
+
+/// Returns the place of a terrain on the Earth, for reports.
+pub fn georeference_of(mesh: &IndexedMesh) -> Option<serde_json::Value> {
+    serde_json::from_str(&mesh.appearance.georeference).ok()
+}

@@ -6,6 +6,7 @@ use wgpu::{Buffer, BufferUsages};
 
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
+use crate::look::linear_to_srgb;
 
 /// Positions, normals and colors of a mesh on the GPU.
 ///
@@ -16,6 +17,7 @@ use crate::gpu_error::GpuError;
 pub struct GpuVertices {
     pub(crate) positions: Buffer,
     pub(crate) normals: Buffer,
+    /// sRGB bytes.
     pub(crate) colors: Buffer,
     has_colors: bool,
     origin: [f32; 3],
@@ -53,7 +55,9 @@ impl GpuVertices {
     /// If the numbers of colors and vertices differ.
     pub fn set_colors(&mut self, gpu: &Gpu, colors: &[[u8; 4]]) {
         assert_eq!(colors.len(), self.vertex_count, "one color per vertex is required");
-        gpu.queue.write_buffer(&self.colors, 0, cast_slice(colors));
+        let byte = |light: u8| srgb_byte(f32::from(light) / 255.0);
+        let colors: Vec<_> = colors.iter().map(|&[r, g, b, a]| [byte(r), byte(g), byte(b), a]).collect();
+        gpu.queue.write_buffer(&self.colors, 0, cast_slice(&colors));
         self.has_colors = true;
     }
 
@@ -94,14 +98,12 @@ fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
     normals.into_iter().map(|n| n.normalize_or_zero().as_vec3().into()).collect()
 }
 
-/// Returns the mesh's colors as bytes, if it has any.
+/// Returns the mesh's colors as sRGB bytes, which keep dark ones apart, if it has any.
 fn vertex_colors(mesh: &IndexedMesh) -> Option<Vec<[u8; 4]>> {
-    let layer = mesh.layers.iter().find(|l| matches!(l.semantic, Semantic::Color(_)))?;
-    let component_count = usize::from(layer.component_count);
-    let byte = |v, k| (layer.get(v, k).clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
-    let color = |v| match component_count {
-        1 | 2 => [byte(v, 0), byte(v, 0), byte(v, 0), 255],
-        _ => [byte(v, 0), byte(v, 1), byte(v, 2), 255],
-    };
-    Some((0..mesh.vertex_count()).map(color).collect())
+    let colors = mesh.linear_colors()?.into_iter();
+    Some(colors.map(|[r, g, b, _]| [srgb_byte(r), srgb_byte(g), srgb_byte(b), 255]).collect())
+}
+
+fn srgb_byte(light: f32) -> u8 {
+    (255.0 * linear_to_srgb(light) + 0.5) as u8
 }

@@ -12,7 +12,7 @@ use lit::{
     LitTest, SIDE, Shown, assert_near, camera, chalk, image, lit_by, pixel, quad, sphere, srgb, sunlight,
     unlit,
 };
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+use striata::mesh::{AttributeLayer, ColorSpace, IndexedMesh, LayerData, Semantic};
 use striata_gpu::{
     AlphaMode, GpuIndices, LitFrame, LitImage, LitLight, LitLightKind, LitMaterial, LitMaterials, LitObject,
     LitPainter, LitPart, LitScene, LitVertices, Picture, TextureFilter, TextureSampler, TextureUse, wgpu,
@@ -195,7 +195,7 @@ fn texture_coordinates_are_chosen_and_transformed() {
 }
 
 #[test]
-fn vertex_colors_are_linear_and_multiply_the_base_color() {
+fn vertex_colors_become_light_and_multiply_the_base_color() {
     let mut mesh = quad();
     let data = LayerData::U8([128u8, 64, 255, 255].repeat(4));
     mesh.layers.push(AttributeLayer {
@@ -204,9 +204,14 @@ fn vertex_colors_are_linear_and_multiply_the_base_color() {
         normalized: true,
         data,
     });
-    let picture = LitTest::new(unlit([0.5, 1.0, 0.25, 1.0])).draw(&[Shown::new(&mesh)]);
+    let mut drawn = |color_space, base_color| {
+        mesh.appearance.color_space = color_space;
+        pixel(&LitTest::new(unlit(base_color)).draw(&[Shown::new(&mesh)]), 32, 32)
+    };
     let expected = [srgb(0.5 * 128.0 / 255.0), srgb(64.0 / 255.0), srgb(0.25), 255];
-    assert_near(pixel(&picture, 32, 32), expected, 1);
+    assert_near(drawn(ColorSpace::Linear, [0.5, 1.0, 0.25, 1.0]), expected, 1);
+    // Colors as they are shown come out as they went in.
+    assert_near(drawn(ColorSpace::Srgb, [1.0; 4]), [128, 64, 255, 255], 1);
 }
 
 /// A strip of squares from x = -1 to 1, whose joints' weights change from left to right in sets of four.

@@ -3,7 +3,7 @@
 
 mod support;
 
-use striata::mesh::{AttributeLayer, IndexedMesh, Random, RefinableMesh, Semantic, shapes};
+use striata::mesh::{AttributeLayer, ColorSpace, IndexedMesh, Random, RefinableMesh, Semantic, shapes};
 use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel};
 use striata::simplify::build_sequence;
 use striata_gpu::{
@@ -29,6 +29,8 @@ fn with_layers(mut mesh: IndexedMesh) -> RefinableMesh {
     let colors = (0..mesh.vertex_count())
         .flat_map(|v| [0.2 + 0.7 * (v % 3) as f32 / 2.0, 0.3 + 0.6 * (v % 4) as f32 / 3.0, 0.5]);
     let colors = colors.collect();
+    // Colors are blended as light.
+    mesh.appearance.color_space = ColorSpace::Linear;
     mesh.layers = vec![
         AttributeLayer::from_f32(Semantic::Normal, 3, normals),
         AttributeLayer::from_f32(Semantic::Color(0), 3, colors),

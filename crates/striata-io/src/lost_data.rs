@@ -19,6 +19,9 @@ pub(crate) fn warn(format: Format, mesh: &IndexedMesh, warnings: &mut Warnings) 
             warnings.push(Place::File, format!("the property {} of faces {what}", name_of(layer)));
         }
     }
+    if !mesh.appearance.georeference.is_empty() && !keeps_georeference(format) {
+        warnings.push(Place::File, format!("the georeference {}", left_out(format)));
+    }
 }
 
 /// Name for messages: that of the file for layers without a meaning of their own.
@@ -48,6 +51,12 @@ fn warn_of_gaps(format: Format, layer: &AttributeLayer, warnings: &mut Warnings)
         );
         warnings.push(Place::File, reason);
     }
+}
+
+/// Whether files of this format say where on the Earth a terrain is.
+fn keeps_georeference(format: Format) -> bool {
+    use Format::{Glb, Gltf, Obj, Ply, Stream, Striata};
+    matches!(format, Ply | Obj | Gltf | Glb | Striata | Stream)
 }
 
 fn left_out(format: Format) -> String {

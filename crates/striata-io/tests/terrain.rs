@@ -243,3 +243,30 @@ fn files_of_other_programs_are_read_as_meshes() {
     let message = striata_io::read(&path).unwrap_err().to_string();
     assert!(message.contains("samples times 0"), "{message}");
 }
+
+/// The place of a raster stays with its mesh in all formats that can say it.
+#[test]
+fn the_georeference_stays_with_the_mesh() {
+    let folder = TempDir::new().unwrap();
+    let raster = folder.path().join("dem.tif");
+    write_tiff(&raster, (4, 3), [500_000.0, 5_600_000.0], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
+    let mesh = striata_io::read(&raster).unwrap();
+    let place: serde_json::Value = serde_json::from_str(&mesh.appearance.georeference).unwrap();
+    assert_eq!(place["epsg"], 32633);
+    assert_eq!(place["origin"], serde_json::json!([500_000.0, 5_599_980.0]));
+    let (ply, glb) = (folder.path().join("dem.ply"), folder.path().join("dem.glb"));
+    striata_io::write(&ply, &mesh, &Default::default()).unwrap();
+    let from_ply = striata_io::read(&ply).unwrap();
+    assert_eq!(from_ply.appearance.georeference, mesh.appearance.georeference);
+    striata_io::write(&glb, &from_ply, &Default::default()).unwrap();
+    assert_eq!(striata_io::read(&glb).unwrap().appearance.georeference, mesh.appearance.georeference);
+    let warnings = |name: &str| {
+        let path = folder.path().join(name);
+        let found = striata_io::write_with_report(&path, &mesh, &Default::default()).unwrap();
+        found.iter().map(ToString::to_string).collect::<String>()
+    };
+    assert!(warnings("dem.stl").contains("the georeference is left out"), "{}", warnings("dem.stl"));
+    assert_eq!(warnings("dem.obj"), "");
+    let obj = fs::read_to_string(folder.path().join("dem.obj")).unwrap();
+    assert!(obj.starts_with("# georeference {"), "{obj}");
+}

@@ -102,6 +102,7 @@ pub(crate) fn appearance(metadata: &Metadata) -> Appearance {
             "linear" => ColorSpace::Linear,
             _ => ColorSpace::Srgb,
         },
+        georeference: metadata.georeference.as_ref().map(Value::to_string).unwrap_or_default(),
         ..Appearance::default()
     }
 }

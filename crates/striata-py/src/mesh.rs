@@ -48,6 +48,11 @@ impl MeshData {
     }
 
     #[getter]
+    fn georeference(&self) -> &str {
+        &self.mesh.appearance.georeference
+    }
+
+    #[getter]
     fn point_count(&self) -> usize {
         self.mesh.vertex_count()
     }

@@ -1,6 +1,6 @@
 //! Builds a model from arrays that a page has: what another loader has read, or what a page has made.
 
-use striata::mesh::{IndexedMesh, LayerData, TriangleGroup};
+use striata::mesh::{ColorSpace, IndexedMesh, LayerData, TriangleGroup};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -28,7 +28,10 @@ impl MeshBuilder {
         if !rest.is_empty() {
             return Err(Failure::unsupported("positions need three numbers per vertex"));
         }
-        Ok(Self { mesh: IndexedMesh::new(positions.to_vec(), Vec::new()) })
+        let mut mesh = IndexedMesh::new(positions.to_vec(), Vec::new());
+        // Colors of a page are light.
+        mesh.appearance.color_space = ColorSpace::Linear;
+        Ok(Self { mesh })
     }
 
     /// Adds an attribute with floats. Names are those of glTF; morph targets have a number in front:

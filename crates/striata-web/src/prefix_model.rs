@@ -1,6 +1,6 @@
 //! A whole simplified mesh whose levels are prefixes of its vertices and triangles.
 
-use striata::mesh::{AttributeLayer, Bounds};
+use striata::mesh::{AttributeLayer, Bounds, ColorSpace};
 use striata_stream::{GrowingHierarchy, HierarchyCut, PrefixMesh};
 
 use crate::leveled::Leveled;
@@ -127,7 +127,8 @@ impl Leveled for PrefixModel {
 
     fn vertices(&self, first: usize) -> Vertices {
         let first = first.min(self.vertex_count());
-        Vertices::new(&self.positions[first..], &self.layers, first)
+        // These are the arrays of a page, whose colors are light.
+        Vertices::new(&self.positions[first..], &self.layers, (first, ColorSpace::Linear))
     }
 
     fn smooth_normals(&self) -> Vec<[f32; 3]> {

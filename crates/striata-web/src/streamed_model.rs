@@ -183,7 +183,8 @@ impl Leveled for StreamedModel {
         let count = self.vertex_count();
         let first = first.min(count);
         self.source.read(|decoder| {
-            Vertices::new(&decoder.positions()[first..count], &decoder.layers_of(first..count), 0)
+            let layers = decoder.layers_of(first..count);
+            Vertices::new(&decoder.positions()[first..count], &layers, (0, decoder.color_space()))
         })
     }
 

@@ -1,6 +1,6 @@
 //! Converts positions and attribute layers to vertex buffers.
 
-use striata::mesh::{AttributeLayer, Semantic};
+use striata::mesh::{AttributeLayer, ColorSpace, Semantic};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Vertex attributes of a range of vertices. Each `take_` method returns its buffer once.
@@ -12,6 +12,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct Vertices {
     positions: Vec<f32>,
     layers: Vec<AttributeLayer>,
+    color_space: ColorSpace,
 }
 
 #[wasm_bindgen]
@@ -26,9 +27,10 @@ impl Vertices {
         self.take(DrawnLayer::Normal).map(|layer| floats(&layer))
     }
 
-    /// Red, green, blue and alpha of each vertex, if the mesh has colors.
-    pub fn take_colors(&mut self) -> Option<Vec<u8>> {
-        self.take(DrawnLayer::Color).map(|layer| colors(&layer))
+    /// Red, green, blue and alpha of each vertex in linear light, if the mesh has colors; 65535 is all of it.
+    pub fn take_colors(&mut self) -> Option<Vec<u16>> {
+        let color_space = self.color_space;
+        self.take(DrawnLayer::Color).map(|layer| colors(&layer, color_space))
     }
 
     /// Texture coordinates, two numbers per vertex with `v` pointing down, if the mesh has any.
@@ -50,11 +52,16 @@ impl Vertices {
 
 impl Vertices {
     /// Converts positions and layers, skipping the first `skipped` vertices of the layers.
-    pub(crate) fn new(positions: &[[f32; 3]], layers: &[AttributeLayer], skipped: usize) -> Self {
+    pub(crate) fn new(
+        positions: &[[f32; 3]],
+        layers: &[AttributeLayer],
+        (skipped, color_space): (usize, ColorSpace),
+    ) -> Self {
         let layers = layers.iter().filter(|layer| layer.component_count > 0);
         Self {
             positions: positions.as_flattened().to_vec(),
             layers: layers.map(|layer| from_vertex(layer, skipped)).collect(),
+            color_space,
         }
     }
 
@@ -117,7 +124,7 @@ impl VertexLayer {
 enum DrawnLayer {
     /// Three floats.
     Normal,
-    /// Four bytes; 255 is full intensity.
+    /// Four 16-bit integers.
     Color,
     /// Two floats.
     Uv,
@@ -147,15 +154,16 @@ fn floats(layer: &AttributeLayer) -> Vec<f32> {
     (0..vertex_count).flat_map(|v| (0..width).map(move |i| layer.get(v, i))).collect()
 }
 
-/// Converts colors to four bytes per vertex.
-fn colors(layer: &AttributeLayer) -> Vec<u8> {
+/// Converts colors to four numbers per vertex, in linear light.
+fn colors(layer: &AttributeLayer, color_space: ColorSpace) -> Vec<u16> {
     let width = usize::from(layer.component_count);
     let vertex_count = layer.data.len() / width;
-    let byte = |v: usize, i: usize| {
+    let word = |v: usize, i: usize| {
         let share = if i < width { layer.get(v, i) } else { 1.0 };
-        (share.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+        let light = if i < 3 { color_space.light_of(share) } else { share };
+        (light.clamp(0.0, 1.0) * 65535.0 + 0.5) as u16
     };
-    (0..vertex_count).flat_map(|v| (0..4).map(move |i| byte(v, i))).collect()
+    (0..vertex_count).flat_map(|v| (0..4).map(move |i| word(v, i))).collect()
 }
 
 #[cfg(test)]
@@ -165,14 +173,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn colors_of_any_type_become_bytes() {
+    fn colors_of_any_type_become_light() {
         let layer = AttributeLayer::from_f32(Semantic::Color(0), 3, vec![0.0, 0.5, 2.0, 1.0, f32::NAN, -1.0]);
-        assert_eq!(colors(&layer), [0, 128, 255, 255, 255, 0, 0, 255]);
-        assert_eq!(colors(&from_vertex(&layer, 1)), [255, 0, 0, 255]);
+        let linear = |layer: &AttributeLayer| colors(layer, ColorSpace::Linear);
+        assert_eq!(linear(&layer), [0, 32768, 65535, 65535, 65535, 0, 0, 65535]);
+        assert_eq!(linear(&from_vertex(&layer, 1)), [65535, 0, 0, 65535]);
+        assert_eq!(colors(&layer, ColorSpace::Srgb)[..4], [0, 14027, 65535, 65535]);
         let data = LayerData::U8(vec![1, 2, 3, 4]);
         let bytes =
             AttributeLayer { semantic: Semantic::Color(0), component_count: 4, normalized: true, data };
-        assert_eq!(colors(&bytes), [1, 2, 3, 4]);
+        assert_eq!(linear(&bytes), [257, 514, 771, 1028]);
         assert!(find(std::slice::from_ref(&bytes), DrawnLayer::Color).is_some());
         assert!(find(&[bytes], DrawnLayer::Uv).is_none());
     }
@@ -183,7 +193,7 @@ mod tests {
         let joints =
             AttributeLayer { semantic: Semantic::Joints(1), component_count: 4, normalized: false, data };
         let layers = [joints, AttributeLayer::from_f32(Semantic::MorphPosition(3), 3, vec![0.5; 6])];
-        let mut vertices = Vertices::new(&[[0.0; 3]], &layers, 1);
+        let mut vertices = Vertices::new(&[[0.0; 3]], &layers, (1, ColorSpace::Linear));
         let names: Vec<String> = (0..vertices.layer_count())
             .filter_map(|_| vertices.take_layer())
             .map(|layer| format!("{} {} {}", layer.name(), layer.component_type(), layer.bytes().len()))

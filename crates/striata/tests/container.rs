@@ -54,6 +54,7 @@ fn full_featured_mesh() -> RefinableMesh {
     mesh.appearance.samplers_json.push("{}".into());
     mesh.appearance.extensions_used.push("KHR_materials_unlit".into());
     mesh.appearance.material_libraries.push("room.mtl".into());
+    mesh.appearance.georeference = r#"{"epsg":32633}"#.into();
     refinable
 }
 

@@ -1,12 +1,13 @@
 //! `convert`: converts a mesh to another format.
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::{paged, scene};
 use crate::args::ConvertArgs;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_count};
-use striata_command::save::{Primitives, display_name, format_of, is_stdout, write_mesh};
+use striata_command::save::{Primitives, display_name, format_of, georeference_of, is_stdout, write_mesh};
 use striata_command::scene::with_mesh_textures;
 
 #[derive(Serialize)]
@@ -14,6 +15,8 @@ struct Report {
     vertex_count: usize,
     triangle_count: usize,
     format: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
 }
 
 /// Reads the input and writes the output.
@@ -34,6 +37,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
         format: format.extension(),
+        georeference: georeference_of(&mesh),
     };
     let text = format!(
         "{}: {} vertices, {} triangles",

@@ -16,7 +16,8 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, format_bytes, format_count, format_duration, format_length};
 use striata_command::save::{
-    DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
+    DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, georeference_of, is_stdout,
+    write_bytes,
 };
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{SequencePlan, Steps};
@@ -154,6 +155,8 @@ struct Report {
     attribute_bits_per_vertex: f64,
     /// Size of the base mesh, the header, and the file around the stream, if any.
     other_bits_per_vertex: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     output_bytes: usize,
     phases: Phases,
     secs: f64,
@@ -193,6 +196,7 @@ impl Report {
             position_bits_per_vertex: per_vertex(sizes.position_bits),
             attribute_bits_per_vertex: per_vertex(sizes.attribute_bits),
             other_bits_per_vertex: per_vertex(output_bits - coded_bits),
+            georeference: georeference_of(encoded.mesh),
             output_bytes,
             secs: phases.total_secs(),
             phases,

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use serde::Serialize;
+use serde_json::Value;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
 use striata::simplify::{
     Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target,
@@ -19,7 +20,7 @@ use striata_command::level::{
     shortfall_note, table_of_levels,
 };
 use striata_command::output::{Bar, Output, format_count, format_duration, format_length};
-use striata_command::save::{LevelFiles, Primitives, display_name, is_stdout};
+use striata_command::save::{LevelFiles, Primitives, display_name, georeference_of, is_stdout};
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
 
@@ -32,6 +33,8 @@ struct Report {
     level: LevelReport,
     error_is_guaranteed: bool,
     order: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     simplify_secs: f64,
     secs: f64,
 }
@@ -42,6 +45,8 @@ struct LevelsReport {
     levels: Vec<LevelReport>,
     error_is_guaranteed: bool,
     order: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     simplify_secs: f64,
     secs: f64,
 }
@@ -120,13 +125,14 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     files.commit()?;
     drop(bar);
     let (error_is_guaranteed, order) = (plan.guarantees_errors(), plan.order().as_str());
+    let georeference = georeference_of(&mesh);
     let secs = started.elapsed().as_secs_f64();
     if args.levels.levels.is_some() {
-        let report = LevelsReport { levels, error_is_guaranteed, order, simplify_secs, secs };
+        let report = LevelsReport { levels, error_is_guaranteed, order, georeference, simplify_secs, secs };
         return output.summary(&report, &report.to_text(mesh.triangle_count()));
     }
     let level = levels.pop().ok_or_else(|| Failure::internal("no level was given"))?;
-    let report = Report { level, error_is_guaranteed, order, simplify_secs, secs };
+    let report = Report { level, error_is_guaranteed, order, georeference, simplify_secs, secs };
     output.summary(&report, &report.to_text(mesh.triangle_count(), full.diagonal))
 }
 

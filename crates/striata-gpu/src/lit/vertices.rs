@@ -45,7 +45,7 @@ pub(crate) const ABSENT_ONES: u64 = 32;
 impl LitVertices {
     /// Uploads the vertices of a mesh.
     ///
-    /// Layers that are used: normal, tangent, texture coordinates 0 and 1, color 0 (linear light), joints and
+    /// Layers that are used: normal, tangent, texture coordinates 0 and 1, color 0, joints and
     /// weights 0 and 1, and the displacements of morph targets. Without normals, the picture has flat ones.
     ///
     /// # Errors
@@ -71,7 +71,7 @@ impl LitVertices {
             upload("tangents", tangents.as_deref().map(cast_slice))?,
             upload("texture coordinates", uv[0].as_deref().map(cast_slice))?,
             upload("second texture coordinates", uv[1].as_deref().map(cast_slice))?,
-            upload("colors", colors(mesh).as_deref().map(cast_slice))?,
+            upload("colors", mesh.linear_colors().as_deref().map(cast_slice))?,
             upload("joints", joints[0].as_deref().map(cast_slice))?,
             upload("second joints", joints[1].as_deref().map(cast_slice))?,
         ];
@@ -117,18 +117,6 @@ impl LitVertices {
 fn floats<const N: usize>(mesh: &IndexedMesh, semantic: &Semantic) -> Option<Vec<[f32; N]>> {
     let layer = mesh.layer(semantic).filter(|layer| usize::from(layer.component_count) >= N)?;
     Some((0..mesh.vertex_count()).map(|v| std::array::from_fn(|k| layer.get(v, k))).collect())
-}
-
-fn colors(mesh: &IndexedMesh) -> Option<Vec<[f32; 4]>> {
-    let layer = mesh.layer(&Semantic::Color(0))?;
-    match layer.component_count {
-        0 => None,
-        1 | 2 => Some((0..mesh.vertex_count()).map(|v| [layer.get(v, 0); 4]).collect::<Vec<_>>())
-            .map(|grays| grays.into_iter().map(|[gray, ..]| [gray, gray, gray, 1.0]).collect()),
-        3 => floats::<3>(mesh, &Semantic::Color(0))
-            .map(|colors| colors.into_iter().map(|[r, g, b]| [r, g, b, 1.0]).collect()),
-        _ => floats::<4>(mesh, &Semantic::Color(0)),
-    }
 }
 
 fn joint_sets(mesh: &IndexedMesh, set: u8) -> Option<Vec<JointSet>> {

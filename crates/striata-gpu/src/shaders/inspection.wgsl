@@ -24,7 +24,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     out.normal = vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]);
     out.color = scene.base.rgb;
     if scene.flags.y == 1u {
-        out.color = unpack4x8unorm(colors[v]).rgb;
+        out.color = light_of(unpack4x8unorm(colors[v]).rgb);
     }
     if scene.flags.w == 1u {
         let own = unpack4x8unorm(triangle_colors[index / 3u]);

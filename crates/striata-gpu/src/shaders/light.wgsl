@@ -21,6 +21,11 @@ struct Scene {
 
 @group(0) @binding(0) var<uniform> scene: Scene;
 
+// Light of an sRGB color.
+fn light_of(color: vec3<f32>) -> vec3<f32> {
+    return select(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92, color <= vec3(0.04045));
+}
+
 // Hues spaced by the golden ratio in two shades, matching `palette_color` on the CPU.
 fn palette(index: u32) -> vec3<f32> {
     // Integer arithmetic keeps the fraction exact for any index.

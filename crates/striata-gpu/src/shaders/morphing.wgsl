@@ -17,14 +17,14 @@ const VANISHES = 3.0;
 struct VertexState {
     position: vec3<f32>,
     normal: vec3<f32>,
-    color: vec4<f32>,
+    color: vec3<f32>,
 }
 
 fn stored(v: u32) -> VertexState {
     return VertexState(
         vec3(positions[3u * v], positions[3u * v + 1u], positions[3u * v + 2u]),
         vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]),
-        unpack4x8unorm(colors[v]),
+        light_of(unpack4x8unorm(colors[v]).rgb),
     );
 }
 

@@ -7,14 +7,14 @@ struct Corner {
     @location(2) color: vec3<f32>,
 }
 
-fn corner(position: vec3<f32>, normal: vec3<f32>, color: vec4<f32>, group: u32) -> Corner {
+fn corner(position: vec3<f32>, normal: vec3<f32>, color: vec3<f32>, group: u32) -> Corner {
     var out: Corner;
     out.clip = scene.clip_from_model * vec4(position, 1.0);
     out.position = position;
     out.normal = normal;
     out.color = scene.base.rgb;
     if scene.flags.y == 1u {
-        out.color = color.rgb;
+        out.color = color;
     }
     if scene.flags.z == 1u {
         out.color = palette(group);
@@ -29,7 +29,7 @@ fn vertex(
     @location(2) color: vec4<f32>,
     @builtin(instance_index) group: u32,
 ) -> Corner {
-    return corner(position, normal, color, group);
+    return corner(position, normal, light_of(color.rgb), group);
 }
 
 @fragment

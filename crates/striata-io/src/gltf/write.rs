@@ -18,6 +18,8 @@ use crate::gltf_json::extensions_in;
 
 const TRIANGLES: u32 = 4;
 const TRIANGLE_FAN: u32 = 6;
+/// Name of the place of a terrain among the extras of a scene.
+pub(super) const GEOREFERENCE: &str = "georeference";
 
 /// Encodes a mesh as a GLB file.
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
@@ -43,7 +45,10 @@ fn document(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Ref
     root.insert("scene".to_owned(), json!(0));
     let (meshes, nodes) = builder.meshes(mesh, options)?;
     let roots: Vec<usize> = (0..nodes.len()).collect();
-    let scene = if roots.is_empty() { json!({}) } else { json!({ "nodes": roots }) };
+    let mut scene = if roots.is_empty() { json!({}) } else { json!({ "nodes": roots }) };
+    if let Ok(georeference) = serde_json::from_str::<Value>(&mesh.appearance.georeference) {
+        scene["extras"] = json!({ GEOREFERENCE: georeference });
+    }
     insert(&mut root, "scenes", vec![scene]);
     insert(&mut root, "meshes", meshes);
     insert(&mut root, "nodes", nodes);

@@ -29,6 +29,9 @@ pub(crate) fn to_bytes(
     let normal = fitting(&Semantic::Normal, &[3]);
     let mut out = Vec::with_capacity(mesh.positions.len() * 40 + mesh.triangles.len() * 24);
     let names = material_names(mesh);
+    if !mesh.appearance.georeference.is_empty() {
+        push_line(&mut out, "# georeference", &mesh.appearance.georeference);
+    }
     for library in libraries(mesh, path, &names, images, warnings) {
         push_line(&mut out, "mtllib", &library);
     }

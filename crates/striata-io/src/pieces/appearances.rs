@@ -6,6 +6,9 @@ use striata::mesh::Appearance;
 /// Appends an appearance, with its indices shifted; returns the number of materials before.
 pub(super) fn append(to: &mut Appearance, from: &Appearance) -> u32 {
     to.color_space = from.color_space;
+    if to.georeference.is_empty() {
+        to.georeference = from.georeference.clone();
+    }
     let first_material = to.materials.len() as u32;
     let [textures, images, samplers] = [to.textures_json.len(), to.images.len(), to.samplers_json.len()];
     for material in &from.materials {

@@ -117,6 +117,8 @@ pub(crate) struct Header {
     pub normalized_faces: Vec<String>,
     /// Images named by `comment TextureFile NAME`.
     pub texture_files: Vec<TextureComment>,
+    /// JSON object of `comment georeference JSON`, a note of our own writer; may be empty.
+    pub georeference: String,
     /// Whether texture coordinates count from the top of the image, as in temporary files of our own; set by
     /// those who know.
     #[cfg_attr(
@@ -145,12 +147,14 @@ impl Header {
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
         let (mut normalized, mut normalized_faces, mut texture_files) = (Vec::new(), Vec::new(), Vec::new());
+        let mut georeference = String::new();
         loop {
             cursor.next_line();
             match cursor.word() {
                 b"format" => encoding = Some(read_format(&mut cursor)?),
                 b"comment" => match cursor.word() {
                     b"normalized" => normalized.push(text(cursor.word())),
+                    b"georeference" => georeference = text(cursor.rest_of_line()),
                     b"normalized_face" => normalized_faces.push(text(cursor.word())),
                     word if word.eq_ignore_ascii_case(b"texturefile") => {
                         let (name, line) = (text(cursor.rest_of_line()), cursor.line());
@@ -183,6 +187,7 @@ impl Header {
             normalized,
             normalized_faces,
             texture_files,
+            georeference,
             has_top_origin: false,
             body_at,
             body_line,

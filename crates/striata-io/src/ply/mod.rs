@@ -90,5 +90,6 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
     faces.textures.split_vertices(&mut mesh);
     let set = TextureSet::new(source, bytes.len() as u64);
     textures::attach(&mut mesh, comments, faces.textures.numbers(), set, warnings);
+    mesh.appearance.georeference = header.georeference;
     Ok(mesh)
 }

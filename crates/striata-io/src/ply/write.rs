@@ -61,11 +61,15 @@ fn header(
 ) -> Result<String, Refusal> {
     let encoding = if ascii { "ascii" } else { "binary_little_endian" };
     let face_names = names_of(face_layers, true);
-    let comments = normalized_comments("normalized_face", face_layers, &face_names);
+    let mut comments = normalized_comments("normalized_face", face_layers, &face_names);
     let names: Vec<&str> = textures.names.iter().map(String::as_str).collect();
     let coordinate = if mesh.needs_doubles() { Scalar::F64 } else { Scalar::F32 };
     let vertex_count = mesh.positions.len().to_string();
     let mut out = vertex_header(coordinate, layers, &names, encoding, &vertex_count)?;
+    let georeference = &mesh.appearance.georeference;
+    if !georeference.is_empty() {
+        comments += &format!("comment georeference {}\n", georeference.replace(['\n', '\r'], " "));
+    }
     out.insert_str(out.find("element").unwrap_or(out.len()), &comments);
     out += &format!("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.len());
     if textures.numbers.is_some() {

@@ -123,6 +123,12 @@ class Mesh:
         return self._data.face_count
 
     @property
+    def georeference(self) -> dict[str, Any] | None:
+        """Place of a terrain on the Earth (``origin``, ``epsg``, ...), whose up is z; None if unknown."""
+        text = self._data.georeference
+        return json.loads(text) if text else None
+
+    @property
     def attributes(self) -> dict[str, AnyArray]:
         """Arrays with a row for each point, by name: ``normal``, ``texcoord_0``, ``color_0`` and others."""
         return _named(self._data.layers())

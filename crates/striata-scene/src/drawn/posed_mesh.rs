@@ -1,7 +1,7 @@
 //! A scene at a time of an animation as one mesh, for renderers that draw one mesh.
 
 use glam::{DMat3, DMat4, DVec3, Vec3};
-use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGroup};
+use striata::mesh::{AttributeLayer, ColorSpace, IndexedMesh, Material, Semantic, TriangleGroup};
 use striata_io::{Scene, SceneError, SceneInstance};
 
 use super::json::entries;
@@ -193,6 +193,7 @@ impl PosedMesh {
         }
         if let Some(colors) = colors {
             push(Semantic::Color(0), 4, colors.into_flattened());
+            mesh.appearance.color_space = ColorSpace::Linear;
         }
         mesh.appearance.materials = vec![Material::default(); material_count];
         mesh

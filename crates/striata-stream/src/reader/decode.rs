@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use striata::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+    AttributeLayer, CollapseSequence, ColorSpace, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts,
+    TriangleGroup,
 };
 use striata::{Progress, ProgressFn};
 
@@ -411,6 +412,11 @@ impl StreamDecoder {
     /// Properties of the whole stream, or `None` before its header has been decoded.
     pub fn info(&self) -> Option<StreamInfo> {
         self.header.as_ref().map(StreamInfo::of)
+    }
+
+    /// Meaning of the numbers of vertex colors; sRGB before the header has been decoded.
+    pub fn color_space(&self) -> ColorSpace {
+        self.header.as_ref().map_or(ColorSpace::Srgb, |header| header.appearance.color_space)
     }
 
     /// Number of vertex splits in the whole stream, or `None` before its header has been decoded.

@@ -32,13 +32,14 @@ pub struct ViewAngles {
 }
 
 impl ViewAngles {
-    /// Default angles: from the front, slightly from the left and above. Meshes that are flat along z, such
-    /// as terrains, have z up and are seen from higher.
-    pub fn usual(bounds: Option<&Bounds>) -> Self {
+    /// Default angles: from the front, slightly from the left and above. Terrains, and meshes that are as flat
+    /// along z, have z up and are seen from higher.
+    pub fn usual(bounds: Option<&Bounds>, is_terrain: bool) -> Self {
         const FLAT: f32 = 0.3;
         let size = bounds.map_or([1.0; 3], |bounds| [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]));
         let lies_flat = size[2] < FLAT * size[0].min(size[1]);
-        let (up, rise): (_, f32) = if lies_flat { ([0.0, 0.0, 1.0], 40.0) } else { ([0.0, 1.0, 0.0], 8.0) };
+        let (up, rise): (_, f32) =
+            if lies_flat || is_terrain { ([0.0, 0.0, 1.0], 40.0) } else { ([0.0, 1.0, 0.0], 8.0) };
         Self { turn: (-35.0f32).to_radians(), rise: rise.to_radians(), up, fov: 27.0f32.to_radians() }
     }
 }
@@ -214,11 +215,11 @@ mod tests {
 
     #[test]
     fn flat_meshes_have_z_up_and_are_seen_from_higher() {
-        let usual = |max: [f32; 3]| ViewAngles::usual(Some(&Bounds { min: [0.0; 3], max }));
+        let usual = |max: [f32; 3]| ViewAngles::usual(Some(&Bounds { min: [0.0; 3], max }), false);
         let flat = usual([10.0, 8.0, 1.0]);
         assert!(flat.up == [0.0, 0.0, 1.0] && flat.rise > 0.5);
         for upright in [[1.0; 3], [10.0, 1.0, 10.0], [1.0, 10.0, 1.0], [10.0, 1.0, 1.0]] {
-            assert_eq!(usual(upright), ViewAngles::usual(None), "{upright:?}");
+            assert_eq!(usual(upright), ViewAngles::usual(None, false), "{upright:?}");
         }
     }
 

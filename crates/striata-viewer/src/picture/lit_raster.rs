@@ -252,7 +252,9 @@ fn mean(samples: impl Iterator<Item = [usize; 2]>, start: usize) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::{AttributeLayer, IndexedMesh, Material as MeshMaterial, Semantic, TriangleGroup};
+    use striata::mesh::{
+        AttributeLayer, ColorSpace, IndexedMesh, Material as MeshMaterial, Semantic, TriangleGroup,
+    };
     use striata_scene::drawn::{Material, Sampler, TextureUse, UvTransform};
     use striata_scene::textures::RgbaImage;
 
@@ -396,6 +398,7 @@ mod tests {
     fn vertex_colors_emission_and_normal_maps_have_an_effect() {
         let mut mesh = squares(&[0.0]);
         mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, [0.5, 1.0, 0.0].repeat(4)));
+        mesh.appearance.color_space = ColorSpace::Linear;
         let canvas = drawn(&mesh, &look(vec![plain([1.0; 4])], Vec::new()), &CAMERA);
         assert_near(middle(&canvas), [0.5, 1.0, 0.0, 1.0]);
         let rough = Material { metallic: 0.0, base_color: [0.2, 0.2, 0.2, 1.0], ..Material::default() };

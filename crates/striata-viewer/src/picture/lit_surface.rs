@@ -46,7 +46,7 @@ pub(super) struct LitSurface<'a> {
     positions: &'a [Vec3],
     normals: Option<&'a AttributeLayer>,
     tangents: Option<&'a AttributeLayer>,
-    colors: Option<&'a AttributeLayer>,
+    colors: Option<Vec<[f32; 4]>>,
     uvs: Vec<Option<&'a AttributeLayer>>,
 }
 
@@ -75,7 +75,7 @@ impl<'a> LitSurface<'a> {
             positions,
             normals: if shot.is_flat { None } else { layer(Semantic::Normal, 3) },
             tangents: layer(Semantic::Tangent, 4),
-            colors: layer(Semantic::Color(0), 1),
+            colors: mesh.linear_colors(),
             uvs,
         }
     }
@@ -192,9 +192,10 @@ impl<'a> LitSurface<'a> {
         if let Some(texel) = self.texel(triangle, weights, self.image(&material.base_color_texture, true)) {
             color = std::array::from_fn(|k| color[k] * texel[k]);
         }
-        if let Some(layer) = self.colors {
-            let vertex: [f32; 4] = self.attribute(layer, triangle, weights.at);
-            color = std::array::from_fn(|k| color[k] * vertex[k].max(0.0));
+        if let Some(colors) = &self.colors {
+            let corners = self.triangles[triangle].map(|v| colors[v as usize]);
+            let vertex = |k: usize| (0..3).map(|i| weights.at[i] * corners[i][k]).sum::<f32>();
+            color = std::array::from_fn(|k| color[k] * vertex(k).max(0.0));
         }
         color
     }

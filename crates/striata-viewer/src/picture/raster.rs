@@ -60,7 +60,7 @@ struct ShotTriangles<'a> {
     /// Vertex normals; none for flat shading.
     normals: Option<Vec<Vec3>>,
     triangle_colors: Option<std::borrow::Cow<'a, [Color]>>,
-    vertex_colors: Option<Vec<Color>>,
+    vertex_colors: Option<Vec<Vec3>>,
     style: SurfaceStyle,
 }
 
@@ -68,7 +68,7 @@ impl<'a> ShotTriangles<'a> {
     fn new(shot: &'a Shot<'a>, view: &View, edges: f32) -> Self {
         let normals = if shot.is_flat { None } else { normals_of(shot.vertices) };
         let vertex_colors = match &shot.paint {
-            Paint::Vertices(colors) => Some(colors.clone()),
+            Paint::Vertices(colors) => Some(colors.iter().copied().map(color).collect()),
             Paint::Surface => colors_of(shot.vertices),
             Paint::Triangles(_) => None,
         };
@@ -83,7 +83,7 @@ impl<'a> ShotTriangles<'a> {
         let corners = self.shot.triangles[index];
         let colors = match (&self.triangle_colors, &self.vertex_colors) {
             (Some(colors), _) => [color(colors[index]); 3],
-            (None, Some(colors)) => corners.map(|v| color(colors[v as usize])),
+            (None, Some(colors)) => corners.map(|v| colors[v as usize]),
             (None, None) => [STONE; 3],
         };
         let normal = |v: u32| {
@@ -110,12 +110,9 @@ fn normals_of(mesh: &IndexedMesh) -> Option<Vec<Vec3>> {
     Some((0..mesh.vertex_count()).map(|v| [0, 1, 2].map(|k| layer.get(v, k))).collect())
 }
 
-fn colors_of(mesh: &IndexedMesh) -> Option<Vec<Color>> {
-    let layer = mesh.layers.iter().find(|layer| matches!(layer.semantic, Semantic::Color(_)))?;
-    let channels = if layer.component_count < 3 { [0, 0, 0] } else { [0, 1, 2] };
-    let byte = |v, k| (255.0 * layer.get(v, k).clamp(0.0, 1.0) + 0.5) as u8;
-    let color = |v| channels.map(|k| byte(v, k));
-    Some((0..mesh.vertex_count()).map(color).map(|[r, g, b]| [r, g, b, 255]).collect())
+fn colors_of(mesh: &IndexedMesh) -> Option<Vec<Vec3>> {
+    let colors = mesh.linear_colors()?.into_iter();
+    Some(colors.map(|[r, g, b, _]| [r, g, b].map(|light| light.min(1.0))).collect())
 }
 
 /// A point on the screen: pixel coordinates and inverse depth.

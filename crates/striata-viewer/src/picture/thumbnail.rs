@@ -65,7 +65,8 @@ fn camera(mesh: &IndexedMesh, may_lie: bool, aspect: f32) -> Option<Camera> {
         return None;
     }
     let lies_flat = may_lie && size[2] < MAX_TERRAIN_HEIGHT * size[0].min(size[1]);
-    let (rise, up) = if lies_flat { (0.75, [0.0, 0.0, 1.0]) } else { (0.22, [0.0, 1.0, 0.0]) };
+    let is_terrain = !mesh.appearance.georeference.is_empty();
+    let (rise, up) = if lies_flat || is_terrain { (0.75, [0.0, 0.0, 1.0]) } else { (0.22, [0.0, 1.0, 0.0]) };
     Some(Camera::around(&mesh.positions, &ViewAngles { turn: -0.5, rise, up, fov: FOV }, aspect))
 }
 

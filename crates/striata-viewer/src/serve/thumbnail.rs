@@ -2,7 +2,7 @@
 
 use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
-use striata_io::{Format, SceneError, convert_colors};
+use striata_io::SceneError;
 use striata_scene::Poser;
 use striata_scene::drawn::{ImageLimits, lights, posed_mesh};
 
@@ -45,7 +45,6 @@ pub fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
             mesh.check()?;
             let look = SceneLook::of_mesh(&mesh, &image_limits());
             if look.is_some() {
-                convert_colors(&mut mesh, Format::Glb);
                 mesh = with_normals(mesh);
             }
             (mesh, look)

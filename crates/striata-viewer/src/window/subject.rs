@@ -76,6 +76,11 @@ impl Subject {
         self.mesh().is_none_or(|mesh| mesh.has_collapses())
     }
 
+    /// Whether the subject is a terrain, whose up is z.
+    pub(super) fn is_terrain(&self) -> bool {
+        self.mesh().is_some_and(|mesh| !mesh.steps.mesh().appearance.georeference.is_empty())
+    }
+
     /// Box around everything in its first pose.
     pub(super) fn bounds(&self) -> Bounds {
         match self {

@@ -141,6 +141,8 @@ pub(super) fn groups_from_bytes(bytes: &[u8]) -> Result<Vec<TriangleGroup>, Deco
 
 /// Last number of an appearance whose vertex colors are linear; sRGB has none.
 const LINEAR: u32 = 1;
+/// Tag of the place of a terrain, which is not there if unknown.
+const GEOREFERENCE: u32 = 2;
 
 /// Encodes materials, images and the rest of the appearance, as used in files and in the heads of streams.
 ///
@@ -167,6 +169,10 @@ pub fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeErr
     if appearance.color_space == ColorSpace::Linear {
         put_u32(LINEAR, &mut out);
     }
+    if !appearance.georeference.is_empty() {
+        put_u32(GEOREFERENCE, &mut out);
+        put_block("the georeference", appearance.georeference.as_bytes(), &mut out)?;
+    }
     Ok(out)
 }
 
@@ -192,11 +198,12 @@ pub fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
     appearance.samplers_json = reader.texts()?;
     appearance.extensions_used = reader.texts()?;
     appearance.material_libraries = reader.texts()?;
-    if !reader.is_at_end() {
-        if reader.u32()? != LINEAR {
-            return Err(reader.malformed("the color space is unknown"));
+    while !reader.is_at_end() {
+        match reader.u32()? {
+            LINEAR => appearance.color_space = ColorSpace::Linear,
+            GEOREFERENCE => appearance.georeference = reader.text()?,
+            _ => return Err(reader.malformed("a property of the appearance is unknown")),
         }
-        appearance.color_space = ColorSpace::Linear;
     }
     reader.end()?;
     Ok(appearance)

@@ -32,6 +32,18 @@ pub enum ColorSpace {
     Linear,
 }
 
+impl ColorSpace {
+    /// Amount of light of a channel. NaN and negative values give 0, and no sRGB value gives more than 1.
+    pub fn light_of(self, value: f32) -> f32 {
+        let x = value.max(0.0);
+        match self {
+            Self::Linear => x,
+            Self::Srgb if x <= 0.040_45 => x / 12.92,
+            Self::Srgb => ((x.min(1.0) + 0.055) / 1.055).powf(2.4),
+        }
+    }
+}
+
 /// Everything a mesh carries along for its appearance; striata does not interpret it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Appearance {
@@ -49,6 +61,8 @@ pub struct Appearance {
     pub material_libraries: Vec<String>,
     /// Meaning of the numbers of vertex colors.
     pub color_space: ColorSpace,
+    /// Place on the Earth of a terrain, whose up is z: a JSON object (`origin`, `epsg`, ...); empty if unknown.
+    pub georeference: String,
 }
 
 impl Appearance {

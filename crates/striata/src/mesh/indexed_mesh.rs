@@ -196,6 +196,19 @@ impl IndexedMesh {
         self.layers.iter().find(|layer| layer.semantic == *semantic)
     }
 
+    /// Red, green, blue and opacity of each vertex in linear light, from the first set of colors; `None` if
+    /// there is none. Layers of one or two components are gray.
+    pub fn linear_colors(&self) -> Option<Vec<[f32; 4]>> {
+        let layer = self.layer(&Semantic::Color(0)).filter(|layer| layer.component_count > 0)?;
+        let width = usize::from(layer.component_count);
+        let light = |v, k| self.appearance.color_space.light_of(layer.get(v, k));
+        let color = |v| {
+            let [r, g, b] = if width < 3 { [light(v, 0); 3] } else { [0, 1, 2].map(|k| light(v, k)) };
+            [r, g, b, if width > 3 { layer.get(v, 3) } else { 1.0 }]
+        };
+        Some((0..self.vertex_count()).map(color).collect())
+    }
+
     /// Bounds of all finite positions; `None` if there are none.
     pub fn bounds(&self) -> Option<Bounds> {
         Bounds::of(&self.positions)

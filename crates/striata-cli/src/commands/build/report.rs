@@ -9,7 +9,7 @@ use super::build_output::BuildOutput;
 use crate::args::BuildArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::output::{Table, format_bytes, format_count, format_duration, format_length};
-use striata_command::save::DEFAULT_NAME_NOTE;
+use striata_command::save::{DEFAULT_NAME_NOTE, georeference_of};
 use striata_command::stream::stream_facts_json;
 use striata_command::strip_report::StripReport;
 
@@ -29,6 +29,8 @@ pub(super) struct Report {
     strips: Value,
     #[serde(skip_serializing_if = "Option::is_none")]
     stream: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     output_bytes: usize,
     phases: Phases,
     secs: f64,
@@ -59,6 +61,7 @@ impl Report {
             path,
             shortfall: None,
             stream: facts.as_ref().map(stream_facts_json),
+            georeference: georeference_of(mesh),
             input: json!({
                 "vertex_count": mesh.vertex_count(),
                 "triangle_count": mesh.triangle_count(),

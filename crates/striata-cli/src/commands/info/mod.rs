@@ -23,6 +23,7 @@ use striata_command::input::Input;
 use striata_command::output::{
     Output, Table, format_bytes, format_count, format_duration, format_length, format_noun_count,
 };
+use striata_command::save::georeference_of;
 use striata_command::stream::{DecodedStream, stream_facts_json};
 
 /// Number of defects that the text lists; JSON lists more of them.
@@ -65,6 +66,9 @@ struct Report {
     /// Origin that positions are relative to, if single precision cannot hold the coordinates of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     origin: Option<[f64; 3]>,
+    /// Place on the Earth of a terrain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     diagonal: f64,
     models: Map<String, Value>,
     /// Sizes and build times of all models, with `--models`.
@@ -231,6 +235,7 @@ impl Report {
             materials: mesh.appearance.materials.iter().map(|material| material.name.clone()).collect(),
             bounds: bounds_in_file(mesh),
             origin: mesh.needs_doubles().then_some(mesh.origin),
+            georeference: georeference_of(mesh),
             diagonal: mesh.diagonal(),
             models: Map::new(),
             model_costs: None,

@@ -19,7 +19,6 @@ use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
 use striata_command::output::{Bar, Output, format_count};
 use striata_command::sequence::{SequencePlan, Steps};
-use striata_io::{Format, convert_colors};
 use striata_scene::drawn::ImageLimits;
 use striata_viewer::picture::{SceneLook, with_normals};
 
@@ -82,13 +81,9 @@ impl<'a> Source<'a> {
             let look = look_of(args, levels.steps.mesh());
             return Ok(Self::Levels(Box::new(levels), look));
         }
-        let mut mesh = input.mesh(output)?;
+        let mesh = input.mesh(output)?;
         mesh.check().map_err(|error| in_file(error.into()))?;
         let look = look_of(args, &mesh);
-        if look.is_some() {
-            // Materials are factors of linear colors.
-            convert_colors(&mut mesh, Format::Glb);
-        }
         if !needs_levels(args) {
             return Ok(Self::Mesh(Box::new(with_normals(mesh)), look));
         }

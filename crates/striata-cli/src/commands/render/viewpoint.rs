@@ -41,7 +41,9 @@ impl Viewpoint {
             return Ok(Self { placement, zoom: args.zoom, frustum: None });
         }
         // In scenes, y is up, whatever their shape.
-        let usual = ViewAngles::usual(mesh.bounds().filter(|_| source.scene().is_none()).as_ref());
+        let is_terrain = !mesh.appearance.georeference.is_empty();
+        let bounds = mesh.bounds().filter(|_| source.scene().is_none());
+        let usual = ViewAngles::usual(bounds.as_ref(), is_terrain);
         let up = args.view.up().unwrap_or(usual.up);
         let fov = |usual: f32| args.view.fov().map_or(usual.to_radians(), |angle| angle as f32);
         let look_at = args.view.relative_to(mesh.origin).look_at().unwrap_or(center);

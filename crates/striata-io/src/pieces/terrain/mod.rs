@@ -225,7 +225,10 @@ impl Terrain {
         if block.triangles.is_empty() {
             return Err(misplaced(name, "no four neighboring samples have heights"));
         }
-        Ok(IndexedMesh::new(block.positions, block.triangles))
+        let mut mesh = IndexedMesh::new(block.positions, block.triangles);
+        mesh.appearance.georeference =
+            self.summary.georeference.as_ref().map(Value::to_string).unwrap_or_default();
+        Ok(mesh)
     }
 
     /// Reads a block of samples.

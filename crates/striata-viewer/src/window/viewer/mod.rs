@@ -17,7 +17,7 @@ use super::args::ShownModel;
 use super::instance::{AchievedLevel, LevelRequest, ModelInstance};
 use super::loader::{Job, JobProgress, OpenAs, Outcome, Task, Waker};
 use super::mesh_subject::MeshSubject;
-use super::orbit::Orbit;
+use super::orbit::{Orbit, Up};
 use super::plots::{History, Sample};
 use super::scene::{Playback, SceneRequest, SceneSubject, ShownScene};
 use super::scene_renderer::{InspectionMode, SceneRenderer};
@@ -237,7 +237,8 @@ impl Viewer {
     /// Switches to another subject.
     pub(super) fn set_subject(&mut self, subject: Subject) {
         self.state.on_new_model(subject.triangle_count(), subject.has_collapses());
-        self.orbit = Orbit::around(&subject.bounds(), self.orbit.up());
+        let up = if subject.is_terrain() { Up::Z } else { self.orbit.up() };
+        self.orbit = Orbit::around(&subject.bounds(), up);
         (self.shown, self.last_inputs) = (None, None);
         self.playback = Playback::default();
         if let Some(pose) = self.first_pose.take() {
