@@ -175,6 +175,8 @@ pub use compressed::decompressed;
 pub use encoded::{CompanionFile, EncodedMesh, encode_mesh};
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
+#[cfg(feature = "gltf")]
+pub use gltf::{ExtensionUse, extension_use, known_extensions};
 #[cfg(not(target_family = "wasm"))]
 pub use lod::{open, save};
 #[cfg(not(target_family = "wasm"))]

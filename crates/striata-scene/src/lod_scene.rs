@@ -1,5 +1,6 @@
 //! A scene with every level of detail of each of its meshes.
 
+use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
@@ -73,12 +74,22 @@ impl LodScene {
     ) -> Result<Self, BuildError> {
         let simplifier = MeshSimplifier::new(scene);
         let mut progress = MeshProgress::new(scene.meshes(), progress);
-        let mut lods = Vec::with_capacity(scene.meshes().len());
+        let mut lods: Vec<Option<Lod>> = Vec::with_capacity(scene.meshes().len());
+        let mut first_of: HashMap<[u64; 2], usize> = HashMap::new();
         for (index, mesh) in scene.meshes().iter().enumerate() {
             let Some(mesh) = mesh else {
                 lods.push(None);
                 continue;
             };
+            // Equal meshes, such as one ball in many colors, are simplified once.
+            let first = *first_of.entry(mesh.fingerprints()).or_insert(index);
+            if first < index && simplifier.is_simplified_alike([first, index], &options.sequence) {
+                lods.push(lods[first].clone());
+                let finished = progress.finish_mesh(mesh);
+                let name = || scene.mesh_name(index).to_owned();
+                finished.map_err(|error| BuildError::new(index, name(), error))?;
+                continue;
+            }
             let built = simplifier.lod((index, mesh), options, &mut |now| progress.report(now));
             let built = built.and_then(|lod| progress.finish_mesh(mesh).map(|()| lod));
             let name = || scene.mesh_name(index).to_owned();

@@ -28,6 +28,20 @@ impl<'s> MeshSimplifier<'s> {
         Self { scene, weights: MeshWeight::of_scene(scene), poses: ScenePoses::new(scene).ok() }
     }
 
+    /// Whether two meshes of the scene have the same levels.
+    pub(crate) fn is_simplified_alike(&self, meshes: [usize; 2], options: &SequenceOptions) -> bool {
+        let [a, b] = meshes.map(|index| self.scene.meshes()[index].as_ref());
+        if a.is_none() || a != b {
+            return false;
+        }
+        let [first, second] = meshes.map(|index| self.options(index, options).ok());
+        let is_still = |index: usize| {
+            let mesh = self.scene.meshes()[index].as_ref();
+            mesh.is_some_and(|mesh| self.deformation((index, mesh), options).is_none())
+        };
+        first.is_some() && first == second && meshes.into_iter().all(is_still)
+    }
+
     /// Builds the levels of a mesh of the scene, which has this index.
     ///
     /// # Errors

@@ -52,6 +52,19 @@ fn run_in_shell(bench: &Workbench, commands: &str) -> Output {
 }
 
 #[test]
+fn the_guide_to_scenes_lists_all_known_extensions() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide/scenes.md");
+    let guide = std::fs::read_to_string(path).expect("the guide is in the repository");
+    let row =
+        |name: &str| guide.lines().find(|line| line.starts_with("| ") && line.contains(&format!("`{name}`")));
+    for name in striata_io::known_extensions() {
+        let usage = striata_io::extension_use(name).expect("it is known").as_str();
+        let row = row(name).unwrap_or_else(|| panic!("no row has {name}"));
+        assert!(row.starts_with(&format!("| {usage} |")), "{name} is {usage}: {row}");
+    }
+}
+
+#[test]
 fn every_command_of_the_guides_works() {
     let guides = guides();
     assert!(guides.len() >= 4, "{} guides", guides.len());

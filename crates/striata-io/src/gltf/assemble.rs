@@ -2,12 +2,14 @@
 //!
 //! Vertices come in **blocks**: the vertices of one set of accessors under one transform. Primitives that
 //! share their accessors, such as those of our own writer, share the block, so that a file does not grow
-//! when it is read and written again. Everything is counted before anything is decoded.
+//! when it is read and written again. A block whose triangles use few of many vertices, as if all parts of a
+//! building share one buffer, only has those. Everything is counted before anything is decoded.
 
 use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup};
 
+use super::accessor::Accessor;
 use super::appearance;
 use super::document::Document;
 use super::draco::{DracoKey, DracoLink};
@@ -40,6 +42,12 @@ struct Block<'a> {
     pose: RestPose,
     first_vertex: usize,
     vertex_count: usize,
+    /// Number of elements of the accessors.
+    element_count: usize,
+    /// Number of corners that the triangles of all primitives have at most.
+    corner_count: u64,
+    /// Increasing numbers of the elements that are vertices; [`None`] if all are.
+    elements: Option<Vec<u32>>,
 }
 
 /// One primitive as shown by one node.
@@ -56,6 +64,7 @@ struct Plan<'a> {
     blocks: Vec<Block<'a>>,
     pieces: Vec<Piece<'a>>,
     formats: LayerFormats,
+    /// Number of vertices, at most.
     vertex_count: usize,
     triangle_limit: u64,
     block_of: BTreeMap<BlockKey, usize>,
@@ -84,6 +93,7 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
     })?;
     let mut mesh =
         IndexedMesh { appearance: appearance::appearance(document, warnings)?, ..IndexedMesh::default() };
+    plan.choose_vertices(document, Unused::Kept)?;
     mesh.origin = plan.move_to_origin(document);
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
@@ -98,21 +108,34 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
 
 /// Builds the mesh of some primitives, each of which becomes a group, without transforms and appearance.
 ///
-/// `used_bytes` is the memory that the meshes of the document take; that of this mesh is added.
+/// `used_bytes` is the memory that the meshes of the document take; that of this mesh is added. `numbers` is
+/// the name of a layer with the numbers of the vertices in their accessors.
 pub(super) fn mesh_of_primitives<'a>(
     document: &Document<'_>,
     primitives: impl IntoIterator<Item = Primitive<'a>>,
     used_bytes: &mut u64,
+    numbers: Option<&str>,
 ) -> Result<IndexedMesh, Fault> {
     let mut plan = Plan { other_bytes: *used_bytes, ..Plan::default() };
     for primitive in primitives {
         plan.add(document, primitive, (None, RestPose::default()), "")?;
     }
     *used_bytes = plan.total_bytes();
+    plan.choose_vertices(document, Unused::LeftOut)?;
     let mut mesh = IndexedMesh { positions: plan.positions(document)?, ..IndexedMesh::default() };
     mesh.layers = plan.layers(document)?;
+    mesh.layers.extend(numbers.map(|name| plan.numbers(name)));
     plan.triangles_into(document, Grouping::Primitives, &mut mesh)?;
     Ok(mesh)
+}
+
+/// What happens to vertices that no triangle has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unused {
+    /// They are kept, unless several blocks have the same accessors.
+    Kept,
+    /// They are left out if they are many.
+    LeftOut,
 }
 
 /// How primitives become groups.
@@ -122,6 +145,23 @@ enum Grouping {
     Primitives,
     /// All fans of one mesh and material become one group, and each other primitive becomes a group.
     FansJoined,
+}
+
+impl Block<'_> {
+    /// Number of vertices that the block has if it has no unused ones, at most. Those of few triangles are
+    /// looked up one by one; where most are used, all are kept.
+    fn least_vertices(&self) -> usize {
+        let corners = usize::try_from(self.corner_count).unwrap_or(usize::MAX);
+        if corners < self.element_count / 2 { corners } else { self.element_count }
+    }
+
+    /// Reads those elements of an accessor that are vertices.
+    fn read<T>(&self, accessor: &Accessor<'_>, read: impl FnOnce(&Accessor<'_>) -> T) -> T {
+        match &self.elements {
+            None => read(accessor),
+            Some(elements) => read(&accessor.with_elements(&accessor.gather(elements))),
+        }
+    }
 }
 
 impl<'a> Plan<'a> {
@@ -149,9 +189,14 @@ impl<'a> Plan<'a> {
                 (self.blocks.len() - 1, None)
             }
         };
-        let own = &self.blocks[block];
+        let own = &mut self.blocks[block];
         let shown = primitive.as_ref().unwrap_or(&own.primitive);
-        self.triangle_limit += shown.triangle_limit(document, own.vertex_count)?;
+        let triangle_limit = shown.triangle_limit(document, own.element_count)?;
+        self.triangle_limit += triangle_limit;
+        own.corner_count = own.corner_count.saturating_add(3 * triangle_limit);
+        self.vertex_count -= own.vertex_count;
+        own.vertex_count = own.least_vertices();
+        self.vertex_count += own.vertex_count;
         self.check_size(document)?;
         self.pieces.push(Piece { primitive, block, name });
         Ok(())
@@ -166,10 +211,58 @@ impl<'a> Plan<'a> {
     ) -> Result<(), Fault> {
         let shape_of =
             |semantic: Option<&Semantic>, index| Ok(primitive.data(document, semantic, index)?.shape);
-        let vertex_count = add_vertices(&primitive, &mut self.formats, shape_of)?;
-        let first_vertex = self.vertex_count;
-        self.vertex_count += vertex_count;
-        self.blocks.push(Block { primitive, transform, pose, first_vertex, vertex_count });
+        let element_count = add_vertices(&primitive, &mut self.formats, shape_of)?;
+        // All replacements of sparse accessors would be looked at for each block.
+        let mut corner_count = if primitive.positions(document)?.sparse.is_some() { u64::MAX } else { 0 };
+        for &(ref semantic, index) in &primitive.attributes {
+            if primitive.attribute(document, (semantic, index))?.sparse.is_some() {
+                corner_count = u64::MAX;
+            }
+        }
+        let (first_vertex, vertex_count, elements) = (0, 0, None);
+        self.blocks.push(Block {
+            primitive,
+            transform,
+            pose,
+            first_vertex,
+            vertex_count,
+            element_count,
+            corner_count,
+            elements,
+        });
+        Ok(())
+    }
+
+    /// Chooses the vertices of each block, and numbers them.
+    fn choose_vertices(&mut self, document: &Document<'_>, unused: Unused) -> Result<(), Fault> {
+        let mut uses: BTreeMap<u64, u32> = BTreeMap::new();
+        for block in &self.blocks {
+            *uses.entry(block.primitive.position).or_default() += 1;
+        }
+        let may_choose = |block: &Block<'_>| {
+            let is_shared = unused == Unused::LeftOut || uses[&block.primitive.position] > 1;
+            is_shared && block.least_vertices() < block.element_count
+        };
+        let chosen: Vec<bool> = self.blocks.iter().map(may_choose).collect();
+        let mut elements = vec![Vec::new(); self.blocks.len()];
+        for piece in self.pieces.iter().filter(|piece| chosen[piece.block]) {
+            let block = &self.blocks[piece.block];
+            let primitive = piece.primitive.as_ref().unwrap_or(&block.primitive);
+            elements[piece.block].extend(primitive.indices(document, block.element_count)?);
+        }
+        let mut first_vertex = 0;
+        for ((block, mut elements), is_chosen) in self.blocks.iter_mut().zip(elements).zip(chosen) {
+            block.vertex_count = block.element_count;
+            if is_chosen {
+                elements.sort_unstable();
+                elements.dedup();
+                block.vertex_count = elements.len();
+                block.elements = Some(elements);
+            }
+            block.first_vertex = first_vertex;
+            first_vertex += block.vertex_count;
+        }
+        self.vertex_count = first_vertex;
         Ok(())
     }
 
@@ -219,7 +312,8 @@ impl<'a> Plan<'a> {
     fn positions(&self, document: &Document<'_>) -> Result<Vec<[f32; 3]>, Fault> {
         let mut positions: Vec<[f32; 3]> = Vec::with_capacity(self.vertex_count);
         for block in &self.blocks {
-            let numbers = block.primitive.positions(document)?.floats();
+            let accessor = block.primitive.positions(document)?;
+            let numbers = block.read(&accessor, |own| own.floats());
             let (points, _) = numbers.as_chunks::<3>();
             match &block.transform {
                 None => positions.extend_from_slice(points),
@@ -238,7 +332,7 @@ impl<'a> Plan<'a> {
                 match own {
                     Some(&(_, index)) => {
                         let accessor = block.primitive.attribute(document, (semantic, index))?;
-                        append(&mut layer, &accessor, block.transform.as_ref());
+                        block.read(&accessor, |own| append(&mut layer, own, block.transform.as_ref()));
                     }
                     None => fill(&mut layer, block.vertex_count),
                 }
@@ -246,6 +340,18 @@ impl<'a> Plan<'a> {
             layers.push(layer);
         }
         Ok(layers)
+    }
+
+    /// Returns a layer with the number of each vertex in its accessor.
+    fn numbers(&self, name: &str) -> AttributeLayer {
+        let mut numbers = Vec::with_capacity(self.vertex_count);
+        for block in &self.blocks {
+            match &block.elements {
+                None => numbers.extend((0..block.element_count).map(|number| number as f32)),
+                Some(elements) => numbers.extend(elements.iter().map(|&number| number as f32)),
+            }
+        }
+        AttributeLayer::from_f32(Semantic::Generic(name.to_owned()), 1, numbers)
     }
 
     /// Appends triangles and their groups; returns the block of each group.
@@ -262,8 +368,19 @@ impl<'a> Plan<'a> {
             let block = &self.blocks[piece.block];
             let primitive = piece.primitive.as_ref().unwrap_or(&block.primitive);
             let first = mesh.triangles.len();
-            let vertices = (block.first_vertex as u32, block.vertex_count);
-            primitive.triangles_into(document, vertices, &mut mesh.triangles)?;
+            let first_vertex = block.first_vertex as u32;
+            match &block.elements {
+                None => {
+                    let vertices = (first_vertex, block.element_count);
+                    primitive.triangles_into(document, vertices, &mut mesh.triangles)?;
+                }
+                Some(elements) => {
+                    primitive.triangles_into(document, (0, block.element_count), &mut mesh.triangles)?;
+                    let number = |v: u32| elements.binary_search(&v).map_or(0, |found| found as u32);
+                    let own = &mut mesh.triangles[first..];
+                    own.iter_mut().for_each(|t| *t = t.map(|v| first_vertex + number(v)));
+                }
+            }
             if block.transform.as_ref().is_some_and(|t| t.is_mirrored) {
                 mesh.triangles[first..].iter_mut().for_each(|t| t.swap(1, 2));
             }

@@ -6,32 +6,13 @@ use serde_json::Value;
 
 use super::buffers::Buffers;
 use super::compression::{self, Compression};
+use super::extensions;
 use super::json::JsonNode;
 use super::meshopt;
 use super::unpacked::Unpacked;
 use super::uri;
 use crate::Source;
 use crate::error::{Fault, Place};
-
-/// Whether a file may require an extension: it is supported, or only changes appearance, which is passed
-/// through.
-fn can_be_required(extension: &str) -> bool {
-    const KNOWN: [&str; 12] = [
-        "KHR_mesh_quantization",
-        "KHR_texture_transform",
-        "KHR_texture_basisu",
-        "KHR_lights_punctual",
-        "KHR_animation_pointer",
-        "KHR_xmp_json_ld",
-        "EXT_texture_webp",
-        "EXT_texture_avif",
-        "MSFT_texture_dds",
-        "EXT_lights_image_based",
-        "EXT_lights_ies",
-        "KHR_texture_procedurals",
-    ];
-    KNOWN.contains(&extension) || extension.starts_with("KHR_materials_")
-}
 
 /// Size that a document may have whose text is not at hand, bytes.
 const JSON_BYTES: u64 = 1 << 20;
@@ -67,7 +48,7 @@ pub(crate) fn check_requirements(root: &JsonNode<'_>) -> Result<(), Fault> {
         match Compression::of_extension(name) {
             Some(compression) if compression.is_on() => {}
             Some(compression) => return Err(compression.feature_off()),
-            None if can_be_required(name) => {}
+            None if extensions::is_known(name) => {}
             None => return Err(Fault::Extension(name.to_owned())),
         }
     }

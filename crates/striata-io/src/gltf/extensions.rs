@@ -1,6 +1,33 @@
-//! Extensions whose references to accessors and buffer views are known.
+//! The extensions that are known: what happens to each, and which references it contains.
+//!
+//! A file may require any of them. The guide has the same table (`docs/guide/scenes.md`).
 
 use serde_json::Value;
+
+/// What happens to an extension when a scene is read, drawn and written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExtensionUse {
+    /// Understood by readers, pictures and the page, and written again.
+    Drawn,
+    /// Written as it was read.
+    Carried,
+    /// Written for the vertices and triangles of the level.
+    Rewritten,
+    /// Left out with a warning, because it numbers vertices or triangles, which levels do not have.
+    Removed,
+}
+
+impl ExtensionUse {
+    /// Name of the use, as the guide has it.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Drawn => "drawn",
+            Self::Carried => "carried",
+            Self::Rewritten => "rewritten",
+            Self::Removed => "removed",
+        }
+    }
+}
 
 /// Which references an extension contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,48 +38,88 @@ enum Contents {
     Views,
 }
 
-/// Extensions that refer to no accessors and buffer views, or only from places that `references` visits;
-/// besides those of materials.
-const KNOWN: [(&str, Contents); 29] = [
-    ("AGI_articulations", Contents::Accessors),
-    ("AGI_stk_metadata", Contents::Accessors),
-    ("CESIUM_primitive_outline", Contents::Views),
-    ("EXT_lights_ies", Contents::Views),
-    ("EXT_lights_image_based", Contents::Accessors),
-    ("EXT_mesh_features", Contents::Accessors),
-    ("EXT_mesh_gpu_instancing", Contents::Accessors),
-    ("EXT_meshopt_compression", Contents::Accessors),
-    ("EXT_structural_metadata", Contents::Views),
-    ("EXT_texture_avif", Contents::Accessors),
-    ("EXT_texture_webp", Contents::Accessors),
-    ("KHR_animation_pointer", Contents::Accessors),
-    ("KHR_audio", Contents::Views),
-    ("KHR_audio_emitter", Contents::Views),
-    ("KHR_draco_mesh_compression", Contents::Accessors),
-    ("KHR_lights_punctual", Contents::Accessors),
-    ("KHR_mesh_quantization", Contents::Accessors),
-    ("KHR_meshopt_compression", Contents::Accessors),
-    ("KHR_node_hoverability", Contents::Accessors),
-    ("KHR_node_selectability", Contents::Accessors),
-    ("KHR_node_visibility", Contents::Accessors),
-    ("KHR_texture_basisu", Contents::Accessors),
-    ("KHR_texture_procedurals", Contents::Accessors),
-    ("KHR_texture_transform", Contents::Accessors),
-    ("KHR_xmp_json_ld", Contents::Accessors),
-    ("MSFT_audio_emitter", Contents::Views),
-    ("MSFT_lod", Contents::Accessors),
-    ("MSFT_texture_dds", Contents::Accessors),
-    ("STRIATA_lod", Contents::Accessors),
+use Contents::{Accessors, Views};
+use ExtensionUse::{Carried, Drawn, Removed, Rewritten};
+
+/// Extensions that refer to no accessors and buffer views, or only from places that `references` visits.
+const KNOWN: [(&str, ExtensionUse, Contents); 49] = [
+    ("AGI_articulations", Carried, Accessors),
+    ("AGI_stk_metadata", Carried, Accessors),
+    ("CESIUM_primitive_outline", Removed, Views),
+    ("EXT_instance_features", Carried, Accessors),
+    ("EXT_lights_ies", Carried, Views),
+    ("EXT_lights_image_based", Carried, Accessors),
+    ("EXT_mesh_features", Rewritten, Accessors),
+    ("EXT_mesh_gpu_instancing", Drawn, Accessors),
+    ("EXT_mesh_manifold", Removed, Views),
+    ("EXT_meshopt_compression", Rewritten, Accessors),
+    ("EXT_structural_metadata", Carried, Views),
+    ("EXT_texture_avif", Carried, Accessors),
+    ("EXT_texture_webp", Drawn, Accessors),
+    ("FB_ngon_encoding", Removed, Accessors),
+    ("KHR_animation_pointer", Carried, Accessors),
+    ("KHR_audio", Carried, Views),
+    ("KHR_audio_emitter", Carried, Views),
+    ("KHR_draco_mesh_compression", Rewritten, Accessors),
+    ("KHR_lights_punctual", Drawn, Accessors),
+    ("KHR_materials_anisotropy", Carried, Accessors),
+    ("KHR_materials_clearcoat", Carried, Accessors),
+    ("KHR_materials_diffuse_transmission", Carried, Accessors),
+    ("KHR_materials_dispersion", Carried, Accessors),
+    ("KHR_materials_emissive_strength", Drawn, Accessors),
+    ("KHR_materials_ior", Carried, Accessors),
+    ("KHR_materials_iridescence", Carried, Accessors),
+    ("KHR_materials_pbrSpecularGlossiness", Drawn, Accessors),
+    ("KHR_materials_sheen", Carried, Accessors),
+    ("KHR_materials_specular", Carried, Accessors),
+    ("KHR_materials_transmission", Carried, Accessors),
+    ("KHR_materials_unlit", Drawn, Accessors),
+    ("KHR_materials_variants", Carried, Accessors),
+    ("KHR_materials_volume", Carried, Accessors),
+    ("KHR_mesh_quantization", Rewritten, Accessors),
+    ("KHR_meshopt_compression", Rewritten, Accessors),
+    ("KHR_node_hoverability", Carried, Accessors),
+    ("KHR_node_selectability", Carried, Accessors),
+    ("KHR_node_visibility", Carried, Accessors),
+    ("KHR_texture_basisu", Carried, Accessors),
+    ("KHR_texture_procedurals", Carried, Accessors),
+    ("KHR_texture_transform", Drawn, Accessors),
+    ("KHR_xmp", Carried, Accessors),
+    ("KHR_xmp_json_ld", Carried, Accessors),
+    ("MSFT_audio_emitter", Carried, Views),
+    ("MSFT_lod", Carried, Accessors),
+    ("MSFT_packing_normalRoughnessMetallic", Carried, Accessors),
+    ("MSFT_packing_occlusionRoughnessMetallic", Carried, Accessors),
+    ("MSFT_texture_dds", Carried, Accessors),
+    ("STRIATA_lod", Rewritten, Accessors),
 ];
 
-fn contents(extension: &str) -> Option<Contents> {
+fn entry(extension: &str) -> Option<(ExtensionUse, Contents)> {
+    // Materials refer to textures at most.
     let is_of_materials = extension.starts_with("KHR_materials_") || extension.starts_with("EXT_materials_");
-    let listed = KNOWN.iter().find(|(name, _)| *name == extension).map(|&(_, contents)| contents);
-    listed.or(is_of_materials.then_some(Contents::Accessors))
+    let listed =
+        KNOWN.iter().find(|(name, ..)| *name == extension).map(|&(_, usage, contents)| (usage, contents));
+    listed.or(is_of_materials.then_some((Carried, Accessors)))
 }
 
-fn is_known(extension: &str) -> bool {
-    contents(extension).is_some()
+/// Returns what happens to an extension; [`None`] if it is unknown: it is kept as it is if the file does not
+/// require it, and such a file is refused.
+pub fn extension_use(extension: &str) -> Option<ExtensionUse> {
+    entry(extension).map(|(usage, _)| usage)
+}
+
+/// Names of all extensions that are known, except others of materials, in order.
+pub fn known_extensions() -> impl Iterator<Item = &'static str> {
+    KNOWN.iter().map(|&(name, ..)| name)
+}
+
+fn contents(extension: &str) -> Option<Contents> {
+    entry(extension).map(|(_, contents)| contents)
+}
+
+/// Whether a file may require an extension.
+pub(super) fn is_known(extension: &str) -> bool {
+    entry(extension).is_some()
 }
 
 /// Whether all extensions that a document declares or uses are known.

@@ -34,11 +34,13 @@ mod draco;
 mod draco_mesh;
 mod extensions;
 mod far_origin;
+mod gather;
 mod gpu_instancing;
 mod json;
 mod layers;
 mod meshopt;
 mod node_tree;
+mod numbering;
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
 mod partial;
 mod passes;
@@ -57,6 +59,7 @@ mod unpacked;
 mod uri;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod vertex_pieces;
+mod vertex_pools;
 mod write;
 mod write_layers;
 mod write_scene;
@@ -83,6 +86,7 @@ pub(crate) mod parts {
     pub(crate) use super::shared_cache::{SharedCache, UnpackedCache};
 }
 
+pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use references::has_triangles;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]

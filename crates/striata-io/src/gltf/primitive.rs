@@ -160,7 +160,8 @@ impl<'a> Primitive<'a> {
         Ok(())
     }
 
-    fn indices(&self, document: &Document<'_>, vertex_count: usize) -> Result<Vec<u32>, Fault> {
+    /// Returns the checked indices of all corners.
+    pub(super) fn indices(&self, document: &Document<'_>, vertex_count: usize) -> Result<Vec<u32>, Fault> {
         let Some(accessor) = self.index_accessor(document)? else {
             return Ok((0..vertex_count as u32).collect());
         };

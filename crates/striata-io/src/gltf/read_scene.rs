@@ -10,6 +10,7 @@ use super::compression;
 use super::document::Document;
 use super::extensions::are_all_carried;
 use super::json::JsonNode;
+use super::numbering::settle;
 use super::primitive::Primitive;
 use super::references::{entries, has_triangles};
 use crate::error::{Fault, Place};
@@ -34,15 +35,21 @@ pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Resu
     let Value::Object(mut root) = document.root.value.clone() else {
         return Err(document.root.fault("the document is not an object"));
     };
+    let numbers = settle(&mut root, warnings);
     let mut used_bytes = 0;
     let meshes = document.root.entries("meshes")?;
     let meshes: Vec<Option<IndexedMesh>> = meshes
         .iter()
-        .map(|mesh| triangles_of(document, mesh, &mut used_bytes, warnings))
+        .zip(&numbers)
+        .map(|(mesh, numbers)| triangles_of(document, (mesh, numbers.as_deref()), &mut used_bytes, warnings))
         .collect::<Result<_, _>>()?;
     let is_geometry: Vec<bool> = meshes.iter().map(Option::is_some).collect();
     // An unknown extension may refer to accessors or buffer views by their numbers.
-    let keeps_numbers = !are_all_carried(document.root.value);
+    let value = Value::Object(root);
+    let keeps_numbers = !are_all_carried(&value);
+    let Value::Object(mut root) = value else {
+        return Err(document.root.fault("the document is not an object"));
+    };
     let buffer = carry(document, &mut root, &is_geometry, keeps_numbers)?;
     clear_triangles(&mut root, &is_geometry);
     let images = images(document, warnings)?;
@@ -64,7 +71,7 @@ pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Resu
 /// Returns the mesh of all triangle primitives of a glTF mesh; [`None`] if they show nothing.
 fn triangles_of(
     document: &Document<'_>,
-    mesh: &JsonNode<'_>,
+    (mesh, numbers): (&JsonNode<'_>, Option<&str>),
     used_bytes: &mut u64,
     warnings: &mut Warnings,
 ) -> Result<Option<IndexedMesh>, Fault> {
@@ -78,7 +85,7 @@ fn triangles_of(
         return Ok(None);
     }
     // Files may store the vertices of all meshes together, so that each mesh uses a part of them.
-    let mut whole = mesh_of_primitives(document, primitives, used_bytes)?;
+    let mut whole = mesh_of_primitives(document, primitives, used_bytes, numbers)?;
     let mut found = Warnings::of_file(warnings.file());
     repair(&mut whole, &mut found);
     found.set_place(&Place::Json(mesh.path.clone()));

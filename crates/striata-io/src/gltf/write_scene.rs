@@ -1,10 +1,12 @@
 //! Writes a [`Scene`] as glTF: the document as it was read, with new accessors for its triangles.
 //!
-//! All primitives of a mesh share one vertex buffer and have the attributes that they had. A primitive of
+//! All primitives of a mesh share one vertex buffer and have the attributes that they had. Meshes with equal
+//! vertices share them too, and so do those with equal triangles: one ball in many colors is stored once. A primitive of
 //! which a coarse level shows nothing is left out, because glTF has no empty primitives; on request, it gets
 //! one triangle without area instead, so that primitives keep their numbers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::rc::Rc;
 
 use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
@@ -13,6 +15,7 @@ use super::builder::Builder;
 use super::passes::GltfParts;
 use super::primitive::semantic;
 use super::references::{entries, has_triangles};
+use super::vertex_pools::{Pool, pools};
 use super::write::insert;
 use super::write_layers::{Attributes, attributes};
 use crate::error::Refusal;
@@ -75,9 +78,59 @@ fn document(writer: &SceneWriter<'_>, options: &WriteOptions) -> Result<GltfPart
     Ok(GltfParts { root: Value::Object(root), binary: builder.binary })
 }
 
+/// Meshes that were written, so that equal ones have the same accessors.
+#[derive(Default)]
+struct Written<'m> {
+    /// The first mesh with some vertices and its accessors, by fingerprint.
+    vertices: HashMap<u64, (usize, &'m IndexedMesh)>,
+    /// A mesh with some vertices and triangles, and the accessors of its indices, by fingerprints.
+    indices: HashMap<[u64; 2], (&'m IndexedMesh, Vec<Option<usize>>)>,
+}
+
+impl<'m> Written<'m> {
+    /// Remembers a mesh; returns the mesh that has its vertices, which may be itself, and the accessors of its
+    /// indices if they are those of another one.
+    fn find(&mut self, index: usize, mesh: &'m IndexedMesh) -> (usize, Option<Vec<Option<usize>>>, [u64; 2]) {
+        let key = mesh.fingerprints();
+        let has_equal_vertices =
+            |other: &IndexedMesh| other.positions == mesh.positions && other.layers == mesh.layers;
+        let (first, other) = *self.vertices.entry(key[0]).or_insert((index, mesh));
+        if first == index || !has_equal_vertices(other) {
+            return (index, None, key);
+        }
+        let is_equal = |other: &IndexedMesh| {
+            let ranges =
+                |mesh: &IndexedMesh| mesh.groups_or_whole().iter().map(|g| g.range()).collect::<Vec<_>>();
+            has_equal_vertices(other) && other.triangles == mesh.triangles && ranges(other) == ranges(mesh)
+        };
+        let found = self.indices.get(&key).filter(|(other, _)| is_equal(other));
+        (first, found.map(|(_, indices)| indices.clone()), key)
+    }
+}
+
+/// Finds vertices that meshes have in common; none if other levels of a mesh refer to its vertices.
+fn pools_of(writer: &SceneWriter<'_>) -> Vec<Pool> {
+    if !writer.shared.is_empty() {
+        return Vec::new();
+    }
+    let meshes = writer.scene.meshes().iter().enumerate();
+    let shown =
+        meshes.filter_map(|(index, mesh)| Some((index, mesh.as_ref().filter(|m| !m.triangles.is_empty())?)));
+    let mut known = HashSet::new();
+    let different: Vec<_> = shown.filter(|(_, mesh)| known.insert(mesh.fingerprints()[0])).collect();
+    pools(&different)
+}
+
 /// Adds the triangles of all meshes; first those with vertices of their own.
 fn put_meshes(builder: &mut Builder, root: &mut Value, writer: &SceneWriter<'_>) -> Result<(), Refusal> {
-    let mut vertices: BTreeMap<usize, Attributes> = BTreeMap::new();
+    let mut vertices: BTreeMap<usize, Rc<Attributes>> = BTreeMap::new();
+    let mut written = Written::default();
+    let pools = pools_of(writer);
+    let mut pool_of: BTreeMap<usize, (usize, &[u32])> = BTreeMap::new();
+    for (number, pool) in pools.iter().enumerate() {
+        pool_of.extend(pool.members.iter().map(|(mesh, numbers)| (*mesh, (number, &numbers[..]))));
+    }
+    let mut pooled: Vec<Option<Rc<Attributes>>> = vec![None; pools.len()];
     for (index, (entry, mesh)) in entries(root, "meshes").zip(writer.scene.meshes()).enumerate() {
         let Some(primitives) = primitives_of(entry) else { continue };
         let Some(mesh) = mesh else {
@@ -90,15 +143,38 @@ fn put_meshes(builder: &mut Builder, root: &mut Value, writer: &SceneWriter<'_>)
             put_nothing(builder, primitives, mesh)?;
             continue;
         }
-        let found = attributes(builder, mesh)?;
+        let (first, indices, key) = written.find(index, mesh);
+        let found = match vertices.get(&first) {
+            Some(found) => Rc::clone(found),
+            None => match pool_of.get(&first) {
+                None => Rc::new(attributes(builder, mesh)?),
+                Some(&(number, _)) => match &pooled[number] {
+                    Some(found) => Rc::clone(found),
+                    None => {
+                        let found = Rc::new(attributes(builder, &pools[number].vertices)?);
+                        pooled[number] = Some(Rc::clone(&found));
+                        found
+                    }
+                },
+            },
+        };
         let empty: &[u32] = if writer.keeps_primitives { &[0, 0, 0] } else { &[] };
         let groups = mesh.groups_or_whole();
         let lists = groups.iter().map(|group| match group.count {
             0 => empty,
             _ => mesh.triangles[group.range()].as_flattened(),
         });
-        let indices = builder.push_indices(lists, mesh.positions.len());
-        put_primitives(primitives, indices, &found);
+        let indices = match (indices, pool_of.get(&first)) {
+            (Some(indices), _) => indices,
+            (None, None) => builder.push_indices(lists, mesh.positions.len()),
+            (None, Some(&(number, numbers))) => {
+                let renumbered = |list: &[u32]| list.iter().map(|&v| numbers[v as usize]).collect();
+                let lists: Vec<Vec<u32>> = lists.map(renumbered).collect();
+                builder.push_indices(lists.iter().map(Vec::as_slice), pools[number].vertices.vertex_count())
+            }
+        };
+        put_primitives(primitives, indices.clone(), &found);
+        written.indices.entry(key).or_insert((mesh, indices));
         vertices.insert(index, found);
     }
     for (index, entry) in entries(root, "meshes").enumerate() {

@@ -1,8 +1,8 @@
 //! Levels of one mesh, with errors in units of the scene, and the order in which meshes are coarsened.
 
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 use std::collections::binary_heap::PeekMut;
+use std::collections::{BTreeMap, BinaryHeap};
 
 use striata::mesh::Levels;
 
@@ -60,6 +60,21 @@ impl Counts {
             vertices: self.vertices.saturating_sub(other.vertices),
         }
     }
+}
+
+/// Returns for each mesh the first one with the same levels and the same scale, which may be itself.
+pub(super) fn first_meshes(meshes: &[Option<MeshLevels>]) -> Vec<usize> {
+    let mut first_of: BTreeMap<_, usize> = BTreeMap::new();
+    let first = |(index, mesh): (usize, &Option<MeshLevels>)| {
+        let Some(mesh) = mesh else { return index };
+        let errors = mesh.levels.errors();
+        let sum: u64 = errors.iter().fold(0, |sum: u64, x| sum.rotate_left(5) ^ u64::from(x.to_bits()));
+        let key = (errors.len(), sum, mesh.weight.scale.to_bits(), mesh.weight.instance_count == 0);
+        let first = *first_of.entry(key).or_insert(index);
+        let is_same = |other: &MeshLevels| other.levels == mesh.levels;
+        if meshes[first].as_ref().is_some_and(is_same) { first } else { index }
+    };
+    meshes.iter().enumerate().map(first).collect()
 }
 
 /// Returns the mesh of each step of coarsening, ordered by the error after the step, then by mesh.

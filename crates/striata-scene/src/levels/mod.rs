@@ -17,7 +17,7 @@ use striata::Target;
 use striata::mesh::Levels;
 use striata::simplify::StopReason;
 
-use mesh_levels::{Counts, MeshLevels, merged_order};
+use mesh_levels::{Counts, MeshLevels, first_meshes, merged_order};
 pub use weight::MeshWeight;
 
 /// Fewest steps of a block; a block has at least as many steps as there are meshes, so that the states at
@@ -43,6 +43,8 @@ pub struct SceneLevel {
 #[derive(Clone, Debug)]
 pub struct SceneLevels {
     meshes: Vec<Option<MeshLevels>>,
+    /// The first mesh with the same levels and the same scale.
+    first_of: Vec<usize>,
     /// Mesh that each step of coarsening concerns, beginning with the full scene.
     order: Vec<u32>,
     blocks: Vec<Block>,
@@ -78,6 +80,7 @@ impl SceneLevels {
             meshes.iter().enumerate().map(|(mesh, levels)| Some(with_weight((mesh, (*levels)?)))).collect();
         let order = merged_order(&meshes);
         let mut levels = Self {
+            first_of: first_meshes(&meshes),
             full: Counts::default(),
             base: Counts::default(),
             meshes,
@@ -158,7 +161,25 @@ impl SceneLevels {
         } else {
             StopReason::TargetReached
         };
-        SceneLevel { stop_reason, ..self.level_of(splits) }
+        let level = match target {
+            Target::Triangles(_) | Target::Vertices(_) => self.with_equal_twins(splits),
+            _ => self.level_of(splits),
+        };
+        SceneLevel { stop_reason, ..level }
+    }
+
+    /// Returns a level in which meshes with the same levels are alike, so that they can share their triangles:
+    /// the coarsest of them decides. Unless that has more triangles, as happens in rare cases.
+    fn with_equal_twins(&self, splits: Vec<usize>) -> SceneLevel {
+        let mut equal = splits.clone();
+        for (mesh, &first) in self.first_of.iter().enumerate() {
+            equal[first] = equal[first].min(splits[mesh]);
+        }
+        for (mesh, &first) in self.first_of.iter().enumerate() {
+            equal[mesh] = equal[first];
+        }
+        let (level, equal) = (self.level_of(splits), self.level_of(equal));
+        if equal.triangle_count <= level.triangle_count { equal } else { level }
     }
 
     /// Returns the level in which each mesh has the given split count. Counts above the full mesh are

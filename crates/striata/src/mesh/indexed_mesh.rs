@@ -1,5 +1,6 @@
 //! The indexed triangle mesh that every stage of the library reads and returns.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 
 use super::{Appearance, AttributeLayer, Semantic};
@@ -207,6 +208,20 @@ impl IndexedMesh {
             [r, g, b, if width > 3 { layer.get(v, 3) } else { 1.0 }]
         };
         Some((0..self.vertex_count()).map(color).collect())
+    }
+
+    /// A number that equal meshes share, and others hardly ever do: of the positions and layers of the vertices,
+    /// and of the triangles.
+    pub fn fingerprints(&self) -> [u64; 2] {
+        let mut vertices = DefaultHasher::new();
+        vertices.write(bytemuck::cast_slice(&self.positions));
+        for layer in &self.layers {
+            layer.semantic.hash(&mut vertices);
+            vertices.write(layer.data.as_bytes());
+        }
+        let mut triangles = DefaultHasher::new();
+        triangles.write(bytemuck::cast_slice(&self.triangles));
+        [vertices.finish(), triangles.finish()]
     }
 
     /// Bounds of all finite positions; `None` if there are none.

@@ -6,7 +6,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, format_bytes, format_count, format_length, format_noun_count};
 use striata_command::scene::SceneKind;
-use striata_io::Scene;
+use striata_io::{ExtensionUse, Scene, extension_use};
 use striata_scene::LodScene;
 use striata_scene::textures::image_info;
 
@@ -145,7 +145,11 @@ impl SceneFacts {
             }
         }
         if !self.extensions.is_empty() {
-            rows.push(("extensions", self.extensions.join(", ")));
+            let described = self.extensions.iter().map(|name| {
+                let usage = extension_use(name).map_or("unknown", ExtensionUse::as_str);
+                format!("{name} ({usage})")
+            });
+            rows.push(("extensions", described.collect::<Vec<_>>().join(", ")));
         }
         if let Some(levels) = &self.levels {
             rows.push(("levels", format_count(levels.step_count + 1)));

@@ -1,7 +1,7 @@
 //! Parts of documents that do not fit into memory: shapes without data, some elements of an accessor, some
 //! triangles of a primitive.
 
-mod gather;
+mod range;
 mod shapes;
 mod triangle_runs;
 

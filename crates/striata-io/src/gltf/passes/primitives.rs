@@ -88,16 +88,16 @@ fn named_accessors(value: &Value) -> Option<Vec<(String, u64)>> {
 
 /// Disjoint sets of numbers.
 #[derive(Debug)]
-pub(super) struct Sets(Vec<usize>);
+pub(in crate::gltf) struct Sets(Vec<usize>);
 
 impl Sets {
     /// Creates one set for each number.
-    pub(super) fn new(count: usize) -> Self {
+    pub(in crate::gltf) fn new(count: usize) -> Self {
         Self((0..count).collect())
     }
 
     /// Returns the smallest number of a set.
-    pub(super) fn find(&mut self, mut member: usize) -> usize {
+    pub(in crate::gltf) fn find(&mut self, mut member: usize) -> usize {
         while self.0[member] != member {
             self.0[member] = self.0[self.0[member]];
             member = self.0[member];
@@ -106,7 +106,7 @@ impl Sets {
     }
 
     /// Joins two sets.
-    pub(super) fn join(&mut self, a: usize, b: usize) {
+    pub(in crate::gltf) fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.find(a), self.find(b));
         self.0[a.max(b)] = a.min(b);
     }

@@ -102,6 +102,11 @@ fn instances_in(document: &Document<'_>, node: &Value, grid: &Grid) -> Option<[E
         let turn = turn.map_or(DQuat::IDENTITY, |turn| DQuat::from_array(turn.map(f64::from)).normalize());
         let [translation, scale] =
             grid.folded(vector(&moves, i, DVec3::ZERO), turn, vector(&scales, i, DVec3::ONE));
+        // Instances have no doubles: those that would move by more than the grid does stay as they are.
+        let moved = (translation.as_vec3().as_dvec3() - translation).abs().max_element();
+        if moved > 0.5 * scale.abs().min_element() {
+            return None;
+        }
         new_moves.extend(translation.as_vec3().to_array());
         new_scales.extend(scale.as_vec3().to_array());
     }

@@ -25,15 +25,15 @@ impl Grid {
     }
 }
 
-/// Returns a number that reads as the closest float, in as few digits as possible.
-pub(super) fn short(number: f64) -> Value {
-    let float = number as f32;
-    float.to_string().parse::<f64>().map_or_else(|_| json!(number), |number| json!(number))
+/// Returns a number in as few digits as the closest float needs, if they differ by at most `tolerance`.
+fn short(number: f64, tolerance: f64) -> Value {
+    let float = (number as f32).to_string().parse::<f64>();
+    float.ok().filter(|float| (float - number).abs() <= tolerance).map_or(json!(number), |float| json!(float))
 }
 
 /// Returns the numbers of a vector.
-pub(super) fn short_list(vector: DVec3) -> Value {
-    Value::Array(vector.to_array().map(short).to_vec())
+fn short_list(vector: DVec3, tolerance: f64) -> Value {
+    Value::Array(vector.to_array().map(|number| short(number, tolerance)).to_vec())
 }
 
 /// Writes the conversion to a node without a transform.
@@ -42,9 +42,15 @@ pub(super) fn set(node: &mut Value, grid: &Grid) {
     set_parts(node, translation, scale);
 }
 
+/// Translations of models far from the origin need more digits than a float has.
 fn set_parts(node: &mut Value, translation: DVec3, scale: DVec3) {
-    node["translation"] = short_list(translation);
-    node["scale"] = short_list(scale);
+    node["translation"] = short_list(translation, tolerance(scale));
+    node["scale"] = short_list(scale, f64::INFINITY);
+}
+
+/// Share of a grid step, after scaling, by which rounding may move a mesh.
+fn tolerance(step: DVec3) -> f64 {
+    0.001 * step.abs().min_element()
 }
 
 /// Applies the conversion before the transform of a node; false if the node's transform is malformed or
@@ -56,7 +62,10 @@ pub(super) fn fold(node: &mut Value, grid: &Grid) -> bool {
         if !matrix.iter().all(|&x| is_float(x)) {
             return false;
         }
-        node["matrix"] = Value::Array(matrix.map(short).to_vec());
+        let axes = [0, 4, 8].map(|k| DVec3::new(matrix[k], matrix[k + 1], matrix[k + 2]).length());
+        let tolerance = tolerance(DVec3::from_array(axes));
+        let entry = |(k, x)| short(x, if k < 12 { f64::INFINITY } else { tolerance });
+        node["matrix"] = Value::Array(matrix.into_iter().enumerate().map(entry).collect());
         return true;
     }
     let parts = numbers(node, "translation", [0.0; 3])

@@ -1,28 +1,8 @@
 //! Some elements of an accessor, of any type and at any distance from each other.
 
-use std::borrow::Cow;
-use std::ops::Range;
-
-use crate::gltf::accessor::Accessor;
+use super::accessor::Accessor;
 
 impl Accessor<'_> {
-    /// Returns the bytes of some elements, which must exist, without gaps.
-    pub(crate) fn range(&self, range: Range<usize>) -> Cow<'_, [u8]> {
-        let (size, start) = (self.element_bytes(), range.start);
-        match (self.bytes, &self.sparse) {
-            (Some(bytes), None) if self.stride == size => {
-                Cow::Borrowed(&bytes[start * size..][..range.len() * size])
-            }
-            _ => {
-                let mut out = self.copied(range.clone());
-                self.replace(&mut out, |element| {
-                    element.checked_sub(start).filter(|_| range.contains(&element))
-                });
-                Cow::Owned(out)
-            }
-        }
-    }
-
     /// Returns the bytes of the elements with these increasing numbers, which must exist, without gaps.
     pub(crate) fn gather(&self, numbers: &[u32]) -> Vec<u8> {
         let mut out = self.copied(numbers.iter().map(|&number| number as usize));
@@ -34,22 +14,16 @@ impl Accessor<'_> {
         out
     }
 
-    /// Creates an accessor of the same type over elements that [`range`](Self::range) or
-    /// [`gather`](Self::gather) has returned.
+    /// Creates an accessor of the same type over elements that [`gather`](Self::gather) has
+    /// returned.
     pub(crate) fn with_elements<'b>(&self, bytes: &'b [u8]) -> Accessor<'b> {
         let (stride, mut shape) = (self.element_bytes(), self.shape.clone());
         shape.count = bytes.len() / stride;
         Accessor { shape, bytes: Some(bytes), stride, sparse: None }
     }
 
-    /// Returns the number of elements that are replaced by others; [`range`](Self::range) and
-    /// [`gather`](Self::gather) look at all of them.
-    pub(super) fn replaced_count(&self) -> usize {
-        self.sparse.as_ref().map_or(0, |sparse| sparse.count)
-    }
-
     /// Copies elements without their replacements.
-    fn copied(&self, numbers: impl ExactSizeIterator<Item = usize>) -> Vec<u8> {
+    pub(super) fn copied(&self, numbers: impl ExactSizeIterator<Item = usize>) -> Vec<u8> {
         let size = self.element_bytes();
         let Some(bytes) = self.bytes else { return vec![0; numbers.len() * size] };
         let mut out = Vec::with_capacity(numbers.len() * size);
@@ -60,7 +34,7 @@ impl Accessor<'_> {
     }
 
     /// Replaces elements of a copy; `slot` is the place of an element in it.
-    fn replace(&self, out: &mut [u8], slot: impl Fn(usize) -> Option<usize>) {
+    pub(super) fn replace(&self, out: &mut [u8], slot: impl Fn(usize) -> Option<usize>) {
         let (size, Some(sparse)) = (self.element_bytes(), &self.sparse) else { return };
         for (element, value) in sparse.indices().zip(sparse.values.chunks_exact(size)) {
             if let Some(slot) = slot(element) {

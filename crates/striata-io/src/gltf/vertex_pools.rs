@@ -1,0 +1,163 @@
+//! Vertices that several meshes have, such as the parts of a building over one vertex buffer.
+//!
+//! Meshes that have vertices in common form a set. If sharing makes the set much smaller, all of its meshes get
+//! one vertex buffer. Where most vertices belong to one mesh, as in tiles that touch, every mesh keeps a buffer of
+//! its own, so that it can be loaded alone.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use striata::mesh::{AttributeLayer, IndexedMesh};
+
+use super::passes::Sets;
+
+/// Largest share of the bytes that may remain of a set that is worth it.
+const WORTH: f64 = 0.75;
+
+/// Number of vertices from which on a sample decides which meshes are compared.
+const SAMPLED: usize = 1 << 20;
+
+/// One of this many vertices is sampled.
+const SAMPLE: u64 = 64;
+
+/// Vertex of a mesh.
+#[derive(Clone, Copy)]
+struct Place {
+    mesh: usize,
+    vertex: usize,
+}
+
+/// Vertices of several meshes, each of them once.
+pub(super) struct Pool {
+    /// The vertices, without triangles.
+    pub(super) vertices: IndexedMesh,
+    /// Numbers of the meshes, and for each the place of its vertices in the pool.
+    pub(super) members: Vec<(usize, Vec<u32>)>,
+}
+
+/// Finds the sets of meshes that are worth a pool. Each mesh counts, so equal ones should be left out.
+pub(super) fn pools(meshes: &[(usize, &IndexedMesh)]) -> Vec<Pool> {
+    let total: usize = meshes.iter().map(|(_, mesh)| mesh.vertex_count()).sum();
+    let every = if total < SAMPLED { 1 } else { SAMPLE };
+    if meshes.len() < 2 {
+        return Vec::new();
+    }
+    let all: Vec<usize> = (0..meshes.len()).collect();
+    let sets = sets_worth(meshes, &all, every);
+    let exact = |set: Vec<usize>| if every == 1 { vec![set] } else { sets_worth(meshes, &set, 1) };
+    sets.into_iter().flat_map(exact).map(|set| pool(meshes, &set)).collect()
+}
+
+/// Returns the sets of meshes that have vertices in common and are worth it, judged by one of `every` vertices.
+fn sets_worth(meshes: &[(usize, &IndexedMesh)], candidates: &[usize], every: u64) -> Vec<Vec<usize>> {
+    let mut sets = Sets::new(meshes.len());
+    let mut first_at: HashMap<u64, Place> = HashMap::new();
+    let mut counts: Vec<[usize; 2]> = vec![[0; 2]; meshes.len()];
+    for &mesh in candidates {
+        for vertex in 0..meshes[mesh].1.vertex_count() {
+            let own = Place { mesh, vertex };
+            let hash = hash_of(meshes, own);
+            if !hash.is_multiple_of(every) {
+                continue;
+            }
+            counts[mesh][0] += 1;
+            match first_at.get(&hash) {
+                Some(&first) if are_equal(meshes, first, own) => sets.join(first.mesh, mesh),
+                Some(_) => counts[mesh][1] += 1,
+                None => {
+                    first_at.insert(hash, own);
+                    counts[mesh][1] += 1;
+                }
+            }
+        }
+    }
+    let mut members: HashMap<usize, Vec<usize>> = HashMap::new();
+    for &mesh in candidates {
+        members.entry(sets.find(mesh)).or_default().push(mesh);
+    }
+    let is_worth = |set: &Vec<usize>| {
+        let sum = |k: usize| set.iter().map(|&mesh| counts[mesh][k]).sum::<usize>();
+        let (with_copies, once) = (sum(0), sum(1));
+        let corners: usize = set.iter().map(|&mesh| 3 * meshes[mesh].1.triangle_count()).sum();
+        let vertex_bytes = vertex_bytes(meshes[set[0]].1);
+        // Indices of a large pool take four bytes instead of two.
+        let wider = if once * every as usize > u16::MAX as usize { 2 * corners } else { 0 };
+        let bytes = |count: usize| (count * every as usize * vertex_bytes) as f64;
+        set.len() > 1 && bytes(once) + wider as f64 <= WORTH * bytes(with_copies)
+    };
+    let mut found: Vec<Vec<usize>> = members.into_values().filter(is_worth).collect();
+    found.sort_unstable();
+    found
+}
+
+fn pool(meshes: &[(usize, &IndexedMesh)], set: &[usize]) -> Pool {
+    let mut first_at: HashMap<u64, (Place, u32)> = HashMap::new();
+    let layers = meshes[set[0]].1.layers.iter().map(empty_like).collect();
+    let mut vertices = IndexedMesh { layers, ..IndexedMesh::default() };
+    let mut members = Vec::new();
+    for &mesh in set {
+        let source = meshes[mesh].1;
+        let mut added = Vec::new();
+        let mut next = vertices.vertex_count() as u32;
+        let numbers = (0..source.vertex_count()).map(|vertex| {
+            let own = Place { mesh, vertex };
+            let hash = hash_of(meshes, own);
+            match first_at.get(&hash) {
+                Some(&(first, number)) if are_equal(meshes, first, own) => return number,
+                Some(_) => {}
+                None => {
+                    first_at.insert(hash, (own, next));
+                }
+            }
+            added.push(vertex as u32);
+            next += 1;
+            next - 1
+        });
+        let numbers: Vec<u32> = numbers.collect();
+        vertices.positions.extend(added.iter().map(|&v| source.positions[v as usize]));
+        for (to, from) in vertices.layers.iter_mut().zip(&source.layers) {
+            let own = from.gather(&added);
+            to.data.extend_from_range(&own.data, 0..own.data.len());
+        }
+        members.push((meshes[mesh].0, numbers));
+    }
+    Pool { vertices, members }
+}
+
+fn empty_like(layer: &AttributeLayer) -> AttributeLayer {
+    AttributeLayer { data: layer.data.empty_like(), ..layer.clone() }
+}
+
+fn vertex_bytes(mesh: &IndexedMesh) -> usize {
+    12 + mesh.layers.iter().map(AttributeLayer::vertex_bytes).sum::<usize>()
+}
+
+/// Bytes of a vertex in a layer.
+fn bytes_of(layer: &AttributeLayer, vertex: usize) -> &[u8] {
+    let size = layer.vertex_bytes();
+    layer.data.as_bytes().get(vertex * size..(vertex + 1) * size).unwrap_or(&[])
+}
+
+fn hash_of(meshes: &[(usize, &IndexedMesh)], place: Place) -> u64 {
+    let (mesh, vertex) = (meshes[place.mesh].1, place.vertex);
+    let mut hasher = DefaultHasher::new();
+    hasher.write(bytemuck::bytes_of(&mesh.positions[vertex]));
+    for layer in &mesh.layers {
+        layer.semantic.hash(&mut hasher);
+        hasher.write(bytes_of(layer, vertex));
+    }
+    hasher.finish()
+}
+
+/// Whether two vertices have the same layers with the same bits.
+fn are_equal(meshes: &[(usize, &IndexedMesh)], a: Place, b: Place) -> bool {
+    let (first, second) = (meshes[a.mesh].1, meshes[b.mesh].1);
+    let bits = |mesh: &IndexedMesh, vertex: usize| mesh.positions[vertex].map(f32::to_bits);
+    bits(first, a.vertex) == bits(second, b.vertex)
+        && first.layers.len() == second.layers.len()
+        && first.layers.iter().zip(&second.layers).all(|(x, y)| {
+            (&x.semantic, x.component_count, x.normalized, x.data.type_code())
+                == (&y.semantic, y.component_count, y.normalized, y.data.type_code())
+                && bytes_of(x, a.vertex) == bytes_of(y, b.vertex)
+        })
+}

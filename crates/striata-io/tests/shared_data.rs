@@ -1,0 +1,232 @@
+//! Data that several meshes of a scene share, and data that number their vertices.
+
+use serde_json::{Value, json};
+use striata::mesh::{IndexedMesh, Semantic, shapes};
+use striata_io::{Format, QuantizeOptions, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
+use striata_testing::scenes::{self, TestScene};
+
+fn read(scene: &TestScene) -> Scene {
+    read_scene_bytes(&scene.to_glb(), &Source::new("x.glb")).expect("the scene is valid")
+}
+
+fn written(scene: &Scene, options: &WriteOptions) -> Vec<u8> {
+    scene_to_bytes(Format::Glb, scene, options).expect("it can be written")
+}
+
+fn document(glb: &[u8]) -> Value {
+    let length = u32::from_le_bytes(glb[12..16].try_into().expect("four bytes")) as usize;
+    serde_json::from_slice(&glb[20..20 + length]).expect("JSON")
+}
+
+fn again(glb: &[u8]) -> Scene {
+    read_scene_bytes(glb, &Source::new("x.glb")).expect("what was written can be read")
+}
+
+/// Shows each mesh with a node.
+fn show_all(scene: &mut TestScene) {
+    let count = scene.document["meshes"].as_array().map_or(0, Vec::len);
+    scene.document["nodes"] = (0..count).map(|mesh| json!({ "mesh": mesh })).collect();
+    scene.document["scenes"] = json!([{ "nodes": (0..count).collect::<Vec<_>>() }]);
+}
+
+/// The same ball in many colors, over one set of accessors.
+fn colors(count: usize) -> TestScene {
+    let mut scene = scenes::empty();
+    scene.push_mesh("ball", &shapes::icosphere(3, 1.0));
+    let ball = scene.document["meshes"][0].clone();
+    let meshes = (0..count).map(|material| {
+        let mut mesh = ball.clone();
+        mesh["primitives"][0]["material"] = json!(material);
+        mesh
+    });
+    scene.document["meshes"] = meshes.collect();
+    scene.document["materials"] = (0..count).map(|i| json!({ "name": format!("{i}") })).collect();
+    show_all(&mut scene);
+    scene
+}
+
+#[test]
+fn meshes_that_share_accessors_share_them_again() {
+    let sample = colors(20);
+    let scene = read(&sample);
+    for options in
+        [WriteOptions::default(), WriteOptions::default().with_quantize(QuantizeOptions::default())]
+    {
+        let one = written(&read(&colors(1)), &options).len();
+        let glb = written(&scene, &options);
+        assert!(glb.len() < one + 20 * 300, "{} bytes, one ball takes {one}", glb.len());
+        assert_eq!(again(&glb).triangle_count(), scene.triangle_count());
+    }
+    let glb = written(&scene, &WriteOptions::default());
+    assert_eq!(again(&glb).meshes(), scene.meshes());
+    assert!(glb.len() as f64 <= 1.05 * sample.to_glb().len() as f64);
+}
+
+/// A grid of which each mesh shows some rows, over one set of vertices.
+fn strips_of_grid(side: u32, rows: u32) -> TestScene {
+    let grid = shapes::grid(side, side);
+    let mut scene = scenes::empty();
+    scene.push_mesh("rows", &grid);
+    let whole = scene.document["meshes"][0]["primitives"][0].clone();
+    let per_mesh = (2 * side * rows) as usize;
+    let meshes: Vec<Value> = grid
+        .triangles
+        .chunks(per_mesh)
+        .map(|triangles| {
+            let bytes: Vec<u8> = triangles.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
+            let view = scene.push_view(&bytes);
+            let accessor = json!({
+                "bufferView": view, "componentType": 5125, "count": 3 * triangles.len(), "type": "SCALAR",
+            });
+            let mut primitive = whole.clone();
+            primitive["indices"] = json!(scene.push("accessors", accessor));
+            json!({ "primitives": [primitive] })
+        })
+        .collect();
+    scene.document["meshes"] = json!(meshes);
+    show_all(&mut scene);
+    scene
+}
+
+#[test]
+fn parts_of_one_vertex_buffer_share_it_again() {
+    let sample = strips_of_grid(40, 1);
+    let scene = read(&sample);
+    let glb = written(&scene, &WriteOptions::default());
+    let document = document(&glb);
+    let position = |mesh: usize| &document["meshes"][mesh]["primitives"][0]["attributes"]["POSITION"];
+    assert!((0..40).all(|mesh| position(mesh).is_u64() && position(mesh) == position(0)));
+    let corners = |scene: &Scene| -> Vec<Vec<[u32; 3]>> {
+        let corner = |mesh: &IndexedMesh, v: u32| mesh.positions[v as usize].map(f32::to_bits);
+        let corners =
+            |mesh: &IndexedMesh| mesh.triangles.iter().flatten().map(|&v| corner(mesh, v)).collect();
+        scene.meshes().iter().flatten().map(corners).collect()
+    };
+    assert_eq!(corners(&again(&glb)), corners(&scene));
+}
+
+#[test]
+fn tiles_that_only_touch_keep_their_own_vertices() {
+    let scene = read(&strips_of_grid(40, 20));
+    let glb = written(&scene, &WriteOptions::default());
+    let document = document(&glb);
+    let position = |mesh: usize| &document["meshes"][mesh]["primitives"][0]["attributes"]["POSITION"];
+    assert_ne!(position(0), position(1));
+}
+
+/// Each of many meshes uses three vertices of a large accessor, which must not be read whole for each.
+#[test]
+fn few_vertices_of_a_large_accessor_are_looked_up() {
+    let mut scene = scenes::empty();
+    let grid = shapes::grid(400, 400);
+    scene.push_mesh("grid", &grid);
+    let whole = scene.document["meshes"][0]["primitives"][0].clone();
+    let meshes: Vec<Value> = (0..4000u32)
+        .map(|number| {
+            let triangle = grid.triangles[number as usize * 70];
+            let bytes: Vec<u8> = triangle.iter().flat_map(|v| v.to_le_bytes()).collect();
+            let view = scene.push_view(&bytes);
+            let accessor = json!({ "bufferView": view, "componentType": 5125, "count": 3, "type": "SCALAR" });
+            let mut primitive = whole.clone();
+            primitive["indices"] = json!(scene.push("accessors", accessor));
+            json!({ "primitives": [primitive] })
+        })
+        .collect();
+    scene.document["meshes"] = json!(meshes);
+    show_all(&mut scene);
+    let read = read(&scene);
+    assert_eq!(read.triangle_count(), 4000);
+    for (number, mesh) in read.meshes().iter().flatten().enumerate() {
+        let expected = grid.triangles[number * 70].map(|v| grid.positions[v as usize]);
+        let found = mesh.triangles[0].map(|v| mesh.positions[v as usize]);
+        assert_eq!(found, expected);
+        assert_eq!(mesh.vertex_count(), 3);
+    }
+}
+
+#[test]
+fn known_extensions_may_be_required() {
+    for name in striata_io::known_extensions().filter(|name| !name.contains("compression")) {
+        let mut scene = colors(1);
+        scene.document["extensionsUsed"] = json!([name]);
+        scene.document["extensionsRequired"] = json!([name]);
+        let glb = written(&read(&scene), &WriteOptions::default());
+        let is_kept = ["KHR_mesh_quantization", "STRIATA_lod"].contains(&name)
+            || document(&glb)["extensionsRequired"][0] == name
+            || striata_io::extension_use(name) == Some(striata_io::ExtensionUse::Removed);
+        assert!(is_kept, "{name} is still required");
+    }
+    let mut scene = colors(1);
+    scene.document["extensionsRequired"] = json!(["VENDOR_unknown"]);
+    assert!(read_scene_bytes(&scene.to_glb(), &Source::new("x.glb")).is_err());
+}
+
+#[test]
+fn features_by_vertex_become_an_attribute() {
+    let mut sample = colors(1);
+    let features = json!({ "featureIds": [{ "featureCount": 642, "propertyTable": 0 }] });
+    sample.document["meshes"][0]["primitives"][0]["extensions"] = json!({ "EXT_mesh_features": features });
+    sample.document["extensionsUsed"] = json!(["EXT_mesh_features"]);
+    let scene = read(&sample);
+    assert!(scene.warnings().is_empty(), "{:?}", scene.warnings());
+    let mesh = scene.meshes()[0].as_ref().expect("a mesh");
+    let ids = mesh.layer(&Semantic::Generic("FEATURE_ID_0".to_owned())).expect("ids");
+    let ball = shapes::icosphere(3, 1.0);
+    for vertex in 0..mesh.vertex_count() {
+        assert_eq!(ball.positions[ids.get(vertex, 0) as usize], mesh.positions[vertex]);
+    }
+    let document = document(&written(&scene, &WriteOptions::default()));
+    let primitive = &document["meshes"][0]["primitives"][0];
+    assert_eq!(primitive["extensions"]["EXT_mesh_features"]["featureIds"][0]["attribute"], 0);
+    assert!(primitive["attributes"]["_FEATURE_ID_0"].is_u64());
+}
+
+#[test]
+fn what_numbers_vertices_is_left_out_with_a_warning() {
+    for name in ["CESIUM_primitive_outline", "FB_ngon_encoding", "EXT_mesh_manifold"] {
+        let mut sample = colors(2);
+        for mesh in 0..2 {
+            sample.document["meshes"][mesh]["primitives"][0]["extensions"] =
+                json!({ name: { "indices": 1 } });
+        }
+        sample.document["extensionsUsed"] = json!([name, "KHR_materials_unlit"]);
+        let scene = read(&sample);
+        let warnings: Vec<String> = scene.warnings().iter().map(ToString::to_string).collect();
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        assert!(warnings[0].contains(name) && warnings[0].contains("and 1 more"), "{warnings:?}");
+        let document = document(&written(&scene, &WriteOptions::default()));
+        assert!(!document.to_string().contains(name));
+        assert_eq!(document["extensionsUsed"], json!(["KHR_materials_unlit"]));
+    }
+    let mut sample = colors(1);
+    sample.document["meshes"][0]["primitives"][0]["extensions"] = json!({ "VENDOR_x": { "accessor": 0 } });
+    let scene = read(&sample);
+    assert!(scene.warnings()[0].to_string().contains("VENDOR_x is unknown; it is kept"));
+}
+
+/// Half a grid step is the most that quantization moves a vertex, also far from the origin.
+#[test]
+fn quantization_keeps_nodes_far_from_the_origin_in_place() {
+    let place = [6_378_117.123, 999_980.456, -2_000_020.789];
+    for use_matrix in [false, true] {
+        let mut sample = colors(1);
+        sample.document["nodes"][0] = match use_matrix {
+            false => json!({ "mesh": 0, "translation": place }),
+            true => json!({
+                "mesh": 0,
+                "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, place[0], place[1], place[2], 1],
+            }),
+        };
+        let options = WriteOptions::default().with_quantize(QuantizeOptions::default());
+        let document = document(&written(&read(&sample), &options));
+        let node = &document["nodes"][0];
+        let at = |k: usize| match use_matrix {
+            false => node["translation"][k].as_f64().expect("a number"),
+            true => node["matrix"][12 + k].as_f64().expect("a number"),
+        };
+        // The grid begins at the corner (-1, -1, -1) of the ball.
+        for (k, place) in place.iter().enumerate() {
+            assert!((at(k) - (place - 1.0)).abs() < 1e-6, "{node}");
+        }
+    }
+}
