@@ -16,7 +16,7 @@ use striata::simplify::{
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::scene::texture_factors;
+use crate::scene::{texcoord_scales, texture_factors};
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
@@ -295,10 +295,11 @@ impl SequenceArgs {
         output: &Output,
     ) -> Result<SequencePlan, Failure> {
         let mut plan = self.plan(mesh.diagonal(), limits)?;
-        if let SequencePlan::Quadric { options, .. } = &mut plan
-            && self.weights.uv_contrast
-        {
-            options.texcoord_factors = texture_factors(&mesh.appearance, output);
+        if let SequencePlan::Quadric { options, .. } = &mut plan {
+            options.texcoord_scales = texcoord_scales(&mesh.appearance);
+            if self.weights.uv_contrast {
+                options.texcoord_factors = texture_factors(&mesh.appearance, output);
+            }
         }
         Ok(plan)
     }

@@ -20,6 +20,27 @@ pub(crate) fn extensions_in(value: &Value, found: &mut BTreeSet<String>) {
     }
 }
 
+/// Returns how many copies of its texture a unit of the texture coordinates of a glTF material covers, along each
+/// axis: the scale of the texture transform (`KHR_texture_transform`) of its base color texture, or of
+/// the first of its other textures.
+#[cfg(feature = "gltf")]
+pub fn texcoord_scale(material: &Value) -> [f32; 2] {
+    const TEXTURES: [&str; 5] = [
+        "/pbrMetallicRoughness/baseColorTexture",
+        "/normalTexture",
+        "/pbrMetallicRoughness/metallicRoughnessTexture",
+        "/emissiveTexture",
+        "/occlusionTexture",
+    ];
+    let shown = TEXTURES.iter().find_map(|texture| material.pointer(texture));
+    let scale = shown.and_then(|texture| texture.pointer("/extensions/KHR_texture_transform/scale"));
+    let axis = |axis: usize| {
+        let number = scale.and_then(|scale| scale.get(axis)?.as_f64()).map(|number| number.abs() as f32);
+        number.filter(|number| number.is_finite() && *number > 0.0).unwrap_or(1.0)
+    };
+    [axis(0), axis(1)]
+}
+
 /// Returns a number as JSON with the fewest digits that read back as the same `f32`.
 #[cfg(any(feature = "obj", feature = "threemf"))]
 pub(crate) fn number(value: f32) -> Value {

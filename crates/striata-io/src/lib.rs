@@ -177,6 +177,8 @@ pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
 #[cfg(feature = "gltf")]
 pub use gltf::{ExtensionUse, extension_use, known_extensions};
+#[cfg(feature = "gltf")]
+pub use gltf_json::texcoord_scale;
 #[cfg(not(target_family = "wasm"))]
 pub use lod::{open, save};
 #[cfg(not(target_family = "wasm"))]

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
+use serde_json::Value;
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{
     BatchOptions, BuiltBatches, SequenceOptions, SimplifyError, build_batches_with_progress,
@@ -135,14 +136,29 @@ impl<'s> MeshSimplifier<'s> {
             let in_mesh_units = *length / self.weights[mesh].scale;
             *length = if length.is_finite() { in_mesh_units.min(f64::MAX) } else { *length };
         }
+        // The materials of a mesh are numbered from 0, in the order of the document.
+        let used: BTreeSet<usize> = self.scene.primitive_materials(mesh).into_iter().flatten().collect();
+        if sequence.texcoord_scales.is_empty() {
+            sequence.texcoord_scales = self.texcoord_scales(&used);
+        }
         if !sequence.texcoord_factors.is_empty() {
-            // The materials of a mesh are numbered from 0, in the order of the document.
-            let used: BTreeSet<usize> = self.scene.primitive_materials(mesh).into_iter().flatten().collect();
             let factors = &options.texcoord_factors;
             let factor = |material: usize| factors.get(material).copied().unwrap_or(1.0);
             sequence.texcoord_factors = used.into_iter().map(factor).collect();
         }
         Ok(sequence)
+    }
+}
+
+impl MeshSimplifier<'_> {
+    /// Scales of the texture coordinates of some materials; empty if all are 1.
+    fn texcoord_scales(&self, materials: &BTreeSet<usize>) -> Vec<[f32; 2]> {
+        let all = self.scene.document().get("materials").and_then(Value::as_array);
+        let scale = |&material: &usize| {
+            all.and_then(|all| all.get(material)).map_or([1.0; 2], striata_io::texcoord_scale)
+        };
+        let scales: Vec<_> = materials.iter().map(scale).collect();
+        if scales.iter().all(|&scale| scale == [1.0; 2]) { Vec::new() } else { scales }
     }
 }
 

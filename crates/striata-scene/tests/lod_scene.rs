@@ -4,7 +4,8 @@ mod vertices;
 
 use std::ops::ControlFlow;
 
-use striata::mesh::{IndexedMesh, Semantic};
+use serde_json::json;
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, shapes};
 use striata::simplify::{SequenceOptions, StopReason};
 use striata::{LodOptions, Target};
 use striata_io::{Format, Scene, Source, read_scene_bytes, scene_to_bytes};
@@ -142,4 +143,60 @@ fn joints_and_morph_targets_stay_layers() {
     assert!(skinned.contains(&Semantic::Joints(0)) && skinned.contains(&Semantic::Weights(0)));
     let morphed = semantics(&build(&scenes::morphed()));
     assert!(morphed.contains(&Semantic::MorphPosition(0)) && morphed.contains(&Semantic::MorphPosition(1)));
+}
+
+/// Texture coordinates count by what the texture sees, whatever their range in the file.
+#[test]
+fn texture_transforms_scale_the_weight_of_texture_coordinates() {
+    let level_of = |unit: f32| {
+        let mut ball = shapes::icosphere(3, 1.0);
+        let uvs =
+            ball.positions.iter().flat_map(|[x, y, z]| [unit * (0.3 * x + 0.2 * z), unit * (0.5 * y + 0.5)]);
+        ball.layers = vec![AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uvs.collect())];
+        let mut sample = scenes::empty();
+        sample.push_mesh("ball", &ball);
+        let transform = json!({ "KHR_texture_transform": { "scale": [1.0 / unit, 1.0 / unit] } });
+        let texture = json!({ "index": 0, "extensions": transform });
+        sample.document["textures"] = json!([{ "source": 0 }]);
+        sample.document["images"] = json!([{ "uri": "none.png" }]);
+        sample.document["materials"] = json!([{ "pbrMetallicRoughness": { "baseColorTexture": texture } }]);
+        sample.document["meshes"][0]["primitives"][0]["material"] = json!(0);
+        sample.document["nodes"] = json!([{ "mesh": 0 }]);
+        sample.document["scenes"] = json!([{ "nodes": [0] }]);
+        let lods = build(&sample);
+        let level = lods.level(Target::Triangles(200));
+        let mesh = lods.level_meshes(&level).remove(0).expect("a mesh");
+        (level.error, mesh.positions, mesh.triangles)
+    };
+    assert!(level_of(1.0) == level_of(4096.0));
+}
+
+/// Equal meshes with other materials are simplified alike, so that a file can store them once.
+#[test]
+fn equal_meshes_have_equal_levels() {
+    let mut sample = scenes::empty();
+    sample.push_mesh("ball", &shapes::icosphere(3, 1.0));
+    let ball = sample.document["meshes"][0].clone();
+    let meshes = (0..20).map(|material| {
+        let mut mesh = ball.clone();
+        mesh["primitives"][0]["material"] = json!(material);
+        mesh
+    });
+    sample.document["meshes"] = meshes.collect();
+    sample.document["materials"] = json!(vec![json!({}); 20]);
+    sample.document["nodes"] = (0..20).map(|mesh| json!({ "mesh": mesh })).collect();
+    sample.document["scenes"] = json!([{ "nodes": (0..20).collect::<Vec<_>>() }]);
+    let lods = build(&sample);
+    for triangles in [20 * 1280, 20 * 640, 20 * 100 + 7, 500] {
+        let level = lods.level(Target::Triangles(triangles));
+        let meshes = lods.level_meshes(&level);
+        assert!(level.triangle_count <= triangles && level.triangle_count + 20 * 4 > triangles);
+        assert!(meshes.iter().all(|mesh| *mesh == meshes[0]), "{triangles}");
+    }
+    let one = scene_to_bytes(
+        Format::Glb,
+        &lods.level_scene(&lods.level(Target::Triangles(12_800))),
+        &Default::default(),
+    );
+    assert!(one.unwrap().len() < 20_000);
 }

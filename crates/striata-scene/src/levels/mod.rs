@@ -10,6 +10,8 @@
 //! merge with a heap, O(steps log meshes), once; a target then takes a search over blocks and one block.
 //! Memory: about 20 bytes per step.
 
+use std::collections::BTreeMap;
+
 mod mesh_levels;
 mod weight;
 
@@ -161,25 +163,43 @@ impl SceneLevels {
         } else {
             StopReason::TargetReached
         };
-        let level = match target {
-            Target::Triangles(_) | Target::Vertices(_) => self.with_equal_twins(splits),
-            _ => self.level_of(splits),
+        let splits = match target {
+            Target::Triangles(_) => self.with_equal_twins(splits, |counts| counts.triangles),
+            Target::Vertices(_) => self.with_equal_twins(splits, |counts| counts.vertices),
+            _ => splits,
         };
-        SceneLevel { stop_reason, ..level }
+        SceneLevel { stop_reason, ..self.level_of(splits) }
     }
 
-    /// Returns a level in which meshes with the same levels are alike, so that they can share their triangles:
-    /// the coarsest of them decides. Unless that has more triangles, as happens in rare cases.
-    fn with_equal_twins(&self, splits: Vec<usize>) -> SceneLevel {
-        let mut equal = splits.clone();
+    /// Makes meshes with the same levels alike, so that they can share their triangles: each gets an equal share of
+    /// what they have together.
+    fn with_equal_twins(&self, mut splits: Vec<usize>, count: fn(Counts) -> usize) -> Vec<usize> {
+        let mut twins: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (mesh, &first) in self.first_of.iter().enumerate() {
-            equal[first] = equal[first].min(splits[mesh]);
+            twins.entry(first).or_default().push(mesh);
         }
-        for (mesh, &first) in self.first_of.iter().enumerate() {
-            equal[mesh] = equal[first];
+        for members in twins.into_values().filter(|members| members.len() > 1) {
+            let of = |member: usize, split_count: usize| {
+                self.meshes[member].as_ref().map_or(0, |mesh| count(mesh.counts_at(split_count)))
+            };
+            let together: usize = members.iter().map(|&member| of(member, splits[member])).sum();
+            // Twins that are shown equally often count alike.
+            let mut alike: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
+            for &member in &members {
+                let shown = self.weight(member).map_or(0, |weight| weight.instance_count);
+                alike.entry(shown).or_insert((member, 0)).1 += 1;
+            }
+            let shown = |split_count: usize| {
+                alike.values().map(|&(member, number)| number * of(member, split_count)).sum::<usize>()
+            };
+            let least = members.iter().map(|&member| splits[member]).min().unwrap_or(0);
+            let most = members.iter().map(|&member| splits[member]).max().unwrap_or(0);
+            let fitting = (least..=most).rev().find(|&split_count| shown(split_count) <= together);
+            if let Some(fitting) = fitting {
+                members.iter().for_each(|&member| splits[member] = fitting);
+            }
         }
-        let (level, equal) = (self.level_of(splits), self.level_of(equal));
-        if equal.triangle_count <= level.triangle_count { equal } else { level }
+        splits
     }
 
     /// Returns the level in which each mesh has the given split count. Counts above the full mesh are

@@ -146,6 +146,12 @@ pub struct SequenceOptions {
     /// its end and groups without a material have factor 1. Small factors suit textures of low
     /// contrast, on which sliding is hardly visible.
     pub texcoord_factors: Vec<f32>,
+    /// Parts of the texture per unit of the texture coordinates, along each axis, for each material; default 1.
+    ///
+    /// The list is indexed like [`texcoord_factors`](Self::texcoord_factors). It is the scale of the texture
+    /// transform of a glTF material (`KHR_texture_transform`): coordinates from 0 to 4095 with a scale of
+    /// 1/4095 count as much as those from 0 to 1.
+    pub texcoord_scales: Vec<[f32; 2]>,
     /// How boundaries are treated; default kept.
     pub boundary: BoundaryRule,
     /// How borders between triangle groups are treated; default kept. If they are locked, every vertex
@@ -180,7 +186,8 @@ impl SequenceOptions {
             .into_iter()
             .filter_map(|(option, value)| Some((option, value?)))
             .chain(weights.map(|(option, value)| (option, f64::from(value))))
-            .chain(self.texcoord_factors.iter().map(|&factor| ("texcoord_factors", f64::from(factor))));
+            .chain(self.texcoord_factors.iter().map(|&factor| ("texcoord_factors", f64::from(factor))))
+            .chain(self.texcoord_scales.iter().flatten().map(|&scale| ("texcoord_scales", f64::from(scale))));
         for (option, value) in numbers {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(SimplifyError::Option { option, value: value.to_string(), expected });
@@ -199,6 +206,7 @@ impl SequenceOptions {
         with_max_error, max_error: some f64;
         with_attribute_weights, attribute_weights: AttributeWeights;
         with_texcoord_factors, texcoord_factors: Vec<f32>;
+        with_texcoord_scales, texcoord_scales: Vec<[f32; 2]>;
         with_boundary, boundary: BoundaryRule;
         with_group_borders, group_borders: BoundaryRule;
         with_seams, seams: SeamRule;

@@ -68,13 +68,13 @@ pub(in crate::simplify) struct AttributeSpace {
 }
 
 impl AttributeSpace {
-    /// Creates the space of a mesh's weighted layers; `texcoord_factors` has a factor for each
-    /// material, `scale` is the length of the unit of scaled positions. Returns `None` if no layer has a
+    /// Creates the space of a mesh's weighted layers; `texcoords` has a factor and the scales of the texture
+    /// coordinates for each material, `scale` is the length of the unit of scaled positions. Returns `None` if no layer has a
     /// weight.
     pub(in crate::simplify) fn new(
         welded: &Welded,
         weights: &AttributeWeights,
-        texcoord_factors: &[f32],
+        texcoords: (&[f32], &[[f32; 2]]),
         scale: f64,
     ) -> Option<Self> {
         let is_displacement = |layer: &&AttributeLayer| matches!(layer.semantic, Semantic::MorphPosition(_));
@@ -112,7 +112,7 @@ impl AttributeSpace {
         };
         let mut first = 0;
         for (layer, weight) in layers {
-            space.fill((welded, scale), layer, (first, weight), texcoord_factors);
+            space.fill((welded, scale), layer, (first, weight), texcoords);
             first += layer.component_count as usize;
         }
         Some(space)
@@ -124,7 +124,7 @@ impl AttributeSpace {
         (welded, scale): (&Welded, f64),
         layer: &AttributeLayer,
         (first, weight): (usize, f32),
-        texcoord_factors: &[f32],
+        (factors, scales): (&[f32], &[[f32; 2]]),
     ) {
         let count = layer.component_count as usize;
         let bits = (first..first + count).filter(|&d| d < 32).fold(0, |bits, d| bits | 1 << d);
@@ -132,7 +132,7 @@ impl AttributeSpace {
         let is_texcoord = matches!(layer.semantic, Semantic::TexCoord(_));
         if is_texcoord {
             self.texcoords |= bits;
-            lengths = charts::atlas_unit_lengths(welded, layer, scale);
+            lengths = charts::atlas_unit_lengths(welded, layer, (scale, scales));
             self.atlases.resize(lengths.len(), 0);
             for (mask, &length) in self.atlases.iter_mut().zip(&lengths) {
                 *mask |= if length > 0.0 { bits } else { 0 };
@@ -143,10 +143,15 @@ impl AttributeSpace {
                 Some(&length) if length > 0.0 => (SLIDE_FACTOR * length).clamp(MIN_SLIDE, MAX_SLIDE),
                 _ => 1.0,
             };
-            let factor =
-                if is_texcoord { self.texcoord_factor(welded, vertex, texcoord_factors) } else { 1.0 };
+            let (mut factor, mut parts) = (1.0, [1.0; 2]);
+            if is_texcoord {
+                let material = self.material(welded, vertex);
+                factor = material.and_then(|m| factors.get(m as usize)).copied().unwrap_or(1.0);
+                parts = charts::scale_of(material, scales);
+            }
             for c in 0..count {
-                let value = factor * slide * weight * layer.get(vertex, c);
+                let scale = parts.get(c).copied().unwrap_or(1.0);
+                let value = factor * slide * weight * scale * layer.get(vertex, c);
                 // A value that is not finite must not affect the cost.
                 self.values[vertex * self.dimension + first + c] =
                     if value.is_finite() { value } else { 0.0 };
@@ -154,14 +159,13 @@ impl AttributeSpace {
         }
     }
 
-    /// Factor of a vertex's material; 1 if it has no material or the list is too short.
-    fn texcoord_factor(&self, welded: &Welded, vertex: usize, factors: &[f32]) -> f32 {
-        let material = match self.materials.get(vertex) {
+    /// Material of a vertex, if it has one.
+    fn material(&self, welded: &Welded, vertex: usize) -> Option<u32> {
+        match self.materials.get(vertex) {
             Some(&material) => material.checked_sub(1),
             // All groups share one material.
             None => welded.mesh.groups.first().and_then(|group| group.material),
-        };
-        material.and_then(|m| factors.get(m as usize)).copied().unwrap_or(1.0)
+        }
     }
 
     /// Factors of coordinate `d` of a vertex at seams.
@@ -357,8 +361,8 @@ mod tests {
 
     /// Squared differences between two vertices of the first triangle and of the second.
     fn differences(welded: &Welded, factors: &[f32]) -> [f32; 2] {
-        let space =
-            AttributeSpace::new(welded, &AttributeWeights::default(), factors, 1.0).expect("there are UVs");
+        let space = AttributeSpace::new(welded, &AttributeWeights::default(), (factors, &[]), 1.0)
+            .expect("there are UVs");
         [welded.mesh.triangles[0], welded.mesh.triangles[1]].map(|[a, b, _]| space.difference_squared(a, b))
     }
 

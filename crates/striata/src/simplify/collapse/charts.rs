@@ -18,13 +18,14 @@ const MAX_EXTENT: f32 = 1.25;
 const MAX_OVERLAP: f64 = 0.6;
 
 /// Returns for each vertex the length on the surface of one unit of its texture coordinates, as a share
-/// of the mesh's diagonal, if its material uses `layer` as an atlas; otherwise 0.
+/// of the mesh's diagonal, if its material uses `layer` as an atlas; otherwise 0. `scales` are parts of the
+/// texture per unit of its coordinates, for each material; a unit is a copy of the texture.
 ///
 /// Takes O(n) time for n triangles, plus the time to rasterize them into 512 by 512 cells.
 pub(in crate::simplify) fn atlas_unit_lengths(
     welded: &Welded,
     layer: &AttributeLayer,
-    diagonal: f64,
+    (diagonal, scales): (f64, &[[f32; 2]]),
 ) -> Vec<f32> {
     let mesh = &welded.mesh;
     let mut lengths = vec![0.0; mesh.vertex_count()];
@@ -37,9 +38,10 @@ pub(in crate::simplify) fn atlas_unit_lengths(
         covered_count: 0,
         repeated_count: 0,
     };
-    for slices in by_material(mesh) {
-        if coverage.is_atlas(&slices, layer) {
-            let length = unit_length(mesh, &slices, layer) / diagonal;
+    for (material, slices) in by_material(mesh) {
+        let texcoords = Texcoords { layer, scale: scale_of(material, scales) };
+        if coverage.is_atlas(&slices, texcoords) {
+            let length = unit_length(mesh, &slices, texcoords) / diagonal;
             let length = if length.is_finite() { length as f32 } else { 0.0 };
             for &vertex in slices.iter().flat_map(|slice| slice.as_flattened()) {
                 lengths[vertex as usize] = length;
@@ -49,28 +51,49 @@ pub(in crate::simplify) fn atlas_unit_lengths(
     lengths
 }
 
-/// Returns the triangles of each material, in one or more slices.
-fn by_material(mesh: &IndexedMesh) -> Vec<Vec<&[[u32; 3]]>> {
+/// Texture coordinates in copies of the texture.
+#[derive(Clone, Copy)]
+struct Texcoords<'a> {
+    layer: &'a AttributeLayer,
+    scale: [f32; 2],
+}
+
+impl Texcoords<'_> {
+    fn get(self, vertex: u32, axis: usize) -> f32 {
+        self.scale[axis] * self.layer.get(vertex as usize, axis)
+    }
+}
+
+/// Returns the scale of a material's texture coordinates; 1 if none is given.
+pub(super) fn scale_of(material: Option<u32>, scales: &[[f32; 2]]) -> [f32; 2] {
+    material.and_then(|material| scales.get(material as usize)).copied().unwrap_or([1.0; 2])
+}
+
+/// Triangles of a material, in one or more slices.
+type Slices<'m> = Vec<&'m [[u32; 3]]>;
+
+/// Returns the triangles of each material.
+fn by_material(mesh: &IndexedMesh) -> Vec<(Option<u32>, Slices<'_>)> {
     if mesh.groups.is_empty() {
-        return vec![vec![&mesh.triangles]];
+        return vec![(None, vec![&mesh.triangles])];
     }
     let mut materials: Vec<Option<u32>> = mesh.groups.iter().map(|group| group.material).collect();
     materials.sort_unstable();
     materials.dedup();
     let of = |material| {
         let groups = mesh.groups.iter().filter(move |group| group.material == material);
-        groups.map(|group| &mesh.triangles[group.range()]).collect()
+        (material, groups.map(|group| &mesh.triangles[group.range()]).collect())
     };
     materials.into_iter().map(of).collect()
 }
 
 /// Returns the length on the surface of one unit of texture coordinates.
-fn unit_length(mesh: &IndexedMesh, slices: &[&[[u32; 3]]], layer: &AttributeLayer) -> f64 {
+fn unit_length(mesh: &IndexedMesh, slices: &[&[[u32; 3]]], texcoords: Texcoords<'_>) -> f64 {
     let (mut surface, mut texture) = (0.0, 0.0);
     for t in slices.iter().copied().flatten() {
         let [a, b, c] = t.map(|v| Vec3::from(mesh.positions[v as usize]).as_dvec3());
         surface += (b - a).cross(c - a).length();
-        let [a, b, c] = t.map(|v| [0, 1].map(|k| f64::from(layer.get(v as usize, k)))).map(DVec2::from);
+        let [a, b, c] = t.map(|v| [0, 1].map(|k| f64::from(texcoords.get(v, k)))).map(DVec2::from);
         texture += (b - a).perp_dot(c - a).abs();
     }
     (surface / texture).sqrt()
@@ -87,10 +110,10 @@ struct TextureCoverage {
 
 impl TextureCoverage {
     /// Whether the triangles use each part of the texture about once.
-    fn is_atlas(&mut self, slices: &[&[[u32; 3]]], layer: &AttributeLayer) -> bool {
+    fn is_atlas(&mut self, slices: &[&[[u32; 3]]], texcoords: Texcoords<'_>) -> bool {
         let corners = || slices.iter().flat_map(|slice| slice.as_flattened());
         for axis in 0..2 {
-            let values = || corners().map(|&v| layer.get(v as usize, axis));
+            let values = || corners().map(|&v| texcoords.get(v, axis));
             let low = values().fold(f32::INFINITY, f32::min);
             let high = values().fold(f32::NEG_INFINITY, f32::max);
             // The extent is not finite if there are no values, or if one is NaN.
@@ -104,7 +127,7 @@ impl TextureCoverage {
                 // Covered several times over.
                 return false;
             }
-            self.paint(t.map(|v| [0, 1].map(|c| layer.get(v as usize, c) * CELL_COUNT as f32 - 0.5)));
+            self.paint(t.map(|v| [0, 1].map(|c| texcoords.get(v, c) * CELL_COUNT as f32 - 0.5)));
         }
         self.repeated_count as f64 <= MAX_OVERLAP * self.covered_count as f64
     }
@@ -163,7 +186,7 @@ mod tests {
         };
         mesh.layers.push(layer);
         let welded = weld(&mesh).expect("the mesh is valid");
-        atlas_unit_lengths(&welded, &welded.mesh.layers[0], welded.mesh.diagonal())
+        atlas_unit_lengths(&welded, &welded.mesh.layers[0], (welded.mesh.diagonal(), &[]))
     }
 
     #[test]

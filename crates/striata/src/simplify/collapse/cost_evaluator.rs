@@ -124,7 +124,7 @@ impl<'a> CostEvaluator<'a> {
             attributes: AttributeSpace::new(
                 welded,
                 &options.attribute_weights,
-                &options.texcoord_factors,
+                (&options.texcoord_factors, &options.texcoord_scales),
                 scale,
             ),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
