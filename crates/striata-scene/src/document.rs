@@ -1,6 +1,16 @@
-//! Changes of glTF documents.
+//! Access to glTF documents, and changes of them.
 
 use serde_json::{Map, Value, json};
+
+/// Entries of an array; none if there is no such array.
+pub(crate) fn entries<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+    value.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
+}
+
+/// Returns a member that is an index.
+pub(crate) fn index(value: &Value, key: &str) -> Option<usize> {
+    usize::try_from(value.get(key)?.as_u64()?).ok()
+}
 
 /// Returns the place of an extension in an object of the document, which is created if it is missing;
 /// [`None`] if the value is not an object, or its extensions are not.

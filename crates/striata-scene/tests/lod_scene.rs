@@ -200,3 +200,33 @@ fn equal_meshes_have_equal_levels() {
     );
     assert!(one.unwrap().len() < 20_000);
 }
+
+/// An object that appears by growing from a thousandth of its size has the levels of its full size.
+#[test]
+fn animated_scales_count_in_weights() {
+    let levels = |rest: f64, interpolation: &str, on_parent: bool| {
+        let mut sample = scenes::empty();
+        sample.push_mesh("ball", &shapes::icosphere(3, 1.0));
+        let (child, parent) = (json!({ "mesh": 0 }), json!({ "children": [0] }));
+        sample.document["nodes"] = json!([child, parent]);
+        sample.document["nodes"][usize::from(on_parent)]["scale"] = json!([rest, rest, rest]);
+        sample.document["scenes"] = json!([{ "nodes": [1] }]);
+        let times = sample.push_floats("SCALAR", 1, &[0.0, 1.0]);
+        let keys = match interpolation {
+            "CUBICSPLINE" => [[9.0; 3], [0.001; 3], [9.0; 3], [9.0; 3], [1.0; 3], [9.0; 3]].concat(),
+            _ => [[0.001; 3], [1.0; 3]].concat(),
+        };
+        let output = sample.push_floats("VEC3", 3, &keys);
+        sample.document["animations"] = json!([{
+            "samplers": [{ "input": times, "output": output, "interpolation": interpolation }],
+            "channels": [{ "sampler": 0, "target": { "node": usize::from(on_parent), "path": "scale" } }],
+        }]);
+        build(&sample).level(Target::Error(0.02)).triangle_count
+    };
+    for interpolation in ["LINEAR", "CUBICSPLINE", "STEP"] {
+        for on_parent in [false, true] {
+            assert_eq!(levels(0.001, interpolation, on_parent), levels(1.0, interpolation, on_parent));
+            assert!(levels(0.001, interpolation, on_parent) > 100);
+        }
+    }
+}

@@ -4,9 +4,10 @@ use glam::DVec3;
 use serde_json::Value;
 use striata_io::Scene;
 
-use super::json::{entries, index, number};
+use super::json::number;
 use super::shown_nodes::shown_nodes;
 use crate::Pose;
+use crate::document::{entries, index};
 
 /// Projection of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,19 +2,9 @@
 
 use serde_json::Value;
 
-/// Entries of an array; none if there is no such array.
-pub(super) fn entries<'v>(value: &'v Value, key: &str) -> &'v [Value] {
-    value.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
-}
-
 /// Returns an extension of an object.
 pub(super) fn extension<'v>(value: &'v Value, name: &str) -> Option<&'v Value> {
     value.get("extensions")?.get(name)
-}
-
-/// Returns a member that is an index.
-pub(super) fn index(value: &Value, key: &str) -> Option<usize> {
-    usize::try_from(value.get(key)?.as_u64()?).ok()
 }
 
 /// Returns a member that is a finite number.

@@ -4,9 +4,10 @@ use glam::{DMat4, DVec3};
 use serde_json::Value;
 use striata_io::Scene;
 
-use super::json::{entries, extension, index, number, numbers};
+use super::json::{extension, number, numbers};
 use super::shown_nodes::shown_nodes;
 use crate::Pose;
+use crate::document::{entries, index};
 
 /// Shape of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,10 @@
 use serde_json::Value;
 use striata_io::Scene;
 
-use super::json::{entries, extension, number, numbers};
+use super::json::{extension, number, numbers};
 use super::specular_glossiness::read_specular_glossiness;
 use super::texture_use::{TextureReader, TextureUse};
+use crate::document::entries;
 
 /// How a surface covers what is behind it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

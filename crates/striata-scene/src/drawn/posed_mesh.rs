@@ -4,7 +4,7 @@ use glam::{DMat3, DMat4, DVec3, Vec3};
 use striata::mesh::{AttributeLayer, ColorSpace, IndexedMesh, Material, Semantic, TriangleGroup};
 use striata_io::{Scene, SceneError, SceneInstance};
 
-use super::json::entries;
+use crate::document::entries;
 use crate::pose::VertexJoints;
 use crate::{Pose, Poser};
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::json::{entries, index};
+use crate::document::{entries, index};
 
 /// Returns the nodes of the default scene with their JSON, by index; those of the first scene if no default
 /// is named, and all nodes if the document has no scenes.

@@ -2,7 +2,8 @@
 
 use serde_json::Value;
 
-use super::json::{entries, extension, index, number, numbers};
+use super::json::{extension, number, numbers};
+use crate::document::{entries, index};
 use crate::textures::ImageFormat;
 
 /// What happens outside the unit square of texture coordinates.

@@ -1,6 +1,9 @@
 //! How much each mesh counts in a scene.
 
-use striata_io::Scene;
+use serde_json::{Value, json};
+use striata_io::{Scene, SceneParts};
+
+use crate::document::{entries, index};
 
 /// How much the errors and triangles of a mesh count in a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,11 +25,13 @@ impl MeshWeight {
     /// Returns the weights of all meshes, from their instances in the default scene.
     ///
     /// A mesh without an instance is coarsened together with the others, as if its scale were 1, but counts in
-    /// no number; if nothing at all is shown, every mesh counts once. The scale of a mesh all of whose
-    /// instances are flattened to a point is 1, because an animation may enlarge them.
+    /// no number; if nothing at all is shown, every mesh counts once. The scale is the largest one at rest and
+    /// in all animations of the node and its ancestors, since an object that appears by growing needs the level of
+    /// its full size. The scale of a mesh all of whose instances are flattened to a point is 1.
     pub fn of_scene(scene: &Scene) -> Vec<Self> {
         let mut weights = vec![Self { scale: 0.0, instance_count: 0 }; scene.meshes().len()];
-        for instance in scene.instances() {
+        let largest = at_largest_scales(scene);
+        for instance in largest.as_ref().unwrap_or(scene).instances() {
             let weight = &mut weights[instance.mesh];
             weight.instance_count += 1;
             if instance.scale.is_finite() {
@@ -44,4 +49,55 @@ impl MeshWeight {
         }
         weights
     }
+}
+
+/// Returns the scene without meshes, each node with the largest scales of its animations; [`None`] if no
+/// animation changes a scale.
+fn at_largest_scales(scene: &Scene) -> Option<Scene> {
+    let keyed = keyed_scales(scene.document());
+    if keyed.is_empty() {
+        return None;
+    }
+    let SceneParts { mut document, buffer, images, meshes } = scene.without_meshes().into_parts();
+    for (node, output, is_spline) in keyed {
+        let Ok((numbers, 3)) = scene.numbers(output) else { continue };
+        let Some(node) = document.get_mut("nodes").and_then(|nodes| nodes.get_mut(node)) else { continue };
+        let axis = |axis: usize| {
+            let rest = node.pointer(&format!("/scale/{axis}")).and_then(Value::as_f64).unwrap_or(1.0);
+            // Keys of splines have tangents around their values.
+            let (first, step) = if is_spline { (1, 3) } else { (0, 1) };
+            let keys = numbers.as_chunks::<3>().0.iter().skip(first).step_by(step);
+            let keys = keys.map(|key| f64::from(key[axis])).filter(|x| x.is_finite());
+            keys.fold(rest, |most, x| if x.abs() > most.abs() { x } else { most })
+        };
+        node["scale"] = json!([axis(0), axis(1), axis(2)]);
+    }
+    Scene::from_parts(SceneParts { document, buffer, images, meshes }).ok()
+}
+
+/// Returns the node, the accessor of the keys and whether they are a spline, of each animation of a scale.
+fn keyed_scales(document: &Value) -> Vec<(usize, u64, bool)> {
+    let mut found = Vec::new();
+    for animation in entries(document, "animations") {
+        for channel in entries(animation, "channels") {
+            let Some(target) = channel.get("target") else { continue };
+            let node = match target.get("path").and_then(Value::as_str) {
+                Some("scale") => index(target, "node"),
+                Some("pointer") => {
+                    let pointer = target.pointer("/extensions/KHR_animation_pointer/pointer");
+                    let rest = pointer.and_then(Value::as_str).and_then(|text| text.strip_prefix("/nodes/"));
+                    rest.and_then(|rest| rest.strip_suffix("/scale")?.parse().ok())
+                }
+                _ => None,
+            };
+            let sampler =
+                index(channel, "sampler").and_then(|sampler| entries(animation, "samplers").get(sampler));
+            let output = sampler.and_then(|sampler| sampler.get("output")?.as_u64());
+            let is_spline = sampler.is_some_and(|sampler| sampler["interpolation"] == "CUBICSPLINE");
+            if let (Some(node), Some(output)) = (node, output) {
+                found.push((node, output, is_spline));
+            }
+        }
+    }
+    found
 }

@@ -6,9 +6,10 @@ use glam::DQuat;
 use serde_json::Value;
 use striata_io::SceneError;
 
+use super::index;
 use super::interpolation::{along_arc, cubic};
 use super::numbers::AccessorNumbers;
-use super::{index, list};
+use crate::document::entries;
 
 /// Property of a node that a channel changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,9 +56,9 @@ impl Animation {
         accessors: &mut AccessorNumbers<'_>,
         target_counts: &[usize],
     ) -> Result<Self, SceneError> {
-        let samplers = list(at, "samplers");
+        let samplers = entries(at, "samplers");
         let mut channels = Vec::new();
-        for channel in list(at, "channels") {
+        for channel in entries(at, "channels") {
             let node = channel
                 .pointer("/target/node")
                 .and_then(index)

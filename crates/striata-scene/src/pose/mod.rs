@@ -20,6 +20,7 @@ use self::animation::{Animation, Property};
 use self::numbers::AccessorNumbers;
 use self::skin::Skin;
 pub(crate) use self::skin::VertexJoints;
+use crate::document::entries;
 
 /// Reads the poses of a scene.
 #[derive(Clone, Debug)]
@@ -67,11 +68,11 @@ impl Poser {
     /// [`SceneError`] if they refer to something that does not exist, or their data are malformed.
     pub fn new(scene: &Scene) -> Result<Self, SceneError> {
         let document = scene.document();
-        let meshes: Vec<MeshTargets> = list(document, "meshes").iter().map(MeshTargets::read).collect();
+        let meshes: Vec<MeshTargets> = entries(document, "meshes").iter().map(MeshTargets::read).collect();
         let mut nodes: Vec<Node> =
-            list(document, "nodes").iter().map(|node| Node::read(node, &meshes)).collect();
-        for (parent, node) in list(document, "nodes").iter().enumerate() {
-            for child in list(node, "children").iter().filter_map(index) {
+            entries(document, "nodes").iter().map(|node| Node::read(node, &meshes)).collect();
+        for (parent, node) in entries(document, "nodes").iter().enumerate() {
+            for child in entries(node, "children").iter().filter_map(index) {
                 if let Some(child) = nodes.get_mut(child) {
                     child.parent = Some(parent);
                 }
@@ -79,10 +80,10 @@ impl Poser {
         }
         let order = parents_first(&nodes);
         let mut numbers = AccessorNumbers::of(scene);
-        let skins = list(document, "skins").iter().map(|skin| Skin::read(skin, &mut numbers));
+        let skins = entries(document, "skins").iter().map(|skin| Skin::read(skin, &mut numbers));
         let skins = skins.collect::<Result<_, _>>()?;
         let target_counts: Vec<usize> = nodes.iter().map(|node| node.target_count).collect();
-        let animations = list(document, "animations").iter();
+        let animations = entries(document, "animations").iter();
         let animations = animations.map(|at| Animation::read(at, &mut numbers, &target_counts));
         Ok(Self { skins, animations: animations.collect::<Result<_, _>>()?, nodes, order })
     }
@@ -261,8 +262,8 @@ struct MeshTargets {
 
 impl MeshTargets {
     fn read(mesh: &Value) -> Self {
-        let primitives = list(mesh, "primitives").iter();
-        let count = primitives.map(|primitive| list(primitive, "targets").len()).max().unwrap_or(0);
+        let primitives = entries(mesh, "primitives").iter();
+        let count = primitives.map(|primitive| entries(primitive, "targets").len()).max().unwrap_or(0);
         Self { count, weights: weights(mesh.get("weights").unwrap_or(&Value::Null)) }
     }
 }
@@ -312,11 +313,6 @@ fn parents_first(nodes: &[Node]) -> Vec<usize> {
         next += 1;
     }
     order
-}
-
-/// Entries of an array; none if there is no such array.
-fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
-    value.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
 }
 
 fn index(value: &Value) -> Option<usize> {

@@ -6,7 +6,8 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use striata_io::SceneError;
 
 use super::numbers::AccessorNumbers;
-use super::{index, list, transformed};
+use super::{index, transformed};
+use crate::document::entries;
 
 /// Joints of a skin, with the matrices from the mesh to each joint in its bind pose.
 #[derive(Clone, Debug)]
@@ -17,7 +18,7 @@ pub(super) struct Skin {
 
 impl Skin {
     pub(super) fn read(skin: &Value, accessors: &mut AccessorNumbers<'_>) -> Result<Self, SceneError> {
-        let joints: Vec<usize> = list(skin, "joints").iter().filter_map(index).collect();
+        let joints: Vec<usize> = entries(skin, "joints").iter().filter_map(index).collect();
         let mut inverse_binds = Vec::new();
         if let Some(accessor) = skin.get("inverseBindMatrices").and_then(Value::as_u64) {
             let (numbers, width) = accessors.read(accessor)?;

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use serde_json::Value;
 
-use super::json::{index, referred};
+use super::json::referred;
+use crate::document::index;
 
 /// Location of an accessor's elements in the buffer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,7 +49,7 @@ pub(super) fn place_of(document: &Value, accessor: &Value, buffer_bytes: usize) 
 
 /// Returns the numbers of an accessor of floats or normalized integers; [`None`] if it cannot be read.
 pub(super) fn numbers(document: &Value, buffer: &[u8], accessor: usize) -> Option<Vec<f64>> {
-    let accessor = super::json::entries(document, "accessors").get(accessor)?;
+    let accessor = crate::document::entries(document, "accessors").get(accessor)?;
     if accessor.get("sparse").is_some() {
         return None;
     }

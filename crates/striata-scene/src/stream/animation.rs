@@ -11,8 +11,8 @@ use serde_json::Value;
 use striata_io::Scene;
 
 use super::accessors::place_of;
-use super::json::{entries, index};
 use super::motion::node_stretch;
+use crate::document::{entries, index};
 
 /// Rounds the outputs of animations in a copy of the scene's buffer. `tolerance` and `side`, the longest side
 /// of the scene, are in its units.

@@ -13,7 +13,7 @@ use super::bytes::{Fields, put_varint};
 use super::deflate::{deflate, inflate};
 use super::filter::{Filter, apply, common_exponent, undo};
 use super::head::{ByteRange, PART_COUNT};
-use super::json::{entries, index};
+use crate::document::{entries, index};
 
 /// Returns how many bytes may be unpacked from `packed` bytes: more than Deflate can do, but for the limit.
 fn limit_of(packed: usize) -> usize {

@@ -3,7 +3,8 @@
 use striata::mesh::{IndexedMesh, TriangleGroup};
 use striata_io::Scene;
 
-use super::json::{index, triangle_primitives};
+use super::json::triangle_primitives;
+use crate::document::index;
 use crate::textures::{TextureTransfer, images_of_material};
 
 /// Returns for each image the area that it is seen on, in square units of the scene, weighted by the role of

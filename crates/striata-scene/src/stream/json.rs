@@ -2,10 +2,7 @@
 
 use serde_json::Value;
 
-/// Entries of an array; none if there is no such array.
-pub(super) fn entries<'v>(value: &'v Value, key: &str) -> &'v [Value] {
-    value.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
-}
+use crate::document::{entries, index};
 
 /// The entry of an array that a member refers to by its index.
 pub(super) fn referred<'v>(
@@ -15,11 +12,6 @@ pub(super) fn referred<'v>(
     member: &str,
 ) -> Option<&'v Value> {
     entries(document, array).get(index(from, member)?)
-}
-
-/// An index that a member contains.
-pub(super) fn index(from: &Value, member: &str) -> Option<usize> {
-    usize::try_from(from.get(member)?.as_u64()?).ok()
 }
 
 /// The triangle primitives of a mesh, which correspond to the groups of its triangles.

@@ -7,7 +7,7 @@ use striata::mesh::{IndexedMesh, LayerData, Semantic};
 use striata_io::Scene;
 
 use super::accessors::numbers;
-use super::json::{entries, index};
+use crate::document::{entries, index};
 
 /// Growth is limited to this factor, so that an animation cannot ask for exact positions.
 const MAX_GROWTH: f64 = 64.0;

@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value};
 
+use crate::document::entries;
+
 /// How the numbers of an image map to the quantity they stand for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum TextureTransfer {
@@ -89,7 +91,7 @@ pub fn image_roles(document: &Value) -> Vec<TextureRole> {
 /// Returns the images that a material refers to, with the role of each reference.
 pub(crate) fn images_of_material(document: &Value, material: usize) -> Vec<(usize, TextureRole)> {
     let mut found = Vec::new();
-    let Some(material) = entries(document, "materials").nth(material) else { return found };
+    let Some(material) = entries(document, "materials").get(material) else { return found };
     for_each_texture(material, &mut |name, texture| {
         let role = role_of_reference(name, false);
         found.extend(images_of_texture(document, texture).map(|image| (image, role)));
@@ -136,15 +138,11 @@ fn for_each_texture(value: &Value, visit: &mut dyn FnMut(&str, usize)) {
 
 /// Returns the images of a texture: its own source and those of extensions.
 fn images_of_texture(document: &Value, texture: usize) -> impl Iterator<Item = usize> {
-    let texture = entries(document, "textures").nth(texture);
+    let texture = entries(document, "textures").get(texture);
     let extensions = texture.and_then(|texture| texture.get("extensions")?.as_object());
     let others = extensions.into_iter().flat_map(Map::values).filter_map(|extension| extension.get("source"));
     let own = texture.and_then(|texture| texture.get("source"));
     own.into_iter().chain(others).filter_map(|source| usize::try_from(source.as_u64()?).ok())
-}
-
-fn entries<'v>(document: &'v Value, key: &str) -> impl Iterator<Item = &'v Value> {
-    document.get(key).and_then(Value::as_array).into_iter().flatten()
 }
 
 #[cfg(test)]
