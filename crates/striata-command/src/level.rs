@@ -12,6 +12,8 @@ use crate::output::{Table, format_count, format_length, format_noun_count};
 
 /// Placeholder for the level in the name of an output file.
 const PLACEHOLDER: &str = "{}";
+/// Placeholder for the number of the level, from 0, as engines count: `LOD0`.
+const NUMBER: &str = "{i}";
 
 /// Sizes of the full mesh, which percentages of targets refer to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -134,7 +136,8 @@ fn paths_of(levels: &[Level], is_chain: bool, output: &Path) -> Result<Vec<PathB
 /// # Errors
 /// If the name has no `{}`, or several levels would be written to the same file.
 pub fn paths_of_levels(levels: &[Level], output: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let Some(pattern) = output.to_str().filter(|pattern| pattern.contains(PLACEHOLDER)) else {
+    let is_pattern = |pattern: &&str| pattern.contains(PLACEHOLDER) || pattern.contains(NUMBER);
+    let Some(pattern) = output.to_str().filter(is_pattern) else {
         let hint = match (output.file_stem(), output.extension()) {
             (Some(stem), Some(extension)) if output != Path::new("-") => {
                 let name =
@@ -147,12 +150,15 @@ pub fn paths_of_levels(levels: &[Level], output: &Path) -> Result<Vec<PathBuf>, 
             "{}: --levels needs {PLACEHOLDER} in the output name",
             output.display()
         ))
-        .with_hint(format!("{PLACEHOLDER} is replaced by the level: -o '{hint}'")));
+        .with_hint(format!(
+            "{PLACEHOLDER} is replaced by the level, and {NUMBER} by its number from 0: -o '{hint}'"
+        )));
     };
     let mut seen = BTreeSet::new();
     let mut paths = Vec::new();
-    for level in levels {
-        let path = PathBuf::from(pattern.replace(PLACEHOLDER, &file_part(&level.text)));
+    for (number, level) in levels.iter().enumerate() {
+        let name = pattern.replace(NUMBER, &number.to_string()).replace(PLACEHOLDER, &file_part(&level.text));
+        let path = PathBuf::from(name);
         if !seen.insert(path.clone()) {
             return Err(Failure::user(format!(
                 "{}: several levels would be written to this file",
@@ -310,6 +316,8 @@ mod tests {
 
     #[test]
     fn each_level_has_its_own_file() {
+        let numbered = paths_of_levels(&levels(&["50%", "20%"]), Path::new("tree_LOD{i}.glb"));
+        assert_eq!(numbered.expect("names"), ["tree_LOD0.glb", "tree_LOD1.glb"].map(PathBuf::from));
         let paths = paths_of_levels(&levels(&["50%", "12.5 %", "500"]), Path::new("out/a-{}.glb"));
         let expected = ["out/a-50.glb", "out/a-12.5.glb", "out/a-500.glb"].map(PathBuf::from);
         assert_eq!(paths.expect("names"), expected);

@@ -53,8 +53,8 @@ pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
         ))
         .with_hint("remove --ascii, or use the extension .ply"));
     }
-    if let Some(flag) = args.gltf.first_given_flag().filter(|_| !matches!(format, Format::Gltf | Format::Glb))
-    {
+    let flag = args.gltf.first_given_flag().or(args.gltf.raw.then_some("--raw"));
+    if let Some(flag) = flag.filter(|_| !matches!(format, Format::Gltf | Format::Glb)) {
         return Err(Failure::user(format!(
             "{flag} is for glTF, but {} is written as {format}",
             display_name(path)
@@ -92,7 +92,7 @@ fn encoded(
     }
     let mut options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
     match primitives {
-        Primitives::Triangles => {}
+        Primitives::Triangles => options = options.with_shading(!args.gltf.raw),
         Primitives::Strips(strips) => options = options.with_strips(strips),
         Primitives::Fans(fans) => options = options.with_fans(fans),
     }

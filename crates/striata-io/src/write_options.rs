@@ -24,6 +24,10 @@ pub struct WriteOptions {
     /// [`meshopt`](Self::meshopt). Draco quantizes to the bits of [`quantize`](Self::quantize) by itself, and
     /// keeps floats exactly without it. Default: false.
     pub draco: bool,
+    /// glTF only: whether a mesh without normals gets smooth ones, up to creases of 50 degrees, and a mesh without
+    /// materials a matte one; viewers show flat facets of a white metal otherwise. Vertices at creases are
+    /// divided. Has no effect with strips or fans. Default: false.
+    pub shading: bool,
 }
 
 impl WriteOptions {
@@ -55,6 +59,12 @@ impl WriteOptions {
     #[must_use]
     pub fn with_meshopt(self, meshopt: bool) -> Self {
         Self { meshopt, ..self }
+    }
+
+    /// Sets [`shading`](Self::shading).
+    #[must_use]
+    pub fn with_shading(self, shading: bool) -> Self {
+        Self { shading, ..self }
     }
 
     /// Sets [`draco`](Self::draco).

@@ -1,7 +1,7 @@
 //! A scene with every level of detail of each of its meshes.
 
 use std::collections::HashMap;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::{Arc, OnceLock};
 
 use striata::mesh::{IndexedMesh, Levels};
@@ -176,6 +176,23 @@ impl LodScene {
         let lods = self.lods().iter().enumerate();
         let level_of = |mesh: usize, lod: &Lod| lod.level(Target::SplitCount(split_count(mesh))).to_mesh();
         lods.map(|(mesh, lod)| Some(level_of(mesh, lod.as_ref()?))).collect()
+    }
+
+    /// Returns the triangles of a level as index lists over the vertices of [`full_scene`](Self::full_scene): for
+    /// each mesh of the document, one list for each of its triangle primitives; none for meshes without triangles.
+    ///
+    /// So all levels of a mesh share one vertex buffer, as engines store chains of levels: the vertices of a level are
+    /// the first ones of the buffer. Split counts above the full mesh mean the full mesh.
+    pub fn indices(&self, level: &SceneLevel) -> Vec<Vec<Vec<u32>>> {
+        let split_count = |mesh: usize| level.split_counts.get(mesh).copied().unwrap_or(usize::MAX);
+        let lists = |(mesh, lod): (usize, &Option<Lod>)| {
+            let Some(lod) = lod else { return Vec::new() };
+            let level = lod.level(Target::SplitCount(split_count(mesh)));
+            let list =
+                |range: &Range<u32>| level.indices()[range.start as usize..range.end as usize].to_vec();
+            level.groups().iter().map(list).collect()
+        };
+        self.lods().iter().enumerate().map(lists).collect()
     }
 
     /// Returns the scene with all of its triangles, and the vertices of each mesh in refinement order.

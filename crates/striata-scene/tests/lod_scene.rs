@@ -230,3 +230,45 @@ fn animated_scales_count_in_weights() {
         }
     }
 }
+
+/// Returns the corners of triangles, each triangle from its smallest corner on, sorted.
+fn corners(mesh: &IndexedMesh, triangles: impl Iterator<Item = [u32; 3]>) -> Vec<[[u32; 3]; 3]> {
+    let rotated = |t: [u32; 3]| {
+        let mut corners = t.map(|v| mesh.positions[v as usize].map(f32::to_bits));
+        let first = (0..3).min_by_key(|&k| corners[k]).unwrap_or(0);
+        corners.rotate_left(first);
+        corners
+    };
+    let mut all: Vec<_> = triangles.map(rotated).collect();
+    all.sort_unstable();
+    all
+}
+
+/// Index lists over the vertices of the full scene show what the scene of the level shows.
+#[test]
+fn indices_of_levels_refer_to_one_vertex_buffer() {
+    for sample in scenes::all() {
+        let lods = build(&sample);
+        let full = lods.full_scene();
+        for detail in [0.0, 0.3, 1.0] {
+            let level = lods.level(Target::Detail(detail));
+            let (lists, meshes) = (lods.indices(&level), lods.level_meshes(&level));
+            assert_eq!(lists.len(), meshes.len());
+            for ((lists, mesh), full) in lists.iter().zip(&meshes).zip(full.meshes()) {
+                let (Some(mesh), Some(full)) = (mesh, full) else {
+                    assert!(lists.is_empty() && mesh.is_none());
+                    continue;
+                };
+                assert_eq!(lists.len(), mesh.groups_or_whole().len(), "{}", sample.name);
+                for (list, group) in lists.iter().zip(mesh.groups_or_whole().iter()) {
+                    let (lists, _) = list.as_chunks::<3>();
+                    let (found, expected) = (
+                        corners(full, lists.iter().copied()),
+                        corners(mesh, mesh.triangles[group.range()].iter().copied()),
+                    );
+                    assert_eq!(found, expected, "{} at {detail}", sample.name);
+                }
+            }
+        }
+    }
+}

@@ -16,6 +16,9 @@ const MAX_BITS: i64 = 16;
     group = ArgGroup::new("GltfCoding").args(["quantize", "meshopt", "draco"]).multiple(true),
 )]
 pub struct GltfArgs {
+    /// Keep a mesh without normals or materials as it is; viewers show it with flat facets, as white metal
+    #[arg(long)]
+    pub raw: bool,
     /// Round attributes to small integers (KHR_mesh_quantization)
     #[arg(long)]
     quantize: bool,

@@ -162,8 +162,8 @@ pub struct EyeArgs {
 #[group(skip)]
 #[command(next_help_heading = LEVEL)]
 pub struct LevelsArgs {
-    /// Several levels, each as in --triangles: 50%,25%,500; {} in the output name becomes the level: -o
-    /// bunny-{}.glb
+    /// Several levels, each as in --triangles: 50%,25%,500; {} in the output name becomes the level, and {i}
+    /// its number from 0: -o bunny-{}.glb
     #[arg(
         long,
         value_name = "N|P%,...",

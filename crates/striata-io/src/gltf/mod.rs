@@ -48,6 +48,7 @@ mod primitive;
 mod read_scene;
 mod references;
 mod rest_pose;
+mod shading;
 mod shapes;
 #[cfg_attr(
     not(all(feature = "pieces", not(target_family = "wasm"))),

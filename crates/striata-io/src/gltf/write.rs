@@ -11,6 +11,7 @@ use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
 use super::component_type::ComponentType;
 use super::passes::GltfParts;
+use super::shading::shaded;
 use super::write_layers::{Attributes, attributes};
 use crate::WriteOptions;
 use crate::error::Refusal;
@@ -39,6 +40,8 @@ fn parts(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusa
 }
 
 fn document(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusal> {
+    let keeps_vertices = options.strips.is_some() || options.fans.is_some();
+    let mesh = if options.shading && !keeps_vertices { &*shaded(mesh) } else { mesh };
     let mut builder = Builder::default();
     let mut root = Map::new();
     root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));

@@ -60,4 +60,4 @@ pub use triangle_data::{layers_from_sorted, level_sources, nearest_sources, sort
 pub use triangle_tree::{Nearest, TriangleTree};
 pub use validate::{MAX_LISTED_PER_KIND, Report, validate};
 pub(crate) use weld::ZOrderCurve;
-pub use weld::{Welded, weld};
+pub use weld::{Welded, index_positions, weld};

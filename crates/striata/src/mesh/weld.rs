@@ -117,7 +117,7 @@ fn materials_of_triangles(mesh: &IndexedMesh) -> Vec<u32> {
 }
 
 /// Assigns an index to each distinct position, in the order in which the vertices first use them.
-pub(super) fn index_positions(positions: &[[f32; 3]]) -> Vec<u32> {
+pub fn index_positions(positions: &[[f32; 3]]) -> Vec<u32> {
     let mut numbers: WordMap<[u32; 3], u32> = WordMap::default();
     numbers.reserve(positions.len());
     let mut next = 0;
