@@ -3,8 +3,8 @@
 //! A unit normal becomes a point on the unfolded octahedron, a tangent such a point and a sign, and other
 //! floats points of a uniform grid. Integers stay as they are, and so do identifiers that are stored as
 //! floats: their grid has a step of 1. Floats that a grid cannot represent (infinities, or all floats if
-//! the caller requests lossless storage) are mapped to integers in the same order. Decoded numbers convert to the same integers again, so a stream can be encoded again without
-//! further loss.
+//! the caller requests lossless storage) are mapped to integers in the same order. Decoded numbers convert
+//! to the same integers again, so a stream can be encoded again without further loss.
 
 use std::borrow::Cow;
 
@@ -200,8 +200,8 @@ fn is_kept_double(layer: &AttributeLayer) -> bool {
     matches!((&layer.semantic, &layer.data), (Semantic::Generic(_), LayerData::F64(_)))
 }
 
-/// Returns a grid with a step of 1 that keeps the identifiers of a layer of floats; `None` if the layer has others,
-/// or if they span too much.
+/// Returns a grid with a step of 1 that keeps the identifiers of a layer of floats; `None` if the layer has
+/// other values, or if they span too much.
 fn identifier_grid(layer: &AttributeLayer, is_lossless: bool) -> Option<Transform> {
     let LayerData::F32(numbers) = &layer.data else { return None };
     // The grid has no negative zero.
@@ -272,7 +272,9 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
         let (axes, bits): (Vec<_>, Vec<_>) = one_by_one.map(|(axes, bits)| (axes[0], bits)).unzip();
         return Transform::Uniform { axes, bits: bits.into_iter().max().unwrap_or(1) };
     }
-    let (axes, bits) = Axis::over(&ranges, 0.0, bits);
+    // What a morph target does not move must stay in place.
+    let through_zero = is_displacement(semantic).then(|| Axis::through_zero(&ranges, bits)).flatten();
+    let (axes, bits) = through_zero.unwrap_or_else(|| Axis::over(&ranges, 0.0, bits));
     Transform::Uniform { axes, bits }
 }
 
@@ -299,6 +301,11 @@ fn is_unit(v: [f32; 3]) -> bool {
 /// Whether a vector is too short to have a direction, such as the normal of a degenerate triangle.
 fn has_no_direction(v: &[f32]) -> bool {
     v[..3].iter().all(|x| x.abs() < 1e-6)
+}
+
+/// Whether the values are displacements by a morph target.
+fn is_displacement(semantic: &Semantic) -> bool {
+    matches!(semantic, Semantic::MorphPosition(_) | Semantic::MorphNormal(_) | Semantic::MorphTangent(_))
 }
 
 /// Whether all components are measured in the same unit.
@@ -467,6 +474,30 @@ mod tests {
             reader.end().unwrap();
             for length in 0..bytes.len() {
                 assert!(LayerForm::read(&mut ByteReader::new(&bytes[..length])).is_err());
+            }
+        }
+    }
+
+    #[test]
+    fn displacements_of_zero_stay_zero() {
+        let mut random = Random::new(8);
+        for (low, high) in [(-1.0, 1.0), (-0.3, 1e-4), (0.0, 7e9), (-1e-20, 3e-20), (-0.1, 0.0)] {
+            let mut numbers: Vec<f32> = (0..900).map(|_| random.between(low, high)).collect();
+            numbers[..600].fill(0.0);
+            let layer = AttributeLayer::from_f32(Semantic::MorphPosition(2), 3, numbers);
+            for bits in [1, 5, 12, 20, 23] {
+                let form = LayerForm::of(&layer, &LayerOptions::default().with_generic_bits(bits));
+                let Transform::Uniform { axes, .. } = &form.transform else { unreachable!() };
+                assert!(axes[0].step <= f64::from(high - low) / f64::from((1u32 << bits) - 1));
+                let integers = form.integers(&layer);
+                let again = decoded(&form, &integers);
+                assert_eq!(again.data.slice(0..600), layer.data.slice(0..600), "{form:?}");
+                let steps = |form: &LayerForm| match &form.transform {
+                    Transform::Uniform { axes, .. } => axes[0].step,
+                    _ => unreachable!(),
+                };
+                let next = LayerForm::of(&again, &LayerOptions::default().with_generic_bits(bits));
+                assert!(bits == 1 || steps(&next) <= steps(&form), "encoding again rounds no more");
             }
         }
     }
