@@ -518,6 +518,27 @@ proptest! {
     }
 
     #[test]
+    fn random_identifiers_in_floats_are_exact(
+        seed: u64,
+        bits in 0u32..=24,
+        is_signed: bool,
+        count in 1usize..4,
+        is_lossless: bool,
+    ) {
+        let mesh = shapes::torus(12, 8, 1.0, 0.4);
+        let mut random = Random::new(seed);
+        let mut id = || {
+            let id = random.below(1 << bits) as f32;
+            if is_signed && random.below(2) == 0 { 0.0 - id } else { id }
+        };
+        let ids: Vec<f32> = (0..count * mesh.vertex_count()).map(|_| id()).collect();
+        let precision = if is_lossless { Precision::Lossless } else { Precision::default() };
+        for options in kinds() {
+            check_ids(&with_ids(&mesh, LayerData::F32(ids.clone())), &options.with_precision(precision));
+        }
+    }
+
+    #[test]
     fn decodes_streams_of_triangle_soups(
         seed in any::<u64>(),
         vertices in 3usize..40,
@@ -616,4 +637,54 @@ fn data_of_triangles_are_lossless() {
     let mut damaged = stream.bytes.clone();
     *damaged.last_mut().unwrap() ^= 1;
     assert!(StreamDecoder::new().push(&damaged).is_err());
+}
+
+/// A mesh with a layer of identifiers of any type.
+fn with_ids(mesh: &IndexedMesh, data: LayerData) -> IndexedMesh {
+    let component_count = (data.len() / mesh.vertex_count()) as u8;
+    let semantic = Semantic::Generic("FEATURE_ID_0".to_owned());
+    let mut mesh = mesh.clone();
+    mesh.layers.push(AttributeLayer { semantic, component_count, normalized: false, data });
+    mesh
+}
+
+/// Encodes a mesh whose last layer has identifiers, and checks them at every level.
+fn check_ids(mesh: &IndexedMesh, options: &StreamOptions) {
+    let Written { source, stream } = write(mesh, options);
+    let expected = source.mesh.layers.last().unwrap().gather(&stream.source_vertex);
+    let mut decoder = StreamDecoder::new();
+    for bytes in stream.bytes.chunks(stream.bytes.len() / 9 + 1) {
+        decoder.push(bytes).unwrap();
+        let Some(level) = decoder.refinable_mesh() else { continue };
+        let found = level.mesh.layers.last().unwrap();
+        assert_eq!(found.data, expected.data.slice(0..found.data.len()), "{options:?}");
+    }
+    assert!(decoder.is_complete());
+}
+
+#[test]
+fn identifiers_in_floats_are_exact_at_every_level_and_as_small_as_integers() {
+    let mesh = shapes::uv_sphere(32, 48, 1.0);
+    let regions = |v: usize| mesh.positions[v].map(|x| (3.0 * x).floor() as i32 + 3);
+    let ids_of: [&dyn Fn(usize) -> i32; 4] = [
+        &|v| (v * 197 % 300_001) as i32,
+        &|v| 100_000 - v as i32,
+        &|v| regions(v)[0] * 9173 + regions(v)[1] * 83 + regions(v)[2],
+        &|_| 7,
+    ];
+    for options in kinds() {
+        for id_of in ids_of {
+            let ids: Vec<i32> = (0..mesh.vertex_count()).map(id_of).collect();
+            let floats = with_ids(&mesh, LayerData::F32(ids.iter().map(|&id| id as f32).collect()));
+            check_ids(&floats, &options);
+            check_ids(&floats, &options.clone().with_precision(Precision::Lossless));
+            if options.version == StreamVersion::One {
+                continue;
+            }
+            let [size, integer_size] = [floats, with_ids(&mesh, LayerData::I32(ids))]
+                .map(|mesh| write(&mesh, &options).stream.bytes.len());
+            // The grid takes 12 bytes of the head.
+            assert!(size <= integer_size + integer_size / 100 + 12, "{size} and {integer_size}: {options:?}");
+        }
+    }
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use proptest::prelude::*;
-use striata::mesh::{Adjacency, IndexedMesh, Semantic, Statistics, shapes, weld};
+use striata::mesh::{Adjacency, AttributeLayer, IndexedMesh, Semantic, Statistics, shapes, weld};
 use striata::simplify::{
     BoundaryRule, Placement, SeamRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions,
     StopReason, Target, TopologyRule, simplify, simplify_with_progress,
@@ -220,6 +220,18 @@ fn same_input_same_bytes() {
     let second = run(&mesh, &options(Target::Triangles(300)));
     assert_eq!(first.mesh, second.mesh);
     assert_eq!(first.error.to_bits(), second.error.to_bits());
+}
+
+#[test]
+fn identifiers_are_not_interpolated() {
+    let mut mesh = shapes::icosphere(3, 1.0);
+    let id = |v: usize| (v * 197 % 300_001) as f32 - 1000.0;
+    let ids: Vec<f32> = (0..mesh.vertex_count()).map(id).collect();
+    let semantic = Semantic::Generic("FEATURE_ID_0".to_owned());
+    mesh.layers.push(AttributeLayer::from_f32(semantic, 1, ids.clone()));
+    let level = to_triangles(&mesh, 200);
+    assert!(level.positions.iter().any(|position| !mesh.positions.contains(position)));
+    assert!((0..level.vertex_count()).all(|v| ids.contains(&level.layers[0].get(v, 0))));
 }
 
 #[test]

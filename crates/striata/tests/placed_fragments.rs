@@ -6,8 +6,8 @@ use striata_testing::support;
 
 use striata::file::{FileModel, StriataFile, WriteOptions, write_fragments};
 use striata::mesh::{
-    DistanceOptions, IndexedMesh, canonical_triangles, replay, replay_fragments, shapes, surface_distance,
-    weld,
+    AttributeLayer, DistanceOptions, IndexedMesh, Semantic, canonical_triangles, replay, replay_fragments,
+    shapes, surface_distance, weld,
 };
 use striata::model::{LodModel, Overlap, PatternInstance, Patterns};
 use striata::simplify::{
@@ -140,6 +140,21 @@ fn nasty_meshes_are_collapsed_or_refused() {
                 Err(error) => assert!(mesh.check().is_err(), "{name}: {error}"),
             }
         }
+    }
+}
+
+#[test]
+fn new_vertices_have_identifiers_of_the_input() {
+    let mut mesh = shapes::torus(16, 12, 2.0, 0.7);
+    let ids: Vec<f32> = (0..mesh.vertex_count()).map(|v| (v * 7919 % 300_001) as f32).collect();
+    let semantic = Semantic::Generic("FEATURE_ID_0".to_owned());
+    mesh.layers.push(AttributeLayer::from_f32(semantic, 1, ids.clone()));
+    for collapse in KINDS {
+        let fragmented = build(&mesh, collapse).fragmented;
+        let base = replay_fragments(&fragmented, 0);
+        let layer = &base.layers[0];
+        assert!(base.positions.iter().any(|position| !mesh.positions.contains(position)));
+        assert!((0..base.vertex_count()).all(|v| ids.contains(&layer.get(v, 0))), "{collapse:?}");
     }
 }
 

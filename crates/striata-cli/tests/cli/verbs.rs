@@ -447,6 +447,42 @@ fn colors_are_linear_in_gltf_only() {
 }
 
 #[test]
+fn identifiers_in_floats_survive_streams() {
+    let bench = Workbench::new();
+    let size = 20;
+    let mut mesh = format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n\
+         property float feature_id\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        size * size,
+        (size - 1) * (size - 1)
+    );
+    let mut expected: Vec<i64> = (0..size * size).map(|v| v * 197_197 % 300_001 - 100).collect();
+    for (v, id) in (0..).zip(&expected) {
+        mesh += &format!("{} {} {} {id}\n", v % size, v / size, v % 7);
+    }
+    for cell in (0..(size - 1) * size).filter(|cell| cell % size < size - 1) {
+        mesh += &format!("4 {cell} {} {} {}\n", cell + 1, cell + size + 1, cell + size);
+    }
+    expected.sort_unstable();
+    bench.write("a.ply", mesh);
+    for encode in ["encode a.ply -o a.stri", "encode a.ply -o a.stri --lossless", "encode a.ply -o a.striata"]
+    {
+        bench.json(encode);
+        let file = encode.split(' ').nth(3).unwrap_or_default();
+        bench.json(&format!("decode {file} -o a.glb"));
+        bench.run("convert a.glb b.ply --ascii --quiet").success();
+        let text = String::from_utf8(bench.read("b.ply")).unwrap();
+        let columns: Vec<&str> = text.lines().filter(|line| line.starts_with("property float")).collect();
+        let column = columns.iter().position(|line| line.ends_with("feature_id")).unwrap();
+        let rows = text.lines().skip_while(|line| *line != "end_header").skip(1).take(expected.len());
+        let mut ids: Vec<i64> =
+            rows.map(|row| row.split(' ').nth(column).unwrap().parse().unwrap()).collect();
+        ids.sort_unstable();
+        assert_eq!(ids, expected, "{encode}");
+    }
+}
+
+#[test]
 fn meshes_can_be_piped() {
     let bench = Workbench::with_ball();
     let mesh = bench.read("sphere.obj");

@@ -2,7 +2,8 @@
 //!
 //! Normals, tangents and weights are normalized and colors clamped to 0 to 1, as glTF demands. Data without
 //! a glTF type (32-bit integers, doubles) are written as floats under their own name with an underscore before
-//! it; integers that floats would change are left out.
+//! it; integers that floats would change are left out. Displacements of morph targets that are mostly zero
+//! become sparse accessors.
 
 use std::collections::BTreeMap;
 
@@ -37,6 +38,7 @@ pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<At
     let positions = mesh.positions.as_flattened();
     check_finite(positions, 3, "POSITION")?;
     out.attributes.insert("POSITION".to_owned(), push_points(builder, positions));
+    let mut sparse = SparseData::default();
     for layer in mesh.layers.iter().filter(|layer| !is_unstorable(mesh, layer)) {
         let target = match layer.semantic {
             Semantic::MorphPosition(target) => Some((target, "POSITION")),
@@ -46,11 +48,8 @@ pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<At
         };
         let is_free = match target.filter(|_| layer.component_count == 3) {
             Some((target, key)) => {
-                let floats = floats(layer, 3)?;
-                let accessor = match key {
-                    "POSITION" => push_points(builder, &floats),
-                    _ => push(builder, &Encoded::Floats(floats), 3, false),
-                };
+                let accessor =
+                    push_displacements(builder, &mut sparse, &floats(layer, 3)?, key == "POSITION");
                 let target = target as usize;
                 if out.targets.len() <= target {
                     out.targets.resize(target + 1, json!({}));
@@ -70,25 +69,80 @@ pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<At
             return Err(Refusal::Unsupported(format!("two layers are called {}", layer.semantic)));
         }
     }
-    fill_targets(builder, &mut out.targets, mesh.positions.len());
+    fill_targets((builder, &mut sparse), &mut out.targets, mesh.positions.len());
+    sparse.store(builder);
     Ok(out)
 }
 
+/// Data of the sparse accessors of a mesh, which share a view of indices and a view of values, because a view
+/// takes about as much JSON as a hundred indices take bytes.
+#[derive(Default)]
+struct SparseData {
+    indices: Vec<u8>,
+    values: Vec<[f32; 3]>,
+    accessors: Vec<usize>,
+}
+
+/// Characters of JSON that a sparse accessor takes in addition to those of another one and its view.
+const SPARSE_JSON_BYTES: usize = 64;
+
+impl SparseData {
+    /// Adds the vectors that are not zero, and describes them in an accessor; returns false if it takes fewer
+    /// bytes to store all vectors. If all are zero, the first one is stored, because some readers refuse
+    /// accessors without any data.
+    fn add(&mut self, vectors: &[[f32; 3]], accessor: &mut Value) -> bool {
+        let is_used = |vector: &[f32; 3]| *vector != [0.0; 3];
+        let mut places: Vec<u32> =
+            (0..).zip(vectors).filter(|(_, vector)| is_used(vector)).map(|(place, _)| place).collect();
+        if places.is_empty() {
+            places.push(0);
+        }
+        let count = places.len();
+        let (index, index_bytes) =
+            if vectors.len() <= 0xffff { (ComponentType::U16, 2) } else { (ComponentType::U32, 4) };
+        if count * (12 + index_bytes) + SPARSE_JSON_BYTES >= vectors.len() * 12 {
+            return false;
+        }
+        accessor["sparse"] = json!({
+            "count": count,
+            "indices": { "byteOffset": self.indices.len(), "componentType": index.number() },
+            "values": { "byteOffset": self.values.len() * 12 },
+        });
+        for place in places {
+            self.indices.extend_from_slice(&place.to_le_bytes()[..index_bytes]);
+            self.values.push(vectors[place as usize]);
+        }
+        true
+    }
+
+    /// Adds the views, and completes the accessors.
+    fn store(&self, builder: &mut Builder) {
+        if self.accessors.is_empty() {
+            return;
+        }
+        let indices = builder.push_view(&self.indices, None, None);
+        let values = builder.push_view(bytemuck::cast_slice(&self.values), None, None);
+        for &accessor in &self.accessors {
+            let sparse = &mut builder.accessors[accessor]["sparse"];
+            sparse["indices"]["bufferView"] = json!(indices);
+            sparse["values"]["bufferView"] = json!(values);
+        }
+    }
+}
+
 /// Fills in missing morph targets with zero displacements, because a target must not be empty.
-fn fill_targets(builder: &mut Builder, targets: &mut [Value], vertex_count: usize) {
+fn fill_targets(
+    (builder, sparse): (&mut Builder, &mut SparseData),
+    targets: &mut [Value],
+    vertex_count: usize,
+) {
     let is_empty = |target: &Value| target.as_object().is_some_and(Map::is_empty);
     if !targets.iter().any(is_empty) {
         return;
     }
-    let zeros = builder.push_accessor(json!({
-        "componentType": ComponentType::F32.number(),
-        "count": vertex_count,
-        "type": "VEC3",
-        "min": [0.0, 0.0, 0.0],
-        "max": [0.0, 0.0, 0.0],
-    }));
+    let zeros = push_displacements(builder, sparse, &vec![0.0; 3 * vertex_count], true);
     for target in targets.iter_mut().filter(|target| is_empty(target)) {
-        target["POSITION"] = json!(zeros);
+        target["POSITION"] = zeros.clone();
     }
 }
 
@@ -256,17 +310,42 @@ fn make_unit(vector: &mut [f32; 3]) {
 
 /// Adds points, with the bounds that glTF requires.
 fn push_points(builder: &mut Builder, numbers: &[f32]) -> Value {
+    let mut accessor = accessor_of_points(numbers, true);
+    accessor["bufferView"] = json!(builder.push_vertex_data(bytemuck::cast_slice(numbers), 12));
+    json!(builder.push_accessor(accessor))
+}
+
+/// Adds the displacements of a morph target: only those that are not zero if that takes fewer bytes.
+fn push_displacements(
+    builder: &mut Builder,
+    sparse: &mut SparseData,
+    numbers: &[f32],
+    has_bounds: bool,
+) -> Value {
+    let mut accessor = accessor_of_points(numbers, has_bounds);
+    if sparse.add(numbers.as_chunks().0, &mut accessor) {
+        let accessor = builder.push_accessor(accessor);
+        sparse.accessors.push(accessor);
+        return json!(accessor);
+    }
+    accessor["bufferView"] = json!(builder.push_vertex_data(bytemuck::cast_slice(numbers), 12));
+    json!(builder.push_accessor(accessor))
+}
+
+/// Returns an accessor of points without a place in a view.
+fn accessor_of_points(numbers: &[f32], has_bounds: bool) -> Value {
     let (points, _) = numbers.as_chunks::<3>();
-    let view = builder.push_vertex_data(bytemuck::cast_slice(numbers), 12);
-    let bounds = Bounds::of(points).unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
-    json!(builder.push_accessor(json!({
-        "bufferView": view,
+    let mut accessor = json!({
         "componentType": ComponentType::F32.number(),
         "count": points.len(),
         "type": "VEC3",
-        "min": bounds.min.map(f64::from),
-        "max": bounds.max.map(f64::from),
-    })))
+    });
+    if has_bounds {
+        let bounds = Bounds::of(points).unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
+        accessor["min"] = json!(bounds.min.map(f64::from));
+        accessor["max"] = json!(bounds.max.map(f64::from));
+    }
+    accessor
 }
 
 fn push(builder: &mut Builder, encoded: &Encoded, width: usize, normalized: bool) -> Value {

@@ -105,6 +105,25 @@ impl Axis {
         }
     }
 
+    /// Makes axes like [`over`](Self::over), but so that zero is a grid point and decodes exactly. The step is
+    /// a power of two, at most twice as fine as needed. `None` if a range lies on one side of zero, or if there
+    /// is no such grid.
+    pub(crate) fn through_zero(ranges: &[(f32, f32)], bits: u32) -> Option<(Vec<Self>, u32)> {
+        let extent = ranges.iter().fold(0.0f64, |m, r| m.max(f64::from(r.1) - f64::from(r.0)));
+        let longest_step = extent / f64::from((1u32 << bits) - 1);
+        // Without its mantissa, a number is the next lower power of two.
+        let step = f64::from_bits(longest_step.to_bits() & 0x7FF0_0000_0000_0000);
+        if ranges.iter().any(|r| r.0 > 0.0 || r.1 < 0.0) || step < f64::from(f32::MIN_POSITIVE) {
+            return None;
+        }
+        let below_zero = |low: f32| (f64::from(low) / step).round() * step;
+        let axes: Vec<_> =
+            ranges.iter().map(|r| Self { origin: below_zero(r.0) as f32 + 0.0, step }).collect();
+        let max = axes.iter().zip(ranges).map(|(axis, r)| axis.quantize(r.1, i32::MAX)).max()?;
+        let bits = (max as u32 + 1).next_power_of_two().ilog2().max(1);
+        (bits <= MAX_BITS).then_some((axes, bits))
+    }
+
     /// Returns the axis if its origin and step are valid.
     pub(crate) fn check(self) -> Result<Self, GridError> {
         if !self.origin.is_finite() {

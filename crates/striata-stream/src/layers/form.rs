@@ -1,10 +1,10 @@
 //! How a stream stores an attribute layer: conversion between the layer's numbers and integers.
 //!
 //! A unit normal becomes a point on the unfolded octahedron, a tangent such a point and a sign, and other
-//! floats points of a uniform grid. Integers stay as they are. Floats that a grid cannot represent
-//! (infinities, or all floats if the caller requests lossless storage) are mapped to integers in the same
-//! order. Decoded numbers convert to the same integers again, so a stream can be encoded again without
-//! further loss.
+//! floats points of a uniform grid. Integers stay as they are, and so do identifiers that are stored as
+//! floats: their grid has a step of 1. Floats that a grid cannot represent (infinities, or all floats if
+//! the caller requests lossless storage) are mapped to integers in the same order. Decoded numbers convert
+//! to the same integers again, so a stream can be encoded again without further loss.
 
 use std::borrow::Cow;
 
@@ -12,7 +12,7 @@ use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
 use super::octahedral;
 use super::options::LayerOptions;
-use crate::format::grid::{Axis, float_to_ordered, ordered_to_float};
+use crate::format::grid::{Axis, MAX_BITS, float_to_ordered, ordered_to_float};
 
 /// Data type of a layer's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,10 +100,10 @@ pub(crate) struct LayerForm {
 impl LayerForm {
     /// Chooses how to store a layer.
     pub(crate) fn of(layer: &AttributeLayer, options: &LayerOptions) -> Self {
-        let is_exact = options.lossless || is_kept_double(layer);
+        let is_exact = options.lossless || is_kept_double(layer) || layer.has_identifiers();
         let transform = match singles(&layer.data).filter(|_| !is_exact) {
             Some(numbers) => transform_of(&layer.semantic, layer.component_count as usize, &numbers, options),
-            None => Transform::Exact,
+            None => identifier_grid(layer, options.lossless).unwrap_or(Transform::Exact),
         };
         let number_type = match NumberType::of(&layer.data) {
             NumberType::F64 if !is_exact => NumberType::F32,
@@ -200,6 +200,22 @@ fn is_kept_double(layer: &AttributeLayer) -> bool {
     matches!((&layer.semantic, &layer.data), (Semantic::Generic(_), LayerData::F64(_)))
 }
 
+/// Returns a grid with a step of 1 that keeps the identifiers of a layer of floats; `None` if the layer has
+/// other values, or if they span too much.
+fn identifier_grid(layer: &AttributeLayer, is_lossless: bool) -> Option<Transform> {
+    let LayerData::F32(numbers) = &layer.data else { return None };
+    // The grid has no negative zero.
+    let is_negative_zero = |x: &f32| x.to_bits() == (-0.0f32).to_bits();
+    if !layer.has_identifiers() || (is_lossless && numbers.iter().any(is_negative_zero)) {
+        return None;
+    }
+    let ranges = ranges_of(layer.component_count as usize, numbers);
+    let most = ranges.iter().fold(0.0f64, |most, r| most.max(f64::from(r.1) - f64::from(r.0)));
+    let bits = (most as u32 + 1).next_power_of_two().ilog2().max(1);
+    let axes = ranges.iter().map(|r| Axis { origin: r.0 + 0.0, step: 1.0 }).collect();
+    (bits <= MAX_BITS).then_some(Transform::Uniform { axes, bits })
+}
+
 /// The numbers of a layer of floats in single precision; `None` for integers.
 fn singles(data: &LayerData) -> Option<Cow<'_, [f32]>> {
     match data {
@@ -249,23 +265,31 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
     if is_direction && numbers.chunks_exact(n).all(|v| is_unit([v[0], v[1], v[2]]) || has_no_direction(v)) {
         return Transform::Octahedral { bits };
     }
-    let mut ranges = vec![(f32::INFINITY, f32::NEG_INFINITY); n];
-    for vertex in numbers.chunks_exact(n) {
-        for (range, &x) in ranges.iter_mut().zip(vertex) {
-            *range = (range.0.min(x), range.1.max(x));
-        }
-    }
-    if numbers.is_empty() {
-        ranges.fill((0.0, 0.0));
-    }
+    let ranges = ranges_of(n, numbers);
     // Components with a common unit get a common step; other components are independent.
     if !has_common_unit(semantic) {
         let one_by_one = ranges.iter().map(|&range| Axis::over(&[range], 0.0, bits));
         let (axes, bits): (Vec<_>, Vec<_>) = one_by_one.map(|(axes, bits)| (axes[0], bits)).unzip();
         return Transform::Uniform { axes, bits: bits.into_iter().max().unwrap_or(1) };
     }
-    let (axes, bits) = Axis::over(&ranges, 0.0, bits);
+    // What a morph target does not move must stay in place.
+    let through_zero = is_displacement(semantic).then(|| Axis::through_zero(&ranges, bits)).flatten();
+    let (axes, bits) = through_zero.unwrap_or_else(|| Axis::over(&ranges, 0.0, bits));
     Transform::Uniform { axes, bits }
+}
+
+/// Returns the smallest and the largest number of each component.
+fn ranges_of(n: usize, numbers: &[f32]) -> Vec<(f32, f32)> {
+    if numbers.is_empty() {
+        return vec![(0.0, 0.0); n];
+    }
+    let mut ranges = vec![(f32::INFINITY, f32::NEG_INFINITY); n];
+    for vertex in numbers.chunks_exact(n) {
+        for (range, &x) in ranges.iter_mut().zip(vertex) {
+            *range = (range.0.min(x), range.1.max(x));
+        }
+    }
+    ranges
 }
 
 /// Whether a vector has unit length within the usual rounding.
@@ -277,6 +301,11 @@ fn is_unit(v: [f32; 3]) -> bool {
 /// Whether a vector is too short to have a direction, such as the normal of a degenerate triangle.
 fn has_no_direction(v: &[f32]) -> bool {
     v[..3].iter().all(|x| x.abs() < 1e-6)
+}
+
+/// Whether the values are displacements by a morph target.
+fn is_displacement(semantic: &Semantic) -> bool {
+    matches!(semantic, Semantic::MorphPosition(_) | Semantic::MorphNormal(_) | Semantic::MorphTangent(_))
 }
 
 /// Whether all components are measured in the same unit.
@@ -447,6 +476,60 @@ mod tests {
                 assert!(LayerForm::read(&mut ByteReader::new(&bytes[..length])).is_err());
             }
         }
+    }
+
+    #[test]
+    fn displacements_of_zero_stay_zero() {
+        let mut random = Random::new(8);
+        for (low, high) in [(-1.0, 1.0), (-0.3, 1e-4), (0.0, 7e9), (-1e-20, 3e-20), (-0.1, 0.0)] {
+            let mut numbers: Vec<f32> = (0..900).map(|_| random.between(low, high)).collect();
+            numbers[..600].fill(0.0);
+            let layer = AttributeLayer::from_f32(Semantic::MorphPosition(2), 3, numbers);
+            for bits in [1, 5, 12, 20, 23] {
+                let form = LayerForm::of(&layer, &LayerOptions::default().with_generic_bits(bits));
+                let Transform::Uniform { axes, .. } = &form.transform else { unreachable!() };
+                assert!(axes[0].step <= f64::from(high - low) / f64::from((1u32 << bits) - 1));
+                let integers = form.integers(&layer);
+                let again = decoded(&form, &integers);
+                assert_eq!(again.data.slice(0..600), layer.data.slice(0..600), "{form:?}");
+                let steps = |form: &LayerForm| match &form.transform {
+                    Transform::Uniform { axes, .. } => axes[0].step,
+                    _ => unreachable!(),
+                };
+                let next = LayerForm::of(&again, &LayerOptions::default().with_generic_bits(bits));
+                assert!(bits == 1 || steps(&next) <= steps(&form), "encoding again rounds no more");
+            }
+        }
+    }
+
+    #[test]
+    fn identifiers_in_floats_get_a_grid_of_step_1() {
+        let mut random = Random::new(3);
+        for (most, is_grid) in [(0.0, true), (1.0, true), (8_388_607.0, true), (16_777_215.0, false)] {
+            let mut ids: Vec<f32> = (0..300).map(|_| random.between(-most, most).round() + 0.0).collect();
+            ids[..4].copy_from_slice(&[most, 0.0 - most, 0.0, most]);
+            let layer = AttributeLayer::from_f32(Semantic::Generic("ids".into()), 2, ids);
+            for options in [
+                LayerOptions::default(),
+                LayerOptions::default().with_generic_bits(1),
+                LayerOptions::default().with_lossless(true),
+            ] {
+                let form = LayerForm::of(&layer, &options);
+                assert_eq!(matches!(form.transform, Transform::Uniform { .. }), is_grid, "{form:?}");
+                let again = decoded(&form, &form.integers(&layer));
+                assert_eq!(again.data.as_bytes(), layer.data.as_bytes());
+            }
+        }
+        let with_negative_zero = |options| {
+            let layer = AttributeLayer::from_f32(Semantic::Generic("ids".into()), 1, vec![-0.0, 7.0]);
+            let form = LayerForm::of(&layer, &options);
+            let LayerData::F32(numbers) = decoded(&form, &form.integers(&layer)).data else { unreachable!() };
+            numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+        };
+        let found = with_negative_zero(LayerOptions::default());
+        assert_eq!(found, [0.0f32, 7.0].map(f32::to_bits));
+        let found = with_negative_zero(LayerOptions::default().with_lossless(true));
+        assert_eq!(found, [-0.0f32, 7.0].map(f32::to_bits));
     }
 
     #[test]

@@ -16,7 +16,9 @@ pub struct LayerOptions {
     pub color_bits: u32,
     /// Bits for joint weights that are stored as floats, 1 to 24; 10 by default.
     pub weight_bits: u32,
-    /// Bits for morph targets and all other float layers, 1 to 24; 12 by default.
+    /// Bits for morph targets and all other float layers, 1 to 24; 12 by default. Layers with identifiers
+    /// ([`AttributeLayer::has_identifiers`](striata::mesh::AttributeLayer::has_identifiers)) are exact
+    /// whatever it is.
     pub generic_bits: u32,
     /// Whether to keep every bit of all layers; false by default.
     pub lossless: bool,

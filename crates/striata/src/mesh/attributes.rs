@@ -270,6 +270,19 @@ impl AttributeLayer {
         Self { semantic, component_count, normalized: false, data: LayerData::F32(data) }
     }
 
+    /// Whether the values may be identifiers, between which interpolation makes no sense: a generic layer
+    /// that contains only whole numbers. Floats count if all are below 2^24 in magnitude, because glTF has
+    /// no 32-bit integers for identifiers.
+    pub fn has_identifiers(&self) -> bool {
+        let is_whole = |x: f64| x.fract() == 0.0 && x.abs() < f64::from(1 << 24);
+        matches!(self.semantic, Semantic::Generic(_))
+            && match &self.data {
+                LayerData::F32(values) => values.iter().all(|&x| is_whole(x.into())),
+                LayerData::F64(values) => values.iter().all(|&x| is_whole(x)),
+                _ => !self.normalized,
+            }
+    }
+
     /// Size of one vertex in this layer, in bytes.
     pub fn vertex_bytes(&self) -> usize {
         self.component_count as usize * self.data.component_bytes()

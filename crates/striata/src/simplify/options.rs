@@ -235,8 +235,8 @@ pub enum Placement {
     /// The vertices are a subset of the input's, with their attributes unchanged.
     #[default]
     Subset,
-    /// Vertices may lie anywhere, and attributes are interpolated: closer to the surface, but for one
-    /// level only.
+    /// Vertices may lie anywhere, and attributes other than joints and identifiers are interpolated: closer
+    /// to the surface, but for one level only.
     ///
     /// The cost is always memoryless and counts attributes at seams only. [`Target::Detail`] and
     /// [`Target::SplitCount`] treat every vertex that is not locked as removable. Collapses that cross

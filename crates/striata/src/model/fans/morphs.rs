@@ -161,12 +161,13 @@ impl FanMorphs {
     }
 
     /// Writes another attribute layer, like [`positions_into`](Self::positions_into) does for positions.
-    /// Normals and tangents stay normalized; joints and their weights are those of the nearer vertex.
+    /// Normals and tangents stay normalized; joints and their weights are those of the nearer vertex, and
+    /// so are identifiers.
     ///
     /// # Panics
     /// If the layer or `out` does not cover all vertices, or the sequence belongs to a different mesh.
     pub fn layer_into(&self, sequence: &CollapseSequence, layer: &AttributeLayer, out: &mut [f32]) {
-        let shape = (Mix::of(&layer.semantic), usize::from(layer.component_count));
+        let shape = (Mix::of(layer), usize::from(layer.component_count));
         self.write(sequence, shape, |vertex, i| layer.get(vertex, i), out);
     }
 

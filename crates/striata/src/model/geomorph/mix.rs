@@ -1,6 +1,6 @@
 //! Interpolates the attribute values of two vertices.
 
-use crate::mesh::Semantic;
+use crate::mesh::{AttributeLayer, Semantic};
 
 /// How the components of a layer are interpolated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,16 +11,17 @@ pub(in crate::model) enum Mix {
     /// the nearer vertex.
     Unit,
     /// All components come from the nearer vertex. For values that cannot be interpolated, such as joint
-    /// indices.
+    /// indices and other identifiers.
     Nearer,
 }
 
 impl Mix {
-    /// Returns how a layer of the given semantic is interpolated.
-    pub(in crate::model) fn of(semantic: &Semantic) -> Self {
-        match semantic {
+    /// Returns how a layer is interpolated.
+    pub(in crate::model) fn of(layer: &AttributeLayer) -> Self {
+        match layer.semantic {
             Semantic::Normal | Semantic::Tangent => Self::Unit,
             Semantic::Joints(_) | Semantic::Weights(_) => Self::Nearer,
+            Semantic::Generic(_) if layer.has_identifiers() => Self::Nearer,
             _ => Self::Linear,
         }
     }
@@ -51,6 +52,7 @@ impl Mix {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::LayerData;
 
     fn mixed(mix: Mix, from: &[f32], to: &[f32], factor: f32) -> Vec<f32> {
         let mut out = vec![0.0; from.len()];
@@ -76,5 +78,18 @@ mod tests {
         assert_eq!(mixed(Mix::Unit, &[1.0, 0.0, 0.0], &[-1.0, 0.0, 0.0], 0.5), [-1.0, 0.0, 0.0]);
         assert_eq!(mixed(Mix::Linear, &[1.0, 0.0], &[0.0, 4.0], 0.25), [0.75, 1.0]);
         assert_eq!(mixed(Mix::Nearer, &[1.0, 2.0], &[3.0, 4.0], 0.4), [1.0, 2.0]);
+    }
+
+    #[test]
+    fn identifiers_are_not_interpolated() {
+        let rule = |data| {
+            let semantic = Semantic::Generic("id".to_owned());
+            Mix::of(&AttributeLayer { semantic, component_count: 1, normalized: false, data })
+        };
+        assert_eq!(rule(LayerData::U32(vec![7, u32::MAX])), Mix::Nearer);
+        assert_eq!(rule(LayerData::F32(vec![7.0, -300_000.0])), Mix::Nearer);
+        assert_eq!(rule(LayerData::F32(vec![7.0, 0.5])), Mix::Linear);
+        assert_eq!(rule(LayerData::F32(vec![7.0, f32::NAN])), Mix::Linear);
+        assert_eq!(rule(LayerData::F32(vec![16_777_216.0])), Mix::Linear);
     }
 }

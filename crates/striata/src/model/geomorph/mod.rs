@@ -145,12 +145,12 @@ impl<S> Geomorph<S> {
 
     /// Writes the values of another attribute layer for all moving vertices, like
     /// [`blend_into`](Self::blend_into). Normals and tangents stay normalized; joints and their weights
-    /// are those of the nearer vertex.
+    /// are those of the nearer vertex, and so are identifiers.
     ///
     /// # Panics
     /// If the layer or `out` does not cover all vertices.
     pub fn blend_layer_into(&self, blend: f32, layer: &AttributeLayer, out: &mut [f32]) {
-        let (mix, count) = (Mix::of(&layer.semantic), usize::from(layer.component_count));
+        let (mix, count) = (Mix::of(layer), usize::from(layer.component_count));
         let (mut from, mut to) = (vec![0.0; count], vec![0.0; count]);
         for (MorphVertex { vertex, target }, factor) in self.factors(blend) {
             for (i, (from, to)) in from.iter_mut().zip(&mut to).enumerate() {

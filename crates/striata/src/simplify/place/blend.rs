@@ -14,66 +14,81 @@ enum Rule {
 }
 
 fn rule_of(layer: &AttributeLayer) -> Rule {
-    let (is_float, is_single) = (layer.data.is_float(), matches!(layer.data, LayerData::F32(_)));
+    let is_single = matches!(layer.data, LayerData::F32(_));
     match layer.semantic {
         Semantic::Joints(_) | Semantic::Weights(_) => Rule::Nearer,
         Semantic::Normal | Semantic::Tangent if is_single && layer.component_count >= 3 => Rule::Direction,
         Semantic::Normal | Semantic::Tangent => Rule::Nearer,
-        Semantic::Generic(_) if !is_float && !layer.normalized => Rule::Nearer,
+        _ if layer.has_identifiers() => Rule::Nearer,
         _ => Rule::Linear,
     }
 }
 
-/// Moves the attributes of vertex `kept` by `share` of the way toward those of vertex `removed`.
-pub(super) fn blend(layers: &mut [AttributeLayer], removed: u32, kept: u32, share: f64) {
-    if share == 0.0 {
-        return;
+/// The rules of all layers of a mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Blender {
+    rules: Vec<Rule>,
+}
+
+impl Blender {
+    pub(super) fn new(layers: &[AttributeLayer]) -> Self {
+        Self { rules: layers.iter().map(rule_of).collect() }
     }
-    for layer in layers {
-        let rule = rule_of(layer);
-        let n = layer.component_count as usize;
-        let (from, to) = (removed as usize * n, kept as usize * n);
-        let whole = |x: f64, y: f64| (x + (y - x) * share).round();
-        match &mut layer.data {
-            LayerData::F32(data) if rule == Rule::Direction => mix_direction(data, n, (from, to), share),
-            LayerData::F32(data) if rule == Rule::Linear => {
-                for i in 0..n {
-                    data[to + i] = mix(data[to + i], data[from + i], share);
-                }
-            }
-            LayerData::U8(data) if rule == Rule::Linear => {
-                for i in 0..n {
-                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u8;
-                }
-            }
-            LayerData::U16(data) if rule == Rule::Linear => {
-                for i in 0..n {
-                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u16;
-                }
-            }
-            LayerData::U32(data) if rule == Rule::Linear => {
-                for i in 0..n {
-                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u32;
-                }
-            }
-            LayerData::F64(data) if rule == Rule::Linear => {
-                for i in 0..n {
-                    data[to + i] += (data[from + i] - data[to + i]) * share;
-                }
-            }
-            LayerData::I8(data) if rule == Rule::Linear => {
-                for i in 0..n {
-                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i8;
-                }
-            }
-            LayerData::I16(data) if rule == Rule::Linear => {
-                for i in 0..n {
-                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i16;
-                }
-            }
-            _ if share <= 0.5 => {}
-            data => data.copy_within(from..from + n, to),
+
+    /// Moves the attributes of vertex `kept` by `share` of the way toward those of vertex `removed`.
+    pub(super) fn blend(&self, layers: &mut [AttributeLayer], removed: u32, kept: u32, share: f64) {
+        if share == 0.0 {
+            return;
         }
+        for (layer, &rule) in layers.iter_mut().zip(&self.rules) {
+            blend_layer(layer, rule, (removed, kept), share);
+        }
+    }
+}
+
+fn blend_layer(layer: &mut AttributeLayer, rule: Rule, (removed, kept): (u32, u32), share: f64) {
+    let n = layer.component_count as usize;
+    let (from, to) = (removed as usize * n, kept as usize * n);
+    let whole = |x: f64, y: f64| (x + (y - x) * share).round();
+    match &mut layer.data {
+        LayerData::F32(data) if rule == Rule::Direction => mix_direction(data, n, (from, to), share),
+        LayerData::F32(data) if rule == Rule::Linear => {
+            for i in 0..n {
+                data[to + i] = mix(data[to + i], data[from + i], share);
+            }
+        }
+        LayerData::U8(data) if rule == Rule::Linear => {
+            for i in 0..n {
+                data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u8;
+            }
+        }
+        LayerData::U16(data) if rule == Rule::Linear => {
+            for i in 0..n {
+                data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u16;
+            }
+        }
+        LayerData::U32(data) if rule == Rule::Linear => {
+            for i in 0..n {
+                data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u32;
+            }
+        }
+        LayerData::F64(data) if rule == Rule::Linear => {
+            for i in 0..n {
+                data[to + i] += (data[from + i] - data[to + i]) * share;
+            }
+        }
+        LayerData::I8(data) if rule == Rule::Linear => {
+            for i in 0..n {
+                data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i8;
+            }
+        }
+        LayerData::I16(data) if rule == Rule::Linear => {
+            for i in 0..n {
+                data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i16;
+            }
+        }
+        _ if share <= 0.5 => {}
+        data => data.copy_within(from..from + n, to),
     }
 }
 
@@ -118,15 +133,20 @@ mod tests {
                 normalized: true,
                 data: LayerData::U8(vec![0, 200]),
             },
+            AttributeLayer::from_f32(Semantic::Generic("id".into()), 1, vec![300_000.0, -1.0]),
+            AttributeLayer::from_f32(Semantic::Generic("heat".into()), 1, vec![0.5, 3.0]),
         ];
         let untouched = layers.clone();
-        blend(&mut layers, 1, 0, 0.0);
+        let blender = Blender::new(&layers);
+        blender.blend(&mut layers, 1, 0, 0.0);
         assert_eq!(layers, untouched);
-        blend(&mut layers, 1, 0, 0.75);
+        blender.blend(&mut layers, 1, 0, 0.75);
         assert_eq!(layers[1].data, LayerData::F32(vec![0.75, 2.5, 1., 3.]));
         assert_eq!(layers[2].data, LayerData::F32(vec![0., 1., 0., 0., 0., 1., 0., 0.]));
         assert_eq!(layers[3].data, LayerData::U16(vec![9, 9]));
         assert_eq!(layers[4].data, LayerData::U8(vec![150, 200]));
+        assert_eq!(layers[5].data, LayerData::F32(vec![-1.0, -1.0]));
+        assert_eq!(layers[6].data, LayerData::F32(vec![2.375, 3.0]));
         let length: f32 = (0..3).map(|c| layers[0].get(0, c)).map(|x| x * x).sum();
         assert!((length - 1.0).abs() < 1e-6 && layers[0].get(0, 1) > layers[0].get(0, 0));
     }
@@ -134,7 +154,7 @@ mod tests {
     #[test]
     fn opposite_normals_do_not_cancel() {
         let mut layers = vec![AttributeLayer::from_f32(Semantic::Normal, 3, vec![0., 0., 1., 0., 0., -1.])];
-        blend(&mut layers, 1, 0, 0.5);
+        Blender::new(&layers).blend(&mut layers, 1, 0, 0.5);
         assert_eq!(layers[0].data, LayerData::F32(vec![0., 0., 1., 0., 0., -1.]));
     }
 }

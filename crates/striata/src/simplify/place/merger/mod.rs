@@ -16,7 +16,7 @@ use crate::simplify::options::{CollapseCost, SeamRule, SequenceOptions, Simplify
 use crate::simplify::scaled_space::ScaledSpace;
 use crate::{Progress, ProgressFn};
 
-use super::blend;
+use super::blend::Blender;
 use super::distance_tracker::DistanceTracker;
 use super::neighborhood::Neighborhood;
 use super::quadratic_form::StarForm;
@@ -65,6 +65,7 @@ pub(super) struct Merger<'a> {
     /// The vertex that each vertex was merged into, or itself.
     targets: Vec<u32>,
     layers: Vec<AttributeLayer>,
+    blender: Blender,
     triangle_count: usize,
     vertex_count: usize,
     removed: Vec<u32>,
@@ -111,6 +112,7 @@ impl<'a> Merger<'a> {
             pairs: Vec::new(),
             targets: (0..mesh.vertex_count() as u32).collect(),
             layers: mesh.layers.clone(),
+            blender: Blender::new(&mesh.layers),
             triangle_count: mesh.triangle_count(),
             vertex_count: mesh.vertex_count(),
             removed: Vec::new(),
@@ -278,7 +280,7 @@ impl<'a> Merger<'a> {
         }
         self.removed.push(removed);
         self.is_moved[kept as usize] |= position != old_position;
-        self.pairs.iter().for_each(|&(from, to)| blend::blend(&mut self.layers, from, to, share));
+        self.pairs.iter().for_each(|&(from, to)| self.blender.blend(&mut self.layers, from, to, share));
         self.log_merge((removed, kept), position != old_position);
         self.update_ring();
         true

@@ -1,0 +1,252 @@
+//! Morph targets in glTF: mostly zero displacements are written as sparse accessors and come back exactly.
+
+mod meshes;
+
+use meshes::{read, sheet};
+use proptest::prelude::*;
+use serde_json::Value;
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Random, Semantic};
+use striata_io::{Format, QuantizeOptions, SceneWriter, Source, WriteOptions, read_scene_bytes, to_bytes};
+
+/// Displacements of which `count` at random places are not zero.
+fn displacements(vertex_count: usize, count: usize, random: &mut Random) -> Vec<f32> {
+    let mut out = vec![0.0; 3 * vertex_count];
+    let mut places: Vec<usize> = (0..vertex_count).collect();
+    for i in 0..count {
+        let other = i + random.below((vertex_count - i) as u32) as usize;
+        places.swap(i, other);
+        // One component is enough.
+        out[3 * places[i] + random.below(3) as usize] = random.between(0.25, 1.0);
+        out[3 * places[i]] -= random.between(0.0, 0.125);
+    }
+    out
+}
+
+fn with_targets(mut mesh: IndexedMesh, counts: &[usize], random: &mut Random) -> IndexedMesh {
+    for (target, &count) in (0..).zip(counts) {
+        let values = displacements(mesh.vertex_count(), count, random);
+        mesh.layers.push(AttributeLayer::from_f32(Semantic::MorphPosition(target), 3, values));
+        let values = displacements(mesh.vertex_count(), count, random);
+        mesh.layers.push(AttributeLayer::from_f32(Semantic::MorphNormal(target), 3, values));
+    }
+    mesh.layers.sort_by(|a, b| a.semantic.cmp(&b.semantic));
+    mesh
+}
+
+/// JSON and binary data of a GLB file.
+fn parts(glb: &[u8]) -> (Value, &[u8]) {
+    let word = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().unwrap()) as usize;
+    let json = &glb[20..20 + word(12)];
+    (serde_json::from_slice(json).unwrap(), &glb[20 + json.len() + 8..])
+}
+
+fn number(value: &Value, key: &str) -> usize {
+    value.get(key).map_or(0, |number| number.as_u64().unwrap() as usize)
+}
+
+/// Bytes of a part of a view that is neither vertex data nor indices of triangles.
+fn plain<'a>(json: &Value, binary: &'a [u8], at: &Value, [count, size, unit]: [usize; 3]) -> &'a [u8] {
+    let view = &json["bufferViews"][number(at, "bufferView")];
+    assert!(view.get("target").is_none() && view.get("byteStride").is_none(), "{view}");
+    let (offset, end) = (number(at, "byteOffset"), number(at, "byteOffset") + count * size);
+    assert!(end <= number(view, "byteLength"), "{at} in {view}");
+    let start = number(view, "byteOffset") + offset;
+    assert_eq!(start % unit, 0, "aligned");
+    &binary[start..start + count * size]
+}
+
+/// How an accessor is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Sparse(usize),
+    Dense,
+}
+
+/// Checks all accessors by the rules of the specification, and returns the kind of each target's attributes.
+fn kinds(glb: &[u8]) -> Vec<[Kind; 2]> {
+    let (json, binary) = parts(glb);
+    let kind = |target: &Value, name: &str| {
+        let accessor = &json["accessors"][number(target, name)];
+        assert_eq!((accessor["type"].as_str(), number(accessor, "componentType")), (Some("VEC3"), 5126));
+        assert_eq!(accessor.get("min").is_some(), name == "POSITION");
+        let count = number(accessor, "count");
+        let Some(sparse) = accessor.get("sparse") else {
+            assert!(accessor.get("bufferView").is_some());
+            return Kind::Dense;
+        };
+        assert!(accessor.get("bufferView").is_none());
+        let size = if number(&sparse["indices"], "componentType") == 5123 { 2 } else { 4 };
+        let used = number(sparse, "count");
+        let indices = plain(&json, binary, &sparse["indices"], [used, size, size]);
+        let indices: Vec<usize> = indices
+            .chunks(size)
+            .map(|bytes| bytes.iter().rev().fold(0, |sum, &byte| sum << 8 | usize::from(byte)))
+            .collect();
+        assert!(indices.is_sorted_by(|a, b| a < b) && indices.iter().all(|&i| i < count) && used > 0);
+        let values = plain(&json, binary, &sparse["values"], [used, 12, 4]);
+        // All-zero targets store one displacement, because some readers refuse accessors without data.
+        assert!(used == 1 || values.chunks(12).all(|value| value.iter().any(|&byte| byte != 0)));
+        Kind::Sparse(used)
+    };
+    let targets = json["meshes"][0]["primitives"][0]["targets"].as_array().unwrap();
+    targets.iter().map(|target| ["POSITION", "NORMAL"].map(|name| kind(target, name))).collect()
+}
+
+fn glb(mesh: &IndexedMesh) -> Vec<u8> {
+    to_bytes(Format::Glb, mesh, &WriteOptions::default()).unwrap()
+}
+
+/// The same layers as this crate and the crate `gltf` read them.
+fn assert_read(glb: &[u8], mesh: &IndexedMesh) {
+    let found = read("x.glb", glb).unwrap();
+    assert_eq!((&found.positions, &found.layers), (&mesh.positions, &mesh.layers));
+    let document = gltf::Gltf::from_slice(glb).unwrap();
+    let primitive = document.meshes().next().unwrap().primitives().next().unwrap();
+    let reader = primitive.reader(|_| document.blob.as_deref());
+    for (target, (positions, normals, _)) in (0..).zip(reader.read_morph_targets()) {
+        for (semantic, found) in [
+            (Semantic::MorphPosition(target), positions.unwrap().flatten().collect::<Vec<f32>>()),
+            (Semantic::MorphNormal(target), normals.unwrap().flatten().collect()),
+        ] {
+            assert_eq!(LayerData::F32(found), mesh.layer(&semantic).unwrap().data, "{semantic}");
+        }
+    }
+}
+
+#[test]
+fn displacements_are_sparse_if_that_is_smaller() {
+    let mesh = sheet(20);
+    let all = mesh.vertex_count();
+    // 14 bytes for each displacement, and about 64 characters of JSON, instead of 12 bytes for each vertex.
+    let most = (12 * all - 65) / 14;
+    let counts = [0, 1, most, most + 1, all];
+    let mesh = with_targets(mesh, &counts, &mut Random::new(1));
+    let bytes = glb(&mesh);
+    use Kind::{Dense, Sparse};
+    let expected = [Sparse(1), Sparse(1), Sparse(most), Dense, Dense];
+    assert_eq!(kinds(&bytes), expected.map(|kind| [kind; 2]));
+    assert_read(&bytes, &mesh);
+    let bytes = to_bytes(Format::Gltf, &mesh, &WriteOptions::default()).unwrap();
+    assert_eq!(read("x.gltf", &bytes).unwrap().layers, mesh.layers);
+}
+
+#[test]
+fn small_meshes_have_no_sparse_accessors() {
+    let mesh = with_targets(sheet(1), &[0, 1, 4], &mut Random::new(2));
+    let bytes = glb(&mesh);
+    assert_eq!(kinds(&bytes), [[Kind::Dense; 2]; 3]);
+    assert_read(&bytes, &mesh);
+}
+
+#[test]
+fn negative_zeros_count_as_zeros() {
+    let mut mesh = sheet(10);
+    let zeros = vec![-0.0; 3 * mesh.vertex_count()];
+    mesh.layers = vec![
+        AttributeLayer::from_f32(Semantic::MorphPosition(0), 3, zeros.clone()),
+        AttributeLayer::from_f32(Semantic::MorphNormal(0), 3, zeros),
+    ];
+    let bytes = glb(&mesh);
+    assert_eq!(kinds(&bytes), [[Kind::Sparse(1); 2]]);
+    assert_read(&bytes, &mesh);
+}
+
+#[test]
+fn indices_beyond_16_bits_are_wide() {
+    let mut mesh = sheet(260);
+    let last = mesh.vertex_count() - 1;
+    let mut values = vec![0.0; 3 * mesh.vertex_count()];
+    values[3 * last + 1] = 2.5;
+    values[4] = -1.5;
+    for semantic in [Semantic::MorphPosition(0), Semantic::MorphNormal(0)] {
+        mesh.layers.push(AttributeLayer::from_f32(semantic, 3, values.clone()));
+    }
+    let bytes = glb(&mesh);
+    assert_eq!(kinds(&bytes), [[Kind::Sparse(2); 2]]);
+    assert_read(&bytes, &mesh);
+}
+
+#[test]
+fn many_local_targets_take_little_more_than_their_displacements() {
+    let mesh = sheet(60);
+    let plain = glb(&mesh).len();
+    let counts = [mesh.vertex_count() / 100; 50];
+    let mesh = with_targets(mesh, &counts, &mut Random::new(3));
+    let size = glb(&mesh).len();
+    let data = counts.iter().sum::<usize>() * 2 * 14;
+    assert!(size < plain + data + 100 * 320, "{size} bytes for {plain} and {data}");
+}
+
+#[test]
+fn sparse_targets_are_quantized_and_compressed() {
+    let mesh = with_targets(sheet(40), &[0, 5, 80, 1600], &mut Random::new(4));
+    let size = |options: &WriteOptions| to_bytes(Format::Glb, &mesh, options).unwrap().len();
+    let quantized = WriteOptions::default().with_quantize(QuantizeOptions::default());
+    let sizes = [
+        WriteOptions::default(),
+        quantized.clone(),
+        WriteOptions::default().with_meshopt(true),
+        quantized.with_meshopt(true),
+        WriteOptions::default().with_draco(true),
+    ]
+    .map(|options| {
+        let bytes = to_bytes(Format::Glb, &mesh, &options).unwrap();
+        let found = read("x.glb", &bytes).unwrap();
+        assert_eq!(found.layers.len(), mesh.layers.len());
+        assert_near(&found, &mesh, if options.quantize.is_some() { 0.005 } else { 0.0 });
+        size(&options)
+    });
+    assert!(sizes[1] < sizes[0] && sizes[2] < sizes[0] && sizes[3] < sizes[1], "{sizes:?}");
+}
+
+/// Compares what belongs to vertices at the same place, because compression reorders vertices.
+fn assert_near(found: &IndexedMesh, expected: &IndexedMesh, tolerance: f32) {
+    let rows = |mesh: &IndexedMesh| {
+        let row = |v: usize| {
+            let layers = mesh.layers.iter().flat_map(|layer| (0..3).map(move |c| layer.get(v, c)));
+            (mesh.positions[v].map(|x| (x * 8.0).round() as i32), layers.collect::<Vec<f32>>())
+        };
+        let mut rows: Vec<_> = (0..mesh.vertex_count()).map(row).collect();
+        rows.sort_by(|a, b| (a.0[1], a.0[0]).cmp(&(b.0[1], b.0[0])));
+        rows
+    };
+    let (found, expected) = (rows(found), rows(expected));
+    assert_eq!(found.len(), expected.len());
+    for ((_, a), (_, b)) in found.iter().zip(&expected) {
+        assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance), "{a:?} is not {b:?}");
+    }
+}
+
+#[test]
+fn targets_of_scenes_stay_sparse() {
+    let mesh = with_targets(sheet(30), &[0, 3, 30, 961], &mut Random::new(5));
+    let first = glb(&mesh);
+    let scene = read_scene_bytes(&first, &Source::new("a.glb")).unwrap();
+    let again = SceneWriter::new(&scene).to_bytes(Format::Glb, &WriteOptions::default()).unwrap();
+    assert_eq!(kinds(&again), kinds(&first));
+    assert_read(&again, &mesh);
+    assert!(again.len() <= first.len() + 200, "{} became {} bytes", first.len(), again.len());
+}
+
+proptest! {
+    #[test]
+    fn random_targets_come_back_exactly(
+        seed: u64,
+        side in 1u32..24,
+        shares in prop::collection::vec(0.0f64..=1.0, 1..6),
+    ) {
+        let mesh = sheet(side);
+        let all = mesh.vertex_count() as f64;
+        let counts: Vec<usize> = shares.iter().map(|share| (share * share * all) as usize).collect();
+        let mesh = with_targets(mesh, &counts, &mut Random::new(seed));
+        let bytes = glb(&mesh);
+        for (kind, &count) in kinds(&bytes).iter().flatten().zip(counts.iter().flat_map(|count| [count; 2])) {
+            let is_fit = match *kind {
+                Kind::Sparse(used) => count.max(1) == used,
+                Kind::Dense => 14 * count + 64 >= 12 * mesh.vertex_count(),
+            };
+            prop_assert!(is_fit, "{kind:?} for {count} of {all}");
+        }
+        assert_read(&bytes, &mesh);
+    }
+}
