@@ -251,7 +251,7 @@ fn patterns_preserve_seams_and_materials() {
             assert_eq!(full["attributes"], original["attributes"], "{input}");
             assert_eq!(full["groups"].as_array().map(Vec::len), original["groups"].as_array().map(Vec::len));
             for level in ["--triangles 900", "--detail-box 0,0,0,9,9,9", "--eye 0.3,2,-3 --pixels 3"] {
-                let report = bench.json(&format!("extract it.striata -o level.glb {level}"));
+                let report = bench.json(&format!("extract it.striata -o level.glb --raw {level}"));
                 assert_eq!(report["error_is_guaranteed"], true, "{report}");
                 let info = bench.json("info level.glb");
                 assert_eq!(info["triangle_count"], report["triangle_count"]);

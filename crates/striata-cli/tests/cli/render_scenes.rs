@@ -120,7 +120,7 @@ fn cameras_of_the_scene_are_used() {
 #[test]
 fn plain_meshes_are_stone_in_every_format() {
     let bench = Workbench::with_ball();
-    bench.json("convert sphere.obj sphere.glb");
+    bench.json("convert sphere.obj sphere.glb --raw");
     let (expected, _) = picture(&bench, "sphere.obj");
     for flags in ["", "--triangles 100", "--colors fans"] {
         let (a, _) = picture(&bench, &format!("sphere.obj {flags}"));

@@ -431,7 +431,8 @@ fn colors_are_linear_in_gltf_only() {
     for verb in ["convert {} {}", "strip {} -o {}", "simplify {} -o {} --detail 1"] {
         let run = |from: &str, to: &str| {
             let arguments = verb.replacen("{}", from, 1).replacen("{}", to, 1);
-            bench.run(&format!("{arguments} --quiet")).success();
+            let raw = if verb.starts_with("strip") { "" } else { "--raw" };
+            bench.run(&format!("{arguments} {raw} --quiet")).success();
         };
         run("a.ply", "a.glb");
         // 128 of 255 in sRGB, as linear light in 16 bits.
@@ -469,7 +470,7 @@ fn identifiers_in_floats_survive_streams() {
     {
         bench.json(encode);
         let file = encode.split(' ').nth(3).unwrap_or_default();
-        bench.json(&format!("decode {file} -o a.glb"));
+        bench.json(&format!("decode {file} -o a.glb --raw"));
         bench.run("convert a.glb b.ply --ascii --quiet").success();
         let text = String::from_utf8(bench.read("b.ply")).unwrap();
         let columns: Vec<&str> = text.lines().filter(|line| line.starts_with("property float")).collect();
@@ -575,4 +576,22 @@ fn shapes_are_meshes_for_every_verb() {
     let message = bench.refused("strip shape:grid --block-triangles 1000");
     assert!(message.contains("or write a file first"), "{message}");
     assert_eq!(bench.names(), ["cube.ply", "grid.striata", "small.ply"]);
+}
+
+#[test]
+fn plain_meshes_get_normals_and_a_material_in_gltf() {
+    let bench = Workbench::with_ball();
+    for verb in ["convert sphere.obj a.glb", "simplify sphere.obj -o a.glb --triangles 200"] {
+        bench.json(verb);
+        let shown = bench.json("info a.glb");
+        let names: Vec<&str> =
+            shown["attributes"].as_array().unwrap().iter().filter_map(|a| a["name"].as_str()).collect();
+        assert!(names.contains(&"normal"), "{verb}: {names:?}");
+        assert_eq!(shown["materials"].as_array().map(Vec::len), Some(1), "{verb}");
+        bench.json(&format!("{verb} --raw"));
+        let raw = bench.json("info a.glb");
+        assert_eq!(raw["attributes"].as_array().map(Vec::len), Some(0), "{verb}");
+        assert_eq!(raw["triangle_count"], shown["triangle_count"], "{verb}");
+    }
+    assert!(bench.refused("convert sphere.obj a.ply --raw").contains("--raw is for glTF"));
 }
