@@ -35,9 +35,15 @@ pub(super) fn shaded(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
     Cow::Owned(out)
 }
 
+/// Light that a mesh without colors reflects: a white one loses its shading under the lights of most viewers.
+const GRAY: f64 = 0.5;
+
 /// Gives all triangles a matte material; the inner side of an open surface is shown too.
 fn add_material(mesh: &mut IndexedMesh, is_closed: bool) {
     let mut material = json!({ "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 0.9 } });
+    if mesh.layer(&Semantic::Color(0)).is_none() {
+        material["pbrMetallicRoughness"]["baseColorFactor"] = json!([GRAY, GRAY, GRAY, 1.0]);
+    }
     if !is_closed {
         material["doubleSided"] = json!(true);
     }
