@@ -62,29 +62,32 @@ fn meshes_that_share_accessors_share_them_again() {
     assert!(glb.len() as f64 <= 1.05 * sample.to_glb().len() as f64);
 }
 
+/// Replaces the only mesh by one for each list of triangles, all over its vertices.
+fn divide(scene: &mut TestScene, lists: &[&[[u32; 3]]]) {
+    let whole = scene.document["meshes"][0]["primitives"][0].clone();
+    let meshes = lists.iter().map(|triangles| {
+        let bytes: Vec<u8> = triangles.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
+        let view = scene.push_view(&bytes);
+        let accessor = json!({
+            "bufferView": view, "componentType": 5125, "count": 3 * triangles.len(), "type": "SCALAR",
+        });
+        let mut primitive = whole.clone();
+        primitive["indices"] = json!(scene.push("accessors", accessor));
+        json!({ "primitives": [primitive] })
+    });
+    let meshes: Vec<Value> = meshes.collect();
+    scene.document["meshes"] = json!(meshes);
+    show_all(scene);
+}
+
 /// A grid of which each mesh shows some rows, over one set of vertices.
 fn strips_of_grid(side: u32, rows: u32) -> TestScene {
     let grid = shapes::grid(side, side);
     let mut scene = scenes::empty();
     scene.push_mesh("rows", &grid);
-    let whole = scene.document["meshes"][0]["primitives"][0].clone();
     let per_mesh = (2 * side * rows) as usize;
-    let meshes: Vec<Value> = grid
-        .triangles
-        .chunks(per_mesh)
-        .map(|triangles| {
-            let bytes: Vec<u8> = triangles.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
-            let view = scene.push_view(&bytes);
-            let accessor = json!({
-                "bufferView": view, "componentType": 5125, "count": 3 * triangles.len(), "type": "SCALAR",
-            });
-            let mut primitive = whole.clone();
-            primitive["indices"] = json!(scene.push("accessors", accessor));
-            json!({ "primitives": [primitive] })
-        })
-        .collect();
-    scene.document["meshes"] = json!(meshes);
-    show_all(&mut scene);
+    let lists: Vec<&[[u32; 3]]> = grid.triangles.chunks(per_mesh).collect();
+    divide(&mut scene, &lists);
     scene
 }
 
@@ -120,20 +123,8 @@ fn few_vertices_of_a_large_accessor_are_looked_up() {
     let mut scene = scenes::empty();
     let grid = shapes::grid(400, 400);
     scene.push_mesh("grid", &grid);
-    let whole = scene.document["meshes"][0]["primitives"][0].clone();
-    let meshes: Vec<Value> = (0..4000u32)
-        .map(|number| {
-            let triangle = grid.triangles[number as usize * 70];
-            let bytes: Vec<u8> = triangle.iter().flat_map(|v| v.to_le_bytes()).collect();
-            let view = scene.push_view(&bytes);
-            let accessor = json!({ "bufferView": view, "componentType": 5125, "count": 3, "type": "SCALAR" });
-            let mut primitive = whole.clone();
-            primitive["indices"] = json!(scene.push("accessors", accessor));
-            json!({ "primitives": [primitive] })
-        })
-        .collect();
-    scene.document["meshes"] = json!(meshes);
-    show_all(&mut scene);
+    let lists: Vec<&[[u32; 3]]> = grid.triangles.chunks(70).take(4000).map(|run| &run[..1]).collect();
+    divide(&mut scene, &lists);
     let read = read(&scene);
     assert_eq!(read.triangle_count(), 4000);
     for (number, mesh) in read.meshes().iter().flatten().enumerate() {
