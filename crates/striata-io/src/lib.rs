@@ -196,7 +196,7 @@ pub use source::Source;
 pub use write::to_bytes;
 #[cfg(not(target_family = "wasm"))]
 pub use write::{write, write_with_report};
-pub use write_options::{QuantizeOptions, WriteOptions};
+pub use write_options::{GridScope, QuantizeOptions, WriteOptions};
 
 /// The README's example, compiled with the documentation tests.
 #[cfg(doctest)]

@@ -90,11 +90,34 @@ pub struct QuantizeOptions {
     pub texcoord_bits: u32,
     /// Bits per color channel, 1 to 16. Default: 8.
     pub color_bits: u32,
+    /// Which meshes have a common grid. Default: those that touch.
+    pub grid: GridScope,
+}
+
+/// Which meshes of a scene are rounded to a common grid, so that points they have in common stay so. Only meshes
+/// that their nodes move, or transform alike, can have one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GridScope {
+    /// Meshes with common vertices, with the step of the finest of them; one that is too large for it keeps its
+    /// own.
+    #[default]
+    Touching,
+    /// All, with the step of the finest, or of the largest if that needs more than 16 bits.
+    Scene,
+    /// None: each has the grid that fits it best.
+    Mesh,
 }
 
 impl Default for QuantizeOptions {
     fn default() -> Self {
-        Self { position_bits: 14, normal_bits: 8, texcoord_bits: 12, color_bits: 8 }
+        Self {
+            position_bits: 14,
+            normal_bits: 8,
+            texcoord_bits: 12,
+            color_bits: 8,
+            grid: GridScope::Touching,
+        }
     }
 }
 
@@ -121,5 +144,11 @@ impl QuantizeOptions {
     #[must_use]
     pub fn with_color_bits(self, color_bits: u32) -> Self {
         Self { color_bits, ..self }
+    }
+
+    /// Sets [`grid`](Self::grid).
+    #[must_use]
+    pub fn with_grid(self, grid: GridScope) -> Self {
+        Self { grid, ..self }
     }
 }

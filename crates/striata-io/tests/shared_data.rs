@@ -2,7 +2,9 @@
 
 use serde_json::{Value, json};
 use striata::mesh::{IndexedMesh, Semantic, shapes};
-use striata_io::{Format, QuantizeOptions, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
+use striata_io::{
+    Format, GridScope, QuantizeOptions, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes,
+};
 use striata_testing::scenes::{self, TestScene};
 
 fn read(scene: &TestScene) -> Scene {
@@ -220,4 +222,86 @@ fn quantization_keeps_nodes_far_from_the_origin_in_place() {
             assert!((at(k) - (place - 1.0)).abs() < 1e-6, "{node}");
         }
     }
+}
+
+/// A grid of a wavy surface from x0 to x1, relative to `origin`.
+fn tile([x0, x1]: [f64; 2], origin: f64, count: u32) -> IndexedMesh {
+    let mut mesh = shapes::grid(count, count);
+    let bounds = mesh.bounds().expect("vertices");
+    for p in &mut mesh.positions {
+        let share = |k: usize| f64::from((p[k] - bounds.min[k]) / (bounds.max[k] - bounds.min[k]));
+        let (x, y) = (x0 + (x1 - x0) * share(0), share(1));
+        let height = 0.1 * libm::sin(7.3 * x) * libm::cos(5.1 * y);
+        *p = [(x - origin) as f32, y as f32, height as f32];
+    }
+    mesh.layers.clear();
+    mesh
+}
+
+/// Largest distance between points of two meshes that were equal before.
+fn gap(scene: &Scene, places: [f64; 2]) -> f64 {
+    let border = |mesh: usize| -> Vec<[f64; 3]> {
+        let instance = scene.instances().iter().find(|instance| instance.mesh == mesh).expect("it is shown");
+        let m = instance.transform;
+        let of = |p: &[f32; 3]| {
+            let p = p.map(f64::from);
+            [0, 1, 2].map(|k| m[k] * p[0] + m[4 + k] * p[1] + m[8 + k] * p[2] + m[12 + k])
+        };
+        let all = scene.meshes()[mesh].as_ref().expect("a mesh").positions.iter().map(of);
+        all.filter(|p| (p[0] - places[0]).abs() < 0.01).collect()
+    };
+    let (a, b) = (border(0), border(1));
+    assert!(a.len() > 5 && b.len() > 5);
+    let nearest = |p: &[f64; 3]| {
+        let distance = |q: &[f64; 3]| (0..3).map(|k| (p[k] - q[k]).abs()).fold(0.0, f64::max);
+        b.iter().map(distance).fold(f64::INFINITY, f64::min)
+    };
+    a.iter().map(nearest).fold(0.0, f64::max) * places[1]
+}
+
+#[test]
+fn borders_of_meshes_that_touch_still_meet_after_quantization() {
+    for (origin, bits) in [(0.0, 14), (0.0, 10), (0.0, 16), (1.0, 14), (0.3, 12)] {
+        let mut sample = scenes::empty();
+        sample.push_mesh("a", &tile([0.0, 1.0], 0.0, 20));
+        sample.push_mesh("b", &tile([1.0, 2.7], origin, 20));
+        show_all(&mut sample);
+        sample.document["nodes"][1]["translation"] = json!([origin, 0, 0]);
+        let scene = read(&sample);
+        let gap_with = |grid: GridScope, meshopt: bool| {
+            let quantize = QuantizeOptions::default().with_position_bits(bits).with_grid(grid);
+            let options = WriteOptions::default().with_quantize(quantize).with_meshopt(meshopt);
+            gap(&again(&written(&scene, &options)), [1.0, 1.0])
+        };
+        let before = gap(&scene, [1.0, 1.0]);
+        for grid in [GridScope::Touching, GridScope::Scene] {
+            for meshopt in [false, true] {
+                let found = gap_with(grid, meshopt);
+                assert!(found <= 2.0 * before, "{origin} {bits} {grid:?} {meshopt}: {found} {before}");
+            }
+        }
+        assert!(gap_with(GridScope::Mesh, false) > 1e-6, "{origin} {bits}");
+    }
+}
+
+#[test]
+fn small_meshes_keep_their_precision_next_to_large_ones() {
+    let mut sample = scenes::empty();
+    let mut large = tile([0.0, 1.0], 0.0, 20);
+    large.positions.iter_mut().flatten().for_each(|x| *x *= 1000.0);
+    let mut small = shapes::icosphere(2, 1.0);
+    // They have one point in common.
+    small.positions[0] = large.positions[0];
+    sample.push_mesh("ground", &large);
+    sample.push_mesh("stone", &small);
+    show_all(&mut sample);
+    let scene = read(&sample);
+    let options = WriteOptions::default().with_quantize(QuantizeOptions::default());
+    let coarse = again(&written(&scene, &options));
+    let bounds = |scene: &Scene, mesh: usize| {
+        let instance = &scene.instances()[mesh];
+        let mesh = scene.meshes()[mesh].as_ref().expect("a mesh").bounds().expect("vertices");
+        (f64::from(mesh.max[0]) - f64::from(mesh.min[0])) * instance.scale
+    };
+    assert!((bounds(&coarse, 1) - bounds(&scene, 1)).abs() < 3e-4, "the stone has its own grid");
 }

@@ -1,7 +1,7 @@
 //! Flags for how glTF files are quantized and compressed.
 
-use clap::{ArgGroup, Args};
-use striata_io::{QuantizeOptions, WriteOptions};
+use clap::{ArgGroup, Args, ValueEnum};
+use striata_io::{GridScope, QuantizeOptions, WriteOptions};
 
 /// Help heading of these flags.
 const GLTF: &str = "glTF output (.glb, .gltf)";
@@ -75,6 +75,27 @@ pub struct GltfArgs {
         help = bits_help(|q| q.color_bits, "Bits per color channel, 1 to 16"),
     )]
     color_bits: Option<u32>,
+    /// Which meshes are rounded to a common grid: those that touch, all of the scene, or none
+    #[arg(
+        long,
+        value_name = "MESHES",
+        default_value = "touching",
+        requires = "GltfCoding",
+        conflicts_with = "lossless"
+    )]
+    grid: GridArg,
+}
+
+/// Which meshes have a common grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum GridArg {
+    /// Meshes with common vertices
+    #[default]
+    Touching,
+    /// All meshes
+    Scene,
+    /// None: each mesh has its own
+    Mesh,
 }
 
 impl GltfArgs {
@@ -99,7 +120,12 @@ impl GltfArgs {
             .with_position_bits(self.bits.unwrap_or(defaults.position_bits))
             .with_normal_bits(self.normal_bits.unwrap_or(defaults.normal_bits))
             .with_texcoord_bits(self.uv_bits.unwrap_or(defaults.texcoord_bits))
-            .with_color_bits(self.color_bits.unwrap_or(defaults.color_bits));
+            .with_color_bits(self.color_bits.unwrap_or(defaults.color_bits))
+            .with_grid(match self.grid {
+                GridArg::Touching => GridScope::Touching,
+                GridArg::Scene => GridScope::Scene,
+                GridArg::Mesh => GridScope::Mesh,
+            });
         options.with_quantize(quantize)
     }
 }

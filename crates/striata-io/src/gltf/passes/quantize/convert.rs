@@ -9,7 +9,7 @@ use crate::gltf::passes::elements::Elements;
 pub(super) fn positions(numbers: &[f32], grid: &Grid) -> Elements {
     let [last, step] = [f64::from(grid.last), f64::from(grid.step)];
     let rounded = |(i, &x): (usize, &f32)| {
-        let origin = f64::from(grid.origin[i % 3]);
+        let origin = grid.origin[i % 3];
         ((f64::from(x) - origin) / step).round().clamp(0.0, last) as i64
     };
     let component = if grid.last <= 0xff { ComponentType::U8 } else { ComponentType::U16 };

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::shared_grids::share;
+use crate::GridScope;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
@@ -12,11 +14,13 @@ use crate::gltf::passes::primitives::{Primitive, Sets};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Grid {
     /// Position of the grid point with the coordinates 0.
-    pub origin: [f32; 3],
+    pub origin: [f64; 3],
     /// Side of a cell in mesh units.
     pub step: f32,
     /// Largest coordinate.
     pub last: u32,
+    /// Whether nodes must convert it without rounding, because other meshes have the same grid.
+    pub is_shared: bool,
 }
 
 /// Grids of all meshes.
@@ -46,7 +50,7 @@ pub(super) fn grids(
     document: &Document<'_>,
     primitives: &[Primitive],
     are_read: &[bool],
-    bits: u32,
+    (bits, scope): (u32, GridScope),
 ) -> Grids {
     let mut sets = Sets::new(are_read.len());
     let mut owners = BTreeMap::new();
@@ -72,15 +76,16 @@ pub(super) fn grids(
             .and_then(|accessor| *known.entry(accessor).or_insert_with(|| bounding_box(document, accessor)));
         boxes[set] = boxes[set].zip(of_primitive).map(|(a, b)| a.joined(b));
     }
-    let grids = boxes.into_iter().map(|bounds| bounds?.grid(bits)).collect();
+    let mut grids: Vec<Option<Grid>> = boxes.iter().map(|bounds| bounds.as_ref()?.grid(bits)).collect();
+    share(document, (primitives, &of_mesh), (&mut grids, &boxes), scope);
     Grids { grids, of_mesh }
 }
 
 /// Axis-aligned box.
 #[derive(Clone, Copy, Debug)]
-struct Box3 {
-    min: [f32; 3],
-    max: [f32; 3],
+pub(super) struct Box3 {
+    pub(super) min: [f32; 3],
+    pub(super) max: [f32; 3],
 }
 
 impl Box3 {
@@ -94,11 +99,16 @@ impl Box3 {
         }
     }
 
-    /// Returns the grid that covers the box; [`None`] if it is empty or its size exceeds all numbers.
-    fn grid(self, bits: u32) -> Option<Grid> {
-        let last = (1u32 << bits.clamp(1, 16)) - 1;
+    /// Longest side.
+    pub(super) fn side(&self) -> f64 {
         let sides = [0, 1, 2].map(|i| f64::from(self.max[i]) - f64::from(self.min[i]));
-        let side = sides.into_iter().fold(0.0, f64::max);
+        sides.into_iter().fold(0.0, f64::max)
+    }
+
+    /// Returns the grid that covers the box; [`None`] if it is empty or its size exceeds all numbers.
+    fn grid(&self, bits: u32) -> Option<Grid> {
+        let last = (1u32 << bits.clamp(1, 16)) - 1;
+        let side = self.side();
         if !self.min[0].is_finite() || !side.is_finite() {
             return None;
         }
@@ -106,23 +116,27 @@ impl Box3 {
         let step = if step >= f32::MIN_POSITIVE { step } else { 1.0 };
         // Steps so small that they vanish next to the coordinates, or too large, make no grid.
         (step.is_finite() && side <= f64::from(step) * f64::from(last) * 1.001).then_some(Grid {
-            origin: self.min,
+            origin: self.min.map(f64::from),
             step,
             last,
+            is_shared: false,
         })
     }
 }
 
-/// Returns the bounding box of positions; [`None`] if they are not finite floats.
-fn bounding_box(document: &Document<'_>, index: u64) -> Option<Box3> {
+/// Returns positions; [`None`] if they are not finite floats.
+pub(super) fn positions_of(document: &Document<'_>, index: u64) -> Option<Vec<f32>> {
     let positions = accessor(document, index, &document.root).ok()?;
     if positions.component != ComponentType::F32 || positions.component_count != 3 || positions.count == 0 {
         return None;
     }
     let numbers = positions.floats();
-    if numbers.iter().any(|x| !x.is_finite()) {
-        return None;
-    }
+    numbers.iter().all(|x| x.is_finite()).then_some(numbers)
+}
+
+/// Returns the bounding box of positions; [`None`] if they are not finite floats.
+fn bounding_box(document: &Document<'_>, index: u64) -> Option<Box3> {
+    let numbers = positions_of(document, index)?;
     let points = numbers.as_chunks::<3>().0.iter();
     Some(points.fold(Box3::EMPTY, |bounds, &point| bounds.joined(Box3 { min: point, max: point })))
 }

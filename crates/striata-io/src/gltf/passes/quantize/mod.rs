@@ -1,13 +1,13 @@
 //! Quantization: attributes become small integers (`KHR_mesh_quantization`).
 //!
 //! Positions lie on a grid with cubic cells. All primitives of a mesh share a grid, and so do meshes that
-//! share vertices, so that no cracks appear. The scene converts grid steps back to lengths: see
+//! share vertices or touch (`shared_grids`), so that no cracks appear. The scene converts grid steps back to lengths: see
 //! `placement`. Points and lines of such a mesh get positions on its grid too, since they are shown by the
 //! same node; apart from that, primitives without triangles stay as they are.
 //!
 //! The error of a coordinate is at most half a grid step, that is, half of the longest side of the
-//! bounding box divided by 2^bits - 1. Normals, tangents, colors and weights become normalized integers,
-//! and so do texture coordinates from 0 to 1. Others remain floats, rounded to multiples of 2^-bits, which
+//! bounding box divided by 2^bits - 1; twice as much if a mesh touches a larger one that has no bits to spare.
+//! Normals, tangents, colors and weights become normalized integers, and so do texture coordinates from 0 to 1. Others remain floats, rounded to multiples of 2^-bits, which
 //! `meshopt` compresses as integers. That takes a quarter fewer bytes than fractions of 65535, so it is the
 //! rule for all texture coordinates if `meshopt` follows. The alternative, integers with a texture
 //! transform (`KHR_texture_transform`), would change materials, which other meshes and animations use.
@@ -18,6 +18,7 @@ mod attributes;
 mod convert;
 mod grid;
 mod placement;
+mod shared_grids;
 mod skins;
 mod transforms;
 
@@ -60,7 +61,7 @@ pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions
     let additions = Additions::new(&snapshot);
     let mut changes =
         Changes { root: &mut parts.root, additions, replaced: BTreeSet::new(), needs_extension: false };
-    let mut grids = grid::grids(&document, &primitives, &are_read, options.position_bits);
+    let mut grids = grid::grids(&document, &primitives, &are_read, (options.position_bits, options.grid));
     let placements = placement::placements(&document, &mut grids);
     attributes::quantize((&document, &primitives), &grids, (options, texcoords), &mut changes);
     placement::apply(&document, &grids, placements, &mut changes);

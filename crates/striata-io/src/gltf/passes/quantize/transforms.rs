@@ -7,7 +7,7 @@ use super::grid::Grid;
 
 impl Grid {
     fn origin(&self) -> DVec3 {
-        DVec3::from_array(self.origin.map(f64::from))
+        DVec3::from_array(self.origin)
     }
 
     /// Returns the conversion from grid coordinates to positions.
@@ -17,6 +17,11 @@ impl Grid {
             DQuat::IDENTITY,
             self.origin(),
         )
+    }
+
+    /// Returns how much rounding may change a translation and a scale, for steps of this size after scaling.
+    fn tolerances(&self, step: DVec3) -> [f64; 2] {
+        if self.is_shared { [0.0; 2] } else { [0.001 * step.abs().min_element(), f64::INFINITY] }
     }
 
     /// Returns translation and scale after the conversion has been applied first.
@@ -39,18 +44,14 @@ fn short_list(vector: DVec3, tolerance: f64) -> Value {
 /// Writes the conversion to a node without a transform.
 pub(super) fn set(node: &mut Value, grid: &Grid) {
     let [translation, scale] = grid.folded(DVec3::ZERO, DQuat::IDENTITY, DVec3::ONE);
-    set_parts(node, translation, scale);
+    set_parts(node, grid, translation, scale);
 }
 
 /// Translations of models far from the origin need more digits than a float has.
-fn set_parts(node: &mut Value, translation: DVec3, scale: DVec3) {
-    node["translation"] = short_list(translation, tolerance(scale));
-    node["scale"] = short_list(scale, f64::INFINITY);
-}
-
-/// Share of a grid step, after scaling, by which rounding may move a mesh.
-fn tolerance(step: DVec3) -> f64 {
-    0.001 * step.abs().min_element()
+fn set_parts(node: &mut Value, grid: &Grid, translation: DVec3, scale: DVec3) {
+    let [moves, scales] = grid.tolerances(scale);
+    node["translation"] = short_list(translation, moves);
+    node["scale"] = short_list(scale, scales);
 }
 
 /// Applies the conversion before the transform of a node; false if the node's transform is malformed or
@@ -63,8 +64,8 @@ pub(super) fn fold(node: &mut Value, grid: &Grid) -> bool {
             return false;
         }
         let axes = [0, 4, 8].map(|k| DVec3::new(matrix[k], matrix[k + 1], matrix[k + 2]).length());
-        let tolerance = tolerance(DVec3::from_array(axes));
-        let entry = |(k, x)| short(x, if k < 12 { f64::INFINITY } else { tolerance });
+        let [moves, scales] = grid.tolerances(DVec3::from_array(axes));
+        let entry = |(k, x)| short(x, if k < 12 { scales } else { moves });
         node["matrix"] = Value::Array(matrix.into_iter().enumerate().map(entry).collect());
         return true;
     }
@@ -82,7 +83,7 @@ pub(super) fn fold(node: &mut Value, grid: &Grid) -> bool {
     if !translation.to_array().into_iter().chain(scale.to_array()).all(is_float) {
         return false;
     }
-    set_parts(node, translation, scale);
+    set_parts(node, grid, translation, scale);
     true
 }
 
