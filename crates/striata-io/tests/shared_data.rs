@@ -268,19 +268,21 @@ fn borders_of_meshes_that_touch_still_meet_after_quantization() {
         show_all(&mut sample);
         sample.document["nodes"][1]["translation"] = json!([origin, 0, 0]);
         let scene = read(&sample);
-        let gap_with = |grid: GridScope, meshopt: bool| {
+        let plain = WriteOptions::default();
+        let forms = [plain.clone(), plain.clone().with_meshopt(true), plain.with_draco(true)];
+        let gap_with = |grid: GridScope, form: &WriteOptions| {
             let quantize = QuantizeOptions::default().with_position_bits(bits).with_grid(grid);
-            let options = WriteOptions::default().with_quantize(quantize).with_meshopt(meshopt);
+            let options = form.clone().with_quantize(quantize);
             gap(&again(&written(&scene, &options)), [1.0, 1.0])
         };
         let before = gap(&scene, [1.0, 1.0]);
-        for grid in [GridScope::Touching, GridScope::Scene] {
-            for meshopt in [false, true] {
-                let found = gap_with(grid, meshopt);
-                assert!(found <= 2.0 * before, "{origin} {bits} {grid:?} {meshopt}: {found} {before}");
+        for (number, form) in forms.iter().enumerate() {
+            for grid in [GridScope::Touching, GridScope::Scene] {
+                let found = gap_with(grid, form);
+                assert!(found <= 2.0 * before, "{origin} {bits} {grid:?} {number}: {found} {before}");
             }
+            assert!(gap_with(GridScope::Mesh, form) > 1e-6, "{origin} {bits} {number}");
         }
-        assert!(gap_with(GridScope::Mesh, false) > 1e-6, "{origin} {bits}");
     }
 }
 
@@ -304,4 +306,29 @@ fn small_meshes_keep_their_precision_next_to_large_ones() {
         (f64::from(mesh.max[0]) - f64::from(mesh.min[0])) * instance.scale
     };
     assert!((bounds(&coarse, 1) - bounds(&scene, 1)).abs() < 3e-4, "the stone has its own grid");
+}
+
+/// Primitives of one mesh are compressed apart, in boxes of different sizes.
+#[test]
+fn parts_of_a_mesh_still_meet_after_draco() {
+    let mut sample = scenes::empty();
+    let sides = [tile([0.0, 1.0], 0.0, 20), tile([1.0, 3.7], 0.0, 20)];
+    for (name, side) in ["grass", "rock"].into_iter().zip(&sides) {
+        sample.push_mesh(name, side);
+    }
+    let mut rock = sample.document["meshes"][1]["primitives"][0].clone();
+    rock["material"] = json!(1);
+    sample.document["meshes"][0]["primitives"][0]["material"] = json!(0);
+    sample.document["meshes"][0]["primitives"].as_array_mut().expect("a list").push(rock);
+    sample.document["meshes"].as_array_mut().expect("a list").truncate(1);
+    sample.document["materials"] = json!([{ "name": "grass" }, { "name": "rock" }]);
+    show_all(&mut sample);
+    let quantize = QuantizeOptions::default().with_grid(GridScope::Mesh);
+    let options = WriteOptions::default().with_draco(true).with_quantize(quantize);
+    let point_count = |scene: &Scene| {
+        let positions = scene.meshes().iter().flatten().flat_map(|mesh| &mesh.positions);
+        positions.map(|point| point.map(f32::to_bits)).collect::<std::collections::HashSet<_>>().len()
+    };
+    let scene = read(&sample);
+    assert_eq!(point_count(&again(&written(&scene, &options))), point_count(&scene));
 }

@@ -1,8 +1,8 @@
 //! Encoding of a primitive.
 
 use draco_core::{
-    DataType, EncoderBuffer, EncoderOptions, GeometryAttributeType, Mesh, MeshEncoder, PointAttribute,
-    PointIndex,
+    AttributeValueIndex, DataType, DracoError, EncoderBuffer, EncoderOptions, GeometryAttributeType, Mesh,
+    MeshEncoder, PointAttribute, PointIndex,
 };
 use serde_json::{Map, Value, json};
 
@@ -75,11 +75,15 @@ struct Source<'a> {
     elements: Elements,
 }
 
+/// Precision of the attributes: [`None`] to keep them exactly. The second part has corners and bits of the cube in
+/// which positions are quantized, instead of their bounding box.
+type Precision<'a> = (Option<&'a QuantizeOptions>, Option<([[f32; 3]; 2], u32)>);
+
 /// Encodes a primitive; [`None`] if it must or should stay uncompressed.
 pub(super) fn coded(
     document: &Document<'_>,
     primitive: &Primitive,
-    quantization: Option<&QuantizeOptions>,
+    precision: Precision<'_>,
 ) -> Option<Coded> {
     let mut sources = Vec::new();
     for (name, index) in &primitive.attributes {
@@ -94,7 +98,7 @@ pub(super) fn coded(
     }
     let triangles = used_vertices(triangles(document, primitive, vertex_count)?, &mut sources)?;
     let plain_bytes = triangles.len() * 6 + sources.iter().map(|s| s.elements.bytes.len()).sum::<usize>();
-    let coded = contained(|| encode(&triangles, &sources, quantization)).ok()?;
+    let coded = contained(|| encode(&triangles, &sources, precision)).ok()?;
     (coded.bytes.len() + JSON_BYTES < plain_bytes).then_some(coded)
 }
 
@@ -144,16 +148,20 @@ fn used_vertices(mut triangles: Vec<[u32; 3]>, sources: &mut [Source<'_>]) -> Op
 fn encode(
     triangles: &[[u32; 3]],
     sources: &[Source<'_>],
-    quantization: Option<&QuantizeOptions>,
+    (quantization, cube): Precision<'_>,
 ) -> Result<Coded, String> {
     let mut mesh = Mesh::new();
     mesh.set_num_points(sources.first().map_or(0, |source| source.elements.count));
     let mut options = EncoderOptions::new();
     options.set_compression_level(LEVEL);
-    let mut ids = Vec::new();
+    let (mut ids, mut quantized_positions) = (Vec::new(), None);
     for source in sources {
         let id = mesh.add_attribute(attribute(source)?);
-        if let Some(bits) = quantization.and_then(|quantization| bits(source, quantization)) {
+        if let Some(mut bits) = quantization.and_then(|quantization| bits(source, quantization)) {
+            if let Some((corners, bits_in_cube)) = cube.filter(|_| source.name == "POSITION") {
+                quantized_positions = Some((id, corners));
+                bits = bits_in_cube;
+            }
             options.set_attribute_quantization(id, bits as i32);
         }
         ids.push(mesh.attribute(id).unique_id());
@@ -162,11 +170,33 @@ fn encode(
         mesh.add_face(triangle.map(PointIndex));
     }
     mesh.finalize().map_err(|error| error.to_string())?;
+    if let Some((id, corners)) = quantized_positions {
+        let point_count = mesh.num_points();
+        extend_range(mesh.attribute_mut(id), point_count, corners).map_err(|error| error.to_string())?;
+    }
     let (mut encoder, mut out) = (MeshEncoder::new(), EncoderBuffer::new());
     encoder.set_mesh(mesh);
     encoder.encode(&options, &mut out).map_err(|error| error.to_string())?;
     let bytes = out.data().to_vec();
     described(bytes, triangles, sources, &ids)
+}
+
+/// Adds values that no point has. Draco quantizes values in the range of all of them, and takes no other one.
+fn extend_range(
+    attribute: &mut PointAttribute,
+    point_count: usize,
+    corners: [[f32; 3]; 2],
+) -> Result<(), DracoError> {
+    if attribute.is_mapping_identity() {
+        let entries: Vec<_> = (0..point_count as u32).map(AttributeValueIndex).collect();
+        attribute.set_explicit_mapping_from(&entries);
+    }
+    let (count, stride) = (attribute.size(), 3 * size_of::<f32>());
+    attribute.resize_unique_entries(count + corners.len())?;
+    let numbers = corners.as_flattened().iter();
+    let bytes: Vec<u8> = numbers.flat_map(|number| number.to_le_bytes()).collect();
+    attribute.buffer_mut().write(count * stride, &bytes);
+    Ok(())
 }
 
 /// Decodes what was encoded, checks it, and describes it.

@@ -3,6 +3,7 @@
 //! Each triangle primitive gets a compressed mesh of its own, with the vertices that its triangles use;
 //! strips and fans become single triangles. Positions, normals, tangents, texture coordinates and colors
 //! that are floats are quantized; joints, weights and attributes without a standard name are kept exactly.
+//! Positions lie on the grid that `quantize` would use, so that parts of a mesh, and meshes that touch, still meet.
 //! What was encoded is decoded again, because Draco merges and reorders vertices: accessors declare what a
 //! decoder returns.
 //!
@@ -28,6 +29,7 @@ pub(in crate::gltf) fn draco(parts: &mut GltfParts, quantization: Option<&Quanti
 
     use super::additions::{Additions, plain_view};
     use super::primitives::{TRIANGLES, primitives};
+    use super::quantize::grid::grids;
     use super::{compact, extensions, open};
 
     const EXTENSION: &str = "KHR_draco_mesh_compression";
@@ -36,14 +38,19 @@ pub(in crate::gltf) fn draco(parts: &mut GltfParts, quantization: Option<&Quanti
     let document = open(&snapshot, &parts.binary);
     let mut additions = Additions::new(&snapshot);
     let (mut known, mut replaced) = (BTreeMap::new(), BTreeSet::new());
-    for primitive in primitives(&snapshot).0 {
+    let (primitives, are_read) = primitives(&snapshot);
+    let grids = quantization
+        .map(|options| grids(&document, &primitives, &are_read, (options.position_bits, options.grid)));
+    for primitive in &primitives {
         let is_free = extensions::are_free_of_order(&primitive.extensions);
         if !primitive.has_triangles() || !primitive.targets.is_empty() || !is_free {
             continue;
         }
         let key = (primitive.attributes.clone(), primitive.indices, primitive.mode);
         let coded = known.entry(key).or_insert_with(|| {
-            encode::coded(&document, &primitive, quantization).map(|coded| coded.added_to(&mut additions))
+            let cube = grids.as_ref().and_then(|grids| grids.cube(primitive.mesh));
+            let coded = encode::coded(&document, primitive, (quantization, cube));
+            coded.map(|coded| coded.added_to(&mut additions))
         });
         let Some(value) = parts.root.pointer_mut(&primitive.path()) else { continue };
         let Some(coded) = coded else { continue };

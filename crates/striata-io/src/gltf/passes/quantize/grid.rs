@@ -25,11 +25,11 @@ pub(super) struct Grid {
 
 /// Grids of all meshes.
 #[derive(Debug)]
-pub(super) struct Grids {
+pub(in crate::gltf::passes) struct Grids {
     /// Grids; [`None`] if the meshes that would share it cannot be quantized.
-    pub grids: Vec<Option<Grid>>,
+    pub(super) grids: Vec<Option<Grid>>,
     /// Number of the grid of each mesh.
-    pub of_mesh: Vec<usize>,
+    pub(super) of_mesh: Vec<usize>,
 }
 
 impl Grids {
@@ -39,6 +39,16 @@ impl Grids {
         self.grids[number].map(|_| number)
     }
 
+    /// Returns two opposite corners of the cube of the grid of a mesh, and the bits of a coordinate in it; [`None`]
+    /// if its positions are not quantized.
+    #[cfg(feature = "draco")]
+    pub(in crate::gltf::passes) fn cube(&self, mesh: usize) -> Option<([[f32; 3]; 2], u32)> {
+        let grid = self.grids[self.number(mesh)?]?;
+        let bits = grid.last.max(1).ilog2() + 1;
+        let side = f64::from(grid.step) * f64::from((1u32 << bits) - 1);
+        Some(([grid.origin.map(|x| x as f32), grid.origin.map(|x| (x + side) as f32)], bits))
+    }
+
     /// Gives up the quantization of all meshes that share a grid.
     pub(super) fn drop_grid(&mut self, number: usize) {
         self.grids[number] = None;
@@ -46,7 +56,7 @@ impl Grids {
 }
 
 /// Finds meshes that share positions, and a grid for each set of them.
-pub(super) fn grids(
+pub(in crate::gltf::passes) fn grids(
     document: &Document<'_>,
     primitives: &[Primitive],
     are_read: &[bool],

@@ -1,14 +1,14 @@
 //! Quantization: attributes become small integers (`KHR_mesh_quantization`).
 //!
 //! Positions lie on a grid with cubic cells. All primitives of a mesh share a grid, and so do meshes that
-//! share vertices or touch (`shared_grids`), so that no cracks appear. The scene converts grid steps back to lengths: see
-//! `placement`. Points and lines of such a mesh get positions on its grid too, since they are shown by the
+//! share vertices or touch (`shared_grids`), so that no cracks appear. The scene converts grid steps back to
+//! lengths: see `placement`. Points and lines of such a mesh get positions on its grid too, since they are shown by the
 //! same node; apart from that, primitives without triangles stay as they are.
 //!
 //! The error of a coordinate is at most half a grid step, that is, half of the longest side of the
 //! bounding box divided by 2^bits - 1; twice as much if a mesh touches a larger one that has no bits to spare.
-//! Normals, tangents, colors and weights become normalized integers, and so do texture coordinates from 0 to 1. Others remain floats, rounded to multiples of 2^-bits, which
-//! `meshopt` compresses as integers. That takes a quarter fewer bytes than fractions of 65535, so it is the
+//! Normals, tangents, colors and weights become normalized integers, and so do texture coordinates from 0 to 1.
+//! Others remain floats, rounded to multiples of 2^-bits, which `meshopt` compresses as integers. That takes a quarter fewer bytes than fractions of 65535, so it is the
 //! rule for all texture coordinates if `meshopt` follows. The alternative, integers with a texture
 //! transform (`KHR_texture_transform`), would change materials, which other meshes and animations use.
 //!
@@ -16,7 +16,7 @@
 
 mod attributes;
 mod convert;
-mod grid;
+pub(super) mod grid;
 mod placement;
 mod shared_grids;
 mod skins;
