@@ -108,6 +108,7 @@ mod color_space;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod companions;
 mod compressed;
+mod contacts;
 mod encoded;
 mod error;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]

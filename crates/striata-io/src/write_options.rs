@@ -95,7 +95,7 @@ pub struct QuantizeOptions {
 }
 
 /// Which meshes of a scene are rounded to a common grid, so that points they have in common stay so. Only meshes
-/// that their nodes move, or transform alike, can have one.
+/// whose transforms differ by nothing but a move can have one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GridScope {

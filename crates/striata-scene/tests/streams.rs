@@ -4,6 +4,7 @@ mod samples;
 
 use proptest::prelude::*;
 use serde_json::Value;
+use striata::LodOptions;
 use striata::mesh::{IndexedMesh, LayerData, Random, Semantic, shapes};
 use striata::simplify::BatchOptions;
 use striata_io::{Format, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
@@ -11,6 +12,7 @@ use striata_scene::stream::{
     EncodedScene, ImageState, SceneEncodeError, SceneStreamDecoder, SceneStreamError, SceneStreamInfo,
     SceneStreamOptions, encode_scene, encode_scene_with_progress,
 };
+use striata_scene::{GlbStreamOptions, LodScene, read_glb_with_stream};
 use striata_stream::{LayerOptions, Precision, StreamOptions};
 
 fn options() -> SceneStreamOptions {
@@ -43,6 +45,56 @@ fn sorted_triangles(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
 fn check_drawable(scene: &Scene) -> Scene {
     let bytes = scene_to_bytes(Format::Glb, scene, &WriteOptions::default()).unwrap();
     read_scene_bytes(&bytes, &Source::new("prefix.glb")).unwrap()
+}
+
+/// Streams of meshes that touch still do so: their vertices lie on the same lattice.
+#[test]
+fn borders_of_meshes_that_touch_still_meet() {
+    for (matrix, move_) in [
+        ([1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.0),
+        // From z up to y up, in centimeters, far away.
+        ([0.01, 0.0, 0.0, 0.0, 0.0, 0.0, -0.01, 0.0, 0.0, 0.01, 0.0, 0.0, 1e3, 0.0, 0.0, 1.0], 0.25),
+    ] {
+        let mut sample = striata_testing::scenes::empty();
+        for (name, [x0, x1], origin) in [("a", [0.0, 1.0], 0.0), ("b", [1.0, 3.7], move_)] {
+            let mut tile = shapes::grid(20, 20);
+            let side = tile.positions.iter().map(|p| p[0]).fold(0.0, f32::max);
+            for point in &mut tile.positions {
+                let [x, y] = [point[0], point[1]].map(|x| f64::from(x / side));
+                let x = x0 + (x1 - x0) * x;
+                let height = 0.1 * (5.0 * x).sin() * (4.0 * y).cos();
+                *point = [x - origin, y, height].map(|x| x as f32);
+            }
+            sample.push_mesh(name, &tile);
+        }
+        sample.document["nodes"] = serde_json::json!([
+            { "matrix": matrix, "children": [1, 2] },
+            { "mesh": 0 },
+            { "mesh": 1, "translation": [move_, 0, 0] },
+        ]);
+        sample.document["scenes"] = serde_json::json!([{ "nodes": [0] }]);
+        let scene = read_scene_bytes(&sample.to_glb(), &Source::new("x.glb")).unwrap();
+        let border = |scene: &Scene| -> [Vec<[i64; 2]>; 2] {
+            [(0, 0.0), (1, move_)].map(|(mesh, offset)| {
+                let mesh = scene.meshes()[mesh].as_ref().unwrap();
+                let points = mesh.positions.iter().map(|p| p.map(f64::from));
+                let points = points.filter(|p| (p[0] + offset - 1.0).abs() < 0.01);
+                let mut points: Vec<_> =
+                    points.map(|p| [p[1], p[2]].map(|x| (x * 1e7).round() as i64)).collect();
+                points.sort_unstable();
+                points
+            })
+        };
+        let [a, b] = border(&scene);
+        assert!(a == b && a.len() == 21);
+        let [a, b] = border(&decoded(&encoded(&scene).bytes).unwrap().scene().unwrap());
+        assert_eq!(a, b);
+        let lods = LodScene::build(&scene, &LodOptions::default()).unwrap();
+        let glb = lods.to_glb_with_stream(&GlbStreamOptions::default()).unwrap();
+        let again = read_glb_with_stream(&glb, &Source::new("s.glb")).unwrap().unwrap();
+        let [a, b] = border(&again.full_scene());
+        assert!(a == b && a.len() == 21);
+    }
 }
 
 #[test]

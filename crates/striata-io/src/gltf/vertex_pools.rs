@@ -9,7 +9,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use striata::mesh::{AttributeLayer, IndexedMesh};
 
-use super::passes::Sets;
+use crate::contacts::Sets;
 
 /// Largest share of the bytes that may remain of a set that is worth it.
 const WORTH: f64 = 0.75;

@@ -13,6 +13,7 @@ use crate::error::BuildError;
 use crate::levels::{MeshWeight, SceneLevel};
 use crate::lod_scene::LodScene;
 use crate::mesh_simplifier::MeshSimplifier;
+use crate::stream::share_lattices;
 
 impl LodScene {
     /// Encodes the scene as a GLB file that any viewer shows at a coarse level, and that contains the full
@@ -82,6 +83,10 @@ impl LodScene {
     ) -> Result<Vec<Option<Vec<u8>>>, GlbStreamError> {
         let simplifier = MeshSimplifier::new(self.scene());
         let weights = MeshWeight::of_scene(self.scene());
+        let mut options_of: Vec<_> =
+            weights.iter().map(|weight| in_mesh_units(&options.stream, weight)).collect();
+        let meshes: Vec<_> = self.lods().iter().map(|lod| lod.as_ref().map(Lod::mesh)).collect();
+        share_lattices((self.scene(), &meshes), options_of.iter_mut().map(Some).collect());
         let encode = |(mesh, lod): (usize, &Option<Lod>)| {
             let Some(lod) = lod.as_ref().filter(|lod| lod.mesh().triangle_count() > 0) else {
                 return Ok(None);
@@ -94,14 +99,14 @@ impl LodScene {
                 StreamError::Cancelled(reason) => reason.into(),
                 error => GlbStreamError::Stream { mesh, error },
             };
-            let own = in_mesh_units(&options.stream, &weights[mesh]);
+            let own = &options_of[mesh];
             let step = own.grid_step(lod.mesh()).map_err(|error| in_stream(error.into()))?;
             let shape_step = options.batches.shape_step.unwrap_or(SHAPE_STEPS * step);
             let batches = options.batches.clone().with_shape_step(Some(shape_step));
             let built: Result<_, GlbStreamError> =
                 simplifier.batches((mesh, lod.mesh()), &batches, progress).map_err(failed);
             let built = built?;
-            let stream = encode_stream_with_progress(&built.built.refinable, &built.batches, &own, progress);
+            let stream = encode_stream_with_progress(&built.built.refinable, &built.batches, own, progress);
             Ok(Some(stream.map_err(in_stream)?.bytes))
         };
         self.lods().iter().enumerate().map(encode).collect()

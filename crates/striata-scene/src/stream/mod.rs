@@ -68,6 +68,7 @@ mod received;
 mod schedule;
 mod weights;
 
+pub(crate) use precision::share_lattices;
 pub(crate) use weights::normalize_weights;
 
 pub use decoder::{MeshUpdate, SceneStreamDecoder, SceneStreamUpdate};

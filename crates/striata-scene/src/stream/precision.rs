@@ -46,7 +46,46 @@ pub(super) fn mesh_precisions(scene: &Scene, options: &StreamOptions) -> Vec<Opt
         };
         Some(MeshPrecision { options: own, scale: scale.unwrap_or(0.0) })
     };
-    with_scale.map(precision).collect()
+    let mut precisions: Vec<_> = with_scale.map(precision).collect();
+    let meshes: Vec<_> = scene.meshes().iter().map(Option::as_ref).collect();
+    share_lattices(
+        (scene, &meshes),
+        precisions.iter_mut().map(|own| own.as_mut().map(|own| &mut own.options)).collect(),
+    );
+    precisions
+}
+
+/// How much finer than it asks for a mesh is rounded at most, to meet its neighbors.
+const FINER: f64 = 4.0;
+
+/// Gives meshes that touch the same lattice, the finest that one of them asks for, so that they still touch when
+/// they are rounded. `options` has those of each mesh.
+pub(crate) fn share_lattices(
+    (scene, meshes): (&Scene, &[Option<&IndexedMesh>]),
+    mut options: Vec<Option<&mut StreamOptions>>,
+) {
+    let is_exact = |own: &&mut StreamOptions| own.precision == Precision::Lossless;
+    if options.iter().flatten().filter(|own| !is_exact(own)).count() < 2 {
+        return;
+    }
+    let step = |mesh: usize, own: &StreamOptions| own.grid_step(meshes[mesh]?).ok();
+    let steps: Vec<Option<f64>> = options
+        .iter()
+        .enumerate()
+        .map(|(mesh, own)| own.as_deref().and_then(|own| step(mesh, own)))
+        .collect();
+    let least = steps.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+    for group in scene.touching_meshes(meshes, 0.25 * least) {
+        let finest = group.iter().filter_map(|(mesh, _)| steps[*mesh]).fold(f64::INFINITY, f64::min);
+        for (mesh, offset) in group {
+            let Some(own) = options[mesh].as_deref_mut().filter(|own| !is_exact(own)) else { continue };
+            let on_lattice = own.clone().with_precision(Precision::Lattice { step: finest, offset });
+            let is_near = steps[mesh].is_some_and(|step| step <= FINER * finest);
+            if is_near && step(mesh, &on_lattice).is_some() {
+                *own = on_lattice;
+            }
+        }
+    }
 }
 
 /// Returns how far positions may move, in units of the scene; [`None`] if they may not move, or the scene

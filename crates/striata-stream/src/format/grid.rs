@@ -44,6 +44,14 @@ pub enum GridError {
         /// The smallest tolerance that can be guaranteed, mesh units.
         min_tolerance: f64,
     },
+    /// A lattice has too many points within the mesh, or is finer than floats are.
+    #[error("a step of {step} requested, but a mesh of this size needs one of at least {least_step}")]
+    Step {
+        /// The requested step, mesh units.
+        step: f64,
+        /// The smallest step that is possible, mesh units.
+        least_step: f64,
+    },
     /// A parameter of the grid is out of range.
     #[error("the grid's {what} is {value}, which is out of range")]
     Malformed {
@@ -111,8 +119,7 @@ impl Axis {
     pub(crate) fn through_zero(ranges: &[(f32, f32)], bits: u32) -> Option<(Vec<Self>, u32)> {
         let extent = ranges.iter().fold(0.0f64, |m, r| m.max(f64::from(r.1) - f64::from(r.0)));
         let longest_step = extent / f64::from((1u32 << bits) - 1);
-        // Without its mantissa, a number is the next lower power of two.
-        let step = f64::from_bits(longest_step.to_bits() & 0x7FF0_0000_0000_0000);
+        let step = power_of_two(longest_step);
         if ranges.iter().any(|r| r.0 > 0.0 || r.1 < 0.0) || step < f64::from(f32::MIN_POSITIVE) {
             return None;
         }
@@ -134,6 +141,12 @@ impl Axis {
         }
         Ok(self)
     }
+}
+
+/// Returns the largest power of two up to a positive number.
+fn power_of_two(number: f64) -> f64 {
+    // What is left without the mantissa.
+    f64::from_bits(number.to_bits() & 0x7FF0_0000_0000_0000)
 }
 
 /// Returns the distance from `|x|` to the next larger float.
@@ -185,6 +198,27 @@ impl PositionGrid {
         } else {
             Ok(grid)
         }
+    }
+
+    /// Makes a grid of points that are multiples of a power of two, the next one below a length in mesh units,
+    /// after they have been moved by an offset.
+    ///
+    /// # Errors
+    /// [`GridError::Step`] if the step is too small for the mesh.
+    pub(crate) fn on_lattice(bounds: &Bounds, step: f64, offset: [f64; 3]) -> Result<Self, GridError> {
+        let least_step = Self::over(bounds, 0.0, MAX_BITS).step * 2.0;
+        let wanted = step;
+        let step = power_of_two(step);
+        if !(step >= least_step && step.is_normal()) {
+            return Err(GridError::Step { step: wanted, least_step });
+        }
+        let origin = [0, 1, 2].map(|a| {
+            let low = f64::from(bounds.min[a]) + offset[a];
+            ((low / step).floor() * step - offset[a]) as f32
+        });
+        let grid = Self { origin, step, bits: MAX_BITS };
+        let last = grid.quantize(bounds.max).into_iter().max().unwrap_or(0);
+        Ok(Self { bits: (last as u32 + 1).next_power_of_two().ilog2().max(1), ..grid })
     }
 
     fn over(bounds: &Bounds, least_step: f64, bits: u32) -> Self {

@@ -26,6 +26,14 @@ pub enum Precision {
     Bits(u32),
     /// Positions snap to a cubic grid so fine that no vertex moves farther than this, in mesh units.
     Tolerance(f64),
+    /// Positions snap to points that are multiples of a length after the mesh has been moved; meshes that touch still
+    /// do so if they have the same steps, moved to where they touch.
+    Lattice {
+        /// Length in mesh units; the step is the next power of two below it.
+        step: f64,
+        /// Move of the mesh, mesh units.
+        offset: [f64; 3],
+    },
     /// Positions and attribute layers keep their exact floats.
     Lossless,
 }
@@ -291,6 +299,7 @@ fn grid_of(mesh: &IndexedMesh, precision: Precision) -> Result<PositionGrid, Gri
     match precision {
         Precision::Bits(bits) => PositionGrid::from_bits(&bounds, bits),
         Precision::Tolerance(tolerance) => PositionGrid::from_tolerance(&bounds, tolerance),
+        Precision::Lattice { step, offset } => PositionGrid::on_lattice(&bounds, step, offset),
         Precision::Lossless => PositionGrid::from_bits(&bounds, LOSSLESS_BITS),
     }
 }

@@ -34,7 +34,6 @@ use crate::error::Refusal;
 use compact::compact;
 use draco::draco;
 use meshopt::meshopt;
-pub(super) use primitives::Sets;
 use quantize::{Texcoords, quantize};
 
 /// glTF document before it is embedded into a file.

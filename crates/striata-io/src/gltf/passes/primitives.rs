@@ -85,29 +85,3 @@ fn named_accessors(value: &Value) -> Option<Vec<(String, u64)>> {
     let named = |(name, accessor): (&String, &Value)| Some((name.clone(), index(accessor)?));
     value.as_object()?.iter().map(named).collect()
 }
-
-/// Disjoint sets of numbers.
-#[derive(Debug)]
-pub(in crate::gltf) struct Sets(Vec<usize>);
-
-impl Sets {
-    /// Creates one set for each number.
-    pub(in crate::gltf) fn new(count: usize) -> Self {
-        Self((0..count).collect())
-    }
-
-    /// Returns the smallest number of a set.
-    pub(in crate::gltf) fn find(&mut self, mut member: usize) -> usize {
-        while self.0[member] != member {
-            self.0[member] = self.0[self.0[member]];
-            member = self.0[member];
-        }
-        member
-    }
-
-    /// Joins two sets.
-    pub(in crate::gltf) fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.0[a.max(b)] = a.min(b);
-    }
-}

@@ -9,10 +9,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use meshoptimizer_rs::{Limits, Workspace, optimize_vertex_cache_strip};
 
 use super::roles::{Role, Use};
+use crate::contacts::Sets;
 use crate::gltf::accessor::accessor;
 use crate::gltf::document::Document;
 use crate::gltf::passes::extensions::are_free_of_order;
-use crate::gltf::passes::primitives::{Primitive, Sets};
+use crate::gltf::passes::primitives::Primitive;
 
 /// New order of everything that may be moved.
 #[derive(Debug, Default)]

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use super::shared_grids::share;
 use crate::GridScope;
+use crate::contacts::Sets;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
 use crate::gltf::passes::extensions::are_free_of_values;
-use crate::gltf::passes::primitives::{Primitive, Sets};
+use crate::gltf::passes::primitives::Primitive;
 
 /// Grid that positions are rounded to.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,34 +1,26 @@
 //! One grid for meshes that touch, so that their borders still meet after rounding.
 //!
 //! Grids have the same step, a power of two, and origins that are multiples of it in the space of the scene, so
-//! that a point of two meshes is rounded to the same point. That is possible for meshes whose nodes only move them,
-//! or transform all of them alike.
+//! that a point of two meshes is rounded to the same point. That is possible for meshes whose transforms differ
+//! only by a move.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::grid::{Box3, Grid, positions_of};
 use crate::GridScope;
+use crate::contacts::{Contacts, Spot};
 use crate::gltf::document::Document;
 use crate::gltf::node_tree::placed_nodes;
 use crate::gltf::passes::index_at;
-use crate::gltf::passes::primitives::{Primitive, Sets};
+use crate::gltf::passes::primitives::Primitive;
 
 /// Largest number of grid steps along a side.
 const MOST_STEPS: f64 = 65534.0;
 
 /// How much coarser than its own a grid of a mesh may be that touches others: a gap is worse than one bit less.
 const COARSER: f64 = 2.001;
-
-/// Where the nodes of the scene place the meshes of a set.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Place {
-    /// Bits of everything but a move: those of the whole transform if it does more than that.
-    space: [u64; 12],
-    /// Move to the space.
-    offset: DVec3,
-}
 
 /// A set of meshes with a grid of its own so far.
 struct Member {
@@ -49,18 +41,18 @@ pub(super) fn share(
     if scope == GridScope::Mesh {
         return;
     }
-    let mut spaces: BTreeMap<[u64; 12], Vec<Member>> = BTreeMap::new();
-    for (set, place) in places(document, of_mesh) {
+    let mut spaces: BTreeMap<[u64; 9], Vec<Member>> = BTreeMap::new();
+    for (set, spot) in spots(document, of_mesh) {
         let (Some(grid), Some(bounds)) = (grids[set], boxes[set]) else { continue };
-        let member = Member { set, offset: place.offset, bounds, step: f64::from(grid.step) };
-        spaces.entry(place.space).or_default().push(member);
+        let member = Member { set, offset: spot.offset, bounds, step: f64::from(grid.step) };
+        spaces.entry(spot.space).or_default().push(member);
     }
     for members in spaces.into_values().filter(|members| members.len() > 1) {
         let groups = match scope {
             GridScope::Scene => vec![members],
             _ => touching(document, (primitives, of_mesh), members),
         };
-        for group in groups.into_iter().filter(|group| group.len() > 1) {
+        for group in groups {
             for (set, grid) in shared_grids(&group, scope) {
                 grids[set] = Some(grid);
             }
@@ -68,30 +60,21 @@ pub(super) fn share(
     }
 }
 
-/// Returns the place of each set of meshes that one node shows, or several with the same transform.
-fn places(document: &Document<'_>, of_mesh: &[usize]) -> BTreeMap<usize, Place> {
-    let mut found: BTreeMap<usize, Option<Place>> = BTreeMap::new();
+/// Returns where the scene shows each set of meshes that one node shows, or several with the same transform.
+fn spots(document: &Document<'_>, of_mesh: &[usize]) -> BTreeMap<usize, Spot> {
+    let mut found: BTreeMap<usize, Option<Spot>> = BTreeMap::new();
     for placed in placed_nodes(&document.root).unwrap_or_default() {
         let Some(&set) = index_at(placed.node.value, "mesh").and_then(|mesh| of_mesh.get(mesh)) else {
             continue;
         };
         let is_plain = placed.node.value.get("skin").is_none() && placed.node.get("extensions").is_none();
-        let linear = DMat3::from_mat4(placed.matrix);
-        let offset = placed.matrix.w_axis.truncate();
-        let is_move = linear == DMat3::IDENTITY;
-        let mut space = [0; 12];
-        let numbers = linear.to_cols_array().into_iter().chain(offset.to_array());
-        for (word, number) in space.iter_mut().zip(numbers).take(if is_move { 9 } else { 12 }) {
-            *word = number.to_bits();
-        }
-        let place = Place { space, offset: if is_move { offset } else { DVec3::ZERO } };
-        let own = is_plain.then_some(place);
+        let own = Spot::new(placed.matrix).filter(|_| is_plain);
         found
             .entry(set)
             .and_modify(|known| *known = known.filter(|known| Some(*known) == own))
             .or_insert(own);
     }
-    found.into_iter().filter_map(|(set, place)| Some((set, place?))).collect()
+    found.into_iter().filter_map(|(set, spot)| Some((set, spot?))).collect()
 }
 
 /// Divides sets of meshes into groups that are connected by common vertices.
@@ -101,26 +84,18 @@ fn touching(
     members: Vec<Member>,
 ) -> Vec<Vec<Member>> {
     let number_of: BTreeMap<usize, usize> = members.iter().enumerate().map(|(i, m)| (m.set, i)).collect();
-    let cell = 0.25 * members.iter().map(|member| member.step).fold(f64::INFINITY, f64::min);
-    let mut sets = Sets::new(members.len());
-    let mut first_at: HashMap<[i64; 3], usize> = HashMap::new();
+    let finest = members.iter().map(|member| member.step).fold(f64::INFINITY, f64::min);
+    let mut contacts = Contacts::new(members.len(), 0.25 * finest);
     for primitive in primitives {
         let Some(&number) = number_of.get(&of_mesh[primitive.mesh]) else { continue };
-        let (Some(accessor), offset) = (primitive.attribute("POSITION"), members[number].offset) else {
-            continue;
-        };
-        for point in positions_of(document, accessor).unwrap_or_default().as_chunks::<3>().0 {
-            let point = DVec3::from_array(point.map(f64::from)) + offset;
-            // Coordinates that nodes move differ by rounding.
-            let key = (point / cell).round().to_array().map(|x| x as i64);
-            sets.join(*first_at.entry(key).or_insert(number), number);
-        }
+        let Some(accessor) = primitive.attribute("POSITION") else { continue };
+        let numbers = positions_of(document, accessor).unwrap_or_default();
+        contacts.add(number, members[number].offset, numbers.as_chunks().0);
     }
-    let mut groups: BTreeMap<usize, Vec<Member>> = BTreeMap::new();
-    for (number, member) in members.into_iter().enumerate() {
-        groups.entry(sets.find(number)).or_default().push(member);
-    }
-    groups.into_values().collect()
+    let mut members: Vec<_> = members.into_iter().map(Some).collect();
+    let mut taken =
+        |group: Vec<usize>| group.into_iter().filter_map(|number| members[number].take()).collect();
+    contacts.groups().into_iter().map(&mut taken).collect()
 }
 
 /// Returns grids with a common step: that of the finest member, unless another one is too large for it.
