@@ -53,7 +53,7 @@ pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
         ))
         .with_hint("remove --ascii, or use the extension .ply"));
     }
-    let flag = args.gltf.first_given_flag().or(args.gltf.raw.then_some("--raw"));
+    let flag = args.gltf.first_given_flag().or_else(|| args.gltf.first_plain_flag());
     if let Some(flag) = flag.filter(|_| !matches!(format, Format::Gltf | Format::Glb)) {
         return Err(Failure::user(format!(
             "{flag} is for glTF, but {} is written as {format}",
@@ -75,7 +75,7 @@ pub enum Primitives {
     Fans(Vec<Vec<Vec<u32>>>),
 }
 
-/// Returns the contents of the files that a mesh is written to, and warns of what the format cannot store.
+/// Returns the contents of the files that a mesh is written to.
 ///
 /// # Errors
 /// If the format cannot represent the mesh.
@@ -83,7 +83,7 @@ fn encoded(
     mesh: &IndexedMesh,
     primitives: Primitives,
     path: &Path,
-    (args, output): (&FormatArgs, &Output),
+    args: &FormatArgs,
 ) -> Result<EncodedMesh, Failure> {
     let format = format_of(path, args)?;
     let mut mesh = Cow::Borrowed(mesh);
@@ -96,32 +96,23 @@ fn encoded(
         Primitives::Strips(strips) => options = options.with_strips(strips),
         Primitives::Fans(fans) => options = options.with_fans(fans),
     }
-    with_warnings(encode_mesh(format, &mesh, &options, folder_path(path))?, output)
+    Ok(encode_mesh(format, &mesh, &options, folder_path(path))?)
 }
 
-/// Returns the path whose folder gets images and material libraries; those of stdout get none.
-fn folder_path(path: &Path) -> Option<&Path> {
+/// Returns the path whose folder gets images, material libraries and buffers; those of stdout get none.
+pub fn folder_path(path: &Path) -> Option<&Path> {
     (!is_stdout(path)).then_some(path)
 }
 
-fn with_warnings(encoded: EncodedMesh, output: &Output) -> Result<EncodedMesh, Failure> {
-    output.warn_of_losses(&encoded.warnings);
-    Ok(encoded)
-}
-
 /// Returns the contents of the files that a scene is written to: glTF keeps it as it is; other formats get one
-/// mesh. Warns of what the format cannot store.
+/// mesh.
 ///
 /// # Errors
 /// If the format cannot represent the scene.
-fn encoded_scene(
-    scene: &Scene,
-    path: &Path,
-    (args, output): (&FormatArgs, &Output),
-) -> Result<EncodedMesh, Failure> {
+fn encoded_scene(scene: &Scene, path: &Path, args: &FormatArgs) -> Result<EncodedMesh, Failure> {
     let format = format_of(path, args)?;
     let options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
-    with_warnings(encode_scene(format, scene, &options, folder_path(path))?, output)
+    Ok(encode_scene(format, scene, &options, folder_path(path))?)
 }
 
 /// Writes a scene to a file or to stdout.
@@ -129,7 +120,7 @@ fn encoded_scene(
 /// # Errors
 /// If the format cannot represent the scene or writing fails; existing files are then left unchanged.
 pub fn write_scene(scene: &Scene, path: &Path, args: &FormatArgs, output: &Output) -> Result<(), Failure> {
-    write_encoded(&encoded_scene(scene, path, (args, output))?, path)
+    write_encoded(&encoded_scene(scene, path, args)?, path, output)
 }
 
 /// Writes a mesh to a file or to stdout.
@@ -142,11 +133,15 @@ pub fn write_mesh(
     path: &Path,
     (args, output): (&FormatArgs, &Output),
 ) -> Result<(), Failure> {
-    write_encoded(&encoded(mesh, primitives, path, (args, output))?, path)
+    write_encoded(&encoded(mesh, primitives, path, args)?, path, output)
 }
 
-/// Writes a file with its companions, or the file alone to stdout.
-fn write_encoded(encoded: &EncodedMesh, path: &Path) -> Result<(), Failure> {
+/// Writes a file with its companions, or the file alone to stdout. Warns of what the format cannot store.
+///
+/// # Errors
+/// If writing fails; existing files are then left unchanged.
+pub fn write_encoded(encoded: &EncodedMesh, path: &Path, output: &Output) -> Result<(), Failure> {
+    output.warn_of_losses(&encoded.warnings);
     if is_stdout(path) {
         return to_stdout(&encoded.bytes);
     }
@@ -185,7 +180,7 @@ impl<'a> LevelFiles<'a> {
     /// # Errors
     /// If the format cannot represent the mesh or writing fails.
     pub fn write(&mut self, mesh: &IndexedMesh, primitives: Primitives, path: &Path) -> Result<(), Failure> {
-        self.write_contents(&encoded(mesh, primitives, path, (self.format, self.output))?, path)
+        self.write_contents(&encoded(mesh, primitives, path, self.format)?, path)
     }
 
     /// Writes a level of a scene, like [`write`](Self::write).
@@ -193,13 +188,16 @@ impl<'a> LevelFiles<'a> {
     /// # Errors
     /// If the format cannot represent the scene or writing fails.
     pub fn write_scene(&mut self, scene: &Scene, path: &Path) -> Result<(), Failure> {
-        self.write_contents(&encoded_scene(scene, path, (self.format, self.output))?, path)
+        self.write_contents(&encoded_scene(scene, path, self.format)?, path)
     }
 
     fn write_contents(&mut self, encoded: &EncodedMesh, path: &Path) -> Result<(), Failure> {
         match &mut self.batch {
-            Some(batch) => Ok(encoded.stage(path, batch)?),
-            None => write_encoded(encoded, path),
+            Some(batch) => {
+                self.output.warn_of_losses(&encoded.warnings);
+                Ok(encoded.stage(path, batch)?)
+            }
+            None => write_encoded(encoded, path, self.output),
         }
     }
 

@@ -59,6 +59,11 @@ impl EncodedMesh {
     }
 }
 
+/// Whether files can lie next to an output: not if it is a pipe or a device.
+pub(crate) fn can_have_companions(path: &Path) -> bool {
+    !path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir())
+}
+
 /// Encodes a mesh as the file at `path`, compressed if the name ends in `.gz` or `.zst`, with the material
 /// libraries and images that belong next to it.
 ///
@@ -76,9 +81,7 @@ pub fn encode_mesh(
 ) -> Result<EncodedMesh, WriteError> {
     let file = path.map_or_else(|| format.to_string(), |path| path.display().to_string());
     let mut warnings = Warnings::of_file(&file);
-    // Nothing can lie next to a pipe or a device.
-    let is_special = |path: &&Path| path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir());
-    let folder_path = path.filter(|path| !is_special(path));
+    let folder_path = path.filter(|path| can_have_companions(path));
     let (bytes, companions) = named_bytes((format, &file), mesh, options, folder_path, &mut warnings)?;
     let bytes = if path.is_some() { packed_for_name(bytes, &file)? } else { bytes };
     Ok(EncodedMesh { bytes, companions, warnings: warnings.into_list() })

@@ -269,21 +269,6 @@ pub enum WriteError {
     },
 }
 
-impl WriteError {
-    /// Replaces the name of the file.
-    #[cfg(feature = "gltf")]
-    pub(crate) fn in_file(self, name: &str) -> Self {
-        let file = name.to_owned();
-        match self {
-            Self::Io { source, .. } => Self::Io { file, source },
-            Self::UnknownFormat { .. } => Self::UnknownFormat { file },
-            Self::FeatureOff { what, feature, .. } => Self::FeatureOff { file, what, feature },
-            Self::Unsupported { format, reason, .. } => Self::Unsupported { file, format, reason },
-            Self::BadMesh { reason, .. } => Self::BadMesh { file, reason },
-        }
-    }
-}
-
 /// A [`WriteError`] without a file name and a format.
 #[derive(Debug)]
 pub(crate) enum Refusal {

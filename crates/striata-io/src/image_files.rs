@@ -1,7 +1,7 @@
-//! Files that the images of a mesh become next to an OBJ or PLY file.
+//! Files that the images of a mesh or scene become next to an OBJ, PLY or glTF file.
 //!
-//! An image that lies in the folder of the output already, under its path or the end of it, is referred to. All others are
-//! written there, under their file names. A different file of that name is never replaced: the image then
+//! An image that lies in the folder of the output already, under its path or the end of it, is referred to. All
+//! others are written there, under their file names. A different file of that name is never replaced: the image then
 //! gets a number.
 
 use std::collections::BTreeMap;
@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use percent_encoding::percent_decode_str;
-use striata::mesh::{Appearance, Image};
+use striata::mesh::Image;
 
 use crate::encoded::CompanionFile;
 use crate::error::Place;
@@ -58,14 +58,14 @@ enum Found {
 
 impl<'m> ImageFiles<'m> {
     /// Creates the files for an output, whose own name is taken.
-    pub(crate) fn new(appearance: &'m Appearance, output: Option<&Path>) -> Self {
+    pub(crate) fn new(images: &'m [Image], output: Option<&Path>) -> Self {
         let folder = output.map(|path| match path.parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
             _ => PathBuf::from("."),
         });
         let own_name = output.and_then(Path::file_name).map(|name| name.to_string_lossy().to_lowercase());
         Self {
-            images: &appearance.images,
+            images,
             folder,
             names: BTreeMap::new(),
             taken: own_name.into_iter().map(|name| (name, None)).collect(),
@@ -286,8 +286,7 @@ mod tests {
             image("maps/lost.png", "", "", b""),
             image("x.obj", "", "", b"x"),
         ];
-        let appearance = Appearance { images, ..Appearance::default() };
-        let mut files = ImageFiles::new(&appearance, Some(&folder.path().join("x.obj")));
+        let mut files = ImageFiles::new(&images, Some(&folder.path().join("x.obj")));
         let expected = [
             "wood.png",
             "Wood-2.PNG",
@@ -309,7 +308,7 @@ mod tests {
             .collect();
         let new = [0, 1, 5, 6, 7, 8, 10].map(|index: usize| expected[index]);
         assert_eq!(written, new);
-        let mut in_memory = ImageFiles::new(&appearance, None);
+        let mut in_memory = ImageFiles::new(&images, None);
         assert_eq!(names(&mut in_memory, 2), ["wood.png", "Wood-2.PNG"]);
         assert!(in_memory.into_files().is_empty());
     }

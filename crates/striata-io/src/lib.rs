@@ -108,6 +108,7 @@ mod color_space;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod companions;
 mod compressed;
+#[cfg(feature = "gltf")]
 mod contacts;
 mod encoded;
 mod error;
@@ -120,7 +121,7 @@ mod format;
 mod gltf;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod gltf_json;
-#[cfg(any(feature = "ply", feature = "obj"))]
+#[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod image_files;
 #[cfg(all(feature = "images", any(feature = "ply", feature = "obj", feature = "gltf")))]
 mod image_pixels;

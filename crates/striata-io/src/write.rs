@@ -15,8 +15,8 @@ use crate::{Format, WriteError};
 
 /// Writes a mesh to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.
 ///
-/// OBJ gets a material library next to it, and OBJ and PLY the images of their materials, unless they are
-/// there already. All files are written completely, or none.
+/// OBJ gets a material library next to it, `.gltf` a buffer, and all three of OBJ, PLY and `.gltf` the images of
+/// their materials, unless they are there already. All files are written completely, or none.
 ///
 /// # Errors
 /// Returns [`WriteError`] with the file and the reason.
@@ -74,8 +74,8 @@ pub(crate) fn named_bytes(
     check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
     crate::lost_data::warn(format, mesh, warnings);
     let mut companions = Vec::new();
-    #[cfg(any(feature = "ply", feature = "obj"))]
-    let mut images = crate::image_files::ImageFiles::new(&mesh.appearance, path);
+    #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
+    let mut images = crate::image_files::ImageFiles::new(&mesh.appearance.images, path);
     let bytes: Result<Vec<u8>, Refusal> = match format {
         #[cfg(feature = "ply")]
         Format::Ply => crate::ply::to_bytes(mesh, options.ascii, &mut images, warnings),
@@ -86,9 +86,10 @@ pub(crate) fn named_bytes(
         #[cfg(feature = "off")]
         Format::Off => Ok(crate::off::to_bytes(mesh, warnings)),
         #[cfg(feature = "gltf")]
-        Format::Gltf => crate::gltf::to_json_bytes(mesh, options),
-        #[cfg(feature = "gltf")]
-        Format::Glb => crate::gltf::to_glb_bytes(mesh, options),
+        Format::Gltf | Format::Glb => {
+            let container = crate::gltf::Container::new(format, options, path, (&mut images, warnings));
+            crate::gltf::to_bytes(mesh, options, container)
+        }
         #[cfg(feature = "vtk")]
         Format::Vtk | Format::Vtp | Format::Vtu => crate::vtk::to_bytes(format, mesh, warnings),
         #[cfg(feature = "threemf")]
@@ -102,7 +103,7 @@ pub(crate) fn named_bytes(
             return Err(WriteError::FeatureOff { file: file.to_owned(), what, feature });
         }
     };
-    #[cfg(any(feature = "ply", feature = "obj"))]
+    #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
     companions.extend(images.into_files());
     bytes.map(|bytes| (bytes, companions)).map_err(|refusal| refusal.in_file(file, format))
 }

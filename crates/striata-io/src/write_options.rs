@@ -28,6 +28,9 @@ pub struct WriteOptions {
     /// materials a matte one; viewers show flat facets of a white metal otherwise. Vertices at creases are
     /// divided. Has no effect with strips or fans. Default: false.
     pub shading: bool,
+    /// `.gltf` only: whether buffer and images are embedded as text, which takes a third more bytes, instead of
+    /// being files next to it. Bytes without a path always embed them. Default: false.
+    pub embed: bool,
 }
 
 impl WriteOptions {
@@ -65,6 +68,12 @@ impl WriteOptions {
     #[must_use]
     pub fn with_shading(self, shading: bool) -> Self {
         Self { shading, ..self }
+    }
+
+    /// Sets [`embed`](Self::embed).
+    #[must_use]
+    pub fn with_embed(self, embed: bool) -> Self {
+        Self { embed, ..self }
     }
 
     /// Sets [`draco`](Self::draco).

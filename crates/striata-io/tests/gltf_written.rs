@@ -3,7 +3,7 @@
 mod meshes;
 
 use meshes::{read, sheet, square_with_everything};
-use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, TriangleGroup};
+use striata::mesh::{AttributeLayer, Image, IndexedMesh, Semantic, TriangleGroup};
 use striata_io::{Format, QuantizeOptions, WriteOptions, to_bytes};
 
 /// A wavy sheet with normals and texture coordinates, in two groups.
@@ -167,4 +167,51 @@ fn empty_meshes_are_written() {
         let bytes = to_bytes(Format::Glb, &IndexedMesh::default(), &options).unwrap();
         assert_eq!(read("x.glb", &bytes).unwrap().triangle_count(), 0);
     }
+}
+
+/// A `.gltf` has its buffer and images next to it, unless they are to be embedded.
+#[test]
+fn gltf_files_have_files_next_to_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let (mut mesh, plain) = (square_with_everything(), WriteOptions::default());
+    let png = b"\x89PNG\r\n\x1a\n and more".to_vec();
+    let image = |name: &str| Image { name: name.into(), mime_type: "image/png".into(), ..Image::default() };
+    mesh.appearance.images =
+        ["wood", "stone"].map(|name| Image { bytes: [&png, name.as_bytes()].concat(), ..image(name) }).into();
+    let images = mesh.appearance.images.len();
+    let names = || {
+        let entries = std::fs::read_dir(folder.path()).unwrap();
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    };
+    let expected = read("x.glb", &to_bytes(Format::Glb, &mesh, &plain).unwrap()).unwrap();
+    let matches = |name: &str| {
+        let found = striata_io::read(path(name)).unwrap();
+        assert_eq!((&found.positions, &found.triangles), (&expected.positions, &expected.triangles));
+        let bytes = |mesh: &IndexedMesh| -> Vec<Vec<u8>> {
+            mesh.appearance.images.iter().map(|image| image.bytes.clone()).collect()
+        };
+        assert_eq!(bytes(&found), bytes(&expected));
+    };
+    for _ in 0..2 {
+        striata_io::write(path("a b.gltf"), &mesh, &plain).unwrap();
+        assert_eq!(names().len(), 2 + images, "{:?}", names());
+        matches("a b.gltf");
+    }
+    let document = std::fs::read_to_string(path("a b.gltf")).unwrap();
+    assert!(document.contains("\"a%20b.bin\"") && !document.contains("data:"));
+    // A buffer of somebody else stays; equal images are shared.
+    std::fs::write(path("c.bin"), b"mine").unwrap();
+    let warnings = striata_io::write_with_report(path("c.gltf"), &mesh, &plain).unwrap();
+    assert!(warnings.iter().any(|warning| warning.to_string().contains("c.bin")), "{warnings:?}");
+    assert_eq!(std::fs::read(path("c.bin")).unwrap(), b"mine");
+    assert!(names().contains(&"c-2.bin".to_owned()));
+    assert_eq!(names().len(), 5 + images);
+    matches("c.gltf");
+    striata_io::write(path("d.gltf"), &mesh, &plain.with_embed(true)).unwrap();
+    assert_eq!(names().len(), 6 + images);
+    matches("d.gltf");
 }

@@ -20,7 +20,7 @@ fn levels(lods: &LodScene) -> Vec<SceneLevel> {
 fn chain_json(sample: &TestScene) -> (LodScene, Value) {
     let lods = build(sample);
     let options = LodChainOptions::default().with_format(Format::Gltf);
-    let bytes = lod_chain(&lods, &levels(&lods), &options).unwrap();
+    let bytes = lod_chain(&lods, &levels(&lods), &options, None).unwrap().bytes;
     (lods, serde_json::from_slice(&bytes).unwrap())
 }
 
@@ -171,14 +171,14 @@ fn equal_levels_are_written_once_and_old_chains_replaced() {
     let coarse = lods.level(Target::Detail(0.2));
     let options = LodChainOptions::default();
     let twice = [coarse.clone(), lods.level(Target::Detail(1.0)), coarse];
-    let bytes = lod_chain(&lods, &twice, &options).unwrap();
+    let bytes = lod_chain(&lods, &twice, &options, None).unwrap().bytes;
     let scene = read_scene_bytes(&bytes, &Source::new("chain.glb")).unwrap();
     assert_eq!(scene.meshes().len(), 2);
     let again = LodScene::build(&scene, &LodOptions::default()).unwrap();
-    let bytes = lod_chain(&again, &levels(&again), &options).unwrap();
+    let bytes = lod_chain(&again, &levels(&again), &options, None).unwrap().bytes;
     let document = read_scene_bytes(&bytes, &Source::new("chain.glb")).unwrap();
     assert_eq!(chains(document.document()).len(), 1);
-    let bytes = lod_chain(&lods, &[], &options).unwrap();
+    let bytes = lod_chain(&lods, &[], &options, None).unwrap().bytes;
     assert!(!String::from_utf8_lossy(&bytes).contains("MSFT_lod"));
-    assert!(lod_chain(&lods, &[], &options.with_format(Format::Ply)).is_err());
+    assert!(lod_chain(&lods, &[], &options.with_format(Format::Ply), None).is_err());
 }

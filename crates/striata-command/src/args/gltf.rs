@@ -19,6 +19,9 @@ pub struct GltfArgs {
     /// Keep a mesh without normals or materials as it is; viewers show it with flat facets, as white metal
     #[arg(long)]
     pub raw: bool,
+    /// Write .gltf as one file, a third larger, instead of putting its buffer and images next to it
+    #[arg(long)]
+    embed: bool,
     /// Round attributes to small integers (KHR_mesh_quantization)
     #[arg(long)]
     quantize: bool,
@@ -105,8 +108,15 @@ impl GltfArgs {
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
     }
 
+    /// Returns the first flag that the user gave and that has no effect on the encoding.
+    pub fn first_plain_flag(&self) -> Option<&'static str> {
+        let flags = [("--raw", self.raw), ("--embed", self.embed)];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+
     /// Sets these options; without any of these flags, they are unchanged.
     pub fn applied_to(&self, options: WriteOptions) -> WriteOptions {
+        let options = options.with_embed(self.embed);
         if self.first_given_flag().is_none() {
             return options;
         }

@@ -16,6 +16,8 @@ pub(super) struct Builder {
     free_views: Vec<usize>,
     /// Entries of `accessors` that are still `null`, last first.
     free_accessors: Vec<usize>,
+    /// URIs of the images that are files of their own.
+    pub(super) image_uris: Vec<Option<String>>,
 }
 
 /// Returns the indices of all entries that are `null`, last first.
@@ -41,7 +43,11 @@ impl Builder {
     /// Continues a document, whose entries that are `null` are used first.
     pub(super) fn continuing(binary: Vec<u8>, views: Vec<Value>, accessors: Vec<Value>) -> Self {
         let (free_views, free_accessors) = (free_slots(&views), free_slots(&accessors));
-        Self { binary, views, accessors, free_views, free_accessors }
+        Self { binary, views, accessors, free_views, free_accessors, image_uris: Vec::new() }
+    }
+
+    pub(super) fn with_image_uris(self, image_uris: Vec<Option<String>>) -> Self {
+        Self { image_uris, ..self }
     }
 
     /// Fills entries that are still `null` with harmless ones, because others keep their indices.

@@ -34,6 +34,7 @@ mod draco;
 mod draco_mesh;
 mod extensions;
 mod far_origin;
+mod files;
 mod gather;
 mod gpu_instancing;
 mod json;
@@ -88,13 +89,14 @@ pub(crate) mod parts {
 }
 
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
+pub(crate) use files::Container;
 pub(crate) use references::has_triangles;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;
-pub(crate) use write::{image_entry, insert, looks, to_glb_bytes, to_json_bytes};
+pub(crate) use write::{image_entry, insert, looks, to_bytes};
 pub(crate) use write_layers::{attribute_name, is_unstorable};
-pub(crate) use write_scene::{scene_to_glb_bytes, scene_to_json_bytes};
+pub(crate) use write_scene::scene_to_bytes;
 
 use crate::error::Fault;
 use crate::report::Warnings;

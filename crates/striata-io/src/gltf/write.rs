@@ -10,6 +10,7 @@ use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 
 use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
 use super::component_type::ComponentType;
+use super::files::Container;
 use super::passes::GltfParts;
 use super::shading::shaded;
 use super::write_layers::{Attributes, attributes};
@@ -22,27 +23,26 @@ const TRIANGLE_FAN: u32 = 6;
 /// Name of the place of a terrain among the extras of a scene.
 pub(super) const GEOREFERENCE: &str = "georeference";
 
-/// Encodes a mesh as a GLB file.
-pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    parts(mesh, options)?.into_glb()
-}
-
-/// Encodes a mesh as a glTF file with an embedded buffer.
-pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
-    Ok(parts(mesh, options)?.into_json())
-}
-
-/// Builds the document and its binary data, quantized and compressed as the options say.
-fn parts(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusal> {
-    let mut parts = document(mesh, options)?;
+/// Encodes a mesh as a glTF file, quantized and compressed as the options say.
+pub(crate) fn to_bytes(
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+    mut container: Container<'_, '_>,
+) -> Result<Vec<u8>, Refusal> {
+    let image_uris = container.image_uris(&mesh.appearance.images);
+    let mut parts = document(mesh, options, image_uris)?;
     parts.apply(options)?;
-    Ok(parts)
+    container.packed(parts)
 }
 
-fn document(mesh: &IndexedMesh, options: &WriteOptions) -> Result<GltfParts, Refusal> {
+fn document(
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+    image_uris: Vec<Option<String>>,
+) -> Result<GltfParts, Refusal> {
     let keeps_vertices = options.strips.is_some() || options.fans.is_some();
     let mesh = if options.shading && !keeps_vertices { &*shaded(mesh) } else { mesh };
-    let mut builder = Builder::default();
+    let mut builder = Builder::default().with_image_uris(image_uris);
     let mut root = Map::new();
     root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));
     root.insert("scene".to_owned(), json!(0));
@@ -162,7 +162,7 @@ impl Builder {
 
     fn image(&mut self, image: &Image, index: usize) -> Result<Value, Refusal> {
         let mut value = image_entry(image);
-        self.image_source(image, &mut value);
+        self.image_source((index, image), &mut value);
         if value.get("bufferView").is_none() && value.get("uri").is_none() {
             return Err(Refusal::BadMesh(format!("image {index} has neither typed bytes nor a URI")));
         }
@@ -170,11 +170,13 @@ impl Builder {
     }
 
     /// Adds the bytes of an image, or its URI if there are none, to its entry.
-    pub(super) fn image_source(&mut self, image: &Image, value: &mut Value) {
+    pub(super) fn image_source(&mut self, (index, image): (usize, &Image), value: &mut Value) {
         if !image.mime_type.is_empty() {
             value["mimeType"] = json!(image.mime_type);
         }
-        if !image.bytes.is_empty() && !image.mime_type.is_empty() {
+        if let Some(Some(uri)) = self.image_uris.get(index) {
+            value["uri"] = json!(uri);
+        } else if !image.bytes.is_empty() && !image.mime_type.is_empty() {
             value["bufferView"] = json!(self.push_view(&image.bytes, None, None));
         } else if !image.uri.is_empty() {
             value["uri"] = json!(image.uri);

@@ -12,6 +12,7 @@ use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use super::builder::Builder;
+use super::files::Container;
 use super::passes::GltfParts;
 use super::primitive::semantic;
 use super::references::{entries, has_triangles};
@@ -21,30 +22,23 @@ use super::write_layers::{Attributes, attributes};
 use crate::error::Refusal;
 use crate::{SceneWriter, WriteOptions};
 
-/// Encodes a scene as a GLB file.
-pub(crate) fn scene_to_glb_bytes(
+/// Encodes a scene as a glTF file, quantized and compressed as the options say.
+pub(crate) fn scene_to_bytes(
     writer: &SceneWriter<'_>,
     options: &WriteOptions,
+    mut container: Container<'_, '_>,
 ) -> Result<Vec<u8>, Refusal> {
-    parts(writer, options)?.into_glb()
-}
-
-/// Encodes a scene as a glTF file with everything embedded.
-pub(crate) fn scene_to_json_bytes(
-    writer: &SceneWriter<'_>,
-    options: &WriteOptions,
-) -> Result<Vec<u8>, Refusal> {
-    Ok(parts(writer, options)?.into_json())
-}
-
-/// Builds the document and its binary data, quantized and compressed as the options say.
-fn parts(writer: &SceneWriter<'_>, options: &WriteOptions) -> Result<GltfParts, Refusal> {
-    let mut parts = document(writer, options)?;
+    let image_uris = container.image_uris(writer.scene.images());
+    let mut parts = document(writer, options, image_uris)?;
     parts.apply(options)?;
-    Ok(parts)
+    container.packed(parts)
 }
 
-fn document(writer: &SceneWriter<'_>, options: &WriteOptions) -> Result<GltfParts, Refusal> {
+fn document(
+    writer: &SceneWriter<'_>,
+    options: &WriteOptions,
+    image_uris: Vec<Option<String>>,
+) -> Result<GltfParts, Refusal> {
     if options.strips.is_some() || options.fans.is_some() {
         return Err(Refusal::Unsupported("strips and fans are for files with one mesh".to_owned()));
     }
@@ -55,9 +49,10 @@ fn document(writer: &SceneWriter<'_>, options: &WriteOptions) -> Result<GltfPart
         _ => Vec::new(),
     };
     let (views, accessors) = (take("bufferViews"), take("accessors"));
-    let mut builder = Builder::continuing(scene.buffer().to_vec(), views, accessors);
+    let builder = Builder::continuing(scene.buffer().to_vec(), views, accessors);
+    let mut builder = builder.with_image_uris(image_uris);
     put_meshes(&mut builder, &mut root, writer)?;
-    for (entry, image) in entries(&mut root, "images").zip(scene.images()) {
+    for (entry, image) in entries(&mut root, "images").zip(scene.images().iter().enumerate()) {
         builder.image_source(image, entry);
     }
     for (pointer, bytes) in &writer.attachments {

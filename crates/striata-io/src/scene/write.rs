@@ -7,8 +7,6 @@ use striata::mesh::IndexedMesh;
 use super::{Scene, SceneWriter};
 #[cfg(not(target_family = "wasm"))]
 use crate::Warning;
-use crate::report::Warnings;
-use crate::write::packed_for_name;
 use crate::write_options::WriteOptions;
 use crate::{EncodedMesh, Format, ReadError, Source, WriteError, convert_colors, encode_mesh, read_bytes};
 
@@ -27,9 +25,8 @@ impl Scene {
     }
 }
 
-/// Encodes a scene as the bytes of a file: glTF and GLB keep everything, 3MF the meshes with
-/// their instances and colors; other formats get one mesh, with
-/// vertex colors as the format has them.
+/// Encodes a scene as the bytes of a file: glTF and GLB keep everything, 3MF the meshes with their instances and
+/// colors; other formats get one mesh, with vertex colors as the format has them.
 ///
 /// # Errors
 /// Returns [`WriteError`] if the format cannot store a mesh of the scene.
@@ -52,26 +49,21 @@ pub fn encode_scene(
         convert_colors(&mut mesh, format);
         return encode_mesh(format, &mesh, options, path);
     }
-    #[allow(unused_mut, reason = "only writing 3MF warns")]
-    let mut warnings = Warnings::of_file(&path.map_or_else(String::new, |path| path.display().to_string()));
-    let bytes = match format {
-        #[cfg(feature = "threemf")]
-        Format::ThreeMf => {
-            let bytes = crate::three_mf::scene_to_bytes(scene, &mut warnings);
-            bytes.map_err(|refusal| refusal.in_file(&format.to_string(), format))
-        }
-        _ => SceneWriter::new(scene).to_bytes(format, options),
-    };
-    let bytes = match path.map(|path| path.display().to_string()) {
-        Some(file) => packed_for_name(bytes.map_err(|error| error.in_file(&file))?, &file)?,
-        None => bytes?,
-    };
-    Ok(EncodedMesh { bytes, warnings: warnings.into_list(), ..EncodedMesh::default() })
+    #[cfg(feature = "threemf")]
+    if format == Format::ThreeMf {
+        let file = path.map_or_else(|| format.to_string(), |path| path.display().to_string());
+        let mut warnings = crate::report::Warnings::of_file(&file);
+        let bytes = crate::three_mf::scene_to_bytes(scene, &mut warnings);
+        let bytes = bytes.map_err(|refusal| refusal.in_file(&file, format))?;
+        let bytes = if path.is_some() { crate::write::packed_for_name(bytes, &file)? } else { bytes };
+        return Ok(EncodedMesh { bytes, warnings: warnings.into_list(), ..EncodedMesh::default() });
+    }
+    SceneWriter::new(scene).encode(format, options, path)
 }
 
 /// Writes a scene to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.
 ///
-/// The file is written completely or not at all.
+/// A `.gltf` gets its buffer and images next to it. All files are written completely, or none.
 ///
 /// # Errors
 /// Returns [`WriteError`] with the file and the reason.

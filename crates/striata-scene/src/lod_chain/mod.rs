@@ -19,9 +19,11 @@
 mod coverage;
 mod nodes;
 
+use std::path::Path;
+
 use serde_json::Value;
 use striata::{Level, Target};
-use striata_io::{Format, Scene, SceneWriter, SharedMesh, WriteError, WriteOptions};
+use striata_io::{EncodedMesh, Format, Scene, SceneWriter, SharedMesh, WriteError, WriteOptions};
 
 use crate::document::{array, use_extension};
 use crate::levels::SceneLevel;
@@ -91,13 +93,16 @@ struct ChainLevel {
 /// camera, a light or an animated transform, or that is a joint, keeps these: its mesh moves to a new child,
 /// because engines replace a node with everything below it.
 ///
+/// `path` is that of the file, as for [`encode_scene`](striata_io::encode_scene).
+///
 /// # Errors
 /// [`WriteError`] if a mesh contains numbers that glTF cannot store, or the format is neither glTF nor GLB.
 pub fn lod_chain(
     scene: &LodScene,
     levels: &[SceneLevel],
     options: &LodChainOptions,
-) -> Result<Vec<u8>, WriteError> {
+    path: Option<&Path>,
+) -> Result<EncodedMesh, WriteError> {
     let mut parts = scene.full_scene().into_parts();
     nodes::show_bare_meshes(&mut parts.document);
     let mut shared = Vec::new();
@@ -128,7 +133,7 @@ pub fn lod_chain(
     let writer = SceneWriter::new(&scene);
     let writer =
         shared.into_iter().fold(writer, |writer, (mesh, shared)| writer.with_shared_mesh(mesh, shared));
-    writer.to_bytes(options.format, &options.write)
+    writer.encode(options.format, &options.write, path)
 }
 
 /// Split counts of the levels of a mesh below the full one, from fine to coarse.

@@ -13,7 +13,7 @@ use striata_command::level::{
     shortfall, shortfall_note, table_of_levels,
 };
 use striata_command::output::{Output, format_count, format_duration, format_length};
-use striata_command::save::{LevelFiles, display_name, format_of, write_bytes};
+use striata_command::save::{LevelFiles, display_name, folder_path, format_of, write_encoded};
 use striata_command::scene::{
     ReceivedScene, build_scene, check_scene_flags, flat_scene, full_scene_sizes, with_textures,
 };
@@ -257,8 +257,8 @@ fn write_chain(
     let lods = lods.map_err(|error| Failure::internal(error.to_string()))?;
     let write = destination.format.gltf.applied_to(WriteOptions::default());
     let options = LodChainOptions::default().with_format(format).with_write_options(write);
-    let bytes = lod_chain(&lods, levels, &options)?;
-    write_bytes(&bytes, destination.output)
+    let encoded = lod_chain(&lods, levels, &options, folder_path(destination.output))?;
+    write_encoded(&encoded, destination.output, output)
 }
 
 /// Returns the format of a file with several levels.

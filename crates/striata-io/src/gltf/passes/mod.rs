@@ -28,7 +28,6 @@ mod tests;
 use serde_json::{Value, json};
 
 use super::document::Document;
-use super::{container, uri};
 use crate::WriteOptions;
 use crate::error::Refusal;
 use compact::compact;
@@ -77,21 +76,6 @@ impl GltfParts {
             meshopt(self, options.quantize.as_ref());
         }
         Ok(())
-    }
-
-    /// Joins the parts into a GLB file.
-    pub(crate) fn into_glb(self) -> Result<Vec<u8>, Refusal> {
-        container::joined(self.root.to_string().into_bytes(), self.binary)
-            .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()))
-    }
-
-    /// Joins the parts into a glTF file with an embedded buffer.
-    pub(crate) fn into_json(mut self) -> Vec<u8> {
-        if let Some(buffer) = self.root.pointer_mut("/buffers/0") {
-            let base64 = uri::to_base64(&self.binary);
-            buffer["uri"] = json!(format!("data:application/octet-stream;base64,{base64}"));
-        }
-        format!("{:#}\n", self.root).into_bytes()
     }
 
     /// Appends bytes to the binary, aligned to 4, and returns a plain buffer view of them.
