@@ -12,7 +12,7 @@ use striata_scene::stream::{SceneStreamDecoder, SceneStreamInfo};
 use striata_scene::textures::{TextureOptions, TextureReport, recode_scene};
 use striata_scene::{BuildError, LodScene, read_glb_with_stream};
 
-use crate::args::SequenceArgs;
+use crate::args::{EditArgs, SequenceArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::level::FullMesh;
@@ -306,6 +306,42 @@ fn appearance_of(scene: &Scene) -> Appearance {
 
 fn entries<'v>(document: &'v Value, key: &str) -> &'v [Value] {
     document.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
+}
+
+/// Merges equal parts of a scene if `merges`, leaves out keyframes if the user wishes it, and reports what is gone.
+///
+/// # Errors
+/// If the data of an animation are damaged.
+pub fn edited(
+    mut scene: Scene,
+    (edits, merges): (&EditArgs, bool),
+    output: &Output,
+) -> Result<Scene, Failure> {
+    if merges || edits.dedup {
+        let (merged, counts) = scene.deduplicated();
+        scene = merged;
+        let parts = [
+            (counts.images, "image", "images"),
+            (counts.textures, "texture", "textures"),
+            (counts.materials, "material", "materials"),
+            (counts.meshes, "mesh", "meshes"),
+        ];
+        let parts = parts.into_iter().filter(|part| part.0 > 0);
+        let parts: Vec<_> =
+            parts.map(|(count, one, several)| format_noun_count(count, one, several)).collect();
+        if !parts.is_empty() {
+            output.say(&format!("note: {} merged with equal ones", parts.join(", ")));
+        }
+    }
+    if let Some(tolerance) = edits.resample {
+        let (resampled, [before, after]) =
+            scene.resampled(tolerance).map_err(|error| Failure::user(error.to_string()))?;
+        scene = resampled;
+        if before > 0 {
+            output.say(&format!("note: {} of {} keyframes kept", format_count(after), format_count(before)));
+        }
+    }
+    Ok(scene)
 }
 
 /// Re-encodes the images of a scene, and reports which have changed.

@@ -189,8 +189,8 @@ pub use read::{read_bytes, read_bytes_with_report};
 pub use report::{ReadReport, Warning};
 #[cfg(feature = "gltf")]
 pub use scene::{
-    MeshData, Scene, SceneError, SceneInstance, SceneParts, SceneWriter, SharedMesh, encode_scene, mesh_data,
-    read_scene_bytes, scene_to_bytes,
+    MergedParts, MeshData, Scene, SceneError, SceneInstance, SceneParts, SceneWriter, SharedMesh,
+    encode_scene, mesh_data, read_scene_bytes, scene_to_bytes,
 };
 #[cfg(all(feature = "gltf", not(target_family = "wasm")))]
 pub use scene::{read_scene, write_scene, write_scene_with_report};

@@ -12,9 +12,9 @@ use striata::model::{ModelKind, StageOptions};
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
 use striata_command::args::{
-    AxisAlignedBox, BUILD_STRIPS, Count, EyeArgs, FlatArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs,
-    OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, TextureArgs, ViewArgs,
-    strips_help,
+    AxisAlignedBox, BUILD_STRIPS, Count, EditArgs, EyeArgs, FlatArgs, FormatArgs, LEVEL, Length, LevelArgs,
+    LevelsArgs, OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, TextureArgs,
+    ViewArgs, strips_help,
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(all(feature = "serve", not(feature = "window")))]
@@ -164,6 +164,9 @@ pub(crate) struct BuildArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
+    /// What is left out of a scene.
+    #[command(flatten)]
+    pub(crate) edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
     pub(crate) textures: TextureArgs,
@@ -281,6 +284,9 @@ pub(crate) struct SimplifyArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
+    /// What is left out of a scene.
+    #[command(flatten)]
+    pub(crate) edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
     pub(crate) textures: TextureArgs,
@@ -330,6 +336,9 @@ pub(crate) struct ConvertArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
+    /// What is left out of a scene.
+    #[command(flatten)]
+    pub(crate) edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
     pub(crate) textures: TextureArgs,

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use striata_command::args::{FlatArgs, OptionalLevel, OutputArgs, StreamArgs, TextureArgs};
+use striata_command::args::{EditArgs, FlatArgs, OptionalLevel, OutputArgs, StreamArgs, TextureArgs};
 
 /// Arguments of `encode`.
 #[derive(Debug, Args)]
@@ -37,6 +37,9 @@ pub(crate) struct EncodeArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
+    /// What is left out of a scene.
+    #[command(flatten)]
+    pub(crate) edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
     pub(crate) textures: TextureArgs,

@@ -12,6 +12,42 @@ pub struct FlatArgs {
     pub flat: bool,
 }
 
+/// What is left out of a scene because the rest of it implies it.
+#[derive(Clone, Copy, Debug, Default, Args)]
+#[command(next_help_heading = "Scenes (.gltf, .glb, and files made from them)")]
+pub struct EditArgs {
+    /// Merge equal images, textures, materials and meshes; simplify and encode do so in any case
+    #[arg(long)]
+    pub dedup: bool,
+    /// Leave out keyframes within a tolerance of what their neighbors give, relative to the largest value
+    #[arg(
+        long,
+        value_name = "TOLERANCE",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "1e-4",
+        value_parser = parse_tolerance,
+    )]
+    pub resample: Option<f64>,
+}
+
+fn parse_tolerance(text: &str) -> Result<f64, String> {
+    let tolerance: f64 = text.parse().map_err(|_| "a number is expected, such as 1e-4".to_owned())?;
+    if (0.0..=1.0).contains(&tolerance) {
+        Ok(tolerance)
+    } else {
+        Err("the tolerance must be between 0 and 1".to_owned())
+    }
+}
+
+impl EditArgs {
+    /// Returns the first of these flags that the user gave.
+    pub fn first_given_flag(&self) -> Option<&'static str> {
+        let flags = [("--dedup", self.dedup), ("--resample", self.resample.is_some())];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+}
+
 /// How the images of textures are re-encoded; without any of these flags, they stay as they are.
 #[derive(Clone, Copy, Debug, Default, Args)]
 #[command(

@@ -4,7 +4,9 @@
 //! renumbered. If an unknown extension might contain indices of accessors or buffer views, all of them keep
 //! their numbers instead, and the slots of triangle data stay empty (`null`).
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Range;
 
 use serde_json::{Map, Value, json};
 
@@ -69,6 +71,8 @@ impl Carried {
 struct Shared {
     accessors: Vec<usize>,
     bytes: Vec<u8>,
+    /// Accessors with their bytes, by a hash of both: equal ones are stored once, such as the times of channels.
+    known: HashMap<u64, (usize, Range<usize>)>,
 }
 
 fn renumbered(document: &Document<'_>, root: &mut Value, is_geometry: &[bool]) -> Result<Carried, Fault> {
@@ -79,15 +83,15 @@ fn renumbered(document: &Document<'_>, root: &mut Value, is_geometry: &[bool]) -
         let Referent::Accessor(usage) = referent else { return Ok(()) };
         let from = JsonNode { value: reference, path: format!("{usage:?}") };
         let index = from.as_unsigned()?;
-        let next = number_of.len();
-        let number = *number_of.entry((index, usage)).or_insert(next);
-        if number == next {
-            carried.copy(document, index, usage, &mut shared)?;
-        }
+        let number = match number_of.get(&(index, usage)) {
+            Some(&number) => number,
+            None => carried.copy(document, index, usage, &mut shared)?,
+        };
+        number_of.insert((index, usage), number);
         *reference = json!(number);
         Ok(())
     })?;
-    for Shared { accessors, bytes } in shared.into_values() {
+    for Shared { accessors, bytes, .. } in shared.into_values() {
         let offset = carried.append(&bytes);
         let view = carried.views.len();
         carried.views.push(json!({ "buffer": 0, "byteOffset": offset, "byteLength": bytes.len() }));
@@ -99,14 +103,15 @@ fn renumbered(document: &Document<'_>, root: &mut Value, is_geometry: &[bool]) -
 }
 
 impl Carried {
-    /// Copies an accessor: vertex data to a view of its own, other data to the view of its use.
+    /// Copies an accessor, and returns its number: vertex data to a view of its own, other data to the view of its
+    /// use.
     fn copy(
         &mut self,
         document: &Document<'_>,
         index: u64,
         usage: Use,
         shared: &mut BTreeMap<Use, Shared>,
-    ) -> Result<(), Fault> {
+    ) -> Result<usize, Fault> {
         let at = document.item("accessors", index, &document.root)?;
         let source = accessor(document, index, &document.root)?;
         let mut copy = at.value.clone();
@@ -118,7 +123,7 @@ impl Carried {
         let is_zero = at.get("bufferView").is_none() && at.get("sparse").is_none();
         if is_zero {
             self.accessors.push(copy);
-            return Ok(());
+            return Ok(self.accessors.len() - 1);
         }
         let packed = source.packed_bytes();
         document.unpacked.claim(packed.len() as u64, document.input_bytes, &at)?;
@@ -128,13 +133,24 @@ impl Carried {
             self.add_view_for_drawing(packed, usage, element_bytes);
         } else {
             let shared = shared.entry(usage).or_default();
+            let mut hasher = DefaultHasher::new();
+            (copy.to_string(), &packed).hash(&mut hasher);
+            let key = hasher.finish();
+            if let Some((number, range)) = shared.known.get(&key)
+                && shared.bytes[range.clone()] == packed
+                && is_equal_but_for_place(&self.accessors[*number], &copy)
+            {
+                return Ok(*number);
+            }
             shared.bytes.resize(shared.bytes.len().next_multiple_of(4), 0);
-            copy["byteOffset"] = json!(shared.bytes.len());
+            let offset = shared.bytes.len();
+            shared.known.insert(key, (self.accessors.len(), offset..offset + packed.len()));
+            copy["byteOffset"] = json!(offset);
             shared.bytes.extend_from_slice(&packed);
             shared.accessors.push(self.accessors.len());
         }
         self.accessors.push(copy);
-        Ok(())
+        Ok(self.accessors.len() - 1)
     }
 
     /// Adds a view of vertices or indices.
@@ -158,6 +174,13 @@ impl Carried {
         }
         self.views.push(view);
     }
+}
+
+/// Whether an accessor that has a place differs from another one in nothing else.
+fn is_equal_but_for_place(stored: &Value, other: &Value) -> bool {
+    let mut stored = stored.clone();
+    stored.as_object_mut().map(|members| members.remove("byteOffset"));
+    stored == *other
 }
 
 fn with_same_numbers(

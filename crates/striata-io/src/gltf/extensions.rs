@@ -123,7 +123,7 @@ pub(super) fn is_known(extension: &str) -> bool {
 }
 
 /// Whether all extensions that a document declares or uses are known.
-pub(super) fn are_all_known(root: &Value) -> bool {
+pub(crate) fn are_all_known(root: &Value) -> bool {
     let declared = root.get("extensionsUsed").and_then(Value::as_array).into_iter().flatten();
     declared.filter_map(Value::as_str).all(is_known) && used_within(root, is_known)
 }

@@ -48,6 +48,7 @@ mod passes;
 mod primitive;
 mod read_scene;
 mod references;
+mod resample;
 mod rest_pose;
 mod shading;
 mod shapes;
@@ -88,9 +89,10 @@ pub(crate) mod parts {
     pub(crate) use super::shared_cache::{SharedCache, UnpackedCache};
 }
 
+pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::Container;
-pub(crate) use references::has_triangles;
+pub(crate) use references::{entries, has_triangles};
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;

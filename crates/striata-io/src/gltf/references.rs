@@ -152,6 +152,6 @@ fn of_members<E>(object: Option<&mut Value>, usage: Use, visit: &mut Visit<'_, E
 }
 
 /// Entries of an array; none if there is no such array.
-pub(super) fn entries<'v>(value: &'v mut Value, key: &str) -> impl Iterator<Item = &'v mut Value> {
+pub(crate) fn entries<'v>(value: &'v mut Value, key: &str) -> impl Iterator<Item = &'v mut Value> {
     value.get_mut(key).and_then(Value::as_array_mut).into_iter().flatten()
 }

@@ -23,6 +23,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod dedup;
 mod error;
 mod from_mesh;
 mod instances;
@@ -31,6 +32,7 @@ mod read;
 mod write;
 mod writer;
 
+pub use dedup::MergedParts;
 pub use error::SceneError;
 pub(crate) use from_mesh::{number_materials, primitive};
 pub use instances::SceneInstance;

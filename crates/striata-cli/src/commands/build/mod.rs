@@ -135,7 +135,8 @@ fn check_paged_flags(args: &BuildArgs) -> Result<(), Failure> {
         .or_else(|| sequence.removal.first_given_flag())
         .or_else(|| args.strip_flag())
         .or_else(|| args.stream_encoding.first_given_flag())
-        .or_else(|| args.textures.first_given_flag());
+        .or_else(|| args.textures.first_given_flag())
+        .or_else(|| args.edits.first_given_flag());
     let Some(flag) = given else { return Ok(()) };
     let name = args.input.display();
     let (reason, hint) = if args.paged.is_given() {

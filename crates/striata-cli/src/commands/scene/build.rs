@@ -13,7 +13,7 @@ use striata_command::output::{
     Output, Table, format_bytes, format_count, format_duration, format_length, format_noun_count,
 };
 use striata_command::save::{DEFAULT_NAME_NOTE, display_name, write_bytes};
-use striata_command::scene::{build_scene, check_scene_flags, with_textures};
+use striata_command::scene::{build_scene, check_scene_flags, edited, with_textures};
 use striata_command::sequence::{Limits, StepKind, limit_in_units};
 use striata_scene::LodScene;
 
@@ -69,7 +69,8 @@ pub(in crate::commands) fn build(
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
-    let scene = with_textures(input.scene(output)?, args.textures.options().as_ref(), output)?;
+    let scene = edited(input.scene(output)?, (&args.edits, false), output)?;
+    let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("simplify");
     let base = args.base.map(|count| count.of_triangles(scene.triangle_count()));
     let limits = Limits {

@@ -7,7 +7,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, format_count, format_noun_count};
 use striata_command::save::{display_name, write_scene};
-use striata_command::scene::with_textures;
+use striata_command::scene::{edited, with_textures};
 
 use crate::args::ConvertArgs;
 
@@ -29,7 +29,8 @@ pub(in crate::commands) fn convert(
     (path, format): (&Path, &'static str),
     output: &Output,
 ) -> Result<(), Failure> {
-    let scene = with_textures(input.scene(output)?, args.textures.options().as_ref(), output)?;
+    let scene = edited(input.scene(output)?, (&args.edits, false), output)?;
+    let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     write_scene(&scene, path, &args.format, output)?;
     let report = Report {
         vertex_count: scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum(),

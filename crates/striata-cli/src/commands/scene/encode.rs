@@ -10,7 +10,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Bar, Output, Table, format_bytes, format_count, format_duration};
 use striata_command::save::{DEFAULT_NAME_NOTE, display_name, write_bytes};
-use striata_command::scene::{flat_scene, with_textures};
+use striata_command::scene::{edited, flat_scene, with_textures};
 use striata_io::{Format, Scene};
 use striata_scene::stream::{SceneStreamOptions, SceneStreamSizes, encode_scene_with_progress};
 use striata_scene::{BuildError, GlbStreamOptions, LodScene};
@@ -67,6 +67,7 @@ pub(in crate::commands) fn encode(
     phases.enter("read");
     bar.phase("read");
     let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
+    let scene = edited(scene, (&args.edits, true), output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("encode");
     let (bytes, sizes) = match format {

@@ -15,7 +15,7 @@ use striata_command::level::{
 use striata_command::output::{Output, format_count, format_duration, format_length};
 use striata_command::save::{LevelFiles, display_name, folder_path, format_of, write_encoded};
 use striata_command::scene::{
-    ReceivedScene, build_scene, check_scene_flags, flat_scene, full_scene_sizes, with_textures,
+    ReceivedScene, build_scene, check_scene_flags, edited, flat_scene, full_scene_sizes, with_textures,
 };
 use striata_command::sequence::{Limits, StepKind, limit_in_units};
 use striata_io::{Format, WriteOptions};
@@ -91,6 +91,7 @@ pub(in crate::commands) fn simplify(
     let mut bar = output.bar();
     bar.phase("read");
     let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
+    let scene = edited(scene, (&args.edits, true), output)?;
     let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
     let lods =
         build_scene(input, &scene, (&args.sequence, limits), output, &mut |progress| bar.show(progress))?;
