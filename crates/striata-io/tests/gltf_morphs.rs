@@ -250,3 +250,67 @@ proptest! {
         assert_read(&bytes, &mesh);
     }
 }
+
+/// Displacements of texture coordinates, colors and custom attributes follow the vertices as well.
+#[test]
+fn targets_of_any_attribute_come_back() {
+    let mut scene = striata_testing::scenes::empty();
+    let mesh = sheet(8);
+    let count = mesh.vertex_count();
+    scene.push_mesh("sheet", &mesh);
+    scene.document["nodes"] = serde_json::json!([{ "mesh": 0 }]);
+    scene.document["scenes"] = serde_json::json!([{ "nodes": [0] }]);
+    let mut push = |width: usize, of_vertex: &dyn Fn(usize) -> f32| {
+        let numbers = (0..count * width).map(|i| of_vertex(i / width) + (i % width) as f32 / 4.0);
+        let bytes: Vec<u8> = numbers.flat_map(f32::to_le_bytes).collect();
+        let view = scene.push_view(&bytes);
+        let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][width - 1];
+        let accessor =
+            serde_json::json!({ "bufferView": view, "componentType": 5126, "count": count, "type": kind });
+        scene.push("accessors", accessor)
+    };
+    // Each value tells its vertex, which levels and writers may number anew.
+    let vertex = |v: usize| v as f32;
+    let base = serde_json::json!({
+        "TEXCOORD_0": push(2, &vertex), "COLOR_0": push(4, &|_| 0.0), "_HEAT": push(1, &vertex),
+    });
+    let targets: Vec<Value> = (0..2)
+        .map(|target| {
+            let moved = |v: usize| 10.0 * v as f32 + target as f32;
+            serde_json::json!({
+                "TEXCOORD_0": push(2, &moved), "COLOR_0": push(4, &moved), "_HEAT": push(1, &moved),
+            })
+        })
+        .collect();
+    let primitive = &mut scene.document["meshes"][0]["primitives"][0];
+    for (name, accessor) in base.as_object().unwrap() {
+        primitive["attributes"][name] = accessor.clone();
+    }
+    primitive["targets"] = Value::Array(targets);
+    let read = |glb: &[u8]| read_scene_bytes(glb, &Source::new("x.glb")).unwrap();
+    let original = read(&scene.to_glb());
+    let glb = SceneWriter::new(&original).to_bytes(Format::Glb, &WriteOptions::default()).unwrap();
+    let (json, _) = parts(&glb);
+    let written = json["meshes"][0]["primitives"][0]["targets"].as_array().unwrap();
+    for target in written {
+        let names: Vec<_> = target.as_object().unwrap().keys().collect();
+        assert_eq!(names, ["COLOR_0", "TEXCOORD_0", "_HEAT"]);
+    }
+    let found = read(&glb);
+    assert!(found.meshes() == original.meshes());
+    let mesh = found.meshes()[0].as_ref().unwrap();
+    for (target, (name, width)) in
+        [("TEXCOORD_0", 2), ("COLOR_0", 4), ("_HEAT", 1)].into_iter().enumerate().map(|(i, x)| (i % 2, x))
+    {
+        let layer = mesh.layer(&Semantic::Generic(format!("morph_{target}_{name}"))).unwrap();
+        let heat = mesh.layer(&Semantic::Generic("HEAT".to_owned())).unwrap();
+        for v in 0..mesh.vertex_count() {
+            assert_eq!(layer.component_count, width);
+            assert_eq!(layer.get(v, 0), 10.0 * heat.get(v, 0) + target as f32);
+        }
+    }
+    // In a single mesh too.
+    let flat = striata_io::read_bytes(&glb, &Source::new("x.glb")).unwrap();
+    let (json, _) = parts(&to_bytes(Format::Glb, &flat, &WriteOptions::default()).unwrap());
+    assert_eq!(json["meshes"][0]["primitives"][0]["targets"].as_array().unwrap().len(), 2);
+}

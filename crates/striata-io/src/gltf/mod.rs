@@ -40,6 +40,7 @@ mod gpu_instancing;
 mod json;
 mod layers;
 mod meshopt;
+mod morphs;
 mod node_tree;
 mod numbering;
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
@@ -92,6 +93,7 @@ pub(crate) mod parts {
 pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::Container;
+pub(crate) use morphs::target_of;
 pub(crate) use references::{entries, has_triangles};
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]

@@ -6,6 +6,7 @@ use super::accessor::{Accessor, accessor};
 use super::document::Document;
 use super::draco::DracoLink;
 use super::json::JsonNode;
+use super::morphs::semantic_in_target;
 use crate::error::{Fault, Place};
 
 /// Rule by which indices become triangles.
@@ -51,12 +52,9 @@ impl<'a> Primitive<'a> {
         for (target, entry) in at.entries("targets")?.iter().enumerate() {
             let number = u16::try_from(target)
                 .map_err(|_| entry.fault(format!("at most {} morph targets can be handled", u16::MAX)))?;
-            for (key, semantic) in [
-                ("POSITION", Semantic::MorphPosition(number)),
-                ("NORMAL", Semantic::MorphNormal(number)),
-                ("TANGENT", Semantic::MorphTangent(number)),
-            ] {
-                attributes.extend(entry.unsigned(key)?.map(|accessor| (semantic, accessor)));
+            for name in entry.value.as_object().into_iter().flat_map(|members| members.keys()) {
+                let semantic = semantic_in_target(number, name);
+                attributes.extend(entry.unsigned(name)?.map(|accessor| (semantic, accessor)));
             }
         }
         attributes.sort();

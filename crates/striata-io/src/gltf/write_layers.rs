@@ -12,6 +12,7 @@ use striata::mesh::{AttributeLayer, Bounds, IndexedMesh, LayerData, Semantic};
 
 use super::builder::Builder;
 use super::component_type::ComponentType;
+use super::morphs::target_of;
 use crate::error::Refusal;
 use crate::normals::unit;
 
@@ -40,16 +41,12 @@ pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<At
     out.attributes.insert("POSITION".to_owned(), push_points(builder, positions));
     let mut sparse = SparseData::default();
     for layer in mesh.layers.iter().filter(|layer| !is_unstorable(mesh, layer)) {
-        let target = match layer.semantic {
-            Semantic::MorphPosition(target) => Some((target, "POSITION")),
-            Semantic::MorphNormal(target) => Some((target, "NORMAL")),
-            Semantic::MorphTangent(target) => Some((target, "TANGENT")),
-            _ => None,
-        };
-        let is_free = match target.filter(|_| layer.component_count == 3) {
+        let is_free = match target_of(&layer.semantic, layer.component_count) {
             Some((target, key)) => {
-                let accessor =
-                    push_displacements(builder, &mut sparse, &floats(layer, 3)?, key == "POSITION");
+                let accessor = match layer.semantic {
+                    Semantic::Generic(_) => push_generic(builder, layer)?.1,
+                    _ => push_displacements(builder, &mut sparse, &floats(layer, 3)?, key == "POSITION"),
+                };
                 let target = target as usize;
                 if out.targets.len() <= target {
                     out.targets.resize(target + 1, json!({}));

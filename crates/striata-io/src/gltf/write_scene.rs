@@ -13,6 +13,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use super::builder::Builder;
 use super::files::Container;
+use super::morphs::semantic_in_target;
 use super::passes::GltfParts;
 use super::primitive::semantic;
 use super::references::{entries, has_triangles};
@@ -218,13 +219,7 @@ fn refer(primitive: &mut Value, found: &Attributes) {
     for (number, target) in targets.enumerate() {
         let Some(target) = target.as_object_mut() else { continue };
         let number = u16::try_from(number).unwrap_or(u16::MAX);
-        set(target, |name| {
-            found.of_layer.get(&match name {
-                "POSITION" => Semantic::MorphPosition(number),
-                "NORMAL" => Semantic::MorphNormal(number),
-                _ => Semantic::MorphTangent(number),
-            })
-        });
+        set(target, |name| found.of_layer.get(&semantic_in_target(number, name)));
     }
 }
 

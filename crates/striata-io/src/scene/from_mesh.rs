@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
-use striata::mesh::{IndexedMesh, Material, Semantic, TriangleGroup};
+use striata::mesh::{IndexedMesh, Material, TriangleGroup};
 
 use super::{Scene, SceneError, SceneParts};
-use crate::gltf::{attribute_name, image_entry, insert, looks};
+use crate::gltf::{attribute_name, image_entry, insert, looks, target_of};
 use crate::{Format, convert_colors};
 
 impl Scene {
@@ -76,13 +76,7 @@ pub(crate) fn primitive(mesh: &IndexedMesh, group: &TriangleGroup) -> Value {
     let mut attributes = Map::from_iter([("POSITION".to_owned(), Value::Null)]);
     let mut targets: Vec<Value> = Vec::new();
     for layer in &mesh.layers {
-        let target = match layer.semantic {
-            Semantic::MorphPosition(target) => Some((target, "POSITION")),
-            Semantic::MorphNormal(target) => Some((target, "NORMAL")),
-            Semantic::MorphTangent(target) => Some((target, "TANGENT")),
-            _ => None,
-        };
-        match target.filter(|_| layer.component_count == 3) {
+        match target_of(&layer.semantic, layer.component_count) {
             Some((target, key)) => {
                 targets.resize(targets.len().max(target as usize + 1), json!({}));
                 targets[target as usize][key] = Value::Null;
